@@ -1,8 +1,8 @@
 #pragma once
 // Tells at the start that the program ended in the middle of a run: nobody has stopped the rig then.
 
+#include "engine/recording/session_header.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/session_header.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>

@@ -2,7 +2,7 @@
 // The experiment that is open: its value, its file, its edits and whether any is not saved.
 
 #include "app/edit_history.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QObject>
 #include <QString>

@@ -1,6 +1,7 @@
 #include "app/examples.h"
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
 
 #include <QDirIterator>
 #include <QFile>

@@ -2,7 +2,7 @@
 // What an edit of the experiment is about, found by comparing the experiments before and after it.
 
 #include "app/page.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QString>
 

@@ -2,8 +2,8 @@
 // Help > Report a problem: what a developer needs, in one text that a person reads before it is saved.
 // Nothing is ever sent.
 
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <QDialog>
 

@@ -4,7 +4,7 @@
 #include "app/error_text.h"
 #include "app/examples.h"
 #include "engine/base/message_code.h"
-#include "engine/session/limits_widened.h"
+#include "engine/model/limits_widened.h"
 #include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/recipe/recipe_panel.h"

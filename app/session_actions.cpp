@@ -4,9 +4,10 @@
 #include "app/examples.h"
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/experiment/rig_file.h"
+#include "engine/model/limits_widened.h"
 #include "engine/recipe/recipe.h"
-#include "engine/session/limits_widened.h"
-#include "engine/session/rig_file.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QDateTime>

@@ -5,7 +5,7 @@
 #include "app/document.h"
 #include "app/session_export.h"
 #include "engine/base/units.h"
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>

@@ -3,8 +3,8 @@
 // over the file, off the GUI thread.
 
 #include "app/session_rates.h"
-#include "engine/session/recorded_session.h"
-#include "engine/session/run_metrics.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/run_metrics.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>

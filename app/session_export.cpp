@@ -1,8 +1,8 @@
 #include "app/session_export.h"
 
 #include "app/error_text.h"
-#include "engine/export/nexus_file.h"
-#include "engine/export/session_vtk.h"
+#include "engine/recording/nexus_file.h"
+#include "engine/recording/session_vtk.h"
 
 #include <QFileInfo>
 #include <QGuiApplication>

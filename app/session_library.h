@@ -1,8 +1,8 @@
 #pragma once
 // The recorded runs of a folder, for the list on the Review page: read, tagged, closed, laid over another.
 
-#include "engine/session/recorded_session.h"
-#include "engine/session/session_header.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/session_header.h"
 
 #include <QObject>
 #include <QThreadPool>

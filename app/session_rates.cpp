@@ -1,7 +1,7 @@
 #include "app/session_rates.h"
 
 #include "engine/base/message_code.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 
 #include <algorithm>
 #include <exception>

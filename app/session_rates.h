@@ -1,9 +1,9 @@
 #pragma once
 // Heat rates of a recorded run as the Review page shows them, and as start values of the open experiment.
 
-#include "engine/session/experiment.h"
-#include "engine/session/session_file.h"
-#include "engine/session/session_identification.h"
+#include "engine/model/experiment.h"
+#include "engine/recording/session_file.h"
+#include "engine/recording/session_identification.h"
 
 #include <string>
 #include <vector>

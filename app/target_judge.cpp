@@ -1,6 +1,6 @@
 #include "app/target_judge.h"
 
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
 #include <utility>

@@ -3,7 +3,7 @@
 // takes, which temperatures of each two objects go together.
 
 #include "engine/control/reachable_pairs.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 #include "app/undo_actions.h"
 
 #include "app/actions.h"
-#include "engine/session/limits_widened.h"
+#include "engine/model/limits_widened.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QAction>

@@ -2,6 +2,7 @@
 
 #include "app/file_lock.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
 
 #include <QCoreApplication>
 #include <QDir>

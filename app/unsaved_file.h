@@ -2,7 +2,7 @@
 // A file that keeps unsaved edits over a crash.
 
 #include "engine/base/result.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QDateTime>
 #include <QString>

@@ -6,8 +6,9 @@
 #include "engine/base/units.h"
 #include "engine/control/controller.h"
 #include "engine/control/steady_search.h"
-#include "engine/runtime/rig_setup.h"
-#include "engine/session/mounting_check.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/mounting_check.h"
+#include "engine/rig/rig_setup.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 #pragma once
 // A session of a day at 10 Hz with three objects, recorded for measurements, and watches to measure with.
 
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 
 #include <QElapsedTimer>
 #include <QFile>

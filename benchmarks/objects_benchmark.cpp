@@ -1,6 +1,7 @@
 // The Objects page: one redraw while the slider of harmonics is dragged, and what an import takes. Needs no
 // display.
 
+#include "engine/experiment/experiment_file.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/svg_outlines.h"
 #include "widgets/common/theme.h"

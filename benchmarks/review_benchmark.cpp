@@ -4,7 +4,7 @@
 
 #include "benchmarks/day_session.h"
 #include "engine/base/message_code.h"
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"

@@ -1,6 +1,7 @@
 // Whole runs on the simulated clock, headless: the three-object example, and eight simulated hours of the
 // bare-aluminium circle. Wanted: under 10 s and under 60 s of wall time.
 
+#include "engine/experiment/experiment_file.h"
 #include "engine/runtime/simulated_run.h"
 
 #include <QCoreApplication>

@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/exchange/target_surfaces.h"
+#include "engine/experiment/experiment_file.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/scene/target_scene.h"

@@ -4,9 +4,9 @@
 
 #include "benchmarks/day_session.h"
 #include "engine/base/message_code.h"
-#include "engine/session/recorded_session.h"
-#include "engine/session/run_metrics.h"
-#include "engine/session/session_identification.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/run_metrics.h"
+#include "engine/recording/session_identification.h"
 #include "tests/support/first_version.h"
 #include "widgets/plots/trace_plot.h"
 

@@ -2,7 +2,8 @@
 // target surfaces.
 
 #include "engine/exchange/target_surfaces.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 
 #include <benchmark/benchmark.h>
 

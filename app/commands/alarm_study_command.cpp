@@ -4,7 +4,8 @@
 #include "app/commands/paper_experiments.h"
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
-#include "engine/runtime/alarm_study.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/studies/alarm_study.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -57,9 +58,9 @@ void printFaults(const AlarmSummary& summary) {
                     fault.worst_s, fault.unseen_K);
 }
 
-void printSummary(const AlarmStudy& study, const std::vector<AlarmRow>& rows) {
+void printSummary(const AlarmStudy& study, const std::vector<AlarmStudyRow>& rows) {
     int run = study.first;
-    for (const AlarmRow& row : rows) {
+    for (const AlarmStudyRow& row : rows) {
         if (!row.refusal.empty())
             std::printf("run %d was not begun: %s\n", run, row.refusal.c_str());
         for (const RaisedAlarm& alarm : row.alarms)

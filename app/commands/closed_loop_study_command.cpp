@@ -4,6 +4,7 @@
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
 
+#include "engine/experiment/experiment_file.h"
 #include "widgets/plots/figure_png.h"
 
 #include <QTemporaryDir>

@@ -1,7 +1,7 @@
 #pragma once
 // What subcommands that take an experiment have in common on the command line.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QString>
 

@@ -4,8 +4,8 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/session_outputs.h"
 #include "app/commands/study_output.h"
-#include "engine/export/nexus_file.h"
-#include "engine/export/session_vtk.h"
+#include "engine/recording/nexus_file.h"
+#include "engine/recording/session_vtk.h"
 
 #include <QCommandLineParser>
 

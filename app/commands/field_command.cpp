@@ -7,7 +7,8 @@
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
 #include "engine/exchange/field_file.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 
 #include <QCommandLineParser>
 

@@ -5,9 +5,10 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
-#include "engine/runtime/rig_setup.h"
-#include "engine/session/recorded_session.h"
-#include "engine/session/session_identification.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/session_identification.h"
+#include "engine/rig/rig_setup.h"
 
 #include <nlohmann/json.hpp>
 

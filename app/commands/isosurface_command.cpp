@@ -10,7 +10,8 @@
 #include "engine/base/units.h"
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/target_surfaces.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 
 #include <QCommandLineParser>
 

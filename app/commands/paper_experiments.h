@@ -1,7 +1,7 @@
 #pragma once
 // The paper's experiments as files: which figure each belongs to, what the paper saw, what is expected here.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QString>
 #include <QStringList>

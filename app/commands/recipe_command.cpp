@@ -7,8 +7,8 @@
 #include "app/examples.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/limits_widened.h"
 #include "engine/recipe/simulated_recipe.h"
-#include "engine/session/limits_widened.h"
 
 #include <nlohmann/json.hpp>
 

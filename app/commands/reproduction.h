@@ -3,8 +3,8 @@
 
 #include "app/commands/paper_experiments.h"
 #include "engine/control/joint_feasibility.h"
-#include "engine/runtime/closed_loop_study.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/studies/closed_loop_study.h"
 
 #include <functional>
 #include <optional>

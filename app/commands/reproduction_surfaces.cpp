@@ -3,7 +3,7 @@
 #include "app/commands/field_axes.h"
 #include "engine/base/units.h"
 #include "engine/exchange/isosurface.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 
 #include "widgets/plots/figure_surfaces.h"
 

@@ -8,9 +8,10 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/recipe_command.h"
 #include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/limits_widened.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
-#include "engine/session/limits_widened.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,8 +4,8 @@
 #include "app/report/report_figures.h"
 #include "app/report/report_setup.h"
 #include "engine/base/message_code.h"
-#include "engine/export/staged_files.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/recording/staged_files.h"
+#include "engine/rig/rig_setup.h"
 
 #include <QCryptographicHash>
 #include <QFile>

@@ -10,7 +10,8 @@
 #include "engine/device_simulators/bench.h"
 #include "engine/device_simulators/device_server.h"
 #include "engine/drivers/driver_catalogue.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/rig/rig_setup.h"
 
 #include <QCommandLineParser>
 

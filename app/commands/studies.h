@@ -2,8 +2,8 @@
 // The studies of `bask study`, each with its options checked: does the work, writes its files into `folder`,
 // prints its summary and returns an exit code.
 
-#include "engine/runtime/alarm_draw.h"
-#include "engine/runtime/closed_loop_study.h"
+#include "engine/studies/alarm_draw.h"
+#include "engine/studies/closed_loop_study.h"
 
 #include <QString>
 

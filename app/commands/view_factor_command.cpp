@@ -6,6 +6,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/shape_json.h"
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
 #include "engine/radiation/view_factor.h"
 
 #include <QCommandLineParser>

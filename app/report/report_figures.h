@@ -2,8 +2,8 @@
 // The figures of a recorded run: quantities against time, trajectories.
 
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
-#include "engine/session/trace_overview.h"
+#include "engine/recording/session_file.h"
+#include "engine/recording/trace_overview.h"
 #include "widgets/plots/figure_format.h"
 
 #include <QByteArray>

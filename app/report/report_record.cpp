@@ -6,7 +6,7 @@
 #include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
-#include "engine/session/session_header.h"
+#include "engine/recording/session_header.h"
 #include "widgets/common/alarm_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/metric_words.h"

@@ -3,7 +3,7 @@
 #include "app/report/html_text.h"
 #include "engine/base/message_code.h"
 #include "engine/control/controller_catalogue.h"
-#include "engine/session/experiment_parameters.h"
+#include "engine/model/experiment_parameters.h"
 #include "widgets/common/display.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/rig/device_words.h"

@@ -3,7 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 
 #include <QByteArray>
 #include <QDateTime>

@@ -50,4 +50,12 @@ public:
     virtual void expect(const std::string&) {}
 };
 
+/// A device of a real rig, as it is now.
+struct RigDeviceState {
+    DeviceRole role = DeviceRole::Robot;
+    std::string port;
+    DeviceStatus status;
+    double age_s = 0.0; ///< of what it told last
+};
+
 } // namespace bask

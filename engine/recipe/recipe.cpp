@@ -2,7 +2,8 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/rig/rig_setup.h"
 
 #include <algorithm>
 #include <map>

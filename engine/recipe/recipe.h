@@ -2,7 +2,7 @@
 // A recipe: experiments to be run one after another, with waits between them. As one value and as a JSON
 // file: "format": "bask-recipe", "version": 1.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <functional>
 #include <memory>

@@ -1,8 +1,9 @@
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/experiment/json_fields.h"
+#include "engine/experiment/json_quantities.h"
+#include "engine/experiment/json_text.h"
 #include "engine/recipe/recipe.h"
-#include "engine/session/json_fields.h"
-#include "engine/session/json_quantities.h"
-#include "engine/session/json_text.h"
 
 #include <QSaveFile>
 

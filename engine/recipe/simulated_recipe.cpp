@@ -1,8 +1,8 @@
 #include "engine/recipe/simulated_recipe.h"
 
 #include "engine/base/message_code.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/alarm_log.h"
-#include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_drive.h"
 
 #include <algorithm>

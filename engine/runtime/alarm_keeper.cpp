@@ -1,5 +1,7 @@
 #include "engine/runtime/alarm_keeper.h"
 
+#include "engine/experiment/alarm_file.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>

@@ -1,8 +1,8 @@
 #pragma once
 // Keeps the alarms in a file over a restart. No call waits for the disk.
 
+#include "engine/model/alarm.h"
 #include "engine/runtime/background_thread.h"
-#include "engine/session/alarm.h"
 
 #include <memory>
 #include <optional>

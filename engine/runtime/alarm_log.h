@@ -2,7 +2,7 @@
 // Alarms out of conditions: raised, over, acknowledged, repeated; the first of those that came together.
 
 #include "engine/base/result.h"
-#include "engine/session/alarm.h"
+#include "engine/model/alarm.h"
 
 #include <string>
 #include <vector>

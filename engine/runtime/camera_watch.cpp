@@ -1,7 +1,7 @@
 #include "engine/runtime/camera_watch.h"
 
 #include "engine/devices/video_camera.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 
 namespace bask {
 

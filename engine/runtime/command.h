@@ -4,7 +4,7 @@
 #include "engine/calibration/board.h"
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #include "engine/runtime/engine_session.h"
 
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 
 namespace bask {
 

@@ -1,8 +1,8 @@
 #pragma once
 // A rig, simulated or real, with the loop of one experiment on it.
 
+#include "engine/rig/real_rig.h"
 #include "engine/runtime/fault_script.h"
-#include "engine/runtime/real_rig.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/vision/vision_thread.h"
 

@@ -2,7 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/drivers/heater_guard.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 
 #include <QDeadlineTimer>
 #include <QThread>

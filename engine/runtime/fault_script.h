@@ -1,7 +1,7 @@
 #pragma once
 // Faults of the simulated rig: one by its name, and those of an experiment's script at their times.
 
-#include "engine/session/safety_spec.h"
+#include "engine/model/safety_spec.h"
 #include "engine/simulation/simulated_rig.h"
 
 #include <string>

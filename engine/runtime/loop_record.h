@@ -1,8 +1,8 @@
 #pragma once
 // Rows that a servo loop has made since they were last taken, and their way into the session file.
 
-#include "engine/session/session_file.h"
-#include "engine/session/trace.h"
+#include "engine/model/trace.h"
+#include "engine/recording/session_file.h"
 
 #include <vector>
 

@@ -1,8 +1,9 @@
 #pragma once
 // Which devices were met at their ports, kept in a file, and the trial of one device alone.
 
+#include "engine/rig/real_rig.h"
 #include "engine/runtime/background_thread.h"
-#include "engine/runtime/real_rig.h"
+#include "engine/runtime/snapshot.h"
 
 #include <memory>
 #include <string>

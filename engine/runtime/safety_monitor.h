@@ -3,11 +3,11 @@
 
 #include "engine/base/message.h"
 #include "engine/devices/thermometer.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/quiet_watch.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/source_watch.h"
 #include "engine/runtime/warming_watch.h"
-#include "engine/session/experiment.h"
 
 #include <limits>
 #include <optional>

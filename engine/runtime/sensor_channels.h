@@ -4,9 +4,9 @@
 
 #include "engine/base/result.h"
 #include "engine/devices/thermometer.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/heat_bounds.h"
 #include "engine/runtime/zeroing.h"
-#include "engine/session/experiment.h"
 #include "engine/thermal/rate_estimator.h"
 
 #include <optional>

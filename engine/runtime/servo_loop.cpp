@@ -2,9 +2,9 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/controller_json.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/alarm_causes.h"
-#include "engine/runtime/rig_setup.h"
-#include "engine/session/controller_json.h"
 
 #include <algorithm>
 #include <cmath>

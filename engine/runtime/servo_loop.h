@@ -9,12 +9,12 @@
 #include "engine/devices/robot.h"
 #include "engine/devices/source_tracker.h"
 #include "engine/devices/thermometer.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/alarm_log.h"
 #include "engine/runtime/loop_record.h"
 #include "engine/runtime/safety_monitor.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <functional>
 #include <memory>

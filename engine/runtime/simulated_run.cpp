@@ -1,7 +1,7 @@
 #include "engine/runtime/simulated_run.h"
 
 #include "engine/base/message_code.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_drive.h"
 
 #include <algorithm>

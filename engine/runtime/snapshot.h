@@ -5,9 +5,9 @@
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/serial_ports.h"
+#include "engine/model/alarm.h"
+#include "engine/model/trace.h"
 #include "engine/runtime/zeroing.h"
-#include "engine/session/alarm.h"
-#include "engine/session/trace.h"
 
 #include <cstdint>
 #include <limits>
@@ -44,14 +44,6 @@ enum class PlaceState {
     Sure,
     Unsure, ///< it says where it is, and may be wrong: restarted, not homed, homing
     Unknown ///< it does not answer, or has told nothing new for too long
-};
-
-/// A device of a real rig, as it is now.
-struct RigDeviceState {
-    DeviceRole role = DeviceRole::Robot;
-    std::string port;
-    DeviceStatus status;
-    double age_s = 0.0; ///< of what it told last
 };
 
 /// What a device says that is tried.

@@ -1,7 +1,7 @@
 #pragma once
 // Whether the source heats when it is asked to, and does not when it is not.
 
-#include "engine/session/safety_spec.h"
+#include "engine/model/safety_spec.h"
 
 #include <optional>
 

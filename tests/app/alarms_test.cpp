@@ -2,7 +2,7 @@
 
 #include "app/bottom_dock.h"
 #include "engine/base/message_code.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/alarm_button.h"
 

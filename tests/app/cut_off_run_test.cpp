@@ -2,7 +2,7 @@
 
 #include "app/cut_off_run.h"
 #include "app/document.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/support/wait_for.h"
 #include "widgets/common/message_bar.h"
 

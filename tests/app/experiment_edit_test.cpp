@@ -1,4 +1,5 @@
 #include "app/experiment_edit.h"
+#include "engine/experiment/experiment_file.h"
 
 #include <gtest/gtest.h>
 

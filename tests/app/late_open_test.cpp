@@ -6,6 +6,7 @@
 #include "app/resources.h"
 #include "app/session_actions.h"
 #include "app/settings_store.h"
+#include "engine/experiment/experiment_file.h"
 #include "tests/support/wait_for.h"
 #include "widgets/common/message_bar.h"
 

@@ -4,8 +4,9 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/session_file.h"
 #include "engine/runtime/engine_worker.h"
-#include "engine/session/session_file.h"
 #include "tests/app/rig_processes.h"
 
 #include <QDir>

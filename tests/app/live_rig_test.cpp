@@ -1,7 +1,7 @@
 // How `bask run --live` over three serial ports ends, against `bask simulate-rig`: real drivers, real ports,
 // two processes. That it settles is in socat_rig_test.cpp.
 
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/app/rig_processes.h"
 
 namespace bask::test {

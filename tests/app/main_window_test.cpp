@@ -3,8 +3,9 @@
 
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
-#include "engine/session/rig_file.h"
-#include "engine/session/session_file.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/experiment/rig_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"

@@ -2,6 +2,7 @@
 
 #include "app/document.h"
 #include "engine/base/units.h"
+#include "engine/experiment/experiment_file.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/objects/mounting_plan.h"
 #include "widgets/objects/object_list.h"

@@ -3,7 +3,8 @@
 #include "app/commands/command_line.h"
 #include "app/commands/reproduction.h"
 #include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/rig/rig_setup.h"
 #include "tests/support/captured_command.h"
 
 #include <QDir>

@@ -3,6 +3,7 @@
 // its own.
 
 #include "engine/base/pose.h"
+#include "engine/experiment/experiment_file.h"
 #include "engine/protocols/modbus_profile.h"
 #include "tests/support/guard_processes.h"
 #include "tests/support/wait_for.h"

@@ -4,8 +4,8 @@
 #include "app/commands/session_outputs.h"
 #include "app/report/report_record.h"
 #include "engine/base/message_code.h"
-#include "engine/session/session_header.h"
-#include "tests/engine/session/recording.h"
+#include "engine/recording/session_header.h"
+#include "tests/engine/recording/recording.h"
 #include "tests/support/captured_command.h"
 
 #include <gtest/gtest.h>

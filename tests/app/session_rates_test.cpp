@@ -1,8 +1,9 @@
 #include "app/session_count.h"
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/session_store.h"
 #include "engine/runtime/simulated_run.h"
-#include "engine/session/session_store.h"
 #include "tests/support/wait_for.h"
 
 #include <QTemporaryDir>

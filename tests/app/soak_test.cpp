@@ -1,8 +1,8 @@
 // The control loop at 10 Hz over three serial ports, watched from outside: no sample lost, memory flat, and
 // how late its steps begin. The short form runs in CI, the long one by hand (CONTRIBUTING.md).
 
+#include "engine/recording/session_file.h"
 #include "engine/runtime/lateness.h"
-#include "engine/session/session_file.h"
 #include "tests/app/hogs.h"
 #include "tests/app/rig_processes.h"
 

@@ -1,7 +1,7 @@
 // The whole engine over serial lines that neither it nor the simulators have made: socat's, as cables.
 
 #include "engine/base/message_code.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/app/rig_processes.h"
 
 #include <QDir>

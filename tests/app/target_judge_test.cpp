@@ -3,6 +3,7 @@
 #include "app/document.h"
 #include "app/target_judge.h"
 #include "engine/base/units.h"
+#include "engine/experiment/experiment_file.h"
 #include "engine/runtime/simulated_run.h"
 #include "tests/support/wait_for.h"
 

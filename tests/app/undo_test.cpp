@@ -1,8 +1,9 @@
 // The window's undo, files and recovery: every page's edits come back exactly, and none are lost by a crash.
 
 #include "app/unsaved_file.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/experiment/rig_file.h"
 #include "engine/runtime/simulated_run.h"
-#include "engine/session/rig_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/message_bar.h"

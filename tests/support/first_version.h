@@ -1,7 +1,7 @@
 #pragma once
 // Session files of version 1, made of such of today.
 
-#include "engine/session/session_store.h"
+#include "engine/recording/session_store.h"
 
 #include <array>
 #include <string>

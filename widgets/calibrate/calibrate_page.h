@@ -1,7 +1,7 @@
 #pragma once
 // The Calibrate page: the live picture, and beside it what can be calibrated, a tab each.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "engine/vision/vision_view.h"
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 #pragma once
 // How old an experiment's calibrations are, in words: for the checklist and the page.
 
-#include "engine/session/vision_spec.h"
+#include "engine/model/vision_spec.h"
 
 #include <QDateTime>
 #include <QStringList>

@@ -1,7 +1,7 @@
 #pragma once
 // The markers of a rig: what each sits on, its id, side and place, and whether the camera sees it.
 
-#include "engine/session/vision_spec.h"
+#include "engine/model/vision_spec.h"
 #include "engine/vision/vision_view.h"
 
 #include <QWidget>

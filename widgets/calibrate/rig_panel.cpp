@@ -1,7 +1,7 @@
 #include "widgets/calibrate/rig_panel.h"
 
 #include "engine/base/units.h"
-#include "engine/session/experiment_rig.h"
+#include "engine/model/experiment_rig.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/calibrate/camera_result.h"
 #include "widgets/calibrate/marker_editor.h"

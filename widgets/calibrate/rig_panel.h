@@ -4,7 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/calibration/hand_eye.h"
 #include "engine/calibration/relative_pose.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "engine/vision/vision_view.h"
 #include "widgets/calibrate/rig_survey.h"
 #include "widgets/common/latest_job.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Alarms as the window lists them: causes with what follows from each, and those that a person put aside.
 
-#include "engine/session/alarm.h"
+#include "engine/model/alarm.h"
 
 #include <vector>
 

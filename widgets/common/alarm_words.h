@@ -2,7 +2,7 @@
 // An alarm in words: what the list, the state bar and a screen reader say of it.
 
 #include "engine/base/units.h"
-#include "engine/session/alarm.h"
+#include "engine/model/alarm.h"
 
 #include <QDate>
 #include <QString>

@@ -4,8 +4,8 @@
 #include "engine/base/message.h"
 #include "engine/base/units.h"
 #include "engine/control/controller_settings.h"
+#include "engine/model/safety_spec.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/safety_spec.h"
 
 #include <QString>
 

@@ -2,7 +2,7 @@
 // The metrics of a run in words: name, definition, value with its unit or why there is none.
 
 #include "engine/base/units.h"
-#include "engine/session/run_metrics.h"
+#include "engine/recording/run_metrics.h"
 
 #include <QString>
 
@@ -22,7 +22,7 @@ inline constexpr std::array kRunMetrics{RunMetric::Duration, RunMetric::PathLeng
 
 QString metricName(ObjectMetric metric);
 QString metricName(RunMetric metric);
-/// One or two sentences, as engine/session/run_metrics.h has it.
+/// One or two sentences, as engine/recording/run_metrics.h has it.
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit);
 QString metricDefinition(RunMetric metric);
 /// "42.0 s", "+0.12 K", or in words why there is no value: "not settled".

@@ -1,6 +1,6 @@
 #include "widgets/objects/fourier_fits.h"
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QCoreApplication>
 #include <QPointer>

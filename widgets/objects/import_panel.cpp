@@ -2,7 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"

@@ -1,7 +1,7 @@
 #include "widgets/objects/mounting_plan.h"
 
 #include "engine/base/units.h"
-#include "engine/session/mounting_check.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/outline_painting.h"
 

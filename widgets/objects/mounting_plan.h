@@ -2,7 +2,7 @@
 // Plan of the end-effector seen along its -z axis: every object where it is mounted, to scale, dragged and
 // turned by mouse or keys.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 // List of the experiment's objects: colour, name (F2 renames), and what each is in a second line.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QListWidget>
 

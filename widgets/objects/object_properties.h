@@ -3,7 +3,7 @@
 // edge only.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment_parameters.h"
+#include "engine/model/experiment_parameters.h"
 
 #include <QWidget>
 

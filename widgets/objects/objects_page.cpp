@@ -1,6 +1,6 @@
 #include "widgets/objects/objects_page.h"
 
-#include "engine/session/mounting_check.h"
+#include "engine/model/mounting_check.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"

@@ -2,7 +2,7 @@
 // The Objects page: list, import, outline over outline, harmonics, material, mounting.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "engine/shape/contour_import.h"
 #include "widgets/common/latest_job.h"
 

@@ -2,7 +2,7 @@
 // How plots and figures show a quantity: its words, and its values in the unit that a reader chose.
 
 #include "engine/base/units.h"
-#include "engine/session/trace_overview.h"
+#include "engine/recording/trace_overview.h"
 
 #include <QString>
 

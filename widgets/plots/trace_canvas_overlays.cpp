@@ -1,7 +1,7 @@
 // Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their
 // lines.
 
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
 

@@ -1,6 +1,6 @@
 #include "widgets/plots/trace_plot.h"
 
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
 

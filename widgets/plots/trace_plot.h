@@ -3,7 +3,7 @@
 // cursors.
 
 #include "engine/base/units.h"
-#include "engine/session/trace.h"
+#include "engine/model/trace.h"
 #include "widgets/plots/trace_store.h"
 
 #include <QPointF>

@@ -1,6 +1,6 @@
 #include "widgets/plots/trace_store.h"
 
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 // The numbers behind a trace plot in SI, and the lines they make: samples where they can be told apart, least
 // and greatest values where they are denser than pixels.
 
-#include "engine/session/trace.h"
-#include "engine/session/trace_overview.h"
+#include "engine/model/trace.h"
+#include "engine/recording/trace_overview.h"
 
 #include <memory>
 #include <utility>

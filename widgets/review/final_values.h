@@ -2,7 +2,7 @@
 // Table of how a run ended: per object its target, final temperature, error and settling time.
 
 #include "engine/base/units.h"
-#include "engine/session/run_metrics.h"
+#include "engine/recording/run_metrics.h"
 
 #include <QTableWidget>
 

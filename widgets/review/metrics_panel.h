@@ -2,7 +2,7 @@
 // What a run was worth in numbers, a row a metric and a column an object, each with its definition.
 
 #include "engine/base/units.h"
-#include "engine/session/run_metrics.h"
+#include "engine/recording/run_metrics.h"
 
 #include <QStringList>
 #include <QWidget>

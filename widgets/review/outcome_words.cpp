@@ -1,6 +1,6 @@
 #include "widgets/review/outcome_words.h"
 
-#include "engine/session/session_header.h"
+#include "engine/recording/session_header.h"
 #include "widgets/common/theme.h"
 
 #include <QCoreApplication>

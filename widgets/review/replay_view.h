@@ -4,7 +4,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message.h"
 #include "engine/base/units.h"
-#include "engine/session/recorded_session.h"
+#include "engine/recording/recorded_session.h"
 
 #include <QWidget>
 

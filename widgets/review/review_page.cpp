@@ -1,6 +1,6 @@
 #include "widgets/review/review_page.h"
 
-#include "engine/session/session_header.h"
+#include "engine/recording/session_header.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"

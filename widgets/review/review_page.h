@@ -3,8 +3,8 @@
 // events and notes.
 
 #include "engine/base/units.h"
-#include "engine/session/recorded_session.h"
-#include "engine/session/run_metrics.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/run_metrics.h"
 #include "widgets/review/session_form.h"
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 #pragma once
 // The recorded runs of a folder: searched, tagged, opened.
 
-#include "engine/session/session_header.h"
+#include "engine/recording/session_header.h"
 
 #include <QStringList>
 #include <QWidget>

@@ -2,8 +2,8 @@
 // What must be so before a run, ticked or crossed, and the engine's reasons in full.
 
 #include "engine/base/units.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <QWidget>
 

@@ -2,8 +2,8 @@
 // A rig's devices by role: words for them, and the parts of a RigSpec that belong to one.
 
 #include "engine/drivers/driver_catalogue.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <QString>
 

@@ -1,7 +1,7 @@
 #include "widgets/rig/limits_panel.h"
 
 #include "engine/base/units.h"
-#include "engine/session/experiment_parameters.h"
+#include "engine/model/experiment_parameters.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"

@@ -2,7 +2,7 @@
 // The source and the robot's limits: what is typed here is the experiment's.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QWidget>
 

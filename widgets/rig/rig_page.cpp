@@ -1,6 +1,6 @@
 #include "widgets/rig/rig_page.h"
 
-#include "engine/session/limits_widened.h"
+#include "engine/model/limits_widened.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"

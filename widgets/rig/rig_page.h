@@ -3,9 +3,9 @@
 // source and the limits.
 
 #include "engine/base/units.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <QPointer>
 #include <QWidget>

@@ -1,6 +1,6 @@
 #include "widgets/rig/safety_panel.h"
 
-#include "engine/session/experiment_parameters.h"
+#include "engine/model/experiment_parameters.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/parameter_form.h"

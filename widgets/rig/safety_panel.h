@@ -2,7 +2,7 @@
 // What the engine watches and from where on it acts: the experiment's safety limits.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QWidget>
 

@@ -2,8 +2,8 @@
 // The sensors zeroed against each other: when, with what offsets, and why they cannot be now.
 
 #include "engine/base/units.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 #include <QWidget>
 

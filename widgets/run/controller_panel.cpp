@@ -1,7 +1,7 @@
 #include "widgets/run/controller_panel.h"
 
 #include "engine/control/controller_catalogue.h"
-#include "engine/session/trace.h"
+#include "engine/model/trace.h"
 #include "widgets/common/display.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/common/quantity_spin_box.h"

@@ -2,8 +2,8 @@
 // The Run page: a tile an object, traces, the 3-D scene, controller and gains, notes.
 
 #include "engine/base/units.h"
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 #include "widgets/plots/trace_store.h"
 
 #include <QWidget>

@@ -2,7 +2,7 @@
 // What every scene shows of an experiment: the box its axes measure, outlines for labels, colours of the
 // palette.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "widgets/scene/camera_fit.h"
 #include "widgets/scene/scene_props.h"
 

@@ -2,7 +2,7 @@
 // The VTK actors of the scene: source, floor, workspace, objects, mounts and trails; private to
 // widgets/scene.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "widgets/scene/camera_fit.h"
 #include "widgets/scene/trail.h"
 

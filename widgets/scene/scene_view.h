@@ -2,8 +2,8 @@
 // The 3-D scene of a run: source, workspace, objects at their pose, and trajectories coloured by temperature.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
-#include "engine/session/trace.h"
+#include "engine/model/experiment.h"
+#include "engine/model/trace.h"
 
 #include <QWidget>
 

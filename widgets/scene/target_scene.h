@@ -5,7 +5,7 @@
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/exchange/target_surfaces.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <QImage>
 #include <QStringList>

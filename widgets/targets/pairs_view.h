@@ -4,7 +4,7 @@
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/control/reachable_pairs.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "widgets/common/latest_job.h"
 
 #include <QWidget>

@@ -3,7 +3,7 @@
 
 #include "engine/control/joint_feasibility.h"
 #include "engine/exchange/target_surfaces.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 
 #include <optional>
 #include <utility>

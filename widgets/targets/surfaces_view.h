@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/exchange/target_surfaces.h"
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "widgets/common/latest_job.h"
 #include "widgets/targets/sweep_player.h"
 

@@ -1,5 +1,6 @@
 #include "app/commands/command_line.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 #include "tests/engine/exchange/read_image.h"
 #include "tests/support/captured_command.h"
 

@@ -1,7 +1,8 @@
 #include "app/commands/command_line.h"
 #include "engine/base/units.h"
 #include "engine/control/rig_geometry.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 #include "tests/engine/exchange/read_image.h"
 #include "tests/support/captured_command.h"
 

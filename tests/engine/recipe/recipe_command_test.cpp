@@ -2,7 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "engine/recipe/recipe.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 #include "tests/support/captured_command.h"
 
 #include <gtest/gtest.h>

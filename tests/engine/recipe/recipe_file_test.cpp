@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/experiment_file.h"
 #include "engine/recipe/recipe.h"
 
 #include <QDir>

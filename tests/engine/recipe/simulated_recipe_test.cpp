@@ -1,10 +1,11 @@
 // Whole recipes on the simulated rig.
 
+#include "engine/experiment/experiment_file.h"
 #include "engine/recipe/simulated_recipe.h"
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
+#include "engine/recording/session_file.h"
 
 #include <QFileInfo>
 #include <QTemporaryDir>

@@ -1,6 +1,7 @@
 // The file of the alarms, between programs that run at the same time and one after another.
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/alarm_file.h"
 #include "engine/runtime/alarm_keeper.h"
 #include "tests/support/wait_for.h"
 

@@ -1,6 +1,7 @@
 // Alarms: condition and acknowledgement apart, repeats, the first of many, and over a restart.
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/alarm_file.h"
 #include "engine/runtime/alarm_log.h"
 
 #include <QDir>

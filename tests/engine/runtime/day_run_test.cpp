@@ -1,6 +1,7 @@
 // Memory of a recorded run at 10 Hz, as fast as the machine goes: half an hour in CI, a day by hand (`ctest
 // -L soak -R day`).
 
+#include "engine/experiment/experiment_file.h"
 #include "engine/runtime/simulated_run.h"
 
 #include <QFileInfo>

@@ -2,6 +2,8 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/alarm_file.h"
+#include "engine/experiment/experiment_file.h"
 #include "tests/engine/runtime/engine_thread.h"
 #include "tests/engine/runtime/half_size.h"
 

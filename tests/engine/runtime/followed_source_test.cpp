@@ -2,6 +2,7 @@
 // filtered.
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
 #include "engine/runtime/simulated_run.h"
 #include "engine/vision/camera_source_tracker.h"
 #include "tests/engine/runtime/half_size.h"

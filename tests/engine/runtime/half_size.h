@@ -1,7 +1,7 @@
 #pragma once
 // Pictures of half the size each way: as good for what is followed, and a quarter of the work.
 
-#include "engine/session/experiment.h"
+#include "engine/model/experiment.h"
 #include "engine/simulation/simulated_camera.h"
 
 namespace bask {

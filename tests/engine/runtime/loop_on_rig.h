@@ -2,7 +2,7 @@
 // A servo loop on the simulated rig, with one clock that tests set forward.
 
 #include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/servo_loop.h"
 
 #include <gtest/gtest.h>

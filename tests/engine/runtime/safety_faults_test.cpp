@@ -3,8 +3,9 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/notice.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/rig/missing_devices.h"
 #include "engine/runtime/fault_script.h"
-#include "engine/runtime/missing_devices.h"
 #include "engine/runtime/simulated_run.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 

@@ -1,7 +1,7 @@
 #include "engine/runtime/session_recorder.h"
 
 #include "engine/base/message_code.h"
-#include "engine/session/session_store.h"
+#include "engine/recording/session_store.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 #include "tests/support/wait_for.h"
 

@@ -3,8 +3,9 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/recorded_session.h"
 #include "engine/runtime/simulated_run.h"
-#include "engine/session/recorded_session.h"
 
 #include <QTemporaryDir>
 

@@ -3,7 +3,8 @@
 #include "app/commands/command_line.h"
 
 #include "engine/base/message_code.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"

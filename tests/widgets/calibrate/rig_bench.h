@@ -3,7 +3,8 @@
 
 #include "engine/base/clock.h"
 #include "engine/calibration/projection.h"
-#include "engine/session/experiment.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment.h"
 #include "engine/vision/vision_view.h"
 
 #include <random>

@@ -1,9 +1,10 @@
 // Where the robot is sent to calibrate a rig, and which pictures count.
 
+#include "engine/experiment/experiment_file.h"
 #include "widgets/calibrate/rig_survey.h"
 
 #include "engine/base/units.h"
-#include "engine/session/experiment_rig.h"
+#include "engine/model/experiment_rig.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // Objects with holes on the Objects page: said, drawn, and kept by edits.
 
+#include "engine/experiment/experiment_file.h"
 #include "widgets/objects/mounting_plan.h"
 #include "widgets/objects/object_list.h"
 #include "widgets/objects/objects_page.h"

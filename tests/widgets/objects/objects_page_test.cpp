@@ -1,3 +1,4 @@
+#include "engine/experiment/experiment_file.h"
 #include "widgets/objects/objects_page.h"
 
 #include "tests/support/longer_translator.h"

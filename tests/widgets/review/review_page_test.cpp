@@ -1,8 +1,9 @@
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
+#include "engine/experiment/experiment_file.h"
 #include "widgets/review/review_page.h"
 
-#include "engine/session/session_store.h"
+#include "engine/recording/session_store.h"
 #include "tests/support/first_version.h"
 #include "tests/support/longer_translator.h"
 #include "tests/support/wait_for.h"

@@ -1,8 +1,8 @@
 #pragma once
 // An experiment with a real rig, and what an engine would tell of it.
 
+#include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/session/experiment.h"
 
 namespace bask::test {
 

@@ -1,8 +1,8 @@
 #pragma once
 // A three-object experiment made by hand, a run of it, and helpers that look at pixels.
 
-#include "engine/session/experiment.h"
-#include "engine/session/trace.h"
+#include "engine/model/experiment.h"
+#include "engine/model/trace.h"
 
 #include <QColor>
 #include <QImage>

@@ -1,10 +1,11 @@
 // The maps of all pairs: how many, when stale, and what their export holds.
 
+#include "engine/experiment/experiment_file.h"
 #include "widgets/targets/pairs_view.h"
 
 #include "app/commands/command_line.h"
 #include "engine/exchange/reachable_file.h"
-#include "engine/runtime/rig_setup.h"
+#include "engine/rig/rig_setup.h"
 #include "tests/support/captured_command.h"
 #include "tests/support/longer_translator.h"
 #include "tests/support/wait_for.h"

@@ -1,7 +1,8 @@
 #pragma once
 // A surfaces' view with an example and its verdict, and eyes for its picture.
 
-#include "engine/runtime/rig_setup.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/rig/rig_setup.h"
 #include "tests/support/wait_for.h"
 #include "widgets/scene/target_scene.h"
 #include "widgets/targets/surfaces_view.h"

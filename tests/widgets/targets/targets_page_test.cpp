@@ -1,3 +1,4 @@
+#include "engine/experiment/experiment_file.h"
 #include "widgets/targets/targets_page.h"
 
 #include "engine/base/message_code.h"

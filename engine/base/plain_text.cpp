@@ -1,0 +1,54 @@
+#include "engine/base/plain_text.h"
+
+#include "engine/base/message_code.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace bask {
+
+std::string plainWords(const std::string& words) {
+    const std::size_t id = words.find("] ");
+    std::string text = words.starts_with('[') && id != std::string::npos ? words.substr(id + 2) : words;
+    for (char& c : text) {
+        if (c < ' ' || c > '~')
+            c = '?';
+    }
+    constexpr std::size_t kLongest = 300;
+    return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
+}
+
+std::string printable(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
+            text[i] = ' ';
+        else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) // U+0080 to U+009F
+            text.replace(i, 2, "  ");
+    }
+    return text;
+}
+
+Result<std::string> readTextFile(const std::string& path, std::uintmax_t most) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (!fs::exists(status))
+        return Error(MessageCode::FileNotFound, path);
+    if (!fs::is_regular_file(status))
+        return Error(MessageCode::FileUnreadable, path, {"not a file"});
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (!code && size > most)
+        return Error(MessageCode::FileTooLarge, path,
+                     {std::to_string(size >> 20) + " MiB", std::to_string(most >> 20) + " MiB"});
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return Error(MessageCode::FileUnreadable, path, {"access refused"});
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+        return Error(MessageCode::FileUnreadable, path, {"it ended early"});
+    return text;
+}
+
+} // namespace bask

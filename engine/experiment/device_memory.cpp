@@ -1,0 +1,107 @@
+#include "engine/experiment/device_memory.h"
+
+#include "engine/base/plain_text.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/experiment/json_fields.h"
+
+#include <QFile>
+#include <QSaveFile>
+
+#include <nlohmann/json.hpp>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMemoryVersion = 1;
+constexpr std::uintmax_t kMaxMemoryBytes = 1U << 20;
+
+/// "thermometer modbus /dev/ttyUSB0 unit 17"
+template <class Spec> std::string keyOfUnit(const char* role, const Spec& spec) {
+    const std::string key = std::string(role) + ' ' + spec.driver + ' ' + spec.port;
+    return driverOf(spec).isModbus ? key + " unit " + std::to_string(spec.unit) : key;
+}
+
+void readDevice(const json& j, const std::string& path, Failure& failure, DeviceMemory& out) {
+    std::string key;
+    KnownDevice device;
+    Fields fields(j, path, failure);
+    fields.read("device", key, true);
+    fields.read("port_id", device.portId);
+    fields.read("signature", device.signature);
+    fields.close();
+    out[key] = device;
+}
+
+DeviceMemory readDevices(const json& j, Failure& failure) {
+    DeviceMemory memory;
+    std::string format;
+    int version = 0;
+    Fields root(j, {}, failure);
+    root.read("format", format, true);
+    root.read("version", version, true);
+    const json* list = root.find("devices", true);
+    root.close();
+    if (!failure && (format != "bask-devices" || !list->is_array()))
+        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-devices"});
+    if (!failure && version > kMemoryVersion)
+        root.fail(MessageCode::VersionTooNew, "version",
+                  {std::to_string(version), std::to_string(kMemoryVersion)});
+    for (std::size_t i = 0; !failure && i < list->size(); ++i)
+        readDevice((*list)[i], "devices[" + std::to_string(i) + ']', failure, memory);
+    return memory;
+}
+
+} // namespace
+
+std::string memoryKey(const RobotDeviceSpec& robot) {
+    return "robot " + robot.driver + ' ' + robot.port;
+}
+
+std::string memoryKey(const ThermometerDeviceSpec& thermometer) {
+    return keyOfUnit("thermometer", thermometer);
+}
+
+std::string memoryKey(const HeatSourceDeviceSpec& source) {
+    return keyOfUnit("source", source);
+}
+
+Result<DeviceMemory> readDeviceMemory(const std::string& path) {
+    if (!QFile::exists(QString::fromStdString(path)))
+        return DeviceMemory();
+    const auto text = readTextFile(path, kMaxMemoryBytes);
+    if (!text)
+        return text.error();
+    if (const auto trouble = checkJsonText(*text))
+        return Error(trouble->code, path, trouble->args);
+    try {
+        Failure failure;
+        DeviceMemory memory = readDevices(json::parse(*text), failure);
+        if (failure)
+            return Error(failure->code(), path + ": " + failure->where, failure->message.args);
+        return memory;
+    } catch (const json::exception& exception) {
+        return Error(MessageCode::JsonSyntax, path, {plainWords(exception.what())});
+    }
+}
+
+Result<void> writeDeviceMemory(const DeviceMemory& memory, const std::string& path) {
+    nlohmann::ordered_json j{{"format", "bask-devices"},
+                             {"version", kMemoryVersion},
+                             {"devices", nlohmann::ordered_json::array()}};
+    for (const auto& [key, device] : memory)
+        j["devices"].push_back(
+            {{"device", key}, {"port_id", device.portId}, {"signature", device.signature}});
+    const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
+    QSaveFile file(QString::fromStdString(path));
+    const bool isWritten =
+        file.open(QIODevice::WriteOnly) &&
+        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+        file.commit();
+    if (!isWritten)
+        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
+    return {};
+}
+
+} // namespace bask

@@ -1,0 +1,464 @@
+#include "engine/base/edge_units.h"
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/control/controller_catalogue.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/experiment/faults_json.h"
+#include "engine/experiment/json_fields.h"
+#include "engine/experiment/json_text.h"
+#include "engine/experiment/parameter_json.h"
+#include "engine/experiment/rig_json.h"
+#include "engine/experiment/vision_json.h"
+#include "engine/model/experiment_parameters.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <type_traits>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uintmax_t kMaxFileSize = 32u << 20; // bytes
+constexpr double kCentredTolerance_m = 1e-9;
+
+/// Array of rows of `width` numbers each.
+std::vector<std::array<double, 3>> readRows(const Fields& fields, const json& j, const std::string& key,
+                                            std::size_t width) {
+    std::vector<std::array<double, 3>> rows;
+    const std::string path = fields.pathOf(key);
+    if (!j.is_array())
+        fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(j)});
+    for (std::size_t i = 0; j.is_array() && i < j.size() && !fields.failure(); ++i) {
+        const json& row = j[i];
+        const bool numbers = row.is_array() && row.size() == width &&
+                             std::ranges::all_of(row, [](const json& v) { return v.is_number(); });
+        if (!numbers) {
+            fields.fail(MessageCode::JsonWrongType, path + '[' + std::to_string(i) + ']',
+                        {"an array of " + std::to_string(width) + " numbers", typeName(row)});
+            break;
+        }
+        rows.push_back({});
+        for (std::size_t k = 0; k < width; ++k)
+            rows.back()[k] = row[k].get<double>();
+    }
+    return rows;
+}
+
+/// A ring of points; `key` names it.
+Contour readRing(const Fields& fields, const json& j, const std::string& key) {
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& row : readRows(fields, j, key, 2))
+        points.emplace_back(row[0], row[1]);
+    if (fields.failure())
+        return {};
+    Result<Contour> contour = makeContour(std::move(points), fields.pathOf(key));
+    if (contour)
+        return *contour;
+    fields.failure() = contour.error();
+    return {};
+}
+
+Contour readPoints(Fields& fields, const std::string& key, bool required) {
+    const json* j = fields.find(key, required);
+    return j != nullptr ? readRing(fields, *j, key) : Contour{};
+}
+
+std::vector<Contour> readHoles(Fields& fields, const std::string& key) {
+    std::vector<Contour> holes;
+    const json* j = fields.find(key);
+    if (j == nullptr)
+        return holes;
+    if (!j->is_array())
+        fields.fail(MessageCode::JsonWrongType, fields.pathOf(key), {"an array", typeName(*j)});
+    else if (j->size() > kMaxHoles)
+        fields.fail(MessageCode::HolesTooMany, fields.pathOf(key),
+                    {std::to_string(j->size()), std::to_string(kMaxHoles)});
+    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
+        holes.push_back(readRing(fields, (*j)[i], key + '[' + std::to_string(i) + ']'));
+    return holes;
+}
+
+/// The input may be clockwise.
+FourierContour counterClockwise(std::vector<std::complex<double>> coefficients) {
+    FourierContour contour(coefficients);
+    if (contour.area() >= 0.0)
+        return contour;
+    std::ranges::reverse(coefficients);
+    return FourierContour(std::move(coefficients));
+}
+
+FourierContour shifted(const FourierContour& contour, const Eigen::Vector2d& by_m) {
+    auto coefficients = contour.coefficients();
+    coefficients.at(coefficients.size() / 2) += std::complex(by_m.x(), by_m.y());
+    return FourierContour(std::move(coefficients));
+}
+
+Eigen::Vector2d centroidOf(const FourierContour& contour) {
+    const std::complex<double> centroid = contour.area() > 0.0 ? contour.centroid() : 0.0;
+    return {centroid.real(), centroid.imag()};
+}
+
+Eigen::Vector2d centroidOf(const Contour& polygon) {
+    return contourCentroid(polygon);
+}
+
+/// The input may be off the outline's centroid; the holes move with the outline.
+template <class Outline> Shape centredShape(const Outline& outline, std::vector<Contour> holes) {
+    const Eigen::Vector2d centroid = centroidOf(outline);
+    if (!(centroid.norm() > kCentredTolerance_m))
+        return withHoles(outline, std::move(holes));
+    for (Contour& hole : holes)
+        hole = shifted(hole, -centroid);
+    return withHoles(shifted(outline, -centroid), std::move(holes));
+}
+
+FourierContour readCoefficients(Fields& fields) {
+    const std::string key = "coefficients";
+    const json* j = fields.find(key, true);
+    if (j == nullptr)
+        return {};
+    std::map<int, std::complex<double>> given;
+    int harmonics = 1;
+    for (const auto& [order, re, im] : readRows(fields, *j, key, 3)) {
+        if (order != std::floor(order) || std::abs(order) > kMaxHarmonics)
+            fields.fail(MessageCode::HarmonicsOutOfRange, fields.pathOf(key),
+                        {formatNumber(order), std::to_string(-kMaxHarmonics), std::to_string(kMaxHarmonics)});
+        else if (!given.emplace(static_cast<int>(order), std::complex(re, im)).second)
+            fields.fail(MessageCode::JsonDuplicateKey, fields.pathOf(key), {formatNumber(order)});
+        else
+            harmonics = std::max(harmonics, std::abs(static_cast<int>(order)));
+    }
+    if (fields.failure())
+        return {};
+    std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
+    for (const auto& [order, value] : given)
+        coefficients[static_cast<std::size_t>(order + harmonics)] = value;
+    return counterClockwise(std::move(coefficients));
+}
+
+/// An outline in a file beside the experiment, read and fitted now.
+void readImport(Fields& fields, const std::string& folder, Shape& shape, ContourOrigin& origin) {
+    ContourImportOptions options;
+    fields.read("file", origin.file, true);
+    fields.read("harmonics", origin.harmonics);
+    if (fields.find("scale_px_per_mm") != nullptr)
+        fields.read("scale_px_per_mm", options.scale_px_per_mm.emplace());
+    if (fields.find("unit") != nullptr)
+        fields.readWord("unit",
+                        {{"m", LengthUnit::Metre},
+                         {"cm", LengthUnit::Centimetre},
+                         {"mm", LengthUnit::Millimetre},
+                         {"in", LengthUnit::Inch}},
+                        options.unit.emplace());
+    fields.close();
+    if (fields.failure())
+        return;
+    const std::filesystem::path file = std::filesystem::path(folder) / origin.file;
+    const Result<PickedOutline> picked = readPicked(file.string(), options);
+    if (!picked) {
+        fields.failure() = picked.error();
+        fields.failure()->where = fields.pathOf("file") + ": " + picked.error().where;
+        return;
+    }
+    const std::string name = origin.file;
+    Result<OriginalShape> made = shapeFromOutline(picked->contour, picked->holes, origin.harmonics);
+    if (!made)
+        return fields.fail(made.error().code(),
+                           fields.pathOf("harmonics") +
+                               (made.error().where.empty() ? "" : ": " + made.error().where),
+                           made.error().message.args);
+    shape = std::move(made->shape);
+    origin = std::move(made->origin);
+    origin.file = name;
+}
+
+void readContourForm(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+                     Shape& shape, ContourOrigin& origin) {
+    enum class Form { Disk, Fourier, Polygon, Import };
+    Fields fields(j, path, failure);
+    Form form = Form::Disk;
+    fields.find("type", true);
+    fields.readWord("type",
+                    {{"disk", Form::Disk},
+                     {"fourier", Form::Fourier},
+                     {"polygon", Form::Polygon},
+                     {"import", Form::Import}},
+                    form);
+    if (failure)
+        return;
+    if (form == Form::Import)
+        return readImport(fields, folder, shape, origin);
+    if (form == Form::Disk) {
+        Disk disk;
+        fields.read("radius_m", disk.radius_m, true);
+        shape = withHoles(disk, readHoles(fields, "holes_m"));
+    } else if (form == Form::Fourier) {
+        const FourierContour series = readCoefficients(fields);
+        shape = centredShape(series, readHoles(fields, "holes_m"));
+        for (const char* figure :
+             {"area_mm2", "net_area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm", "area_error",
+              "centre_mm", "unit", "warnings", "outline", "holes"})
+            fields.find(figure); // what bask fit-contour says of a fit is no part of the shape
+    } else {
+        const Contour polygon = readPoints(fields, "points_m", true);
+        shape = centredShape(polygon, readHoles(fields, "holes_m"));
+    }
+    fields.read("file", origin.file);
+    fields.read("harmonics", origin.harmonics);
+    origin.outline = readPoints(fields, "outline_m", false);
+    origin.holes = readHoles(fields, "outline_holes_m");
+    fields.close();
+}
+
+/// An array of objects of a time and a value, which readValue(fields, value) reads.
+template <class T, class ReadValue>
+void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, ReadValue readValue) {
+    const json* j = parent.find(key);
+    if (j == nullptr)
+        return;
+    const std::string path = parent.pathOf(key);
+    if (!j->is_array())
+        return parent.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    for (std::size_t i = 0; i < j->size() && !parent.failure(); ++i) {
+        Fields fields((*j)[i], path + '[' + std::to_string(i) + ']', parent.failure());
+        TimePoint<T> point;
+        if constexpr (std::is_same_v<T, Vector6d>)
+            point.value.setZero();
+        fields.read("time_s", point.time_s, true);
+        readValue(fields, point.value);
+        fields.close();
+        out.push_back(point);
+    }
+}
+
+void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
+    Fields fields(j, path, failure);
+    fields.read("name", out.name);
+    readParameters(fields, materialParameters(), out);
+    fields.close();
+}
+
+ObjectSpec readObject(const json& j, const std::string& path, const std::string& folder, Failure& failure) {
+    ObjectSpec object;
+    Fields fields(j, path, failure);
+    fields.read("name", object.name, true);
+    fields.read("target", EdgeUnit::Temperature, object.target_K, true);
+    readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
+        readContourForm(part, where, folder, failure, object.shape, object.origin);
+    });
+    readPart(fields, "material", true, [&](const json& part, const std::string& where) {
+        readMaterial(part, where, failure, object.material);
+    });
+    readPart(fields, "mounting", true, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, object.mounting);
+    });
+    readPart(fields, "believed_rates", false, [&](const json& part, const std::string& where) {
+        readParameters(part, where, failure, heatRateParameters(), object.believedRates.emplace());
+    });
+    readPart(fields, "simulated_material", false, [&](const json& part, const std::string& where) {
+        readMaterial(part, where, failure, object.simulatedMaterial.emplace());
+    });
+    readParameters(fields, objectLimitParameters(), object);
+    fields.close();
+    return object;
+}
+
+void readSource(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+                SourceSpec& out) {
+    Fields fields(j, path, failure);
+    readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
+        readContourForm(part, where, folder, failure, out.shape, out.origin);
+    });
+    fields.read("temperature", EdgeUnit::Temperature, out.temperature_K, true);
+    fields.read("emittance", out.emittance, true);
+    fields.readWord("source_model", {{"gray", SourceModel::Gray}, {"paper", SourceModel::Paper}}, out.model);
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose);
+    });
+    readTimeTable(fields, "temperature_profile", out.temperatureProfile, [](Fields& point, double& value_K) {
+        point.read("temperature", EdgeUnit::Temperature, value_K, true);
+    });
+    fields.read("tracked", out.tracked);
+    fields.close();
+}
+
+void readFree(Fields& fields, RobotLimits& out) {
+    const json* j = fields.find("free");
+    if (j == nullptr)
+        return;
+    const std::string path = fields.pathOf("free");
+    if (!j->is_array())
+        return fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    out.free.fill(false);
+    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i) {
+        const json& axis = (*j)[i];
+        const std::string where = path + '[' + std::to_string(i) + ']';
+        if (!axis.is_string())
+            return fields.fail(MessageCode::JsonWrongType, where, {"text", typeName(axis)});
+        const auto name = axis.get<std::string>();
+        const auto it = std::ranges::find_if(kCoordinateNames, [&](const char* n) { return name == n; });
+        if (it == kCoordinateNames.end())
+            return fields.fail(MessageCode::ValueUnknown, where,
+                               {plainWords(name), "x, y, z, theta_x, theta_y, theta_z"});
+        bool& free = out.free[static_cast<std::size_t>(it - kCoordinateNames.begin())];
+        if (free)
+            return fields.fail(MessageCode::AxisTwice, where, {name});
+        free = true;
+    }
+}
+
+void readRobot(const json& j, const std::string& path, Failure& failure, Experiment& out) {
+    Fields fields(j, path, failure);
+    readFree(fields, out.robot);
+    readParameters(fields, robotParameters(), out.robot);
+    const auto coordinates = [&](const std::string& key, Vector6d& q) {
+        readPart(fields, key, false, [&](const json& part, const std::string& where) {
+            readCoordinates(part, where, failure, q);
+        });
+    };
+    coordinates("lower", out.robot.lower);
+    coordinates("upper", out.robot.upper);
+    coordinates("start", out.start);
+    fields.close();
+}
+
+void readController(const json& j, const std::string& path, Failure& failure, ControllerSettings& out) {
+    Fields fields(j, path, failure);
+    std::map<std::string, ControllerKind> kinds;
+    for (const ControllerEntry& entry : controllerCatalogue())
+        kinds[entry.key] = entry.kind;
+    fields.readWord("kind", kinds, out.kind);
+    for (const ControllerEntry& entry : controllerCatalogue())
+        readPart(fields, entry.group, false, [&](const json& part, const std::string& where) {
+            Fields group(part, where, failure);
+            for (const ControllerGain& gain : entry.gains)
+                if (const auto si = readParameter(group, *gain.facts, false))
+                    gain.set(out, *si);
+            group.close();
+        });
+    readParameters(fields, controllerParameters(), out);
+    fields.close();
+}
+
+void readSimulation(const json& j, const std::string& path, Failure& failure, SimulationSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("seed", out.seed);
+    readParameters(fields, simulationParameters(), out);
+    readTimeTable(fields, "source_motion", out.sourceMotion, readCoordinateFields);
+    if (fields.find("source_emittance") != nullptr)
+        fields.read("source_emittance", out.sourceEmittance.emplace());
+    readPart(fields, "source_pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.sourcePose.emplace(Vector6d::Zero()));
+    });
+    readPart(fields, "camera", false, [&](const json& part, const std::string& where) {
+        readSimulatedCamera(part, where, failure, out.camera);
+    });
+    readFaults(fields, "faults", out.faults);
+    fields.close();
+}
+
+/// Format and version come first: a file from a newer version is said to be that, whatever else is in it.
+void readHeader(Fields& root) {
+    std::string format;
+    int version = 0;
+    root.read("format", format, true);
+    root.read("version", version, true);
+    if (!format.empty() && format != "bask-experiment")
+        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-experiment"});
+    else if (version > kExperimentFormat)
+        root.fail(MessageCode::VersionTooNew, "version",
+                  {std::to_string(version), std::to_string(kExperimentFormat)});
+    else if (root.find("version") != nullptr && version < 1)
+        root.fail(MessageCode::ValueOutOfRange, "version",
+                  {std::to_string(version), "1", std::to_string(kExperimentFormat), ""});
+}
+
+Experiment readRoot(const json& j, const std::string& folder, Failure& failure) {
+    Experiment e;
+    Fields root(j, "", failure);
+    readHeader(root);
+    root.read("title", e.title);
+    e.title = printable(std::move(e.title));
+    const auto part = [&](const std::string& key, bool required, auto read, auto& out) {
+        readPart(root, key, required,
+                 [&](const json& value, const std::string& where) { read(value, where, failure, out); });
+    };
+    readPart(root, "source", true, [&](const json& value, const std::string& where) {
+        readSource(value, where, folder, failure, e.source);
+    });
+    readPart(root, "environment", true, [&](const json& value, const std::string& where) {
+        Fields fields(value, where, failure);
+        fields.read("temperature", EdgeUnit::Temperature, e.environment_K, true);
+        fields.close();
+    });
+    part("robot", false, readRobot, e);
+    part("controller", false, readController, e.controller);
+    readPart(root, "sampling", false, [&](const json& value, const std::string& where) {
+        readParameters(value, where, failure, samplingParameters(), e.sampling);
+    });
+    part("simulation", false, readSimulation, e.simulation);
+    part("vision", false, readVision, e.vision);
+    readPart(root, "rig", false, [&](const json& value, const std::string& where) {
+        readRig(value, where, failure, e.rig.emplace());
+    });
+    readPart(root, "safety", false, [&](const json& value, const std::string& where) {
+        readParameters(value, where, failure, safetyParameters(), e.safety);
+    });
+    const json* objects = root.find("objects", true);
+    // Keys first: an import is only worth its time in a file that is otherwise right.
+    root.close();
+    if (objects != nullptr && !objects->is_array())
+        root.fail(MessageCode::JsonWrongType, "objects", {"an array", typeName(*objects)});
+    else if (objects != nullptr && objects->size() > 6)
+        root.fail(MessageCode::TooManyObjects, "objects",
+                  {std::to_string(objects->size()), std::to_string(e.robot.degreesOfFreedom())});
+    for (std::size_t i = 0; objects != nullptr && i < objects->size() && !failure; ++i)
+        e.objects.push_back(readObject((*objects)[i], "objects[" + std::to_string(i) + "]", folder, failure));
+    return e;
+}
+
+Error located(Error error, const std::string& where) {
+    if (!where.empty())
+        error.where = error.where.empty() ? where : where + ": " + error.where;
+    return error;
+}
+
+} // namespace
+
+Result<Experiment> experimentFromJson(const std::string& text, const std::string& where,
+                                      const std::string& folder) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        return Error(MessageCode::FileEmpty, where);
+    if (text.size() > kMaxFileSize)
+        return Error(MessageCode::FileTooLarge, where,
+                     {std::to_string(text.size() >> 20) + " MiB", "32 MiB"});
+    try {
+        if (const auto trouble = checkJsonText(text))
+            return Error(trouble->code, where, trouble->args);
+        Failure failure;
+        Experiment experiment = readRoot(json::parse(text), folder, failure);
+        if (failure)
+            return located(*failure, where);
+        if (auto valid = validate(experiment); !valid)
+            return located(valid.error(), where);
+        return experiment;
+    } catch (const json::exception& e) {
+        return Error(MessageCode::JsonSyntax, where, {plainWords(e.what())});
+    } catch (const std::bad_alloc&) {
+        return Error(MessageCode::FileUnreadable, where, {"not enough memory"});
+    }
+}
+
+Result<Experiment> readExperiment(const std::string& path) {
+    const auto text = readTextFile(path, kMaxFileSize);
+    if (!text)
+        return text.error();
+    return experimentFromJson(*text, path, std::filesystem::path(path).parent_path().string());
+}
+
+} // namespace bask

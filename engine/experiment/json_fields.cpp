@@ -1,0 +1,159 @@
+#include "engine/experiment/json_fields.h"
+
+#include "engine/base/plain_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace bask {
+
+using nlohmann::json;
+
+const char* typeName(const json& j) {
+    switch (j.type()) {
+    case json::value_t::null:
+        return "null";
+    case json::value_t::object:
+        return "an object";
+    case json::value_t::array:
+        return "an array";
+    case json::value_t::string:
+        return "text";
+    case json::value_t::boolean:
+        return "true or false";
+    case json::value_t::number_float:
+        return "a number";
+    default:
+        return "a whole number";
+    }
+}
+
+Fields::Fields(const json& j, std::string path, Failure& failure)
+    : m_path(std::move(path)), m_failure(failure) {
+    if (j.is_object())
+        m_json = &j;
+    else
+        fail(MessageCode::JsonWrongType, m_path, {"an object", typeName(j)});
+}
+
+const json* Fields::find(const std::string& key, bool required) {
+    m_asked.insert(key);
+    if (m_json != nullptr) {
+        if (const auto it = m_json->find(key); it != m_json->end())
+            return &*it;
+    }
+    if (required && m_missing.empty())
+        m_missing = key;
+    return nullptr;
+}
+
+void Fields::read(const std::string& key, double& out, bool required) {
+    if (const json* j = find(key, required))
+        number(*j, key, out);
+}
+
+void Fields::read(const std::string& key, int& out, bool required) {
+    const json* j = find(key, required);
+    if (j == nullptr)
+        return;
+    constexpr int kMax = std::numeric_limits<int>::max();
+    if (!j->is_number_integer())
+        return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
+    const auto value = j->get<double>();
+    if (std::abs(value) > kMax)
+        return fail(MessageCode::ValueOutOfRange, pathOf(key), {j->dump(), "0", std::to_string(kMax), ""});
+    out = static_cast<int>(value);
+}
+
+void Fields::read(const std::string& key, std::uint64_t& out) {
+    const json* j = find(key);
+    if (j == nullptr)
+        return;
+    if (j->is_number_integer() && !j->is_number_unsigned())
+        return fail(MessageCode::ValueOutOfRange, pathOf(key), {j->dump(), "0", "18446744073709551615", ""});
+    if (!j->is_number_unsigned())
+        return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
+    out = j->get<std::uint64_t>();
+}
+
+void Fields::read(const std::string& key, bool& out) {
+    const json* j = find(key);
+    if (j == nullptr)
+        return;
+    if (!j->is_boolean())
+        return fail(MessageCode::JsonWrongType, pathOf(key), {"true or false", typeName(*j)});
+    out = j->get<bool>();
+}
+
+void Fields::read(const std::string& key, std::string& out, bool required) {
+    const json* j = find(key, required);
+    if (j == nullptr)
+        return;
+    if (!j->is_string())
+        return fail(MessageCode::JsonWrongType, pathOf(key), {"text", typeName(*j)});
+    out = j->get<std::string>();
+}
+
+void Fields::read(const std::string& key, std::vector<double>& out) {
+    const json* j = find(key);
+    if (j == nullptr)
+        return;
+    if (!j->is_array())
+        return fail(MessageCode::JsonWrongType, pathOf(key), {"an array", typeName(*j)});
+    out.clear();
+    for (std::size_t i = 0; i < j->size(); ++i)
+        number((*j)[i], key + '[' + std::to_string(i) + ']', out.emplace_back());
+}
+
+void Fields::read(const std::string& name, EdgeUnit unit, double& out, bool required) {
+    const std::string readable = readableKey(name, unit);
+    const std::string si = siKey(name, unit);
+    const json* inSi = find(si);
+    const json* inReadable = find(readable, required && inSi == nullptr);
+    if (inReadable != nullptr && inSi != nullptr)
+        return fail(MessageCode::JsonTwoSpellings, m_path, {readable, si});
+    double value = 0.0;
+    if (inSi != nullptr)
+        number(*inSi, si, out);
+    else if (inReadable != nullptr && number(*inReadable, readable, value))
+        out = toSi(value, unit);
+}
+
+void Fields::close() {
+    if (m_json == nullptr || m_failure)
+        return;
+    for (const auto& item : m_json->items()) {
+        if (m_asked.contains(item.key()))
+            continue;
+        std::map<std::string, int> known;
+        for (const std::string& key : m_asked)
+            known[key] = 0;
+        return fail(MessageCode::JsonUnknownKey, m_path, {plainWords(item.key()), joined(known)});
+    }
+    if (!m_missing.empty())
+        fail(MessageCode::JsonMissingKey, m_path, {m_missing});
+}
+
+bool Fields::number(const json& j, const std::string& key, double& out) {
+    if (!j.is_number()) {
+        fail(MessageCode::JsonWrongType, pathOf(key), {"a number", typeName(j)});
+        return false;
+    }
+    out = j.get<double>();
+    return true;
+}
+
+void readCoordinateFields(Fields& fields, Vector6d& out) {
+    for (int k = 0; k < 6; ++k)
+        fields.read(kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), out[k]);
+}
+
+void readCoordinates(const json& j, const std::string& path, Failure& failure, Vector6d& out) {
+    Fields fields(j, path, failure);
+    readCoordinateFields(fields, out);
+    fields.close();
+}
+
+} // namespace bask

@@ -1,0 +1,98 @@
+#pragma once
+// One JSON object while it is read: typed access by key, the first failure kept, unknown keys refused.
+
+#include "engine/base/edge_units.h"
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/base/pose.h"
+#include "engine/base/result.h"
+#include "engine/experiment/json_text.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Kind of a value in words: "a number".
+const char* typeName(const nlohmann::json& j);
+
+/// The first failure met; everything after it is skipped.
+using Failure = std::optional<Error>;
+
+/// Keys that nobody asked for are refused by close().
+class Fields {
+public:
+    Fields(const nlohmann::json& j, std::string path, Failure& failure);
+
+    std::string pathOf(const std::string& key) const { return m_path.empty() ? key : m_path + '.' + key; }
+    Failure& failure() const { return m_failure; }
+
+    /// The value of a key, or null after noting that a required one is missing.
+    const nlohmann::json* find(const std::string& key, bool required = false);
+
+    void read(const std::string& key, double& out, bool required = false);
+    void read(const std::string& key, int& out, bool required = false);
+    void read(const std::string& key, std::uint64_t& out);
+    void read(const std::string& key, bool& out);
+    void read(const std::string& key, std::string& out, bool required = false);
+    /// An array of numbers.
+    void read(const std::string& key, std::vector<double>& out);
+    /// A quantity in either of its two spellings, into SI.
+    void read(const std::string& name, EdgeUnit unit, double& out, bool required = false);
+
+    /// A word out of a table; `table` maps what is written to what is meant.
+    template <class T>
+    void readWord(const std::string& key, const std::map<std::string, T>& table, T& out,
+                  bool required = false) {
+        std::string word;
+        read(key, word, required);
+        if (find(key) == nullptr || m_failure)
+            return;
+        if (const auto it = table.find(word); it != table.end())
+            out = it->second;
+        else
+            fail(MessageCode::ValueUnknown, pathOf(key), {plainWords(word), joined(table)});
+    }
+
+    /// Ends the reading of this object: unknown keys first, since a misspelt key is also a missing one.
+    void close();
+
+    void fail(MessageCode code, const std::string& path, std::vector<std::string> args = {}) const {
+        if (!m_failure)
+            m_failure = Error(code, path, std::move(args));
+    }
+
+    template <class T> static std::string joined(const std::map<std::string, T>& table) {
+        std::string out;
+        for (const auto& [word, unused] : table)
+            out += (out.empty() ? "" : ", ") + word;
+        return out;
+    }
+
+private:
+    bool number(const nlohmann::json& j, const std::string& key, double& out);
+
+    const nlohmann::json* m_json = nullptr;
+    std::string m_path;
+    Failure& m_failure;
+    std::set<std::string> m_asked;
+    std::string m_missing;
+};
+
+/// Calls read(json, path) with the object under `key`, if there is one.
+template <class Read> void readPart(Fields& parent, const std::string& key, bool required, Read read) {
+    if (const nlohmann::json* j = parent.find(key, required); j != nullptr && !parent.failure())
+        read(*j, parent.pathOf(key));
+}
+
+/// The six pose coordinates; those left out stay.
+void readCoordinateFields(Fields& fields, Vector6d& out);
+void readCoordinates(const nlohmann::json& j, const std::string& path, Failure& failure, Vector6d& out);
+
+} // namespace bask

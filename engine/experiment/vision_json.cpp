@@ -1,0 +1,157 @@
+#include "engine/experiment/vision_json.h"
+
+#include "engine/experiment/json_quantities.h"
+#include "engine/experiment/parameter_json.h"
+#include "engine/model/experiment_parameters.h"
+
+#include <nlohmann/json.hpp>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+using Json = nlohmann::ordered_json;
+
+const std::map<std::string, Part> kParts{
+    {"source", Part::Source}, {"end_effector", Part::EndEffector}, {"base", Part::Base}};
+
+void readModelFields(Fields& fields, CameraModel& out) {
+    fields.read("width_px", out.width, true);
+    fields.read("height_px", out.height, true);
+    fields.read("fx_px", out.fx, true);
+    fields.read("fy_px", out.fy, true);
+    fields.read("cx_px", out.cx, true);
+    fields.read("cy_px", out.cy, true);
+    fields.read("distortion", out.distortion);
+}
+
+void putModel(Json& j, const CameraModel& camera) {
+    j["width_px"] = camera.width;
+    j["height_px"] = camera.height;
+    j["fx_px"] = camera.fx;
+    j["fy_px"] = camera.fy;
+    j["cx_px"] = camera.cx;
+    j["cy_px"] = camera.cy;
+    j["distortion"] = camera.distortion;
+}
+
+void readCamera(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
+    Fields fields(j, path, failure);
+    CameraModel& camera = out.camera.emplace();
+    readModelFields(fields, camera);
+    if (fields.find("rms_px") != nullptr)
+        fields.read("rms_px", camera.rms_px.emplace());
+    fields.read("deviations", camera.deviations);
+    fields.read("board", camera.board);
+    fields.read("date", out.cameraDate);
+    fields.close();
+}
+
+MarkerSpec readMarker(const json& j, const std::string& path, Failure& failure) {
+    Fields fields(j, path, failure);
+    MarkerSpec marker;
+    fields.readWord("part", kParts, marker.part, true);
+    fields.read("id", marker.id, true);
+    fields.read("side", EdgeUnit::LengthMm, marker.side_m, true);
+    readPart(fields, "pose", true, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, marker.pose);
+    });
+    fields.close();
+    return marker;
+}
+
+void readMarkers(Fields& fields, std::vector<MarkerSpec>& out) {
+    const json* j = fields.find("markers");
+    if (j == nullptr)
+        return;
+    const std::string path = fields.pathOf("markers");
+    if (!j->is_array())
+        return fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
+        out.push_back(readMarker((*j)[i], path + '[' + std::to_string(i) + ']', fields.failure()));
+}
+
+Json markerJson(const MarkerSpec& marker) {
+    Json j;
+    for (const auto& [word, part] : kParts)
+        if (part == marker.part)
+            j["part"] = word;
+    j["id"] = marker.id;
+    putQuantity(j, "side", EdgeUnit::LengthMm, marker.side_m);
+    j["pose"] = coordinatesJson(marker.pose);
+    return j;
+}
+
+Json cameraJson(const VisionSpec& vision) {
+    const CameraModel& camera = *vision.camera;
+    Json j;
+    putModel(j, camera);
+    if (camera.rms_px)
+        j["rms_px"] = *camera.rms_px;
+    if (!camera.deviations.empty())
+        j["deviations"] = camera.deviations;
+    if (!camera.board.empty())
+        j["board"] = camera.board;
+    if (!vision.cameraDate.empty())
+        j["date"] = vision.cameraDate;
+    return j;
+}
+
+} // namespace
+
+void readVision(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("dictionary", out.dictionary);
+    readMarkers(fields, out.markers);
+    readPart(fields, "camera", false,
+             [&](const json& part, const std::string& where) { readCamera(part, where, failure, out); });
+    readPart(fields, "camera_pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.cameraPose.emplace(Vector6d::Zero()));
+    });
+    fields.read("camera_pose_date", out.cameraPoseDate);
+    fields.read("source_pose_date", out.sourcePoseDate);
+    fields.close();
+}
+
+void readSimulatedCamera(const json& j, const std::string& path, Failure& failure, SimulatedCameraSpec& out) {
+    Fields fields(j, path, failure);
+    readPart(fields, "model", false, [&](const json& part, const std::string& where) {
+        Fields model(part, where, failure);
+        readModelFields(model, out.model.emplace());
+        model.close();
+    });
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
+    });
+    readParameters(fields, simulatedCameraParameters(), out);
+    fields.close();
+}
+
+Json visionJson(const VisionSpec& vision) {
+    Json j;
+    j["dictionary"] = vision.dictionary;
+    j["markers"] = Json::array();
+    for (const MarkerSpec& marker : vision.markers)
+        j["markers"].push_back(markerJson(marker));
+    if (vision.camera)
+        j["camera"] = cameraJson(vision);
+    if (vision.cameraPose)
+        j["camera_pose"] = coordinatesJson(*vision.cameraPose);
+    if (!vision.cameraPoseDate.empty())
+        j["camera_pose_date"] = vision.cameraPoseDate;
+    if (!vision.sourcePoseDate.empty())
+        j["source_pose_date"] = vision.sourcePoseDate;
+    return j;
+}
+
+Json simulatedCameraJson(const SimulatedCameraSpec& camera) {
+    Json j;
+    if (camera.model)
+        putModel(j["model"], *camera.model);
+    if (camera.pose)
+        j["pose"] = coordinatesJson(*camera.pose);
+    putParameters(j, simulatedCameraParameters(), camera);
+    return j;
+}
+
+} // namespace bask

@@ -1,0 +1,16 @@
+#pragma once
+// The camera, its calibration and its markers in an experiment's file.
+
+#include "engine/experiment/json_fields.h"
+#include "engine/model/vision_spec.h"
+
+namespace bask {
+
+void readVision(const nlohmann::json& j, const std::string& path, Failure& failure, VisionSpec& out);
+void readSimulatedCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
+                         SimulatedCameraSpec& out);
+
+nlohmann::ordered_json visionJson(const VisionSpec& vision);
+nlohmann::ordered_json simulatedCameraJson(const SimulatedCameraSpec& camera);
+
+} // namespace bask

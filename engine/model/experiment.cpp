@@ -1,0 +1,474 @@
+#include "engine/model/experiment.h"
+
+#include "engine/base/message_code.h"
+#include "engine/shape/winding.h"
+
+#include "engine/base/edge_units.h"
+#include "engine/base/units.h"
+#include "engine/control/controller_catalogue.h"
+#include "engine/model/checker.h"
+#include "engine/model/experiment_parameters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace bask {
+namespace {
+
+using std::to_string;
+
+constexpr int kOutlineSamples = 256;
+constexpr std::size_t kMaxNameLength = 64;
+constexpr std::size_t kMaxTitleLength = 1000;
+constexpr std::size_t kMaxOutlinePoints = 200'000;
+constexpr double kMaxSourceRadius_m = 10.0;
+constexpr double kMinRadius_m = 1e-6;
+constexpr double kMaxPlace_cm = 500.0; // of the robot's workspace and of the source
+constexpr double kSamePlace = 1e-9;    // m, rad
+constexpr double kMaxPicture_px = 16384.0;
+constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
+constexpr double kMaxMarkers = 64.0;
+
+void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
+    if (points.size() > kMaxOutlinePoints)
+        check.range(where, static_cast<double>(points.size()), 3.0, static_cast<double>(kMaxOutlinePoints),
+                    "points");
+    for (std::size_t i = 0; i < points.size() && !check.failed(); ++i) {
+        if (!points[i].allFinite())
+            check.fail(MessageCode::ContourNotFinite, where, {"point " + to_string(i + 1)});
+    }
+}
+
+void checkCoefficients(Checker& check, const std::string& where, const FourierContour& contour) {
+    const int harmonics = contour.harmonics();
+    if (contour.coefficients().empty() || harmonics < 1 || harmonics > kMaxHarmonics)
+        return check.fail(MessageCode::HarmonicsOutOfRange, where,
+                          {to_string(std::max(harmonics, 0)), "1", to_string(kMaxHarmonics)});
+    for (const auto& c : contour.coefficients()) {
+        if (!std::isfinite(c.real()) || !std::isfinite(c.imag()))
+            return check.fail(MessageCode::ContourNotFinite, where, {"a coefficient"});
+    }
+}
+
+/// `most_m`: greatest radius about the shape's origin.
+void checkShape(Checker& check, const std::string& path, const Shape& shape, const ContourOrigin& origin,
+                double most_m) {
+    if (const auto* disk = outlineAs<Disk>(shape)) {
+        check.positive(path + ".radius_m", disk->radius_m, most_m, "m");
+    } else if (const auto* fourier = outlineAs<FourierContour>(shape)) {
+        checkCoefficients(check, path + ".coefficients", *fourier);
+    } else {
+        const auto& points = outlineAs<Contour>(shape)->points_m;
+        if (points.size() < 3)
+            check.fail(MessageCode::ContourTooFewPoints, path + ".points_m", {to_string(points.size()), "3"});
+        checkPoints(check, path + ".points_m", points);
+    }
+    checkPoints(check, path + ".outline_m", origin.outline.points_m);
+    check.range(path + ".harmonics", origin.harmonics, 0.0, kMaxHarmonics);
+    if (!check.failed())
+        check.take(checkHoles(shape, path + ".holes_m"));
+    if (!check.failed())
+        check.take(checkHoles(withHoles(origin.outline, origin.holes), path + ".outline_holes_m"));
+    if (check.failed())
+        return;
+    if (!(shapeArea(shape) > 0.0))
+        return check.fail(MessageCode::ContourZeroArea, path);
+    const double radius_m = shapeRadius(shape);
+    if (!(radius_m <= most_m) || radius_m < kMinRadius_m)
+        return check.fail(
+            MessageCode::ValueOutOfRange, path,
+            {"a radius of " + formatNumber(radius_m), formatNumber(kMinRadius_m), formatNumber(most_m), "m"});
+    const auto* fourier = outlineAs<FourierContour>(shape);
+    const double uneven = fourier ? unevenShare(*fourier) : 0.0;
+    if (uneven > kMaxUneven)
+        return check.fail(MessageCode::SeriesUneven, path + ".coefficients",
+                          {formatNumber(100.0 * uneven, 2)});
+    const auto* polygon = outlineAs<Contour>(shape);
+    std::size_t corners = polygon ? polygon->points_m.size() : 0;
+    for (const Contour& hole : holesOf(shape))
+        corners += hole.points_m.size();
+    if (corners > kMaxCorners)
+        check.fail(MessageCode::ValueOutOfRange, path + (polygon ? ".points_m" : ".holes_m"),
+                   {to_string(corners), "3", to_string(kMaxCorners), "corners"});
+}
+
+/// Coordinates of a pose, lengths within +-most_cm and angles within +-180 degrees, theta_y within +-90 where
+/// the three angles are to be unique.
+void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double most_cm,
+                      bool unique) {
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const double most = k < 3 ? most_cm : (unique && k == kThetaY ? 90.0 : 180.0);
+        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k], -most,
+                       most);
+    }
+}
+
+/// Calls checkValue(path of the point, value) for each point of a table; its times must not be negative and
+/// grow.
+template <class T, class CheckValue>
+void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>& table,
+                    CheckValue checkValue) {
+    for (std::size_t i = 0; i < table.size() && !check.failed(); ++i) {
+        const std::string point = path + '[' + to_string(i) + "].";
+        check.range(point + "time_s", table[i].time_s, 0.0, kMaxRunTime_s, "s");
+        if (i > 0 && !(table[i].time_s > table[i - 1].time_s))
+            check.fail(MessageCode::TimesNotGrowing, point + "time_s",
+                       {formatNumber(table[i].time_s, 10), formatNumber(table[i - 1].time_s, 10)});
+        checkValue(point, table[i].value);
+    }
+}
+
+void checkSource(Checker& check, const Experiment& e) {
+    checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
+    const auto temperature = [&](const std::string& path, double value_K) {
+        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, kMinTemperature_degC,
+                       kMaxTemperature_degC);
+    };
+    temperature("source.", e.source.temperature_K);
+    checkTimeTable(check, "source.temperature_profile", e.source.temperatureProfile, temperature);
+    checkCoordinates(check, "source.pose.", e.source.pose, kMaxPlace_cm, true);
+    check.positive("source.emittance", e.source.emittance, 1.0);
+    check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
+    if (check.failed())
+        return;
+    const double J =
+        netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
+    if (!(J > 0.0))
+        check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
+}
+
+/// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
+bool isPlain(const std::string& name) {
+    if (name.front() == ' ' || name.back() == ' ')
+        return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(name[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : '\0');
+        if (byte < 0x20 || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0))
+            return false;
+    }
+    return true;
+}
+
+void checkObject(Checker& check, const std::string& path, const ObjectSpec& object,
+                 std::set<std::string>& names) {
+    const bool blank = object.name.find_first_not_of(" \t\r\n") == std::string::npos;
+    if (blank)
+        check.fail(MessageCode::NameEmpty, path + ".name");
+    else if (object.name.size() > kMaxNameLength)
+        check.range(path + ".name", static_cast<double>(object.name.size()), 1.0, kMaxNameLength,
+                    "characters");
+    else if (!isPlain(object.name))
+        check.fail(MessageCode::NameNotPlain, path + ".name");
+    else if (!names.insert(object.name).second)
+        check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
+    checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
+    check.parameters(path + ".material.", materialParameters(), object.material);
+    if (object.simulatedMaterial)
+        check.parameters(path + ".simulated_material.", materialParameters(), *object.simulatedMaterial);
+    checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
+    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kMinTemperature_degC,
+                   kMaxTemperature_degC);
+    check.parameters(path + ".", objectLimitParameters(), object);
+    if (object.believedRates)
+        check.parameters(path + ".believed_rates.", heatRateParameters(), *object.believedRates);
+}
+
+void checkObjects(Checker& check, const Experiment& e) {
+    if (e.objects.empty())
+        return check.fail(MessageCode::NoObjects, "objects");
+    const int freedom = e.robot.degreesOfFreedom();
+    if (freedom == 0)
+        return check.fail(MessageCode::NoFreeAxis, "robot.free");
+    if (std::cmp_greater(e.objects.size(), freedom))
+        return check.fail(MessageCode::TooManyObjects, "objects",
+                          {to_string(e.objects.size()), to_string(freedom)});
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < e.objects.size() && !check.failed(); ++i)
+        checkObject(check, "objects[" + to_string(i) + "]", e.objects[i], names);
+}
+
+void checkRobot(Checker& check, const Experiment& e) {
+    const RobotLimits& robot = e.robot;
+    check.parameters("robot.", robotParameters(), robot);
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const EdgeUnit unit = coordinateUnit(k);
+        // theta_y ends at 90 degrees, where the three angles are no longer unique.
+        const double most = k < 3 ? kMaxPlace_cm : (k == kThetaY ? 90.0 : 180.0);
+        check.quantity("robot.lower.", name, unit, robot.lower[k], -most, most);
+        check.quantity("robot.upper.", name, unit, robot.upper[k], -most, most);
+        const bool free = robot.free[static_cast<std::size_t>(k)];
+        if (robot.lower[k] > robot.upper[k] || (free && robot.lower[k] == robot.upper[k]))
+            check.fail(MessageCode::LimitsReversed, "robot.lower." + readableKey(name, unit),
+                       {formatNumber(fromSi(robot.lower[k], unit).value),
+                        formatNumber(fromSi(robot.upper[k], unit).value)});
+    }
+}
+
+/// Least height (m) over the source plane of any point of an object's outline.
+double leastHeight_m(const ObjectSpec& object, const Pose& X_SE) {
+    const Pose X_SO = X_SE * poseFromCoordinates(object.mounting);
+    const Eigen::RowVector2d slope = X_SO.linear().block<1, 2>(2, 0);
+    const double origin_m = X_SO.translation().z();
+    if (const auto* disk = outlineAs<Disk>(object.shape))
+        return origin_m - disk->radius_m * slope.norm();
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector2d& p : shapeOutline(object.shape, kOutlineSamples))
+        least_m = std::min(least_m, origin_m + slope.dot(p));
+    return least_m;
+}
+
+void checkStart(Checker& check, const Experiment& e) {
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const double value = e.start[k];
+        if (value >= e.robot.lower[k] && value <= e.robot.upper[k])
+            continue;
+        const EdgeUnit unit = coordinateUnit(k);
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const auto text = [unit](double si) {
+            return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
+        };
+        check.fail(MessageCode::StartOutsideWorkspace, "robot.start." + readableKey(name, unit),
+                   {name, text(value), text(e.robot.lower[k]), text(e.robot.upper[k])});
+    }
+    if (check.failed())
+        return;
+    const Pose X_SE = poseFromCoordinates(e.source.pose).inverse() * poseFromCoordinates(e.start);
+    for (const ObjectSpec& object : e.objects) {
+        const double height_m = leastHeight_m(object, X_SE);
+        if (height_m < e.robot.clearance_m - 1e-9)
+            check.fail(MessageCode::StartTooClose, "robot.start",
+                       {object.name, formatNumber(height_m * 1e3), formatNumber(e.robot.clearance_m * 1e3)});
+    }
+}
+
+void checkController(Checker& check, const ControllerSettings& c) {
+    for (const ControllerEntry& entry : controllerCatalogue())
+        for (const ControllerGain& gain : entry.gains)
+            check.parameter(std::string("controller.") + entry.group + '.', *gain.facts, gain.get(c));
+    check.parameters("controller.", controllerParameters(), c);
+}
+
+void checkSampling(Checker& check, const SamplingSpec& s) {
+    check.range("sampling.window", s.window, s.order + 1, 1000, "samples");
+    check.parameters("sampling.", samplingParameters(), s);
+}
+
+void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
+    check.parameters("simulation.", simulationParameters(), s);
+    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, kMaxRunTime_s, "s");
+}
+
+/// With its place inside of a larger part.
+Result<void> inside(const std::string& path, Result<void> result) {
+    if (result)
+        return result;
+    Error error = result.error();
+    error.where = path + error.where;
+    return error;
+}
+
+void checkCameraModel(Checker& check, const std::string& path, const CameraModel& camera) {
+    check.range(path + "width_px", camera.width, 16.0, kMaxPicture_px, "px");
+    check.range(path + "height_px", camera.height, 16.0, kMaxPicture_px, "px");
+    check.positive(path + "fx_px", camera.fx, 1e6, "px");
+    check.positive(path + "fy_px", camera.fy, 1e6, "px");
+    check.range(path + "cx_px", camera.cx, -1e5, 1e5, "px");
+    check.range(path + "cy_px", camera.cy, -1e5, 1e5, "px");
+    const std::size_t coefficients = camera.distortion.size();
+    if (coefficients != 0 && coefficients != 4 && coefficients != 5 && coefficients != 8)
+        check.fail(MessageCode::DistortionUnusable, path + "distortion", {to_string(coefficients)});
+    for (const double k : camera.distortion)
+        check.range(path + "distortion", k, -1e4, 1e4);
+    for (const double deviation : camera.deviations)
+        check.range(path + "deviations", deviation, 0.0, 1e6);
+    if (camera.rms_px)
+        check.range(path + "rms_px", *camera.rms_px, 0.0, 1e4, "px");
+}
+
+void checkVision(Checker& check, const Experiment& e) {
+    const VisionSpec& vision = e.vision;
+    if (!isMarkerDictionary(vision.dictionary))
+        return check.fail(MessageCode::ValueUnknown, "vision.dictionary",
+                          {vision.dictionary, markerDictionaries()});
+    check.range("vision.markers", static_cast<double>(vision.markers.size()), 0.0, kMaxMarkers, "markers");
+    for (std::size_t i = 0; i < vision.markers.size() && !check.failed(); ++i)
+        checkCoordinates(check, "vision.markers[" + to_string(i) + "].pose.", vision.markers[i].pose,
+                         kMaxPlace_cm, true);
+    check.take(inside("vision.", checkLayout(markerLayout(vision))));
+    if (vision.camera)
+        checkCameraModel(check, "vision.camera.", *vision.camera);
+    if (vision.cameraPose)
+        checkCoordinates(check, "vision.camera_pose.", *vision.cameraPose, kMaxPlace_cm, false);
+    if (e.source.tracked && vision.marks(Part::Source) && !vision.followsSource())
+        check.fail(MessageCode::SourceNotFollowed, "source.tracked");
+}
+
+void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
+    const std::string path = "simulation.camera.";
+    if (camera.model) {
+        checkCameraModel(check, path + "model.", *camera.model);
+        check.range(path + "model.width_px", camera.model->width, 16.0, kMaxRendered_px, "px");
+        check.range(path + "model.height_px", camera.model->height, 16.0, kMaxRendered_px, "px");
+    }
+    if (camera.pose)
+        checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
+    check.parameters(path, simulatedCameraParameters(), camera);
+}
+
+/// The trip limits must lie over the warning limits, and the source's over what it is asked for.
+void checkSafety(Checker& check, const Experiment& e) {
+    const SafetySpec& s = e.safety;
+    const auto limit = [&](const std::string& path, std::string_view name, double value_K, double least_K) {
+        check.quantity(path, name, EdgeUnit::Temperature, value_K,
+                       std::max(kMinTemperature_degC, celsiusFromKelvin(least_K)), kMaxTemperature_degC);
+    };
+    check.parameters("safety.", safetyParameters(), s);
+    limit("safety.", "trip", s.trip_K, s.warning_K);
+    for (std::size_t i = 0; i < e.objects.size() && !check.failed(); ++i)
+        limit("objects[" + to_string(i) + "].", "trip", tripLimit_K(e, e.objects[i]),
+              warningLimit_K(e, e.objects[i]));
+    if (s.sourceTrip_K)
+        limit("safety.", "source_trip", *s.sourceTrip_K, highestSetPoint_K(e.source));
+}
+
+void checkFaults(Checker& check, const Experiment& e) {
+    const std::vector<ScriptedFault>& faults = e.simulation.faults;
+    for (std::size_t i = 0; i < faults.size() && !check.failed(); ++i) {
+        const std::string path = "simulation.faults[" + to_string(i) + "].";
+        check.range(path + "time_s", faults[i].time_s, 0.0, kMaxRunTime_s, "s");
+        if (faults[i].until_s)
+            check.range(path + "until_s", *faults[i].until_s, faults[i].time_s, kMaxRunTime_s, "s");
+        if (faults[i].object >= e.objects.size())
+            check.fail(MessageCode::ValueOutOfRange, path + "object",
+                       {to_string(static_cast<std::ptrdiff_t>(faults[i].object)), "0",
+                        to_string(e.objects.size() - 1), ""});
+    }
+}
+
+/// The simulated source: where it goes and what it truly is.
+void checkTrueSource(Checker& check, const Experiment& e) {
+    const TimeTable<Vector6d>& motion = e.simulation.sourceMotion;
+    const Vector6d first = e.simulation.sourcePose.value_or(e.source.pose);
+    checkCoordinates(check, "simulation.source_pose.", first, kMaxPlace_cm, true);
+    const std::string path = "simulation.source_motion";
+    checkTimeTable(check, path, motion, [&](const std::string& point, const Vector6d& q) {
+        checkCoordinates(check, point, q, kMaxPlace_cm, false);
+    });
+    for (int k = 0; k < 6 && !motion.empty() && !check.failed(); ++k) {
+        const EdgeUnit unit = coordinateUnit(k);
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const auto text = [unit](double si) {
+            return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
+        };
+        if (std::abs(motion.front().value[k] - first[k]) > kSamePlace)
+            check.fail(MessageCode::MotionElsewhere, path + "[0]." + readableKey(name, unit),
+                       {name, text(motion.front().value[k]), text(first[k])});
+    }
+    if (!e.simulation.sourceEmittance || check.failed())
+        return;
+    check.positive("simulation.source_emittance", *e.simulation.sourceEmittance, 1.0);
+    const double J = netSourcePower_W_m2(e.source.model, e.source.temperature_K,
+                                         *e.simulation.sourceEmittance, e.environment_K);
+    if (!check.failed() && !(J > 0.0))
+        check.fail(MessageCode::SourceTooWeak, "simulation.source_emittance", {formatNumber(J)});
+}
+
+} // namespace
+
+Result<OriginalShape> shapeFromOutline(const Contour& outline, const std::vector<Contour>& holes,
+                                       int harmonics) {
+    const Eigen::Vector2d centroid = contourCentroid(outline);
+    OriginalShape made;
+    made.origin.outline = shifted(outline, -centroid);
+    made.origin.harmonics = harmonics;
+    for (const Contour& hole : holes)
+        made.origin.holes.push_back(shifted(hole, -centroid));
+    if (harmonics == 0) {
+        made.shape = withHoles(made.origin.outline, made.origin.holes);
+    } else {
+        const Result<FourierFit> fit = fitFourier(made.origin.outline, harmonics);
+        if (!fit)
+            return fit.error();
+        made.shape = shapeOfFit(*fit, made.origin.holes);
+    }
+    if (const auto whole = checkHoles(made.shape, "holes"); !whole)
+        return whole.error();
+    return made;
+}
+
+double sourceSetPoint_K(const SourceSpec& source, double time_s) {
+    return valueAt(source.temperatureProfile, time_s, source.temperature_K);
+}
+
+double highestSetPoint_K(const SourceSpec& source) {
+    double highest_K = source.temperatureProfile.empty() ? source.temperature_K : 0.0;
+    for (const auto& [unused_s, value_K] : source.temperatureProfile)
+        highest_K = std::max(highest_K, value_K);
+    return highest_K;
+}
+
+double warningLimit_K(const Experiment& experiment, const ObjectSpec& object) {
+    return object.warning_K.value_or(experiment.safety.warning_K);
+}
+
+double tripLimit_K(const Experiment& experiment, const ObjectSpec& object) {
+    return object.trip_K.value_or(experiment.safety.trip_K);
+}
+
+double sourceTripLimit_K(const Experiment& experiment) {
+    return experiment.safety.sourceTrip_K.value_or(highestSetPoint_K(experiment.source) +
+                                                   SafetySpec::kSourceOver_K);
+}
+
+Result<void> checkTargets(const Experiment& experiment) {
+    for (const ObjectSpec& object : experiment.objects)
+        if (const double limit_K = warningLimit_K(experiment, object); object.target_K > limit_K + 1e-6)
+            return Error(MessageCode::TargetAboveWarning, {},
+                         {object.name, formatNumber(celsiusFromKelvin(object.target_K), 6),
+                          formatNumber(celsiusFromKelvin(limit_K), 6)});
+    return {};
+}
+
+Result<void> validate(const Experiment& e) {
+    Checker check;
+    if (e.title.size() > kMaxTitleLength)
+        check.range("title", static_cast<double>(e.title.size()), 0.0, kMaxTitleLength, "characters");
+    checkSource(check, e);
+    checkObjects(check, e);
+    checkRobot(check, e);
+    checkController(check, e.controller);
+    checkSampling(check, e.sampling);
+    checkSimulation(check, e.simulation, e.sampling.period_s);
+    checkTrueSource(check, e);
+    checkSimulatedCamera(check, e.simulation.camera);
+    checkVision(check, e);
+    if (e.rig && !check.failed())
+        check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));
+    checkSafety(check, e);
+    checkFaults(check, e);
+    if (!check.failed())
+        checkStart(check, e);
+    if (check.failed())
+        return *check.error();
+    return {};
+}
+
+Result<void> setTargets(Experiment& experiment, const std::vector<double>& targets_K) {
+    if (targets_K.size() != experiment.objects.size())
+        return Error(MessageCode::TargetCountWrong, "targets",
+                     {to_string(targets_K.size()), to_string(experiment.objects.size())});
+    Experiment changed = experiment;
+    for (std::size_t i = 0; i < targets_K.size(); ++i)
+        changed.objects[i].target_K = targets_K[i];
+    if (auto valid = validate(changed); !valid)
+        return valid.error();
+    experiment = std::move(changed);
+    return {};
+}
+
+} // namespace bask

@@ -1,0 +1,23 @@
+#pragma once
+// The parameters of an experiment: one line each in experiment_parameters.cpp.
+
+#include "engine/base/parameter.h"
+#include "engine/model/experiment.h"
+
+namespace bask {
+
+inline constexpr double kMaxRunTime_s = 1e7;
+
+ParameterTable<SafetySpec> safetyParameters();
+/// An object's own limits.
+ParameterTable<ObjectSpec> objectLimitParameters();
+ParameterTable<Material> materialParameters();
+ParameterTable<HeatRates> heatRateParameters();
+ParameterTable<RobotLimits> robotParameters();
+/// What all controllers have; their gains are in their catalogue.
+ParameterTable<ControllerSettings> controllerParameters();
+ParameterTable<SamplingSpec> samplingParameters();
+ParameterTable<SimulationSpec> simulationParameters();
+ParameterTable<SimulatedCameraSpec> simulatedCameraParameters();
+
+} // namespace bask

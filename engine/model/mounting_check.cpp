@@ -1,0 +1,131 @@
+#include "engine/model/mounting_check.h"
+
+#include "engine/base/message_code.h"
+#include "engine/control/dependent_objects.h"
+#include "engine/model/experiment_rig.h"
+#include "engine/shape/crossing.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace bask {
+namespace {
+
+using Outline = std::vector<Eigen::Vector2d>;
+using Rings = std::vector<Outline>;
+
+constexpr int kOutlinePoints = 120;
+constexpr std::size_t kManyPoints = 240;
+constexpr double kThinned_m = 1e-4;
+constexpr double kFlatTriangle = 0.1; ///< height over longest side, below which three places are a line
+
+// Inside the outline and in no hole.
+bool covers(const Rings& face, const Eigen::Vector2d& p) {
+    return std::ranges::count_if(face, [&](const Outline& ring) { return encloses(ring, p); }) % 2 == 1;
+}
+
+bool overlap(const Rings& one, const Rings& other) {
+    if (covers(other, one.front().front()) || covers(one, other.front().front()))
+        return true;
+    return std::ranges::any_of(one, [&](const Outline& ring) {
+        return std::ranges::any_of(other,
+                                   [&](const Outline& its) { return findMeeting(ring, its).has_value(); });
+    });
+}
+
+bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return (b - a).cross(c - a).norm() < kFlatTriangle * longest * longest;
+}
+
+MountingRemark dependenceRemark(const DependentObjects& set, const std::vector<ObjectSpec>& objects) {
+    const auto name = [&](std::size_t k) { return objects[static_cast<std::size_t>(set.objects[k])].name; };
+    if (set.objects.size() == 1)
+        return {{MessageCode::MountingUnmoved, {name(0)}}, set.objects};
+    if (set.alike)
+        return {{MessageCode::MountingAlike, {name(0), name(1)}}, set.objects};
+    std::string names = name(0);
+    for (std::size_t k = 1; k < set.objects.size(); ++k)
+        names += ", " + name(k);
+    return {{MessageCode::MountingDependent, {names}}, set.objects};
+}
+
+/// What the free axes can do with this arrangement.
+std::vector<MountingRemark> freedomRemarks(const Experiment& experiment) {
+    std::vector<MountingRemark> out;
+    for (const DependentObjects& set : dependentObjects(*rigGeometry(experiment), experiment.start))
+        out.push_back(dependenceRemark(set, experiment.objects));
+    const int freedom = experiment.robot.degreesOfFreedom();
+    if (out.empty() && std::cmp_equal(experiment.objects.size(), freedom))
+        out.push_back({{MessageCode::MountingNoneLeft, {std::to_string(freedom)}}, {}});
+    return out;
+}
+
+Contour thinnedRing(const Contour& ring) {
+    if (ring.points_m.size() <= kManyPoints)
+        return ring;
+    Contour apart; // first what takes no thought: simplified() takes 20 ms for 60,000 points
+    for (const Eigen::Vector2d& p : ring.points_m)
+        if (apart.points_m.empty() || (p - apart.points_m.back()).norm() >= kThinned_m)
+            apart.points_m.push_back(p);
+    return apart.points_m.size() < 3 ? ring : simplified(apart, kThinned_m);
+}
+
+} // namespace
+
+Shape thinned(const Shape& shape) {
+    const auto* polygon = outlineAs<Contour>(shape);
+    std::vector<Contour> holes;
+    std::ranges::transform(holesOf(shape), std::back_inserter(holes), thinnedRing);
+    return withHoles(polygon ? Shape(thinnedRing(*polygon)) : shape, std::move(holes));
+}
+
+std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points) {
+    const Pose X_EO = poseFromCoordinates(object.mounting);
+    Rings rings = shapeRings(object.shape, points);
+    for (Outline& ring : rings)
+        for (Eigen::Vector2d& p : ring)
+            p = (X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+    return rings;
+}
+
+std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
+    Experiment quick = experiment;
+    const std::vector<ObjectSpec>& objects = quick.objects;
+    for (ObjectSpec& object : quick.objects)
+        object.shape = thinned(object.shape);
+    const double most_m = experiment.robot.maxMountingRadius_m;
+    const int count = static_cast<int>(objects.size());
+    std::vector<Rings> outlines;
+    std::vector<Eigen::Vector3d> places;
+    for (const ObjectSpec& object : objects) {
+        outlines.push_back(mountedRings(object, kOutlinePoints));
+        places.push_back(object.mounting.head<3>());
+    }
+    const auto name = [&](int i) { return objects[static_cast<std::size_t>(i)].name; };
+    const auto at = [](const auto& list, int i) -> const auto& {
+        return list[static_cast<std::size_t>(i)];
+    };
+    std::vector<MountingRemark> out;
+    for (int i = 0; i < count; ++i) {
+        double radius_m = 0.0;
+        for (const Eigen::Vector2d& p : at(outlines, i).front())
+            radius_m = std::max(radius_m, p.norm());
+        if (most_m > 0.0 && radius_m > most_m)
+            out.push_back({{MessageCode::MountingFar,
+                            {name(i), formatNumber(100.0 * radius_m, 3), formatNumber(100.0 * most_m, 3)}},
+                           {i}});
+        for (int k = i + 1; k < count; ++k) {
+            if (overlap(at(outlines, i), at(outlines, k)))
+                out.push_back({{MessageCode::MountingOverlap, {name(i), name(k)}}, {i, k}});
+            for (int l = k + 1; l < count; ++l)
+                if (inLine(at(places, i), at(places, k), at(places, l)))
+                    out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
+        }
+    }
+    std::ranges::move(freedomRemarks(quick), std::back_inserter(out));
+    return out;
+}
+
+} // namespace bask

@@ -1,0 +1,180 @@
+#include "engine/model/rig_spec.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/base/pose.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/model/checker.h"
+#include "engine/protocols/register_values.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+constexpr std::size_t kMaxText = 1000;
+constexpr double kMaxOrigin_m = 5.0;
+constexpr double kMaxOrigin_rad = 6.2831853071795862;
+
+Error outOfRange(const std::string& where, double value, double least, double most, const char* unit = "") {
+    return {MessageCode::ValueOutOfRange,
+            where,
+            {formatNumber(value, 10), formatNumber(least), formatNumber(most), unit}};
+}
+
+Result<void> checkRange(const std::string& where, double value, double least, double most,
+                        const char* unit = "") {
+    if (!(value >= least && value <= most))
+        return outOfRange(where, value, least, most, unit);
+    return {};
+}
+
+Result<void> checkPort(const std::string& where, const std::string& port) {
+    if (port.empty())
+        return Error(MessageCode::JsonMissingKey, where, {"port"});
+    const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
+    if (port.size() > kMaxText || std::ranges::any_of(port, isControl))
+        return Error(MessageCode::ValueUnknown, where, {port.substr(0, 20), "a path or a host's name"});
+    return {};
+}
+
+Result<void> checkDriver(DeviceRole role, const std::string& where, const std::string& key) {
+    std::string known;
+    for (const DriverFacts* driver : driversOf(role)) {
+        if (driver->key == key)
+            return {};
+        known += (known.empty() ? "" : ", ") + std::string(driver->key);
+    }
+    return Error(MessageCode::ValueUnknown, where, {plainWords(key), known});
+}
+
+/// What every device has, and its driver's parameters; `path` ends with a dot.
+template <class Spec> Result<void> checkDevice(DeviceRole role, const std::string& path, const Spec& spec) {
+    if (const auto fit = checkDriver(role, path + "driver", spec.driver); !fit)
+        return fit;
+    const auto& driver = driverOf(spec);
+    if (driver.link == DriverLink::None)
+        return {};
+    if (const auto fit = checkPort(path + "port", spec.port); !fit)
+        return fit;
+    Checker check;
+    check.parameters(path + "serial.", serialParameters(), spec.serial);
+    std::size_t own = 0;
+    for (const auto& parameter : driver.parameters) {
+        own += spec.own.count(keyOf(*parameter.facts));
+        if (parameter.applies(spec))
+            check.parameter(path, *parameter.facts, parameter.get(spec));
+    }
+    if (own != spec.own.size())
+        throw std::invalid_argument("a device with values that its driver does not know: " + spec.driver);
+    if (check.failed())
+        return *check.error();
+    return {};
+}
+
+Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>& freeCoordinates) {
+    if (const auto fit = checkDevice(DeviceRole::Robot, "robot.", robot); !fit)
+        return fit;
+    if (auto fit = checkAxes(robot.axes); !fit) {
+        Error error = fit.error();
+        error.where = "robot." + error.where;
+        return error;
+    }
+    for (std::size_t i = 0; i < robot.axes.size(); ++i) {
+        const double most = robot.axes[i].coordinate < 3 ? kMaxOrigin_m : kMaxOrigin_rad;
+        if (const auto fit = checkRange("robot.axes[" + std::to_string(i) + "].origin", robot.axes[i].origin,
+                                        -most, most, robot.axes[i].coordinate < 3 ? "m" : "rad");
+            !fit)
+            return fit;
+    }
+    for (std::size_t k = 0; k < freeCoordinates.size(); ++k)
+        if (freeCoordinates[k] &&
+            std::ranges::find(robot.axes, static_cast<int>(k), &AxisSpec::coordinate) == robot.axes.end())
+            return Error(MessageCode::AxisMissing, "robot.axes", {kCoordinateNames[k]});
+    return {};
+}
+
+Result<void> checkThermometer(const ThermometerDeviceSpec& thermometer, std::size_t objects) {
+    if (const auto fit = checkDevice(DeviceRole::Thermometer, "thermometer.", thermometer); !fit)
+        return fit;
+    const std::vector<int>& channels = thermometer.channels;
+    if (channels.size() != objects)
+        return Error(MessageCode::ChannelCountWrong, "thermometer.channels",
+                     {std::to_string(channels.size()), std::to_string(objects)});
+    const ThermometerDriver& driver = driverOf(thermometer);
+    const int last = (driver.isModbus ? thermometer.profile.channels : driver.maxChannels) - 1;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        const std::string where = "thermometer.channels[" + std::to_string(i) + "]";
+        if (const auto fit = checkRange(where, channels[i], 0.0, last); !fit)
+            return fit;
+        if (std::ranges::count(channels, channels[i]) > 1)
+            return Error(MessageCode::ChannelTwice, where, {std::to_string(channels[i])});
+    }
+    if (driver.isModbus && !thermometer.profile.channel)
+        return Error(MessageCode::ProfileOther, "thermometer.profile", {thermometer.profile.name});
+    return {};
+}
+
+Result<void> checkSource(const HeatSourceDeviceSpec& source) {
+    if (const auto fit = checkDevice(DeviceRole::HeatSource, "source.", source); !fit)
+        return fit;
+    if (!driverOf(source).isModbus)
+        return {};
+    const ModbusProfile& profile = source.profile;
+    if (!profile.processValue || !profile.setPoint)
+        return Error(MessageCode::ProfileOther, "source.profile", {profile.name});
+    if (!profile.watchdog && !source.mayHeatUnattended)
+        return Error(MessageCode::SourceUnwatched, "source.profile", {profile.name});
+    if (profile.watchdog)
+        if (const auto fit = watchdogRegisters(profile, source.watchdog_s); !fit)
+            return Error(fit.error().code(), "source.watchdog_s", fit.error().message.args);
+    return {};
+}
+
+/// Two Modbus devices may hang on one line, if they speak alike.
+Result<void> checkPorts(const RigSpec& rig) {
+    const bool hasSource = rig.source && driverOf(*rig.source).link != DriverLink::None;
+    if (rig.robot && rig.thermometer && rig.robot->port == rig.thermometer->port)
+        return Error(MessageCode::PortTwice, "thermometer.port", {rig.robot->port});
+    if (rig.robot && hasSource && rig.robot->port == rig.source->port)
+        return Error(MessageCode::PortTwice, "source.port", {rig.robot->port});
+    if (!rig.thermometer || !hasSource || rig.thermometer->port != rig.source->port)
+        return {};
+    const bool isOneLine = driverOf(*rig.thermometer).isModbus && driverOf(*rig.source).isModbus &&
+                           rig.thermometer->serial == rig.source->serial &&
+                           rig.thermometer->unit != rig.source->unit;
+    if (!isOneLine)
+        return Error(MessageCode::PortTwice, "source.port", {rig.source->port});
+    return {};
+}
+
+} // namespace
+
+bool isKeptByHand(const HeatSourceDeviceSpec& source) {
+    return driverOf(source).link == DriverLink::None;
+}
+
+bool hasOneLine(const RigSpec& rig) {
+    return rig.thermometer && rig.source && rig.thermometer->port == rig.source->port;
+}
+
+Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
+    if (rig.name.size() > kMaxText)
+        return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
+    if (rig.robot)
+        if (const auto fit = checkRobot(*rig.robot, freeCoordinates); !fit)
+            return fit;
+    if (rig.thermometer)
+        if (const auto fit = checkThermometer(*rig.thermometer, objects); !fit)
+            return fit;
+    if (rig.source)
+        if (const auto fit = checkSource(*rig.source); !fit)
+            return fit;
+    if (!rig.camera.empty())
+        if (const auto fit = checkPort("camera", rig.camera); !fit)
+            return fit;
+    return checkPorts(rig);
+}
+
+} // namespace bask

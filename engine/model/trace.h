@@ -1,0 +1,32 @@
+#pragma once
+// Rows of a run, as recorded, shown and exported.
+
+#include "engine/base/message.h"
+#include "engine/model/trace_sample.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Something that happened.
+struct TraceEvent {
+    double time_s = 0.0;
+    Message message;
+};
+
+struct TraceNote {
+    double time_s = 0.0;
+    std::string text;
+};
+
+/// Temperature band about the target that counts as settled, K (MODEL section 8).
+inline constexpr double kSettledBand_K = 0.5;
+
+/// Time from which object `i` stays within +-band of its target until the end, judged on the plant's true
+/// temperature where there is one, else on the estimate. Empty when it is outside at the end.
+std::optional<double> settlingTime_s(const std::vector<TraceSample>& samples, std::size_t i,
+                                     double band_K = kSettledBand_K);
+
+} // namespace bask

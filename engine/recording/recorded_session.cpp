@@ -1,0 +1,230 @@
+#include "engine/recording/recorded_session.h"
+
+#include "engine/base/message_code.h"
+#include "engine/recording/session_facts.h"
+
+#include <QAbstractEventDispatcher>
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr std::size_t kNoLimit = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
+constexpr int kLetGo_ms = 1000;
+
+} // namespace
+
+/// The file while it is being read. An open one could not be closed by its recorder or by closeInterrupted().
+struct RecordedSession::Reader {
+    Reader() {
+        timer.setSingleShot(true);
+        timer.setInterval(kLetGo_ms);
+        QObject::connect(&timer, &QTimer::timeout, [this] { store.reset(); });
+    }
+    Result<SessionStore*> open(const std::string& path) {
+        if (!store) {
+            auto opened = SessionStore::open(path);
+            if (!opened)
+                return opened.error();
+            store = std::move(*opened);
+        }
+        if (QAbstractEventDispatcher::instance() != nullptr)
+            timer.start();
+        return store.get();
+    }
+
+    std::unique_ptr<SessionStore> store;
+    QTimer timer;
+};
+
+RecordedSession::~RecordedSession() = default;
+
+Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string& path) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    const std::shared_ptr<RecordedSession> session(new RecordedSession);
+    if ((*store)->version() < 2) {
+        auto record = readSession(path);
+        if (!record)
+            return record.error();
+        session->m_facts = std::move(*record);
+        session->adopt(std::exchange(session->m_facts.samples, {}));
+        return session;
+    }
+    // One moment of a run that is still being recorded.
+    if (auto begun = (*store)->execute("BEGIN"); !begun)
+        return begun.error();
+    auto facts = readFacts(**store, path);
+    if (!facts)
+        return facts.error();
+    session->m_facts = std::move(*facts);
+    const auto tables = SessionTables::of(**store, session->m_facts);
+    if (!tables)
+        return tables.error();
+    auto done = session->readOverview(**store, *tables);
+    if (done)
+        done = session->readTargets(**store);
+    if (!done)
+        return done.error();
+    return session;
+}
+
+/// What the recorder has summed up, and the samples that came after.
+Result<void> RecordedSession::readOverview(const SessionStore& store, const SessionTables& tables) {
+    m_overview = TraceOverview(m_facts.experiment.objects.size());
+    bool isSound = true;
+    const auto done = store.select("SELECT last_step, extremes FROM overview ORDER BY last_step",
+                                   [&](SessionStore::Row row) {
+                                       const auto* last = std::get_if<std::int64_t>(&row[0]);
+                                       const auto* extremes = std::get_if<SqlBlob>(&row[1]);
+                                       const std::size_t before = m_overview.samples();
+                                       isSound = isSound && last != nullptr && extremes != nullptr &&
+                                                 std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
+                                                 m_overview.addBytes(extremes->bytes, tables.quantities()) &&
+                                                 std::cmp_equal(*last, m_overview.samples());
+                                   });
+    if (!done)
+        return done;
+    if (!isSound)
+        m_overview = TraceOverview(m_facts.experiment.objects.size());
+    return readSteps(store, tables, m_facts.path, m_overview.samples() + 1, kNoLimit,
+                     [this](const TraceSample& sample) { m_overview.add(sample); });
+}
+
+Result<void> RecordedSession::readTargets(const SessionStore& store) {
+    m_targets.resize(m_facts.experiment.objects.size());
+    return store.select("SELECT time_s, object, target_K FROM target_step ORDER BY rowid",
+                        [this](SessionStore::Row row) {
+                            const double object = numberOf(row[1]);
+                            if (object >= 1.0 && object <= static_cast<double>(m_targets.size()))
+                                m_targets[static_cast<std::size_t>(object) - 1].emplace_back(
+                                    numberOf(row[0]), numberOf(row[2]));
+                        });
+}
+
+/// All samples of a file of version 1.
+void RecordedSession::adopt(std::vector<TraceSample> samples) {
+    const std::size_t objects = m_facts.experiment.objects.size();
+    m_isWhole = true;
+    m_overview = TraceOverview(objects);
+    m_targets.resize(objects);
+    for (TraceSample& sample : samples) {
+        m_overview.add(sample);
+        for (std::size_t i = 0; i < objects; ++i) {
+            const double target_K = sample.objects[i].target_K;
+            if (std::isfinite(target_K) && (m_targets[i].empty() || m_targets[i].back().second != target_K))
+                m_targets[i].emplace_back(sample.time_s, target_K);
+        }
+        if (m_blocks.empty() || m_blocks.back().samples.size() == kBlock)
+            m_blocks.push_back({m_blocks.size(), 0, {}});
+        m_blocks.back().samples.push_back(std::move(sample));
+    }
+}
+
+bool RecordedSession::holds(std::size_t k) const {
+    return m_isWhole || m_failed.contains(k) ||
+           std::ranges::find(m_blocks, k, &Block::index) != m_blocks.end();
+}
+
+const std::vector<TraceSample>* RecordedSession::block(std::size_t k) {
+    if (k * kBlock >= size() || m_failed.contains(k))
+        return nullptr;
+    if (m_isWhole)
+        return &m_blocks[k].samples;
+    auto found = std::ranges::find(m_blocks, k, &Block::index);
+    if (found == m_blocks.end()) {
+        auto read = readBlock(k);
+        if (!read) {
+            m_failed.emplace(k, read.error());
+            return nullptr;
+        }
+        if (m_blocks.size() < kMaxBlocks)
+            found = m_blocks.insert(m_blocks.end(), Block());
+        else
+            found = std::ranges::min_element(m_blocks, {}, &Block::used);
+        found->index = k;
+        found->samples = std::move(*read);
+    }
+    found->used = ++m_uses;
+    return &found->samples;
+}
+
+Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
+    if (!m_reader)
+        m_reader = std::make_unique<Reader>();
+    const auto store = m_reader->open(m_facts.path);
+    if (!store)
+        return store.error();
+    const auto tables = SessionTables::of(**store, m_facts);
+    if (!tables)
+        return tables.error();
+    const std::size_t first = k * kBlock, last = std::min(first + kBlock, size());
+    std::vector<TraceSample> samples;
+    samples.reserve(last - first);
+    const auto done = readSteps(**store, *tables, m_facts.path, first + 1, last,
+                                [&](const TraceSample& sample) { samples.push_back(sample); });
+    if (!done)
+        return done.error();
+    if (samples.size() != last - first)
+        return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
+    return samples;
+}
+
+Result<std::size_t> RecordedSession::lowerIndex(double time_s) {
+    if (size() == 0 || !(time_s > m_overview.from_s(0)))
+        return std::size_t{0};
+    if (time_s > lastTime_s())
+        return size();
+    // The first that is not before it lies in the stretch that begins before it, or begins the next one.
+    std::size_t stretch = m_overview.stretchAt(time_s);
+    while (stretch > 0 && m_overview.from_s(stretch) >= time_s)
+        --stretch;
+    const std::size_t first = stretch * m_overview.samplesPerStretch();
+    const std::size_t end = std::min(first + m_overview.samplesPerStretch(), size());
+    const std::vector<TraceSample>* const samples = block(first / kBlock);
+    if (samples == nullptr)
+        return m_failed.at(first / kBlock);
+    const auto from = samples->begin() + static_cast<std::ptrdiff_t>(first % kBlock);
+    const auto at = std::lower_bound(from, from + static_cast<std::ptrdiff_t>(end - first), time_s,
+                                     [](const TraceSample& sample, double t) { return sample.time_s < t; });
+    return first + static_cast<std::size_t>(at - from);
+}
+
+Result<TraceSample> RecordedSession::sampleAt(double time_s) {
+    if (size() == 0)
+        return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
+    auto index = lowerIndex(time_s);
+    if (!index)
+        return index.error();
+    std::size_t at = std::min(*index, size() - 1);
+    const std::vector<TraceSample>* samples = block(at / kBlock);
+    if (samples != nullptr && at > 0 && (*samples)[at % kBlock].time_s > time_s) {
+        --at;
+        samples = block(at / kBlock);
+    }
+    if (samples == nullptr)
+        return m_failed.at(at / kBlock);
+    return (*samples)[at % kBlock];
+}
+
+Result<std::vector<TraceSample>> RecordedSession::samples(double from_s, double to_s) {
+    const auto first = lowerIndex(from_s);
+    if (!first)
+        return first.error();
+    std::vector<TraceSample> out;
+    for (std::size_t i = *first; i < size(); ++i) {
+        const std::vector<TraceSample>* const samples = block(i / kBlock);
+        if (samples == nullptr)
+            return m_failed.at(i / kBlock);
+        if ((*samples)[i % kBlock].time_s > to_s)
+            break;
+        out.push_back((*samples)[i % kBlock]);
+    }
+    return out;
+}
+
+} // namespace bask

@@ -1,0 +1,253 @@
+#include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
+#include "engine/base/units.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/session_facts.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+namespace bask {
+namespace {
+
+constexpr qsizetype kCsvChunk = 1 << 20;   // bytes held before they are written
+constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
+
+/// RFC 4180: quoted when the text holds a comma, a quote or a line break. What a spreadsheet would take for a
+/// formula gets a ' before it.
+void appendField(QByteArray& out, const SqlValue& value) {
+    std::array<char, 32> digits{};
+    if (const auto* number = std::get_if<double>(&value)) {
+        // The shortest text that reads back as the same number.
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number).ptr;
+        out.append(digits.data(), end - digits.data());
+    } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *whole).ptr;
+        out.append(digits.data(), end - digits.data());
+    } else if (const auto* text = std::get_if<std::string>(&value)) {
+        QByteArray field = QByteArray::fromStdString(*text);
+        const bool isQuoted = text->find_first_of(",\"\r\n") != std::string::npos;
+        if (isQuoted)
+            field.replace("\"", "\"\"");
+        if (text->find_first_of("=+-@\t\r") == 0)
+            field.prepend('\'');
+        if (isQuoted)
+            field = '"' + field + '"';
+        out.append(field);
+    }
+}
+
+void appendRow(QByteArray& out, SessionStore::Row row) {
+    for (std::size_t k = 0; k < row.size(); ++k) {
+        if (k > 0)
+            out.append(',');
+        appendField(out, row[k]);
+    }
+    out.append('\n');
+}
+
+/// A table's name becomes a file's name: nothing but letters, digits and underscores.
+bool isPlainName(const std::string& name) {
+    return std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+/// What every wide table begins with.
+constexpr const char* kTracesHeader = "time (s),source (degC)";
+
+QByteArray rowText(SessionStore::Row row) {
+    QByteArray text;
+    appendRow(text, row);
+    return text;
+}
+
+/// One CSV: under a temporary name until all are written.
+class CsvFile {
+public:
+    explicit CsvFile(std::string path) : m_path(std::move(path)), m_file(QString::fromStdString(m_path)) {}
+
+    /// Refuses to write over what does not begin as an earlier export of the same table.
+    Result<void> open(const QByteArray& begin) {
+        const QFileInfo info(m_file.fileName());
+        if (info.exists() && !info.isFile())
+            return Error(MessageCode::OutputNotAFile, m_path);
+        QFile old(info.filePath());
+        if (info.size() > 0 && (!old.open(QIODevice::ReadOnly) || old.read(begin.size()) != begin))
+            return Error(MessageCode::ExportForeign, m_path);
+        m_isWritten = m_file.open(QIODevice::WriteOnly);
+        return m_isWritten ? Result<void>() : unwritable();
+    }
+    void add(SessionStore::Row row) {
+        appendRow(m_buffer, row);
+        if (m_buffer.size() >= kCsvChunk)
+            drain();
+    }
+    /// All is on the disk but for the name.
+    Result<void> end() {
+        drain();
+        m_isWritten = m_isWritten && m_file.flush();
+        return m_isWritten ? Result<void>() : unwritable();
+    }
+    Result<void> commit() { return m_file.commit() ? Result<void>() : unwritable(); }
+    const std::string& path() const { return m_path; }
+
+private:
+    void drain() {
+        m_isWritten = m_isWritten && m_file.write(m_buffer) == m_buffer.size();
+        m_buffer.clear();
+    }
+    Result<void> unwritable() const {
+        std::error_code failed; // Qt has no words for a write that was cut short
+        const auto space =
+            std::filesystem::space(QFileInfo(m_file.fileName()).absolutePath().toStdString(), failed);
+        const bool isFull = !failed && space.available < kFull;
+        return Error(MessageCode::FileUnwritable, m_path,
+                     {isFull ? std::strerror(ENOSPC) : m_file.errorString().toStdString()});
+    }
+
+    std::string m_path;
+    QSaveFile m_file;
+    QByteArray m_buffer;
+    bool m_isWritten = false;
+};
+
+using CsvFiles = std::vector<std::unique_ptr<CsvFile>>;
+
+Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, const QDir& folder,
+                        CsvFiles& files) {
+    for (const std::string& table : tables) {
+        const auto columns = store.columns(table);
+        if (!columns)
+            return columns.error();
+        const std::vector<SqlValue> header(columns->begin(), columns->end());
+        files.push_back(
+            std::make_unique<CsvFile>(folder.filePath(QString::fromStdString(table + ".csv")).toStdString()));
+        if (auto opened = files.back()->open(rowText(header)); !opened)
+            return opened;
+        files.back()->add(header);
+    }
+    return {};
+}
+
+Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        auto done = store.select("SELECT * FROM \"" + tables[i] + '"',
+                                 [&](SessionStore::Row row) { files[i]->add(row); });
+        if (done)
+            done = files[i]->end();
+        if (!done)
+            return done;
+    }
+    return {};
+}
+
+/// A number, temperatures in degC.
+template <class Row> SqlValue cellOf(const SampleColumn<Row>& column, const Row& row) {
+    const double value = column.value.get(row);
+    if (column.isWhole)
+        return static_cast<std::int64_t>(value);
+    return sqlNumber(column.unit.edge == EdgeUnit::Temperature ? celsiusFromKelvin(value) : value);
+}
+
+template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
+    const bool isTemperature = column.unit.edge == EdgeUnit::Temperature;
+    return std::string(column.csv) + " (" + (isTemperature ? "degC" : siUnit(column.unit)) + ')';
+}
+
+bool isInTraces(const ObjectColumn& column, const SessionRecord& facts) {
+    return column.csv != nullptr && (facts.simulated || !column.isOfPlant);
+}
+
+/// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
+/// export of one that is damaged.
+Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
+    std::vector<SqlValue> row{std::string("time (s)")};
+    for (const RunColumn& column : kRunColumns)
+        if (column.csv != nullptr)
+            row.emplace_back(headerOf(column));
+    for (std::size_t k = 0; k < kCoordinateNames.size(); ++k)
+        row.emplace_back(std::string(kCoordinateNames[k]) + (k < 3 ? " (m)" : " (rad)"));
+    for (const ObjectSpec& object : facts.experiment.objects)
+        for (const ObjectColumn& column : kObjectColumns)
+            if (isInTraces(column, facts))
+                row.emplace_back(object.name + ' ' + headerOf(column));
+    file.add(row);
+    const auto read = readSamples(facts.path, [&](const TraceSample& sample) {
+        row = {sqlNumber(sample.time_s)};
+        for (const RunColumn& column : kRunColumns)
+            if (column.csv != nullptr)
+                row.push_back(cellOf(column, sample));
+        for (int k = 0; k < 6; ++k)
+            row.push_back(sqlNumber(sample.coordinates[k]));
+        for (const ObjectSample& object : sample.objects)
+            for (const ObjectColumn& column : kObjectColumns)
+                if (isInTraces(column, facts))
+                    row.push_back(cellOf(column, object));
+        file.add(row);
+    });
+    return read ? file.end() : read;
+}
+
+Result<std::vector<std::string>> writeAll(const std::string& path, const std::string& folder) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    const auto facts = readFacts(**store, path);
+    if (!facts)
+        return facts.error();
+    auto tables = (*store)->tables();
+    if (!tables)
+        return tables.error();
+    std::erase_if(*tables, [](const std::string& table) { return !isPlainName(table); });
+    const QDir target(QString::fromStdString(folder));
+    if (!target.mkpath(QStringLiteral(".")))
+        return Error(MessageCode::FileUnwritable, folder, {"the folder cannot be made"});
+    if (auto begun = (*store)->execute("BEGIN"); !begun)
+        return begun.error();
+    CsvFiles files;
+    auto done = openTables(**store, *tables, target, files);
+    CsvFile traces(target.filePath(QStringLiteral("traces.csv")).toStdString());
+    if (done)
+        done = traces.open(kTracesHeader);
+    if (done)
+        done = writeTraces(*facts, traces);
+    if (done)
+        done = writeTables(**store, *tables, files);
+    if (!done)
+        return done.error();
+    ReplacedFiles old;
+    std::vector<std::string> names;
+    const auto commit = [&](CsvFile& file) {
+        names.push_back(file.path());
+        auto kept = old.setAside(file.path());
+        return kept ? file.commit() : kept;
+    };
+    done = commit(traces);
+    for (std::size_t i = 0; i < files.size() && done; ++i)
+        done = commit(*files[i]);
+    if (!done)
+        return done.error();
+    old.keepNew();
+    return names;
+}
+
+} // namespace
+
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
+    const bool isNew = !QFileInfo::exists(QString::fromStdString(folder));
+    auto files = writeAll(path, folder);
+    if (!files && isNew)
+        QDir().rmdir(QString::fromStdString(folder)); // if nothing is in it
+    return files;
+}
+
+} // namespace bask

@@ -1,0 +1,131 @@
+#include "engine/recording/session_facts.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/experiment/experiment_file.h"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <limits>
+#include <map>
+
+namespace bask {
+namespace {
+
+using Row = SessionStore::Row;
+
+class FactsReader {
+public:
+    FactsReader(const SessionStore& store, SessionRecord& record) : m_store(store), m_record(record) {}
+
+    Result<void> all() {
+        for (const auto part : {&FactsReader::meta, &FactsReader::experiment, &FactsReader::log}) {
+            if (auto done = (this->*part)(); !done)
+                return done;
+        }
+        return {};
+    }
+
+private:
+    Result<void> meta() {
+        std::map<std::string, std::string> facts;
+        const auto done = m_store.select("SELECT key, value FROM meta",
+                                         [&](Row row) { facts[textOf(row[0])] = printable(textOf(row[1])); });
+        m_record.created = facts["created"];
+        m_record.software = facts["software"];
+        m_record.simulated = facts["simulated"] == "true";
+        m_record.outcome = facts["outcome"];
+        if (done && !m_record.simulated && facts["simulated"] != "false")
+            return Error(MessageCode::SessionDamaged, m_record.path,
+                         {"it does not say whether the rig was simulated"});
+        return done;
+    }
+
+    Result<void> experiment() {
+        std::string json;
+        if (auto done =
+                m_store.select("SELECT json FROM experiment", [&](Row row) { json = textOf(row[0]); });
+            !done)
+            return done;
+        const std::string folder = std::filesystem::path(m_record.path).parent_path().string();
+        auto read = experimentFromJson(json, m_record.path + ": experiment", folder);
+        if (!read)
+            return read.error();
+        m_record.experiment = std::move(*read);
+        return {};
+    }
+
+    Result<void> log() {
+        auto done = m_store.select("SELECT time_s, code, args FROM event ORDER BY rowid", [&](Row row) {
+            TraceEvent event{numberOf(row[0]), {messageCodeFromName(textOf(row[1])), {}}};
+            const auto args = nlohmann::json::parse(textOf(row[2]), nullptr, false);
+            for (const auto& arg : args) {
+                if (arg.is_string())
+                    event.message.args.push_back(printable(arg.get<std::string>()));
+            }
+            m_record.events.push_back(std::move(event));
+        });
+        if (done)
+            done = m_store.select("SELECT time_s, text FROM note ORDER BY rowid", [&](Row row) {
+                m_record.notes.push_back({numberOf(row[0]), printable(textOf(row[1]))});
+            });
+        if (done)
+            done = m_store.select("SELECT time_s, name, value FROM command ORDER BY rowid", [&](Row row) {
+                m_record.commands.push_back(
+                    {numberOf(row[0]), printable(textOf(row[1])), printable(textOf(row[2]))});
+            });
+        return done;
+    }
+
+    const SessionStore& m_store;
+    SessionRecord& m_record;
+};
+
+} // namespace
+
+Result<SessionRecord> readFacts(const SessionStore& store, const std::string& path) {
+    SessionRecord record;
+    record.path = path;
+    if (auto done = FactsReader(store, record).all(); !done)
+        return done.error();
+    return record;
+}
+
+Result<void> checkIntegrity(const SessionStore& store, const std::string& path) {
+    std::string verdict;
+    const auto done = store.select("PRAGMA quick_check(1)", [&](Row row) { verdict = textOf(row[0]); });
+    if (done && verdict != "ok")
+        return Error(MessageCode::SessionDamaged, path, {verdict});
+    return done;
+}
+
+Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
+                       std::size_t first, std::size_t last,
+                       const std::function<void(const TraceSample&)>& take, const std::stop_token& stop) {
+    auto due = static_cast<std::int64_t>(first);
+    double last_s = -std::numeric_limits<double>::infinity();
+    bool isWhole = true;
+    const auto done = store.select(
+        tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) + " AND " +
+            std::to_string(last) + " ORDER BY number",
+        [&](Row row) {
+            if (!isWhole || SessionTables::numberOfStep(row) != due) {
+                isWhole = false;
+                return;
+            }
+            const TraceSample sample = tables.sampleOf(row);
+            isWhole = sample.time_s >= last_s;
+            last_s = sample.time_s;
+            ++due;
+            if (isWhole)
+                take(sample);
+        },
+        stop);
+    if (done && !isWhole)
+        return Error(MessageCode::SessionDamaged, path,
+                     {"sample " + std::to_string(due) + " is missing or in the wrong place"});
+    return done;
+}
+
+} // namespace bask

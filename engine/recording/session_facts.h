@@ -1,0 +1,27 @@
+#pragma once
+// Pieces of reading a session file, shared by the ways to read one.
+
+#include "engine/recording/session_file.h"
+#include "engine/recording/session_store.h"
+#include "engine/recording/session_tables.h"
+
+#include <functional>
+#include <stop_token>
+
+namespace bask {
+
+/// Header, experiment, events, notes and commands; no samples.
+Result<SessionRecord> readFacts(const SessionStore& store, const std::string& path);
+
+/// Refuses a file whose structure is damaged; reads all of it.
+Result<void> checkIntegrity(const SessionStore& store, const std::string& path);
+
+/// Samples of version 1, whose tables have one row a sample, or one a sample and object.
+Result<void> readFirstVersion(const SessionStore& store, SessionRecord& record);
+
+/// Calls `take` for the samples with these numbers, from 1, until it is asked to stop; refuses a gap.
+Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
+                       std::size_t first, std::size_t last,
+                       const std::function<void(const TraceSample&)>& take, const std::stop_token& stop = {});
+
+} // namespace bask

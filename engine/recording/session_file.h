@@ -1,0 +1,83 @@
+#pragma once
+// A recorded run in one SQLite file (*.bask): the experiment and every sample, command, event and note as it
+// happened.
+
+#include "engine/model/experiment.h"
+#include "engine/model/trace.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+inline constexpr int kSessionApplicationId = 0x4261736b; ///< "Bask"
+inline constexpr int kSessionVersion = 2;                ///< PRAGMA user_version
+
+/// Which commands were sent, as text: one row a command ("targets", "gains", "hold" ...), value as JSON.
+struct CommandRow {
+    double time_s = 0.0;
+    std::string name;
+    std::string value;
+};
+
+/// Writes a run as it happens (WAL, synchronous=FULL). Rows are committed at the latest commitInterval_s of
+/// wall time after they were added, so that a killed process loses at most that. One thread only, the one
+/// that opened it.
+class SessionWriter {
+public:
+    static Result<std::unique_ptr<SessionWriter>> create(const std::string& path,
+                                                         const Experiment& experiment, bool simulated,
+                                                         double commitInterval_s = 0.5);
+    ~SessionWriter(); ///< commits and closes
+
+    Result<void> add(const TraceSample& sample);
+    Result<void> add(const TraceEvent& event);
+    Result<void> add(const TraceNote& note);
+    Result<void> add(const CommandRow& command);
+    Result<void> flush();                            ///< commits now
+    Result<void> finish(const std::string& outcome); ///< marks the run complete ("settled", "not-settled",
+                                                     ///< "stopped", "fault")
+
+    const std::string& path() const;
+    std::size_t rows() const; ///< samples added so far
+
+    SessionWriter(const SessionWriter&) = delete;
+    SessionWriter& operator=(const SessionWriter&) = delete;
+
+private:
+    struct Impl;
+    explicit SessionWriter(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// A whole recorded run, in memory.
+struct SessionRecord {
+    std::string path;
+    Experiment experiment;
+    std::string created;  ///< ISO 8601, UTC
+    std::string software; ///< "Bask 0.1.0"
+    bool simulated = false;
+    std::string outcome; ///< empty: interrupted
+    std::vector<TraceSample> samples;
+    std::vector<TraceEvent> events;
+    std::vector<TraceNote> notes;
+    std::vector<CommandRow> commands;
+
+    bool interrupted() const { return outcome.empty(); }
+    /// Samples until Stop or STOP; what comes after is the retreat and cool-down. All of them when there was
+    /// none.
+    std::vector<TraceSample> controlledSamples() const;
+};
+
+/// Reads a session; refuses what is not one, is damaged, or comes from a newer version. Never changes the
+/// file's data.
+Result<SessionRecord> readSession(const std::string& path);
+
+/// Copies a session, also one being written, whole or not at all.
+Result<void> copySession(const std::string& from, const std::string& to);
+
+/// One CSV per table into an existing or new folder, units in the headers. Returns the files written.
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder);
+
+} // namespace bask

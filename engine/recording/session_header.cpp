@@ -1,0 +1,156 @@
+#include "engine/recording/session_header.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/session_store.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <chrono>
+#include <thread>
+
+namespace bask {
+namespace {
+
+using Row = SessionStore::Row;
+
+// A page that shows the file lets it go within a second.
+constexpr int kTries = 10;
+constexpr std::chrono::milliseconds kBetweenTries(200);
+
+// A list reads whatever lies in its folder: no more of it than fits the memory.
+constexpr const char* kSelectMeta = "SELECT key, substr(value, 1, 65536) FROM meta "
+                                    "WHERE key IN ('created', 'simulated', 'outcome', 'tags') LIMIT 4";
+constexpr const char* kSelectExperiment =
+    "SELECT json FROM experiment WHERE length(json) < 16777216 ORDER BY rowid LIMIT 1";
+constexpr const char* kSelectNotes = "SELECT substr(text, 1, 4096) FROM note ORDER BY rowid LIMIT 1000";
+
+std::vector<std::string> textsOf(const nlohmann::json& list) {
+    std::vector<std::string> texts;
+    for (const auto& entry : list)
+        if (entry.is_string())
+            texts.push_back(printable(entry.get<std::string>()));
+    return texts;
+}
+
+void takeExperiment(SessionHeader& header, const std::string& text) {
+    const auto json = nlohmann::json::parse(text, nullptr, false);
+    if (!json.is_object())
+        return;
+    if (const auto title = json.find("title"); title != json.end() && title->is_string())
+        header.title = printable(title->get<std::string>());
+    const auto objects = json.find("objects");
+    if (objects == json.end() || !objects->is_array())
+        return;
+    for (const auto& object : *objects)
+        if (const auto name = object.find("name"); name != object.end() && name->is_string())
+            header.objects.push_back(printable(name->get<std::string>()));
+}
+
+Result<void> readInto(SessionHeader& header) {
+    const auto store = SessionStore::open(header.path);
+    if (!store)
+        return store.error();
+    auto done = (*store)->execute("BEGIN"); // all of one moment
+    if (done)
+        done = (*store)->select(kSelectMeta, [&](Row row) {
+            const std::string key = textOf(row[0]), value = textOf(row[1]);
+            if (key == "created")
+                header.created = value;
+            else if (key == "simulated")
+                header.simulated = value == "true";
+            else if (key == "outcome")
+                header.outcome = value;
+            else if (key == "tags")
+                header.tags = textsOf(nlohmann::json::parse(value, nullptr, false));
+        });
+    if (done)
+        done = (*store)->select(kSelectExperiment, [&](Row row) { takeExperiment(header, textOf(row[0])); });
+    if (done)
+        done = (*store)->select((*store)->version() < 2
+                                    ? "SELECT rowid, time_s FROM pose ORDER BY rowid DESC LIMIT 1"
+                                    : "SELECT number, time_s FROM step ORDER BY number DESC LIMIT 1",
+                                [&](Row row) {
+                                    header.samples = static_cast<std::uint64_t>(numberOf(row[0]));
+                                    header.end_s = numberOf(row[1]);
+                                });
+    if (done)
+        done = (*store)->select(kSelectNotes,
+                                [&](Row row) { header.notes.push_back(printable(textOf(row[0]))); });
+    return done;
+}
+
+/// One entry of `meta`, in a transaction. Always through the log: readers look for that beside the file, not
+/// for a rollback journal.
+Result<void> putFact(const std::string& path, const std::string& key, const std::string& value) {
+    const auto store = SessionStore::create(path);
+    if (!store)
+        return store.error();
+    for (const char* sql : {"PRAGMA synchronous = FULL", "PRAGMA journal_mode = WAL", "BEGIN IMMEDIATE"}) {
+        if (auto done = (*store)->execute(sql); !done)
+            return done;
+    }
+    const auto put = (*store)->prepare("INSERT OR REPLACE INTO meta VALUES(?, ?)");
+    if (!put)
+        return put.error();
+    const std::array<SqlValue, 2> row{key, value};
+    auto done = (*store)->run(*put, row);
+    return done ? (*store)->execute("COMMIT") : done;
+}
+
+} // namespace
+
+SessionHeader readSessionHeader(const std::string& path) {
+    SessionHeader header;
+    header.path = path;
+    if (const auto done = readInto(header); !done) {
+        header = {};
+        header.path = path;
+        header.error = done.error();
+    }
+    return header;
+}
+
+std::vector<std::string> sessionFiles(const std::string& folder) {
+    std::vector<std::string> paths;
+    const QDir dir(QString::fromStdString(folder));
+    for (const QFileInfo& file : dir.entryInfoList({QStringLiteral("*.bask")}, QDir::Files, QDir::NoSort))
+        paths.push_back(file.absoluteFilePath().toStdString());
+    return paths;
+}
+
+Result<void> writeSessionTags(const std::string& path, const std::vector<std::string>& tags) {
+    const SessionHeader header = readSessionHeader(path);
+    if (header.error)
+        return *header.error;
+    if (header.outcome.empty())
+        return Error(MessageCode::SessionBusy, path, {"its recording has no end"});
+    const auto json = nlohmann::json(tags).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return putFact(path, "tags", json);
+}
+
+Result<void> closeInterrupted(const std::string& path) {
+    if (const auto read = readSamples(path, [](const TraceSample&) {}); !read)
+        return read;
+    const SessionHeader header = readSessionHeader(path);
+    if (header.error)
+        return *header.error;
+    if (!header.outcome.empty())
+        return {};
+    auto folded = removeLog(path); // also finds out whether somebody records into it
+    for (int tries = 1; tries < kTries && !folded && folded.error().code() == MessageCode::SessionBusy;
+         ++tries) {
+        std::this_thread::sleep_for(kBetweenTries);
+        folded = removeLog(path);
+    }
+    if (!folded)
+        return folded;
+    return putFact(path, "outcome", kOutcomeInterrupted);
+}
+
+} // namespace bask

@@ -1,0 +1,119 @@
+#include "engine/base/message_code.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/session_facts.h"
+
+#include <QFile>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+/// The finished file `part` under its own name, in one step and on the disk.
+Result<void> putInPlace(const QString& part, const std::string& path) {
+    QFile file(part);
+    if (!file.open(QIODevice::ReadWrite) || ::fsync(file.handle()) != 0)
+        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
+    file.close();
+    if (auto log = removeLog(path); !log) // an old session's log must not be applied to the new file
+        return log;
+    std::error_code code;
+    std::filesystem::rename(part.toStdString(), path, code);
+    if (code)
+        return Error(MessageCode::FileUnwritable, path, {code.message()});
+    return {};
+}
+
+constexpr auto kLast = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
+
+/// Reads the whole of a session, its samples of version 2 one by one into `take`, those of version 1 into the
+/// record.
+Result<SessionRecord> readAll(const std::string& path,
+                              const std::function<void(SessionRecord&, const TraceSample&)>& take,
+                              const std::stop_token& stop = {}) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    // One transaction, so that all tables are seen at the same moment of a run that is still being recorded.
+    auto done = (*store)->execute("BEGIN");
+    if (done)
+        done = checkIntegrity(**store, path);
+    if (!done)
+        return done.error();
+    auto record = readFacts(**store, path);
+    if (!record)
+        return record;
+    if ((*store)->version() < 2)
+        done = readFirstVersion(**store, *record);
+    else if (const auto tables = SessionTables::of(**store, *record))
+        done = readSteps(
+            **store, *tables, path, 1, kLast, [&](const TraceSample& sample) { take(*record, sample); },
+            stop);
+    else
+        done = tables.error();
+    if (!done)
+        return done.error();
+    return record;
+}
+
+} // namespace
+
+Result<SessionRecord> readSession(const std::string& path) {
+    return readAll(
+        path, [](SessionRecord& record, const TraceSample& sample) { record.samples.push_back(sample); });
+}
+
+Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take,
+                         const std::stop_token& stop) {
+    const auto record = readAll(
+        path, [&](SessionRecord&, const TraceSample& sample) { take(sample); }, stop);
+    if (!record)
+        return record.error();
+    std::ranges::for_each(record->samples, take);
+    return {};
+}
+
+Result<void> copySession(const std::string& from, const std::string& to) {
+    const auto store = SessionStore::open(from);
+    if (!store)
+        return store.error();
+    const QString target = QString::fromStdString(to);
+    if (QFileInfo(target).canonicalFilePath() == QFileInfo(QString::fromStdString(from)).canonicalFilePath())
+        return {};
+    if (auto place = checkReplaceable(to); !place)
+        return place;
+    const QString part = target + QStringLiteral(".part");
+    QFile::remove(part);
+    auto copied = (*store)->execute("VACUUM INTO " + sqlText(part.toStdString()));
+    if (!copied)
+        copied = Error(MessageCode::FileUnwritable, to, {describe(copied.error().message)});
+    if (copied)
+        copied = putInPlace(part, to);
+    if (!copied)
+        QFile::remove(part);
+    return copied;
+}
+
+double controlledUntil_s(const SessionRecord& facts) {
+    const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventStopped ||
+               event.message.code == MessageCode::EventStoppedFor ||
+               event.message.code == MessageCode::EventEmergencyStop;
+    });
+    return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
+}
+
+std::vector<TraceSample> SessionRecord::controlledSamples() const {
+    std::vector<TraceSample> out = samples;
+    std::erase_if(out, [until_s = controlledUntil_s(*this)](const TraceSample& sample) {
+        return sample.time_s > until_s;
+    });
+    return out;
+}
+
+} // namespace bask

@@ -1,0 +1,271 @@
+#include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
+#include "engine/base/version.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/session_file.h"
+#include "engine/recording/session_store.h"
+#include "engine/recording/session_tables.h"
+#include "engine/recording/trace_overview.h"
+
+#include <QAbstractEventDispatcher>
+#include <QDateTime>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QTimer>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+enum Statement : std::size_t {
+    kInsertStep,
+    kInsertTargetStep,
+    kInsertOverview,
+    kInsertCommand,
+    kInsertEvent,
+    kInsertNote,
+    kPutMeta,
+};
+
+/// In the order of Statement, after kInsertStep.
+constexpr std::array kStatements{
+    "INSERT INTO target_step VALUES(?, ?, ?)", "INSERT INTO overview VALUES(?, ?)",
+    "INSERT INTO command VALUES(?, ?, ?)",     "INSERT INTO event VALUES(?, ?, ?, ?)",
+    "INSERT INTO note VALUES(?, ?)",           "INSERT OR REPLACE INTO meta VALUES(?, ?)",
+};
+
+std::string nowUtc() {
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+}
+
+std::string argsJson(const std::vector<std::string>& args) {
+    return nlohmann::json(args).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+/// Tables, header and experiment come into being in one transaction, before the file is switched to its log:
+/// what is found under the name is a whole session or none.
+Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
+    std::vector<std::string> statements{
+        "PRAGMA page_size = 16384", // a row takes 400 bytes: little is left over at a page's end
+        "PRAGMA synchronous = FULL",
+        "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
+        "BEGIN IMMEDIATE"};
+    std::ranges::move(tables.create(), std::back_inserter(statements));
+    statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));
+    statements.emplace_back("PRAGMA user_version = ").append(std::to_string(kSessionVersion));
+    for (const std::string& sql : statements) {
+        if (auto done = store.execute(sql); !done)
+            return done;
+    }
+    std::vector<std::string> prepared{tables.insertStep()};
+    prepared.insert(prepared.end(), kStatements.begin(), kStatements.end());
+    for (const std::string& sql : prepared) {
+        if (auto done = store.prepare(sql); !done)
+            return done.error();
+    }
+    return {};
+}
+
+/// Until the new one is made the old one stays, for there may be no room for it.
+Result<void> clearPlace(const std::string& path, ReplacedFiles& replaced) {
+    auto clear = checkReplaceable(path);
+    if (clear)
+        clear = removeLog(path);
+    if (clear)
+        clear = replaced.setAside(path);
+    if (QFile old(QString::fromStdString(path)); clear && old.exists() && !old.remove())
+        return Error(MessageCode::FileUnwritable, path, {old.errorString().toStdString()});
+    return clear;
+}
+
+} // namespace
+
+struct SessionWriter::Impl {
+    Impl(const Experiment& experiment, bool simulated)
+        : tables(experiment, simulated), targets_K(experiment.objects.size()),
+          overview(experiment.objects.size()) {}
+
+    std::string path;
+    std::unique_ptr<SessionStore> store;
+    SessionTables tables;
+    double commitInterval_s = 0.5;
+    std::size_t samples = 0;
+    std::vector<std::optional<double>> targets_K; ///< as recorded last
+    TraceOverview overview;                       ///< of the samples since the last row of its table
+    bool pending = false;                         ///< a transaction is open
+    QElapsedTimer sinceCommit;
+    QTimer timer; ///< commits what was added last when nothing follows it
+    std::optional<Error> failed;
+
+    Result<void> check(Result<void> done) {
+        if (!done && !failed)
+            failed = done.error();
+        return done;
+    }
+
+    template <class... Values> Result<void> put(Statement statement, Values&&... values) {
+        const std::array<SqlValue, sizeof...(Values)> row{SqlValue(std::forward<Values>(values))...};
+        return store->run(statement, row);
+    }
+
+    /// Runs `insert` inside the open transaction and commits when it is time.
+    template <class Insert> Result<void> add(Insert insert) {
+        if (failed)
+            return *failed;
+        if (auto begun = begin(); !begun)
+            return check(begun);
+        if (auto done = insert(); !done)
+            return check(done);
+        if (static_cast<double>(sinceCommit.elapsed()) >= 1e3 * commitInterval_s)
+            return commit();
+        if (!timer.isActive() && QAbstractEventDispatcher::instance() != nullptr)
+            timer.start();
+        return {};
+    }
+
+    Result<void> begin() {
+        if (pending)
+            return {};
+        auto begun = store->execute("BEGIN IMMEDIATE");
+        pending = begun.ok();
+        return begun;
+    }
+
+    Result<void> commit() {
+        timer.stop();
+        if (failed)
+            return *failed;
+        sinceCommit.start();
+        if (!pending)
+            return {};
+        pending = false;
+        return check(store->execute("COMMIT"));
+    }
+
+    Result<void> addSample(const TraceSample& sample) {
+        const auto number = static_cast<std::int64_t>(samples) + 1;
+        auto done = store->run(kInsertStep, tables.stepRow(number, sample));
+        for (std::size_t i = 0; done && i < targets_K.size(); ++i)
+            done = addTarget(i, sample);
+        if (!done)
+            return done;
+        ++samples;
+        overview.add(sample);
+        if (overview.samples() < kSamplesPerOverviewRow)
+            return {};
+        done = put(kInsertOverview, number, SqlBlob{overview.bytes()});
+        overview = TraceOverview(targets_K.size());
+        return done;
+    }
+
+    Result<void> addTarget(std::size_t object, const TraceSample& sample) {
+        const double target_K = sample.objects[object].target_K;
+        if (std::isnan(target_K) || targets_K[object] == target_K)
+            return {};
+        targets_K[object] = target_K;
+        return put(kInsertTargetStep, sample.time_s, static_cast<std::int64_t>(object) + 1, target_K);
+    }
+};
+
+SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+
+SessionWriter::~SessionWriter() {
+    static_cast<void>(m_impl->commit());
+}
+
+Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path,
+                                                             const Experiment& experiment, bool simulated,
+                                                             double commitInterval_s) {
+    if (auto valid = validate(experiment); !valid)
+        return valid.error();
+    ReplacedFiles replaced;
+    if (auto clear = clearPlace(path, replaced); !clear)
+        return clear.error();
+    auto store = SessionStore::create(path);
+    if (!store)
+        return store.error();
+
+    auto impl = std::make_unique<Impl>(experiment, simulated);
+    impl->path = path;
+    impl->store = std::move(*store);
+    impl->commitInterval_s = commitInterval_s;
+    auto made = makeTables(*impl->store, impl->tables);
+    const std::array<std::pair<const char*, std::string>, 3> facts{
+        {{"software", "Bask " BASK_VERSION},
+         {"created", nowUtc()},
+         {"simulated", simulated ? "true" : "false"}}};
+    for (const auto& [key, value] : facts) {
+        if (made)
+            made = impl->put(kPutMeta, std::string(key), value);
+    }
+    if (made) {
+        const auto insert = impl->store->prepare("INSERT INTO experiment VALUES(?)");
+        const std::array<SqlValue, 1> row{experimentToJson(experiment)};
+        made = insert ? impl->store->run(*insert, row) : Result<void>(insert.error());
+    }
+    for (const char* sql : {"COMMIT", "PRAGMA journal_mode = WAL",
+                            "PRAGMA wal_autocheckpoint = 256"}) { // pages: the log stays at 4 MB
+        if (made)
+            made = impl->store->execute(sql);
+    }
+    if (!made)
+        return made.error();
+    replaced.keepNew();
+    impl->sinceCommit.start();
+    impl->timer.setSingleShot(true);
+    impl->timer.setInterval(static_cast<int>(1e3 * commitInterval_s));
+    QObject::connect(&impl->timer, &QTimer::timeout,
+                     [raw = impl.get()] { static_cast<void>(raw->commit()); });
+    return std::unique_ptr<SessionWriter>(new SessionWriter(std::move(impl)));
+}
+
+Result<void> SessionWriter::add(const TraceSample& sample) {
+    if (sample.objects.size() != m_impl->targets_K.size())
+        throw std::invalid_argument("SessionWriter: a sample needs one entry an object");
+    return m_impl->add([&] { return m_impl->addSample(sample); });
+}
+
+Result<void> SessionWriter::add(const TraceEvent& event) {
+    return m_impl->add([&] {
+        return m_impl->put(kInsertEvent, event.time_s, std::string(messageName(event.message.code)),
+                           argsJson(event.message.args), describe(event.message));
+    });
+}
+
+Result<void> SessionWriter::add(const TraceNote& note) {
+    return m_impl->add([&] { return m_impl->put(kInsertNote, note.time_s, note.text); });
+}
+
+Result<void> SessionWriter::add(const CommandRow& command) {
+    return m_impl->add(
+        [&] { return m_impl->put(kInsertCommand, command.time_s, command.name, command.value); });
+}
+
+Result<void> SessionWriter::flush() {
+    return m_impl->commit();
+}
+
+Result<void> SessionWriter::finish(const std::string& outcome) {
+    auto done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("outcome"), outcome); });
+    if (done)
+        done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("finished"), nowUtc()); });
+    return done ? flush() : done;
+}
+
+const std::string& SessionWriter::path() const {
+    return m_impl->path;
+}
+
+std::size_t SessionWriter::rows() const {
+    return m_impl->samples;
+}
+
+} // namespace bask

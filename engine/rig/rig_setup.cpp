@@ -1,0 +1,132 @@
+#include "engine/rig/rig_setup.h"
+
+#include <cmath>
+#include <random>
+
+namespace bask {
+
+std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K) {
+    const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
+                                         experiment.source.emittance, environment_K);
+    std::vector<HeatRates> rates;
+    for (const ObjectSpec& object : experiment.objects)
+        rates.push_back(heatRates(object.material, J, environment_K));
+    return rates;
+}
+
+const Material& trueMaterial(const ObjectSpec& object) {
+    return object.simulatedMaterial ? *object.simulatedMaterial : object.material;
+}
+
+double trueSourcePower_W_m2(const Experiment& experiment, double source_K) {
+    const SourceSpec& source = experiment.source;
+    return netSourcePower_W_m2(source.model, source_K,
+                               experiment.simulation.sourceEmittance.value_or(source.emittance),
+                               experiment.environment_K);
+}
+
+std::vector<HeatRates> trueRates(const Experiment& experiment) {
+    const double J = trueSourcePower_W_m2(experiment, experiment.source.temperature_K);
+    std::vector<HeatRates> rates;
+    for (const ObjectSpec& object : experiment.objects)
+        rates.push_back(heatRates(trueMaterial(object), J, experiment.environment_K));
+    return rates;
+}
+
+std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K) {
+    std::vector<HeatRates> rates = nominalRates(experiment, environment_K);
+    const double range = std::log(experiment.controller.believedRateErrorFactor);
+    std::mt19937_64 random(experiment.simulation.seed ^ 0x9e3779b97f4a7c15ULL);
+    std::uniform_real_distribution<double> factor(-1.0, 1.0);
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        const double heating = std::exp(range * factor(random));
+        const double cooling = std::exp(range * factor(random));
+        HeatRates& rate = rates[i];
+        rate.lambda1 *= heating;
+        rate.lambda2 *= cooling;
+        rate.lambda3 *= cooling;
+        if (experiment.objects[i].believedRates) // known: not to be made wrong
+            rate = *experiment.objects[i].believedRates;
+    }
+    return rates;
+}
+
+FeasibilityRequest feasibilityRequest(const Experiment& experiment) {
+    FeasibilityRequest request;
+    request.geometry = rigGeometry(experiment);
+    request.rest = experiment.start;
+    request.rates = nominalRates(experiment, experiment.environment_K);
+    for (const ObjectSpec& object : experiment.objects) {
+        request.names.push_back(object.name);
+        request.targets_K.push_back(object.target_K);
+    }
+    return request;
+}
+
+JointVerdict jointVerdict(const Experiment& experiment) {
+    return jointFeasibility(feasibilityRequest(experiment)).value();
+}
+
+namespace {
+
+SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
+    const SimulatedCameraSpec& spec = experiment.simulation.camera;
+    SimulatedCameraConfig config;
+    if (spec.model)
+        config.camera = *spec.model;
+    if (spec.pose)
+        config.X_RC = poseFromCoordinates(*spec.pose);
+    config.markers = markerLayout(experiment.vision);
+    config.source = experiment.source.shape;
+    for (const ObjectSpec& object : experiment.objects)
+        config.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
+    config.frameRate_Hz = spec.rate_Hz;
+    config.noise_grey = spec.noise_grey;
+    config.blur_px = spec.blur_px;
+    config.lightFall = spec.lightFall;
+    config.delay_s = spec.delay_s;
+    config.seed = experiment.simulation.seed;
+    return config;
+}
+
+} // namespace
+
+SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
+    const SimulationSpec& simulation = experiment.simulation;
+    SimulatedRigConfig config;
+    config.source = experiment.source.shape;
+    config.sourceModel = experiment.source.model;
+    config.sourceEmittance = simulation.sourceEmittance.value_or(experiment.source.emittance);
+    config.sourceTemperature_K = sourceSetPoint_K(experiment.source, 0.0);
+    config.sourcePose = simulation.sourcePose.value_or(experiment.source.pose);
+    config.sourceMotion = simulation.sourceMotion;
+    config.environment_K = experiment.environment_K;
+    config.convection_W_m2K = simulation.convection_W_m2K;
+    for (const ObjectSpec& object : experiment.objects)
+        config.objects.push_back({object.shape, object.mounting, trueMaterial(object)});
+    config.robot = {experiment.robot.free,
+                    experiment.robot.lower,
+                    experiment.robot.upper,
+                    experiment.robot.maxSpeed_m_s,
+                    experiment.robot.maxRotation_rad_s,
+                    experiment.robot.maxAcceleration_m_s2,
+                    experiment.robot.maxAngularAcceleration_rad_s2,
+                    simulation.robotStep_m,
+                    simulation.robotStep_rad,
+                    experiment.start,
+                    simulation.robotLatency_s};
+    config.thermometer = {static_cast<int>(experiment.objects.size()),
+                          simulation.sensorNoise_K,
+                          simulation.sensorResolution_K,
+                          simulation.sensorOffset_K,
+                          simulation.sensorDelay_s,
+                          simulation.seed,
+                          simulation.sensorLag_s,
+                          simulation.sensorDropout};
+    config.tracker = {simulation.trackingNoise_m, simulation.trackingNoise_rad, simulation.trackingDelay_s,
+                      simulation.seed};
+    config.camera = simulatedCameraConfig(experiment);
+    return config;
+}
+
+} // namespace bask

@@ -1,0 +1,381 @@
+#include "engine/studies/closed_loop_study.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/control/pose_lookup.h"
+#include "engine/control/velocity_solve.h"
+#include "engine/rig/rig_setup.h"
+#include "engine/runtime/simulated_run.h"
+#include "engine/studies/study_random.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+#include <thread>
+
+namespace bask {
+namespace {
+
+constexpr int kReachPoses = 12000;    // sampled for the bound
+constexpr double kBoundStep_s = 0.1;  // of its integration
+constexpr double kMaxBound_s = 1.0e6; // targets are below the steady temperature at F = 1, so it ends
+
+using Random = StudyRandom;
+
+/// Centroids anywhere in a disk about E, turned anyhow, the circles about the outlines apart.
+std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec>& objects) {
+    for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
+        std::vector<Vector6d> mountings;
+        bool apart = true;
+        for (std::size_t i = 0; i < objects.size(); ++i) {
+            const double radius_m = kStudyMountingRadius_m * std::sqrt(uniform(random, 0.0, 1.0));
+            const double angle = uniform(random, -std::numbers::pi, std::numbers::pi);
+            Vector6d mounting = objects[i].mounting;
+            mounting[kX] = radius_m * std::cos(angle);
+            mounting[kY] = radius_m * std::sin(angle);
+            mounting[kThetaZ] = uniform(random, -std::numbers::pi, std::numbers::pi);
+            for (std::size_t j = 0; j < i; ++j)
+                apart = apart && (mounting - mountings[j]).head<2>().norm() >
+                                     shapeRadius(objects[i].shape) + shapeRadius(objects[j].shape);
+            mountings.push_back(mounting);
+        }
+        if (apart)
+            return mountings;
+    }
+    throw std::invalid_argument("closed-loop study: the objects do not fit beside each other");
+}
+
+void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig, ClosedLoopCase& drawn) {
+    const std::vector<HeatRates> rates = trueRates(rig);
+    for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
+        drawn.goal = drawAllowedPose(random, geometry, rig.start);
+        const Eigen::VectorXd F = geometry.viewFactors(drawn.goal).F;
+        drawn.targets_K.clear();
+        for (std::size_t i = 0; i < rates.size(); ++i)
+            drawn.targets_K.push_back(rates[i].steadyTemperature_K(F[static_cast<Eigen::Index>(i)]));
+        if (std::ranges::min(drawn.targets_K) >= rig.environment_K + kStudyRise_K)
+            return;
+    }
+    throw std::invalid_argument("closed-loop study: no pose holds the objects warm enough");
+}
+
+/// Best view factors of one object over time: what any sampled pose within reach offers.
+class Reach {
+public:
+    /// sign +1: the largest view factor, -1: the least
+    Reach(const PoseLookup& lookup, const std::vector<double>& travel_s,
+          const std::vector<std::size_t>& order, Eigen::Index object, double sign, double F_start)
+        : m_lookup(lookup), m_travel_s(travel_s), m_order(order), m_object(object), m_sign(sign),
+          m_bestOfAll((sign * lookup.table().col(object)).maxCoeff()), m_best(F_start) {}
+
+    /// Times must grow.
+    double at(double time_s) {
+        for (; m_next < m_order.size() && m_travel_s[m_order[m_next]] <= time_s; ++m_next) {
+            const double F = m_lookup.table()(static_cast<Eigen::Index>(m_order[m_next]), m_object);
+            if (m_sign * F > m_sign * m_best)
+                m_best = F;
+        }
+        return m_sign * m_best >= m_bestOfAll ? (m_sign > 0.0 ? 1.0 : 0.0) : m_best;
+    }
+
+private:
+    const PoseLookup& m_lookup;
+    const std::vector<double>& m_travel_s;
+    const std::vector<std::size_t>& m_order;
+    Eigen::Index m_object;
+    double m_sign;
+    double m_bestOfAll; ///< times the sign
+    double m_best;
+    std::size_t m_next = 0;
+};
+
+/// Whether no view factor ever holds the object so near its target: seen without convection, which only takes
+/// from the heat.
+bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
+    const bool heats = edge_K > rig.environment_K;
+    double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
+    for (const TimePoint<double>& point : rig.source.temperatureProfile)
+        source_K = std::max(source_K, point.value);
+    const HeatRates rates =
+        heatRates(trueMaterial(rig.objects[object]), trueSourcePower_W_m2(rig, source_K), rig.environment_K);
+    return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
+}
+
+/// Time in which the plant's object comes within the settled band of its target under view factors F(t).
+template <class ViewFactorAt>
+double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
+    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.environment_K,
+                       rig.simulation.convection_W_m2K);
+    const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
+    const double edge_K = target_K - sign * kSettledBand_K;
+    if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
+        return std::numeric_limits<double>::infinity();
+    double before_K = plant.temperature_K(0);
+    for (int step = 0; step * kBoundStep_s < kMaxBound_s; ++step) {
+        if (sign * plant.temperature_K(0) >= sign * edge_K) {
+            if (step == 0)
+                return 0.0;
+            const double part = (edge_K - before_K) / (plant.temperature_K(0) - before_K);
+            return (step - 1 + part) * kBoundStep_s;
+        }
+        before_K = plant.temperature_K(0);
+        const double time_s = step * kBoundStep_s;
+        const double J = trueSourcePower_W_m2(rig, sourceSetPoint_K(rig.source, time_s));
+        plant.advance(kBoundStep_s, {viewFactorAt(time_s)}, J);
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+/// "circle +1.2 K, hand -0.8 K": who is where at the end.
+std::string objectsOutside(const RunOutcome& outcome) {
+    std::string words;
+    for (const ObjectOutcome& object : outcome.objects) {
+        const double error_K = object.final_K - object.target_K;
+        if (!object.settlingTime_s)
+            words += (words.empty() ? "" : ", ") + object.name + (error_K > 0.0 ? " +" : " ") +
+                     formatNumber(error_K, 2) + " K";
+    }
+    return words;
+}
+
+/// Why a run is no success.
+std::string failureOf(const RunOutcome& outcome, double duration_s) {
+    std::string words;
+    for (const TraceEvent& event : outcome.events) // the last alarm is the one that ended the run
+        if (outcome.fault && alarmPriority(event.message.code) > 0)
+            words = "fault at " + formatNumber(event.time_s) + " s: " + describe(event.message);
+    if (!outcome.fault && outcome.simulated_s < duration_s - 2.0)
+        words = "the run ended by itself at " + formatNumber(outcome.simulated_s) + " s";
+    const std::string outside = objectsOutside(outcome);
+    if (words.empty())
+        words = outside.empty() ? "within the band in the last moments only" : "not settled";
+    if (!outside.empty())
+        words += "; at the end " + outside;
+    for (const TraceEvent& event : outcome.events)
+        if (event.message.code == MessageCode::EventCompromise)
+            return words + "; called the targets infeasible at " + formatNumber(event.time_s) + " s";
+    return words;
+}
+
+Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
+    ClosedLoopRow row;
+    row.drawn = drawClosedLoopCase(study, index);
+    const Experiment experiment = closedLoopExperiment(study, row.drawn);
+    SimulatedRunOptions options;
+    options.duration_s = row.drawn.duration_s();
+    options.progress = [&](double, const TraceSample& sample) {
+        for (const ObjectSample& object : sample.objects) {
+            const double sign = object.target_K > experiment.environment_K ? 1.0 : -1.0;
+            row.overshoot_K = std::max(row.overshoot_K, sign * (object.true_K - object.target_K));
+        }
+    };
+    const auto outcome = runSimulated(experiment, options);
+    if (!outcome)
+        return outcome.error();
+    for (const ObjectOutcome& object : outcome->objects) {
+        row.final_K.push_back(object.final_K);
+        if (outcome->settled)
+            row.settling_s = std::max(row.settling_s.value_or(0.0), object.settlingTime_s.value_or(0.0));
+    }
+    row.toldCompromise = std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventCompromise;
+    });
+    if (!outcome->settled)
+        row.failure = failureOf(*outcome, row.drawn.duration_s());
+    return row;
+}
+
+/// Value below which the fraction of the sorted values lies, between neighbours linearly.
+std::optional<double> quantile(const std::vector<double>& sorted, double fraction) {
+    if (sorted.empty())
+        return std::nullopt;
+    const double place = fraction * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(place);
+    const auto above = std::min(below + 1, sorted.size() - 1);
+    return std::lerp(sorted[below], sorted[above], place - static_cast<double>(below));
+}
+
+std::string number(double value) {
+    return formatNumber(value, 9);
+}
+
+std::string quoted(std::string text) {
+    for (auto at = text.find('"'); at != std::string::npos; at = text.find('"', at + 2))
+        text.insert(at, 1, '"');
+    return '"' + text + '"';
+}
+
+std::string coordinates(const Vector6d& q) {
+    std::string text;
+    for (int k = 0; k < 6; ++k)
+        text += ',' + number(k < 3 ? 100.0 * q[k] : degFromRad(q[k]));
+    return text;
+}
+
+std::string csvRow(int index, const ClosedLoopRow& row) {
+    const ClosedLoopCase& drawn = row.drawn;
+    const auto timed = [&](double divisor) {
+        return ',' + (row.settling_s ? number(*row.settling_s / divisor) : std::string());
+    };
+    std::string text = std::to_string(index) + ',' + std::to_string(drawn.seed) + ',' +
+                       (row.settling_s ? '1' : '0') + timed(1.0) + timed(drawn.bound_s) +
+                       timed(drawn.radiation_s) + ',' + number(row.overshoot_K) + ',' +
+                       number(drawn.bound_s) + ',' + number(drawn.radiation_s) + ',' + number(drawn.travel_s);
+    for (std::size_t i = 0; i < drawn.targets_K.size(); ++i)
+        text += ',' + number(celsiusFromKelvin(drawn.targets_K[i])) + ',' +
+                number(celsiusFromKelvin(row.final_K[i])) + ',' + number(100.0 * drawn.mountings[i][kX]) +
+                ',' + number(100.0 * drawn.mountings[i][kY]) + ',' +
+                number(degFromRad(drawn.mountings[i][kThetaZ]));
+    return text + coordinates(drawn.start) + coordinates(drawn.goal) + (row.toldCompromise ? ",1," : ",0,") +
+           quoted(row.failure) + '\n';
+}
+
+} // namespace
+
+SettlingBound settlingBound(const Experiment& experiment) {
+    const auto geometry = rigGeometry(experiment);
+    const PoseLookup lookup(geometry, experiment.start, kReachPoses);
+    std::vector<double> travel_s(lookup.size());
+    for (std::size_t k = 0; k < lookup.size(); ++k)
+        travel_s[k] = travelTime_s(geometry->limits(), experiment.start, lookup.pose(k));
+    std::vector<std::size_t> order(lookup.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::size_t k) { return travel_s[k]; });
+    const Eigen::VectorXd F = geometry->viewFactors(experiment.start).F;
+    SettlingBound bound;
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const double target_K = experiment.objects[i].target_K;
+        const double sign = target_K > experiment.environment_K ? 1.0 : -1.0;
+        const auto row = static_cast<Eigen::Index>(i);
+        Reach reach(lookup, travel_s, order, row, sign, F[row]);
+        const double ideal = sign > 0.0 ? 1.0 : 0.0;
+        bound.radiation_s =
+            std::max(bound.radiation_s, timeToBand_s(experiment, i, target_K, [&](double) { return ideal; }));
+        bound.bound_s = std::max(
+            bound.bound_s, timeToBand_s(experiment, i, target_K, [&](double t_s) { return reach.at(t_s); }));
+    }
+    return bound;
+}
+
+ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
+    Random random = studyRandom(study.seed, index);
+    ClosedLoopCase drawn;
+    drawn.seed = random();
+    Experiment rig = study.rig;
+    if (study.randomMountings) {
+        drawn.mountings = drawMountings(random, rig.objects);
+        for (std::size_t i = 0; i < rig.objects.size(); ++i)
+            rig.objects[i].mounting = drawn.mountings[i];
+    } else {
+        for (const ObjectSpec& object : rig.objects)
+            drawn.mountings.push_back(object.mounting);
+    }
+    const auto geometry = rigGeometry(rig);
+    drawn.start = drawAllowedPose(random, *geometry, rig.start);
+    drawGoal(random, *geometry, rig, drawn);
+    const SettlingBound bound = settlingBound(closedLoopExperiment(study, drawn));
+    drawn.radiation_s = bound.radiation_s;
+    drawn.bound_s = bound.bound_s;
+    drawn.travel_s = travelTime_s(geometry->limits(), drawn.start, drawn.goal);
+    return drawn;
+}
+
+Experiment closedLoopExperiment(const ClosedLoopStudy& study, const ClosedLoopCase& drawn) {
+    Experiment experiment = study.rig;
+    experiment.start = drawn.start;
+    experiment.simulation.seed = drawn.seed;
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        experiment.objects[i].mounting = drawn.mountings[i];
+        experiment.objects[i].target_K = drawn.targets_K[i];
+    }
+    return experiment;
+}
+
+Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& study, int threads,
+                                                      const std::function<void(int done)>& progress) {
+    if (const auto valid = validate(study.rig); !valid)
+        return valid.error();
+    std::vector<std::optional<Result<ClosedLoopRow>>> results(static_cast<std::size_t>(study.count));
+    std::atomic<int> next = 0, done = 0;
+    const auto work = [&](bool reports) {
+        for (int index = next++; index < study.count; index = next++) {
+            results[static_cast<std::size_t>(index)] = runCase(study, index);
+            ++done;
+            if (reports && progress)
+                progress(done);
+        }
+    };
+    const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+    {
+        std::vector<std::jthread> others;
+        for (int i = 1; i < std::min(wanted, study.count); ++i)
+            others.emplace_back(work, false);
+        work(true);
+    }
+    std::vector<ClosedLoopRow> rows;
+    for (auto& result : results) {
+        if (!*result)
+            return result->error();
+        rows.push_back(std::move(result->value()));
+    }
+    return rows;
+}
+
+ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows) {
+    ClosedLoopSummary summary;
+    std::vector<double> overBound, overRadiation;
+    for (const ClosedLoopRow& row : rows) {
+        summary.worstOvershoot_K = std::max(summary.worstOvershoot_K, row.overshoot_K);
+        if (!row.settling_s)
+            continue;
+        overBound.push_back(*row.settling_s / row.drawn.bound_s);
+        overRadiation.push_back(*row.settling_s / row.drawn.radiation_s);
+    }
+    std::ranges::sort(overBound);
+    std::ranges::sort(overRadiation);
+    if (!rows.empty())
+        summary.successRate = static_cast<double>(overBound.size()) / static_cast<double>(rows.size());
+    summary.medianOverBound = quantile(overBound, 0.5);
+    summary.tenthOverBound = quantile(overBound, 0.9);
+    summary.medianOverRadiation = quantile(overRadiation, 0.5);
+    return summary;
+}
+
+std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<ClosedLoopRow>& rows) {
+    const Experiment& rig = study.rig;
+    std::string text =
+        "# Bask closed-loop study: random targets that a pose of the workspace holds, from random starts.\n"
+        "# Controller " +
+        std::string(controllerKindName(rig.controller.kind)) + ", source model " +
+        (rig.source.model == SourceModel::Gray ? "gray" : "paper") +
+        ", believed rates wrong by random factors within " + number(rig.controller.believedRateErrorFactor) +
+        ", mountings " + (study.randomMountings ? "random" : "as in the experiment") + ", seed " +
+        std::to_string(study.seed) +
+        ".\n"
+        "# Settled: every true temperature within +-" +
+        number(kSettledBand_K) + " K of its target until the end of the run, which lasts " +
+        number(kStudyBounds) + " x bound_s + " + number(kStudyMinDuration_s) +
+        " s; settling_s is the last object's.\n"
+        "# radiation_s: until the slowest object is within the band at F = 1 from the first moment. bound_s: "
+        "at the largest F of any pose within reach at full speed by then. travel_s: from start to goal.\n"
+        "# overshoot_K: farthest true temperature above a target, of all objects and moments; goal: a pose "
+        "that holds the targets.\n"
+        "run,seed,settled,settling_s,over_bound,over_radiation,overshoot_K,bound_s,radiation_s,travel_s";
+    for (const ObjectSpec& object : rig.objects)
+        text += ',' + quoted(object.name + " target_degC") + ',' + quoted(object.name + " final_degC") + ',' +
+                quoted(object.name + " x_cm") + ',' + quoted(object.name + " y_cm") + ',' +
+                quoted(object.name + " theta_z_deg");
+    for (const char* pose : {"start", "goal"})
+        for (const char* coordinate : {"x_cm", "y_cm", "z_cm", "theta_x_deg", "theta_y_deg", "theta_z_deg"})
+            text += std::string(",") + pose + "_" + coordinate;
+    text += ",told_compromise,failure\n";
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        text += csvRow(static_cast<int>(k) + 1, rows[k]);
+    return text;
+}
+
+} // namespace bask

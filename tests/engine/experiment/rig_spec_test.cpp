@@ -1,0 +1,128 @@
+// What a rig may not be: heat that nothing switches off, a device without a driver, values out of range.
+
+#include "engine/model/rig_spec.h"
+
+#include "engine/base/message_code.h"
+#include "engine/drivers/driver_catalogue.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+const ModbusProfile& profileOf(const std::string& name) {
+    return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
+}
+
+RigSpec rigWith(const ModbusProfile& profile) {
+    RigSpec rig;
+    rig.source.emplace().driver = "modbus";
+    rig.source->port = "/dev/ttyPLATE";
+    rig.source->profile = profile;
+    return rig;
+}
+
+Error refusal(const RigSpec& rig) {
+    const auto fit = checkRig(rig, 0, {});
+    return fit ? Error(MessageCode::None, "") : fit.error();
+}
+
+/// A device of each driver that is valid, each with its range's limits.
+template <class Spec> void expectRanges(std::optional<Spec> RigSpec::*place, const char* path, RigSpec rig) {
+    const auto name = [&](const ParameterFacts& facts) { return std::string(path) + '.' + keyOf(facts); };
+    const RigSpec valid = rig;
+    ASSERT_EQ(refusal(valid).code(), MessageCode::None) << path << ": " << describe(refusal(valid));
+    for (const auto& parameter : driverOf(*(rig.*place)).parameters) {
+        if (!parameter.applies(*(rig.*place)))
+            continue;
+        for (const double outside : {parameter.facts->range.min - 1.0, parameter.facts->range.max + 1.0}) {
+            rig = valid;
+            parameter.set(*(rig.*place), fromWritten(*parameter.facts, outside));
+            EXPECT_EQ(refusal(rig).where, name(*parameter.facts)) << outside;
+        }
+    }
+    for (const Parameter<SerialSettings>& parameter : serialParameters())
+        for (const double outside : {parameter.range.min - 1.0, parameter.range.max + 1.0}) {
+            rig = valid;
+            parameter.set((rig.*place)->serial, outside);
+            EXPECT_EQ(refusal(rig).where, std::string(path) + ".serial." + keyOf(parameter)) << outside;
+        }
+}
+
+template <class Spec> RigSpec rigWithDevice(std::optional<Spec> RigSpec::*place, const char* driver) {
+    RigSpec rig;
+    Spec& spec = (rig.*place).emplace();
+    spec.driver = driver;
+    spec.port = "/dev/ttyX";
+    return rig;
+}
+
+} // namespace
+
+// Catches a parameter of a driver, or a setting of its line, that nobody checks.
+TEST(RigSpec, EveryParameterIsRefusedOutsideItsRange) {
+    for (const RobotDriver& driver : robotDrivers())
+        expectRanges(&RigSpec::robot, "robot", rigWithDevice(&RigSpec::robot, driver.key));
+    for (const ThermometerDriver& driver : thermometerDrivers()) {
+        RigSpec rig = rigWithDevice(&RigSpec::thermometer, driver.key);
+        if (driver.isModbus)
+            rig.thermometer->profile = profileOf("modmux-pm6rtd");
+        expectRanges(&RigSpec::thermometer, "thermometer", rig);
+    }
+    for (const HeatSourceDriver& driver : heatSourceDrivers()) {
+        RigSpec rig = rigWithDevice(&RigSpec::source, driver.key);
+        if (driver.isModbus)
+            rig.source->profile = profileOf("pixsys-drr245");
+        if (driver.link != DriverLink::None)
+            expectRanges(&RigSpec::source, "source", rig);
+    }
+}
+
+// Catches a driver that is not there and silently becomes another.
+TEST(RigSpec, AnUnknownDriverIsRefusedWithTheKnownOnes) {
+    RigSpec robot = rigWithDevice(&RigSpec::robot, "scara");
+    EXPECT_EQ(refusal(robot).code(), MessageCode::ValueUnknown);
+    EXPECT_EQ(refusal(robot).where, "robot.driver");
+    EXPECT_EQ(refusal(robot).message.args, (std::vector<std::string>{"scara", "grbl, dobot"}));
+    EXPECT_EQ(refusal(rigWithDevice(&RigSpec::thermometer, "")).where, "thermometer.driver");
+    EXPECT_EQ(refusal(rigWithDevice(&RigSpec::source, "grbl")).where, "source.driver");
+}
+
+// Promise: an engine that dies leaves no heat on, unless somebody has said that it may.
+TEST(RigSpec, ASourceWithoutWatchdogMustBeAllowed) {
+    for (const char* name : {"eurotherm-2400", "watlow-ez-zone"}) {
+        RigSpec rig = rigWith(profileOf(name));
+        EXPECT_EQ(refusal(rig).code(), MessageCode::SourceUnwatched) << name;
+        EXPECT_EQ(refusal(rig).where, "source.profile");
+        EXPECT_NE(describe(refusal(rig)).find("\"unattended_heat\": true"), std::string::npos);
+        rig.source->mayHeatUnattended = true;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::None) << name;
+    }
+    EXPECT_EQ(refusal(rigWith(profileOf("pixsys-drr245"))).code(), MessageCode::None);
+    RigSpec byHand;
+    byHand.source.emplace();
+    EXPECT_EQ(refusal(byHand).code(), MessageCode::None) << "a person is there";
+}
+
+// Catches a time that the register cannot hold, found only when the session begins; or one rounded to none.
+TEST(RigSpec, TheWatchdogsTimeMustFitItsRegister) {
+    RigSpec rig = rigWith(profileOf("pixsys-drr245")); // milliseconds in 16 bits
+    rig.source->watchdog_s = 65.5;
+    EXPECT_EQ(refusal(rig).code(), MessageCode::None);
+    for (const double time_s : {66.0, 1500.0}) {
+        rig.source->watchdog_s = time_s;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::ValueOutOfRange);
+        EXPECT_EQ(refusal(rig).where, "source.watchdog_s");
+    }
+    rig.source->profile.watchdogUnit_s = 60.0;
+    rig.source->watchdog_s = 120.0;
+    EXPECT_EQ(refusal(rig).code(), MessageCode::None);
+    for (const double time_s : {20.0, 30.0, 90.0}) {
+        rig.source->watchdog_s = time_s;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::ValueOutOfRange) << time_s;
+    }
+}
+
+} // namespace bask

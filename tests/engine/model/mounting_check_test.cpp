@@ -1,0 +1,179 @@
+#include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/mounting_check.h"
+
+#include "engine/base/units.h"
+#include "tests/support/thread_time.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bask {
+namespace {
+
+ObjectSpec disk(const char* name, double x_m, double y_m, double radius_m = 0.015) {
+    ObjectSpec object;
+    object.name = name;
+    object.shape = Disk{radius_m};
+    object.mounting[kX] = x_m;
+    object.mounting[kY] = y_m;
+    return object;
+}
+
+std::vector<MessageCode> codesOf(const Experiment& experiment) {
+    std::vector<MessageCode> out;
+    for (const MountingRemark& remark : mountingRemarks(experiment))
+        out.push_back(remark.message.code);
+    return out;
+}
+
+std::vector<MessageCode> codesOf(const std::vector<ObjectSpec>& objects,
+                                 const std::array<bool, 6>& free = RobotLimits{}.free) {
+    Experiment experiment;
+    experiment.objects = objects;
+    experiment.robot.free = free;
+    experiment.robot.lower[kThetaZ] = -0.5;
+    experiment.robot.upper[kThetaZ] = 0.5;
+    return codesOf(experiment);
+}
+
+} // namespace
+
+// Catches remarks about a good arrangement, and about objects that only come close.
+TEST(MountingCheck, ATriangleOfObjectsApartGivesNone) {
+    EXPECT_TRUE(
+        codesOf({disk("a", 0.0, 0.05), disk("b", -0.0435, -0.025), disk("c", 0.0435, -0.025)}).empty());
+    EXPECT_TRUE(codesOf({disk("a", 0.0, 0.0), disk("b", 0.0301, 0.0)}).empty());
+}
+
+// Catches overlaps missed where one object lies within another, or where a turned edge reaches over.
+TEST(MountingCheck, OverlapsAreToldWithBothNames) {
+    using enum MessageCode;
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0), disk("b", 0.029, 0.0)}), std::vector{MountingOverlap});
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0, 0.05), disk("b", 0.01, 0.0)}), std::vector{MountingOverlap});
+    ObjectSpec bar = disk("bar", 0.0, 0.0);
+    bar.shape = Contour{{{-0.05, -0.005}, {0.05, -0.005}, {0.05, 0.005}, {-0.05, 0.005}}};
+    const ObjectSpec above = disk("above", 0.0, 0.03);
+    EXPECT_TRUE(codesOf({bar, above}).empty());
+    bar.mounting[kThetaZ] = radFromDeg(90.0);
+    EXPECT_EQ(codesOf({bar, above}), std::vector{MountingOverlap});
+}
+
+// Catches edges of one line taken for edges that meet.
+TEST(MountingCheck, AlignedObjectsApartDoNotOverlap) {
+    ObjectSpec one = disk("one", 0.0, 0.0), other = disk("other", 0.0, 0.02);
+    one.shape = other.shape = Contour{{{-0.005, -0.005}, {0.005, -0.005}, {0.005, 0.005}, {-0.005, 0.005}}};
+    EXPECT_TRUE(codesOf({one, other}).empty());
+    other.mounting[kY] = 0.009;
+    EXPECT_EQ(codesOf({one, other}), std::vector{MessageCode::MountingOverlap});
+}
+
+// Catches an object in the hole of another taken to shade it, and one that reaches over the hole's edge not.
+TEST(MountingCheck, OneInTheHoleOfAnotherDoesNotOverlap) {
+    ObjectSpec ring = disk("ring", 0.0, 0.0);
+    ring.shape = withHoles(Disk{0.06}, {Contour{shapeOutline(Disk{0.03}, 90)}});
+    for (const bool first : {true, false}) {
+        const auto with = [&](double x_m) {
+            const ObjectSpec small = disk("small", x_m, 0.0);
+            return codesOf(first ? std::vector{ring, small} : std::vector{small, ring});
+        };
+        EXPECT_TRUE(with(0.0).empty());
+        EXPECT_TRUE(with(0.014).empty());
+        EXPECT_EQ(with(0.02), std::vector{MessageCode::MountingOverlap});
+        EXPECT_EQ(with(0.045), std::vector{MessageCode::MountingOverlap});
+    }
+}
+
+// Catches a limit that is measured to the centre instead of the outline.
+TEST(MountingCheck, ObjectsFartherOutThanTheRobotCarriesAreTold) {
+    EXPECT_TRUE(codesOf({disk("a", 0.18, 0.0)}).empty());
+    EXPECT_EQ(codesOf({disk("a", 0.19, 0.0)}), std::vector{MessageCode::MountingFar});
+}
+
+// Catches lines told only along an axis, and flat triangles taken for good ones.
+TEST(MountingCheck, ThreeInALineAreTold) {
+    EXPECT_EQ(codesOf({disk("a", -0.05, -0.05), disk("b", 0.0, 0.002), disk("c", 0.05, 0.05)}),
+              std::vector{MessageCode::MountingInLine});
+}
+
+// Catches arrangements that the free axes cannot heat as wanted and of which nothing is said, or the wrong
+// thing: never moved, always alike, fewer ways than objects, and none left over.
+TEST(MountingCheck, WhatTheFreeAxesCannotDoIsTold) {
+    using enum MessageCode;
+    const std::array<bool, 6> turnOnly{false, false, false, false, false, true};
+    const std::array<bool, 6> symmetric{false, true, true, true, false, false};
+    const std::array<bool, 6> raiseAndTurn{false, false, true, false, false, true};
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0)}, turnOnly), std::vector{MountingUnmoved});
+    EXPECT_EQ(codesOf({disk("a", -0.04, 0.0), disk("b", 0.04, 0.0)}, symmetric), std::vector{MountingAlike});
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0), disk("b", 0.04, 0.0)}, raiseAndTurn),
+              std::vector{MountingDependent});
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.05), disk("b", -0.0435, -0.025), disk("c", 0.0435, -0.025),
+                       disk("d", 0.0, 0.0)}),
+              std::vector{MountingNoneLeft});
+}
+
+// Catches outlines of many points compared edge by edge, which takes minutes, and thinned ones whose corners
+// are gone.
+TEST(MountingCheck, PolygonsOfManyPointsAreThinned) {
+    Contour bar;
+    for (int k = 0; k < 60000; ++k) // most points on one short side
+        bar.points_m.emplace_back(0.05, -0.005 + 0.01 * k / 60000.0);
+    bar.points_m.insert(bar.points_m.end(), {{0.05, 0.005}, {-0.05, 0.005}, {-0.05, -0.005}});
+    EXPECT_LT(std::get<Contour>(thinned(bar)).points_m.size(), 10u);
+    EXPECT_NEAR(shapeArea(thinned(bar)), 0.001, 1e-5);
+    ObjectSpec one = disk("one", 0.0, 0.0), other = disk("other", 0.0, 0.02);
+    one.shape = other.shape = bar;
+    EXPECT_TRUE(codesOf({one, other}).empty());
+    other.mounting[kY] = 0.0099;
+    EXPECT_EQ(codesOf({one, other}), std::vector{MessageCode::MountingOverlap});
+    const Shape few = Contour{{{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.00001}, {0.0, 0.01}}};
+    EXPECT_EQ(thinned(few), few);
+}
+
+// Catches a remark that names others than it is about.
+TEST(MountingCheck, TheAlikeOnesAreNamed) {
+    Experiment experiment;
+    experiment.objects = {disk("left", -0.04, 0.0), disk("middle", 0.0, 0.05), disk("right", 0.04, 0.0)};
+    experiment.robot.free = {false, true, true, true, false, false};
+    const std::vector<MountingRemark> remarks = mountingRemarks(experiment);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_EQ(remarks[0].message.args, (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(remarks[0].objects, (std::vector{0, 2}));
+}
+
+// Catches remarks about the examples that come with Bask, but for the one that is meant to be in a line.
+TEST(MountingCheck, TheExamplesAreSound) {
+    for (const char* name : {"three-objects", "two-circles", "bare-aluminium", "rectangular-plate"}) {
+        const auto experiment = readExperiment(std::string(BASK_EXAMPLES "/") + name + ".json");
+        ASSERT_TRUE(experiment.ok()) << name;
+        EXPECT_TRUE(mountingRemarks(*experiment).empty()) << name;
+    }
+    const auto line = readExperiment(BASK_EXAMPLES "/three-objects-in-line.json");
+    ASSERT_TRUE(line.ok());
+    // The axes can move these three independently: what a line cannot do is a matter of its targets. Bunny
+    // and hand do touch.
+    using enum MessageCode;
+    EXPECT_EQ(codesOf(*line), (std::vector{MountingInLine, MountingOverlap}));
+}
+
+// Catches a page that waits at every edit for objects of many holes.
+TEST(MountingCheck, IsQuickWithManyHoles) {
+    std::vector<Contour> holes;
+    for (int i = -7; i <= 7; ++i)
+        for (int k = -7; k <= 7; ++k)
+            if (const Eigen::Vector2d at(0.0019 * i, 0.0019 * k); at.norm() < 0.0139)
+                holes.push_back(shifted(Contour{shapeOutline(Disk{0.0008}, 24)}, at));
+    ASSERT_GT(holes.size(), 150u);
+    ASSERT_TRUE(checkHoles(withHoles(Disk{0.015}, holes)));
+    std::vector<ObjectSpec> objects;
+    for (int k = 0; k < 6; ++k) {
+        objects.push_back(disk(std::to_string(k).c_str(), 0.06 * std::cos(k), 0.06 * std::sin(k)));
+        objects.back().shape = withHoles(objects.back().shape, holes);
+    }
+    const double before_s = test::threadTime_s();
+    codesOf(objects);
+    EXPECT_LT(test::threadTime_s() - before_s, 0.5);
+}
+
+} // namespace bask

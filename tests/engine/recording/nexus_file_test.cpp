@@ -1,0 +1,229 @@
+#include "engine/recording/nexus_file.h"
+
+#include "engine/base/message_code.h"
+#include "tests/engine/recording/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+#include <hdf5.h>
+
+namespace bask {
+namespace {
+
+using test::madeUpSample;
+using test::twoDisks;
+
+SessionRecord record(int samples) {
+    SessionRecord session;
+    session.path = "/somewhere/run one.bask";
+    session.experiment = twoDisks();
+    session.created = "2026-11-22T10:17:49Z";
+    session.software = "Bask 0.0.9";
+    session.simulated = true;
+    session.outcome = "settled";
+    for (int k = 0; k < samples; ++k)
+        session.samples.push_back(madeUpSample(session.experiment, k));
+    session.events = {{0.5, {MessageCode::EventStarted, {}}}, {7.0, {MessageCode::EventStopped, {}}}};
+    session.notes = {{1.5, "plate moved, \xE7\x89\x87"}};
+    session.commands = {{0.0, "start", "{}"}};
+    return session;
+}
+
+/// Reads by HDF5's own functions.
+class Read {
+public:
+    explicit Read(const std::string& path) : m_file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {}
+    ~Read() { H5Fclose(m_file); }
+
+    std::vector<double> numbers(const std::string& path) const {
+        const hid_t set = H5Dopen2(m_file, path.c_str(), H5P_DEFAULT);
+        const hid_t space = H5Dget_space(set);
+        std::vector<double> values(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+        EXPECT_GE(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0) << path;
+        H5Sclose(space);
+        H5Dclose(set);
+        return values;
+    }
+    std::string attribute(const std::string& path, const std::string& name) const {
+        const hid_t made = H5Aopen_by_name(m_file, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
+        if (made < 0)
+            return "(none)";
+        const hid_t type = H5Aget_type(made);
+        std::string text(H5Tget_size(type), '\0');
+        H5Aread(made, type, text.data());
+        H5Tclose(type);
+        H5Aclose(made);
+        return text.c_str();
+    }
+    std::string text(const std::string& path) const {
+        const hid_t set = H5Dopen2(m_file, path.c_str(), H5P_DEFAULT);
+        const hid_t type = H5Dget_type(set);
+        std::string text(H5Tget_size(type), '\0');
+        H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data());
+        H5Tclose(type);
+        H5Dclose(set);
+        return text.c_str();
+    }
+
+private:
+    hid_t m_file;
+};
+
+class NexusFile : public ::testing::Test {
+protected:
+    std::string exported(const SessionRecord& session) const {
+        const auto file = exportNexus(session, m_folder.path().toStdString());
+        if (!file) {
+            ADD_FAILURE() << describe(file.error());
+            return "";
+        }
+        return *file;
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
+    const SessionRecord session = record(5000); // more than is kept uncompressed
+    const std::string file = exported(session);
+    EXPECT_TRUE(file.ends_with("/run one.nxs"));
+    const Read read(file);
+    EXPECT_EQ(read.attribute("/", "NX_class"), "NXroot");
+    EXPECT_EQ(read.attribute("/entry", "NX_class"), "NXentry");
+    EXPECT_EQ(read.text("/entry/start_time"), "2026-11-22T10:17:49Z");
+    EXPECT_EQ(read.text("/entry/simulated"), "true");
+    EXPECT_EQ(read.text("/entry/note_1/data"), session.notes[0].text);
+    const std::string sensor = "/entry/sample_2/temperature_env/sensor";
+    EXPECT_EQ(read.attribute(sensor, "NX_class"), "NXsensor");
+    EXPECT_EQ(read.attribute(sensor + "/value_log", "NX_class"), "NXlog");
+    EXPECT_EQ(read.attribute(sensor + "/value_log/value", "units"), "K");
+    EXPECT_EQ(read.attribute(sensor + "/value_deriv1_log/value", "units"), "K/s");
+    const auto times = read.numbers(sensor + "/value_log/time");
+    const auto measured = read.numbers(sensor + "/value_log/value");
+    const auto estimate = read.numbers("/entry/sample_2/temperature_estimate/value");
+    const auto truth = read.numbers("/entry/sample_2/temperature_true/value");
+    const auto speed = read.numbers("/entry/instrument/robot/vz/value");
+    const auto limits = read.numbers("/entry/instrument/robot/limits/value");
+    const auto source = read.numbers("/entry/instrument/heat_source/surface/value_log/value");
+    ASSERT_EQ(times.size(), 5000u);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        const TraceSample& sample = session.samples[k];
+        ASSERT_EQ(times[k], sample.time_s);
+        ASSERT_EQ(measured[k], sample.objects[1].measured_K);
+        ASSERT_EQ(truth[k], sample.objects[1].true_K);
+        ASSERT_EQ(speed[k], sample.twist[2]);
+        ASSERT_EQ(limits[k], sample.limits.bits);
+        ASSERT_EQ(source[k], sample.source_K);
+    }
+    EXPECT_TRUE(std::isnan(estimate[9])) << "not known yet";
+    EXPECT_EQ(estimate[10], session.samples[10].objects[1].estimated_K);
+}
+
+// Catches a gain in another unit than the experiment's file has it in.
+TEST_F(NexusFile, GainsHaveTheirUnits) {
+    SessionRecord session = record(2);
+    const auto units = [&](ControllerKind kind, const char* gain) {
+        session.experiment.controller.kind = kind;
+        return Read(exported(session))
+            .attribute(std::string("/entry/instrument/robot/controller_1/") + gain, "units");
+    };
+    EXPECT_EQ(units(ControllerKind::Adaptive, "mu"), "1/s");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "K"), "1/K");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma1"), "s^3/K^3");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma2"), "s/K^9");
+    EXPECT_EQ(units(ControllerKind::ModelBased, "K_p"), "1/s^2");
+    EXPECT_EQ(units(ControllerKind::ModelBased, "K_d"), "1/s");
+    EXPECT_EQ(units(ControllerKind::LevelServo, "K_p"), "1/s");
+    EXPECT_EQ(units(ControllerKind::LevelServo, "time_constant"), "s");
+}
+
+TEST_F(NexusFile, PosesAreUnitQuaternionsOfTheSamples) {
+    const SessionRecord session = record(30);
+    const Read read(exported(session));
+    const std::string robot = "/entry/instrument/robot/";
+    const auto x = read.numbers(robot + "x/value"), w = read.numbers(robot + "qw/value"),
+               qx = read.numbers(robot + "qx/value"), qy = read.numbers(robot + "qy/value"),
+               qz = read.numbers(robot + "qz/value");
+    for (std::size_t k = 0; k < 30; ++k) {
+        EXPECT_NEAR(x[k], session.samples[k].coordinates[kX], 1e-15);
+        const Eigen::Quaterniond q(w[k], qx[k], qy[k], qz[k]);
+        EXPECT_GE(w[k], 0.0);
+        EXPECT_TRUE(q.toRotationMatrix().isApprox(
+            poseFromCoordinates(session.samples[k].coordinates).linear(), 1e-12));
+    }
+}
+
+TEST_F(NexusFile, TellsTheControllersGains) {
+    SessionRecord session = record(3);
+    {
+        const Read read(exported(session));
+        EXPECT_EQ(read.attribute("/entry/instrument/robot/controller_1", "NX_class"), "NXpid_controller");
+        EXPECT_EQ(read.numbers("/entry/instrument/robot/controller_1/K_p").at(0), 1.0 / 8.0);
+        EXPECT_EQ(read.numbers("/entry/instrument/robot/controller_2/setpoint").size(), 3u);
+    }
+    session.experiment.controller.kind = ControllerKind::ModelBased;
+    const Read read(exported(session));
+    EXPECT_EQ(read.numbers("/entry/instrument/robot/controller_1/K_d").at(0), 0.2);
+    EXPECT_EQ(read.attribute("/entry/instrument/robot/controller_1/K_p", "units"), "1/s^2");
+}
+
+TEST_F(NexusFile, AnInterruptedOrEmptyRunIsSaid) {
+    SessionRecord session = record(0);
+    session.outcome.clear();
+    session.events.clear();
+    session.notes.clear();
+    const Read read(exported(session));
+    EXPECT_EQ(read.text("/entry/outcome"), "interrupted");
+    EXPECT_TRUE(read.numbers("/entry/temperatures/time").empty());
+    EXPECT_TRUE(read.numbers("/entry/events/time").empty());
+}
+
+TEST_F(NexusFile, ReplacesItsOwnFileAndNobodyElses) {
+    const SessionRecord session = record(3);
+    QFile first(QString::fromStdString(exported(session)));
+    ASSERT_TRUE(first.open(QIODevice::ReadOnly));
+    const QByteArray bytes = first.readAll();
+    QFile second(QString::fromStdString(exported(session)));
+    ASSERT_TRUE(second.open(QIODevice::ReadOnly));
+    EXPECT_EQ(second.readAll(), bytes);
+    QFile mine(m_folder.filePath("run one.nxs"));
+    ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("\x89HDF\r\n of another program") > 0);
+    mine.close();
+    const auto refused = exportNexus(session, m_folder.path().toStdString());
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::OutputForeign);
+    EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(),
+              1);
+}
+
+// An independent reader: h5py.
+TEST_F(NexusFile, IsReadByH5py) {
+    const SessionRecord session = record(40);
+    QProcess python;
+    bool isRead = false;
+    for (const char* program : {"python3", "/usr/bin/python3"}) { // the distribution's has its h5py
+        python.start(program, {BASK_NEXUS_CHECK, QString::fromStdString(exported(session))});
+        isRead = python.waitForStarted() && python.waitForFinished(60000) && python.exitCode() != 77;
+        if (isRead)
+            break;
+    }
+    if (!isRead)
+        GTEST_SKIP() << "python3 with h5py is not installed";
+    const QStringList lines = QString::fromUtf8(python.readAllStandardOutput()).split('\n');
+    ASSERT_EQ(lines.size(), 5) << python.readAllStandardError().toStdString();
+    EXPECT_EQ(lines[0], "NXentry 2026-11-22T10:17:49Z 40 K");
+    EXPECT_EQ(lines[1].toDouble(), session.samples.back().objects[0].measured_K);
+    EXPECT_EQ(lines[2], "['Started', 'Stopped']");
+    EXPECT_EQ(lines[3], "[]") << "groups without a class, numbers without units";
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,212 @@
+#include "engine/recording/run_metrics.h"
+
+#include "engine/base/message_code.h"
+#include "tests/engine/recording/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kTarget_K = 320.0;
+
+/// One sample every half second of T(t), without motion.
+template <class Temperature> SessionRecord recordOf(double duration_s, const Temperature& T_K) {
+    SessionRecord record;
+    record.experiment = test::twoDisks();
+    record.experiment.objects.resize(1);
+    for (int k = 0; 0.5 * k <= duration_s; ++k) {
+        TraceSample sample;
+        sample.time_s = 0.5 * k;
+        ObjectSample object;
+        object.target_K = kTarget_K;
+        object.true_K = T_K(sample.time_s);
+        object.estimated_K = 1000.0; // not to be taken
+        sample.objects.push_back(object);
+        record.samples.push_back(sample);
+    }
+    return record;
+}
+
+TEST(RunMetrics, OfAFirstOrderStepAreItsAnalyticOnes) {
+    constexpr double kTau_s = 20.0;
+    const auto metrics =
+        runMetrics(recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / kTau_s); }));
+    const ObjectMetrics& object = metrics.objects.at(0);
+    EXPECT_TRUE(object.isTrue);
+    EXPECT_NEAR(object.step_K.value(), 20.0, 1e-9);
+    EXPECT_NEAR(object.rise_s.value(), kTau_s * std::log(9.0), 0.01);
+    EXPECT_NEAR(object.settling_s.value(), kTau_s * std::log(20.0 / 0.5), 0.5);
+    EXPECT_EQ(object.overshoot_K.value(), 0.0);
+    EXPECT_NEAR(object.steadyError_K.value(), 0.0, 0.006);
+    EXPECT_EQ(metrics.duration_s, 200.0);
+}
+
+TEST(RunMetrics, OvershootOfASecondOrderStepDownwards) {
+    constexpr double kDamping = 0.4, kFrequency = 0.3;
+    const double damped = kFrequency * std::sqrt(1.0 - kDamping * kDamping);
+    const auto metrics = runMetrics(recordOf(120.0, [&](double t) {
+        return kTarget_K + 10.0 * std::exp(-kDamping * kFrequency * t) *
+                               (std::cos(damped * t) + kDamping * kFrequency / damped * std::sin(damped * t));
+    }));
+    const double expected = std::exp(-M_PI * kDamping / std::sqrt(1.0 - kDamping * kDamping));
+    EXPECT_NEAR(metrics.objects[0].step_K.value(), -10.0, 1e-9);
+    EXPECT_NEAR(metrics.objects[0].overshootShare().value(), expected, 0.002);
+    EXPECT_GT(metrics.objects[0].rise_s.value(), 1.0);
+}
+
+// Catches: an average over the warming, or one that the last minute's offset does not show in.
+TEST(RunMetrics, SteadyErrorIsOfTheLastMinute) {
+    const auto metrics = runMetrics(recordOf(300.0, [](double t) {
+        return kTarget_K + (t < 100.0   ? -20.0
+                            : t < 240.0 ? -0.4
+                                        : 0.25 + (std::fmod(t, 1.0) < 0.25 ? 0.1 : -0.1));
+    }));
+    EXPECT_NEAR(metrics.objects[0].steadyError_K.value(), 0.25, 0.002);
+    EXPECT_NEAR(metrics.objects[0].steadyDeviation_K.value(), 0.1, 0.001);
+    EXPECT_EQ(metrics.objects[0].settling_s.value(), 100.0);
+}
+
+TEST(RunMetrics, CountFromTheLastChangeOfTheTarget) {
+    SessionRecord record = recordOf(100.0, [](double t) {
+        return t < 50.0 ? 310.0 : t < 60.0 ? 315.0 : kTarget_K;
+    });
+    for (TraceSample& sample : record.samples)
+        if (sample.time_s < 40.0)
+            sample.objects[0].target_K = 310.0;
+    const ObjectMetrics object = runMetrics(record).objects[0];
+    EXPECT_EQ(object.from_s, 40.0);
+    EXPECT_EQ(object.step_K.value(), 10.0);
+    EXPECT_EQ(object.settling_s.value(), 20.0);
+}
+
+TEST(RunMetrics, SayNothingOfWhatIsNotDefined) {
+    const ObjectMetrics unsettled = runMetrics(recordOf(50.0, [](double) { return 300.0; })).objects[0];
+    EXPECT_FALSE(unsettled.settling_s || unsettled.rise_s || unsettled.steadyError_K);
+    EXPECT_EQ(unsettled.final_K.value(), 300.0);
+    const ObjectMetrics small =
+        runMetrics(recordOf(50.0, [](double t) { return kTarget_K - (t < 10.0 ? 0.9 : 0.0); })).objects[0];
+    EXPECT_FALSE(small.rise_s || small.overshoot_K);
+    EXPECT_TRUE(small.settling_s);
+
+    SessionRecord none = recordOf(1.0, [](double) { return 300.0; });
+    none.samples.clear();
+    const RunMetrics empty = runMetrics(none);
+    EXPECT_EQ(empty.samples, 0u);
+    EXPECT_TRUE(std::isnan(empty.objects.at(0).target_K));
+    EXPECT_FALSE(empty.objects[0].final_K || empty.objects[0].settling_s);
+}
+
+// Catches: gaps in the readings that turn every number into NaN.
+TEST(RunMetrics, LeaveUnknownTemperaturesOut) {
+    SessionRecord record = recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / 20.0); });
+    for (TraceSample& sample : record.samples) {
+        sample.objects[0].estimated_K = sample.objects[0].true_K;
+        sample.objects[0].true_K = kNaN;
+        if (sample.time_s > 5.0 && sample.time_s < 20.0)
+            sample.objects[0].estimated_K = kNaN;
+    }
+    const ObjectMetrics object = runMetrics(record).objects[0];
+    EXPECT_FALSE(object.isTrue);
+    EXPECT_NEAR(object.rise_s.value(), 20.0 * std::log(9.0), 0.01);
+    EXPECT_EQ(object.overshoot_K.value(), 0.0);
+}
+
+TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
+    SessionRecord record;
+    record.experiment = test::twoDisks();
+    record.experiment.objects[0].mounting << 0.1, 0, 0, 0, 0, 0;
+    for (int k = 0; k <= 20; ++k) {
+        TraceSample sample;
+        sample.time_s = k;
+        sample.objects.resize(2);
+        sample.coordinates << 0.01 * std::min(k, 10), 0, 0.1, 0, 0, 0.02 * std::min(k, 10);
+        if (k >= 15) // the retreat does not count
+            sample.coordinates[kZ] = 0.3;
+        if (k < 4)
+            sample.limits.add(Limit::Speed);
+        if (k == 3)
+            sample.limits.add(Limit::Rotation);
+        if (k == 5)
+            sample.limits.add(Limit::Workspace, kThetaZ);
+        record.samples.push_back(sample);
+    }
+    record.events.push_back({12.0, {MessageCode::EventStopped, {}}});
+    const RunMetrics metrics = runMetrics(record);
+    EXPECT_EQ(metrics.duration_s, 12.0);
+    EXPECT_NEAR(metrics.pathLength_m, 0.1, 1e-12);
+    EXPECT_NEAR(metrics.turned_rad, 0.2, 1e-12);
+    EXPECT_EQ(metrics.atVelocityLimit_s, 4.0);
+    EXPECT_EQ(metrics.heldBack_s, 5.0);
+    EXPECT_EQ(metrics.atLimit_s[static_cast<std::size_t>(Limit::Workspace)], 1.0);
+    EXPECT_EQ(metrics.atLimit_s[static_cast<std::size_t>(Limit::Rotation)], 1.0);
+    double way_m = 0.0; // of a point 0.1 m off, by hand
+    for (int k = 0; k < 10; ++k)
+        way_m += std::hypot(0.01 + 0.1 * (std::cos(0.02 * (k + 1)) - std::cos(0.02 * k)),
+                            0.1 * (std::sin(0.02 * (k + 1)) - std::sin(0.02 * k)));
+    EXPECT_NEAR(metrics.objects[0].pathLength_m, way_m, 1e-12);
+}
+
+// Catches: a robot told to stand that is counted as held back, by the limits of its last command. One that
+// cannot move for its limits is.
+TEST(RunMetrics, AHoldIsAtNoLimit) {
+    SessionRecord record = recordOf(20.0, [](double) { return 300.0; });
+    for (TraceSample& sample : record.samples)
+        sample.limits.add(Limit::Speed);
+    EXPECT_EQ(runMetrics(record).atVelocityLimit_s, 20.0);
+    record.events = {{5.0, {MessageCode::EventHeld, {}}},
+                     {8.0, {MessageCode::EventResumed, {}}},
+                     {12.25, {MessageCode::EventHeld, {}}}};
+    const RunMetrics metrics = runMetrics(record);
+    EXPECT_EQ(metrics.heldBack_s, 5.0 + 4.0); // the first command after a Resume comes with the next sample
+    EXPECT_EQ(metrics.atVelocityLimit_s, 5.0 + 4.0);
+}
+
+/// Since when an object with these errors, one sample a second, is settled.
+std::optional<double> settledFrom_s(const std::vector<double>& errors_K, bool truth = true,
+                                    double band_K = kSettledBand_K, double firstTarget_K = kTarget_K) {
+    SessionRecord record;
+    record.experiment = test::twoDisks();
+    record.experiment.objects.resize(1);
+    for (const double error_K : errors_K) {
+        ObjectSample object;
+        object.target_K = record.samples.empty() ? firstTarget_K : kTarget_K;
+        object.true_K = truth ? kTarget_K + error_K : kNaN;
+        object.estimated_K = truth ? 1000.0 : kTarget_K + error_K;
+        TraceSample sample;
+        sample.time_s = static_cast<double>(record.samples.size());
+        sample.objects.push_back(object);
+        record.samples.push_back(sample);
+    }
+    return runMetrics(record, band_K).objects[0].settledFrom_s;
+}
+
+TEST(RunMetrics, SettledIsFromTheLastEntryIntoTheBand) {
+    EXPECT_EQ(settledFrom_s({-5, 0, 2, -0.4, 0.3, 0.1}), 3.0);
+    EXPECT_FALSE(settledFrom_s({-5, 0, 0, 0, 0.6})) << "outside at the end";
+    EXPECT_EQ(settledFrom_s({0.1, 0, 0}), 0.0);
+    EXPECT_EQ(settledFrom_s({-5, 0.2, 0.2}, false), 1.0) << "by the estimate where there is no truth";
+    EXPECT_EQ(settledFrom_s({-5, 0.9, 0.2}, true, 1.0), 1.0);
+    EXPECT_EQ(settledFrom_s({0, kNaN, 0}, false), 2.0) << "an unknown temperature is outside";
+    EXPECT_EQ(settledFrom_s({0, 0, 0, 0}, true, kSettledBand_K, 330.0), 1.0) << "of the target then";
+}
+
+// Catches: the last sample taken from the retreat, or from the time after a fault.
+TEST(RunMetrics, TheLastSampleIsThatAtStop) {
+    for (const MessageCode end :
+         {MessageCode::EventStopped, MessageCode::EventStoppedFor, MessageCode::EventEmergencyStop}) {
+        SessionRecord record = recordOf(10.0, [](double t) { return 300.0 + t; });
+        record.events.push_back({6.0, {end, {}}});
+        const RunMetrics metrics = runMetrics(record);
+        EXPECT_EQ(metrics.last.time_s, 6.0);
+        EXPECT_EQ(metrics.last.objects.at(0).true_K, 306.0);
+    }
+    EXPECT_TRUE(runMetrics(SessionRecord()).last.objects.empty());
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,110 @@
+// The study of alarms in short: runs at random without a false word, faults that are found in the time that
+// docs/safety.md states. Its long form is `bask study alarms`.
+
+#include "engine/experiment/experiment_file.h"
+#include "engine/studies/alarm_study.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace bask {
+namespace {
+
+std::vector<Experiment> rigs(const std::vector<std::string>& names) {
+    std::vector<Experiment> out;
+    for (const std::string& name : names) {
+        auto rig = readExperiment(BASK_EXAMPLES "/" + name);
+        EXPECT_TRUE(rig) << name;
+        if (rig)
+            out.push_back(std::move(*rig));
+    }
+    return out;
+}
+
+void expectNoFalseWord(const AlarmStudy& study) {
+    const auto rows = runAlarmStudy(study, 0, {});
+    ASSERT_TRUE(rows) << describe(rows.error());
+    for (std::size_t k = 0; k < rows->size(); ++k) {
+        EXPECT_TRUE((*rows)[k].refusal.empty()) << "run " << k << ": " << (*rows)[k].refusal;
+        for (const RaisedAlarm& alarm : (*rows)[k].alarms)
+            EXPECT_FALSE(alarm.isFalse) << "run " << k << ", " << alarm.time_s << " s: " << alarm.sentence;
+    }
+    const AlarmSummary summary = summarize(*rows);
+    EXPECT_EQ(summary.falseTrips, 0);
+    EXPECT_LE(summary.per10min[0] + summary.per10min[1] + summary.per10min[2], 1.0);
+}
+
+/// Longest from when a fault shows itself to when it is found, s, as docs/safety.md states it.
+double statedTime_s(SimulatedFault fault) {
+    static const std::map<SimulatedFault, double> stated{
+        {SimulatedFault::SensorFrozen, 60.0},     {SimulatedFault::SensorOff, 180.0},
+        {SimulatedFault::ObjectHot, 15.0},        {SimulatedFault::SourceNotHeating, 240.0},
+        {SimulatedFault::SourceHeatsAlone, 15.0}, {SimulatedFault::SourceOverheats, 30.0},
+        {SimulatedFault::SourceLimited, 12.0},
+    };
+    const auto found = stated.find(fault);
+    return found == stated.end() ? 5.0 : found->second;
+}
+
+void expectFound(const AlarmStudy& study) {
+    const auto rows = runAlarmStudy(study, 0, {});
+    ASSERT_TRUE(rows) << describe(rows.error());
+    const AlarmSummary summary = summarize(*rows);
+    EXPECT_LE(summary.mostIn10min, 10);
+    EXPECT_NEAR(summary.shares[0], 0.05, 0.05) << "of priority 1, near what EEMUA 191 asks for";
+    EXPECT_NEAR(summary.shares[2], 0.80, 0.15) << "of priority 3";
+    for (const FaultSummary& fault : summary.faults) {
+        EXPECT_EQ(fault.found, fault.shown) << simulatedFaultName(fault.fault);
+        EXPECT_LE(fault.worst_s, statedTime_s(fault.fault)) << simulatedFaultName(fault.fault);
+    }
+}
+
+} // namespace
+
+// Catches a draw that depends on the threads, or is the same each time, or cannot be repeated alone.
+TEST(AlarmStudy, ItsRowsAreOfSeedAndIndexAlone) {
+    AlarmStudy study{rigs({"three-objects.json"}), AlarmDraw::Faulty, 3, 7};
+    const auto one = runAlarmStudy(study, 1, {});
+    const auto two = runAlarmStudy(study, 2, {});
+    ASSERT_TRUE(one && two);
+    EXPECT_EQ(alarmCsv(study, *one), alarmCsv(study, *two));
+    const AlarmStudy last{study.rigs, study.draw, 1, study.seed, 3};
+    const auto repeated = runAlarmStudy(last, 1, {});
+    ASSERT_TRUE(repeated);
+    EXPECT_TRUE(alarmCsv(study, *one).ends_with(alarmCsv(last, *repeated).substr(alarmCsv(last, {}).size())));
+    study.seed = 8;
+    const auto other = runAlarmStudy(study, 2, {});
+    ASSERT_TRUE(other);
+    EXPECT_NE(alarmCsv(study, *one), alarmCsv(study, *other));
+}
+
+// Catches alarms that cry wolf, whatever object, source, controller, sensor and operator.
+TEST(AlarmStudy, HealthyRunsHaveNoFalseWord) {
+    expectNoFalseWord(
+        {rigs({"three-objects.json", "three-objects-in-line.json"}), AlarmDraw::Healthy, 24, 1});
+}
+
+// Its rates are wrong by 3.64. Catches a watch that takes its estimate for better than that.
+TEST(AlarmStudy, AnExperimentOfThePaperEndsByNoFalseAlarm) {
+    expectNoFalseWord({rigs({"paper/three-objects-exp-7.json"}), AlarmDraw::Paper, 24, 1});
+}
+
+// Catches faults that nobody is told, or too late.
+TEST(AlarmStudy, FaultsAreFoundInTheTimeThatIsStated) {
+    const int each = 2;
+    expectFound({rigs({"three-objects.json", "three-objects-in-line.json"}), AlarmDraw::Faulty,
+                 each * static_cast<int>(alarmFaults().size()), 1});
+}
+
+TEST(AlarmStudyLong, healthy) {
+    expectNoFalseWord(
+        {rigs({"three-objects.json", "three-objects-in-line.json"}), AlarmDraw::Healthy, 2000, 1});
+}
+
+TEST(AlarmStudyLong, faulty) {
+    expectFound({rigs({"three-objects.json", "three-objects-in-line.json"}), AlarmDraw::Faulty,
+                 200 * static_cast<int>(alarmFaults().size()), 1});
+}
+
+} // namespace bask

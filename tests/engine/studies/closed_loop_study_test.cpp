@@ -1,0 +1,202 @@
+// The closed-loop study: draws that can be held, bounds below which nobody can be, rows that do not depend on
+// the threads.
+
+#include "engine/base/units.h"
+#include "engine/control/velocity_solve.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/trace.h"
+#include "engine/rig/rig_setup.h"
+#include "engine/studies/closed_loop_study.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+
+namespace bask {
+namespace {
+
+ClosedLoopStudy studyOf(const std::string& example, bool randomMountings = false, int count = 4) {
+    auto rig = readExperiment(BASK_EXAMPLES "/" + example);
+    EXPECT_TRUE(rig) << (rig ? "" : describe(rig.error()));
+    ClosedLoopStudy study;
+    if (rig)
+        study.rig = *rig;
+    study.randomMountings = randomMountings;
+    study.count = count;
+    return study;
+}
+
+/// Cells of a CSV line, quotes taken off.
+std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> out{""};
+    bool inside = false;
+    for (const char c : line) {
+        if (c == '"')
+            inside = !inside;
+        else if (c == ',' && !inside)
+            out.emplace_back();
+        else
+            out.back() += c;
+    }
+    return out;
+}
+
+} // namespace
+
+// Catches targets that no pose holds, poses outside workspace or clearance, targets too near the room's
+// temperature: what is infeasible would count as a failure of the controller.
+TEST(ClosedLoopStudy, EveryDrawIsHeldByAPoseOfTheWorkspace) {
+    for (const SourceModel model : {SourceModel::Gray, SourceModel::Paper}) {
+        for (const char* example : {"three-objects.json", "three-objects-in-line.json"}) {
+            ClosedLoopStudy study = studyOf(example, example == std::string("three-objects.json"));
+            study.rig.source.model = model;
+            for (int index = 0; index < 10; ++index) {
+                const ClosedLoopCase drawn = drawClosedLoopCase(study, index);
+                const Experiment experiment = closedLoopExperiment(study, drawn);
+                EXPECT_TRUE(validate(experiment));
+                const auto geometry = rigGeometry(experiment);
+                EXPECT_TRUE(geometry->allowed(drawn.start));
+                EXPECT_TRUE(geometry->allowed(drawn.goal));
+                const auto rates = nominalRates(experiment, experiment.environment_K);
+                const Eigen::VectorXd F = geometry->viewFactors(drawn.goal).F;
+                for (std::size_t i = 0; i < rates.size(); ++i) {
+                    const double T_K = experiment.objects[i].target_K;
+                    EXPECT_NEAR(rates[i].rate_K_s(F[static_cast<Eigen::Index>(i)], T_K), 0.0, 1e-9);
+                    EXPECT_GE(T_K, experiment.environment_K + kStudyRise_K);
+                }
+            }
+        }
+    }
+}
+
+// Catches mountings that overlap, lie too far out or are the same in every run.
+TEST(ClosedLoopStudy, RandomMountingsLieApartWithinTheirDisk) {
+    const ClosedLoopStudy study = studyOf("three-objects.json", true);
+    for (int index = 0; index < 20; ++index) {
+        const ClosedLoopCase drawn = drawClosedLoopCase(study, index);
+        for (std::size_t i = 0; i < drawn.mountings.size(); ++i) {
+            EXPECT_LE(drawn.mountings[i].head<2>().norm(), kStudyMountingRadius_m);
+            for (std::size_t j = 0; j < i; ++j)
+                EXPECT_GT((drawn.mountings[i] - drawn.mountings[j]).head<2>().norm(),
+                          shapeRadius(study.rig.objects[i].shape) + shapeRadius(study.rig.objects[j].shape));
+        }
+    }
+    EXPECT_NE(drawClosedLoopCase(study, 0).mountings[0], drawClosedLoopCase(study, 1).mountings[0]);
+}
+
+// Catches a bound that a run can beat, or that grows where it must not.
+TEST(ClosedLoopStudy, TheBoundIsTheSlowestObjectsHeatingAndWaitsForTheRobot) {
+    const ClosedLoopStudy study = studyOf("three-objects.json");
+    for (int index = 0; index < 10; ++index) {
+        const ClosedLoopCase drawn = drawClosedLoopCase(study, index);
+        const auto rates = nominalRates(study.rig, study.rig.environment_K);
+        double slowest_s = 0.0; // the heat balance at F = 1 in steps of its own
+        for (std::size_t i = 0; i < rates.size(); ++i) {
+            double T_K = study.rig.environment_K, t_s = 0.0;
+            for (; T_K < drawn.targets_K[i] - kSettledBand_K; t_s += 0.01)
+                T_K += 0.01 * rates[i].rate_K_s(1.0, T_K);
+            slowest_s = std::max(slowest_s, t_s);
+        }
+        EXPECT_NEAR(drawn.radiation_s, slowest_s, 0.05);
+        EXPECT_GE(drawn.bound_s, drawn.radiation_s - 1e-9);
+        // At the latest when the robot has crossed the whole workspace nothing is in the way.
+        EXPECT_LE(drawn.bound_s, drawn.radiation_s + travelTime_s(study.rig.robot, study.rig.robot.lower,
+                                                                  study.rig.robot.upper));
+    }
+}
+
+// Catches rows that depend on who computed them, runs that are not reproducible, and draws that depend on the
+// controller.
+// Catches: a bound of another scenario than the one that is run, a source that warms up and is taken to be
+// cold or hot at once.
+TEST(SettlingBound, IsThatOfTheScenario) {
+    const auto radiation_s = [](const char* name) {
+        return settlingBound(studyOf((std::string("paper/") + name + ".json").c_str()).rig).radiation_s;
+    };
+    EXPECT_NEAR(radiation_s("three-objects-exp-1"), 185.0, 1.0); // 40 40 40
+    EXPECT_NEAR(radiation_s("three-objects-exp-2"), 394.0, 1.0); // 50 40 40
+    EXPECT_NEAR(radiation_s("three-objects-exp-4"), 991.0, 2.0); // 60 60 30
+    EXPECT_EQ(radiation_s("unfeasible-targets-80-80-80"), std::numeric_limits<double>::infinity());
+    // 45 45 45 at 200 degC takes 275 s; with 100 K more in 1000 s it is less, at 300 degC least.
+    EXPECT_LT(radiation_s("three-objects-exp-8"), 270.0);
+    EXPECT_LT(radiation_s("three-objects-exp-7"), 0.5 * radiation_s("three-objects-exp-8"));
+}
+
+TEST(ClosedLoopStudy, RowsDoNotDependOnThreadsNorDrawsOnTheController) {
+    ClosedLoopStudy study = studyOf("three-objects.json", false, 2);
+    const auto one = runClosedLoopStudy(study, 1, {});
+    const auto two = runClosedLoopStudy(study, 2, {});
+    ASSERT_TRUE(one);
+    ASSERT_TRUE(two);
+    const std::string table = closedLoopCsv(study, *one);
+    EXPECT_EQ(table, closedLoopCsv(study, *two));
+    for (const ClosedLoopRow& row : *one) {
+        EXPECT_EQ(row.settling_s.has_value(), row.failure.empty()) << row.failure;
+        if (row.settling_s) {
+            EXPECT_GE(*row.settling_s, row.drawn.bound_s) << "faster than physics allows";
+        }
+    }
+    const ClosedLoopCase before = drawClosedLoopCase(study, 2);
+    study.rig.controller.kind = ControllerKind::Adaptive;
+    EXPECT_EQ(drawClosedLoopCase(study, 2).targets_K, before.targets_K);
+    study.seed = 2;
+    EXPECT_NE(drawClosedLoopCase(study, 2).targets_K, before.targets_K);
+}
+
+// Catches a table whose rows and header disagree.
+TEST(ClosedLoopStudy, TheTableParses) {
+    ClosedLoopStudy study = studyOf("three-objects.json", true, 2);
+    study.rig.controller.kind = ControllerKind::ModelBased; // the cheapest
+    const auto rows = runClosedLoopStudy(study, 0, {});
+    ASSERT_TRUE(rows);
+    std::istringstream text(closedLoopCsv(study, *rows));
+    std::vector<std::vector<std::string>> table;
+    for (std::string line; std::getline(text, line);)
+        if (!line.starts_with('#'))
+            table.push_back(cells(line));
+    ASSERT_EQ(table.size(), 3U);
+    for (const auto& row : table)
+        EXPECT_EQ(row.size(), table.front().size());
+    const auto column = std::ranges::find(table[0], "bunny target_degC") - table[0].begin();
+    EXPECT_NEAR(std::stod(table[2][static_cast<std::size_t>(column)]),
+                celsiusFromKelvin((*rows)[1].drawn.targets_K[1]), 1e-6);
+}
+
+// Catches failures counted as settled, or a failure without words: a controller that must be told apart from
+// one that works.
+TEST(ClosedLoopStudy, AControllerThatDoesNotAimFailsInWords) {
+    ClosedLoopStudy study = studyOf("three-objects.json", false, 2);
+    study.rig.controller.kind = ControllerKind::ModelBased;
+    study.rig.controller.modelBased.K = 1e-9;
+    const auto rows = runClosedLoopStudy(study, 0, {});
+    ASSERT_TRUE(rows);
+    for (const ClosedLoopRow& row : *rows) {
+        EXPECT_FALSE(row.settling_s);
+        EXPECT_NE(row.failure.find("not settled; at the end "), std::string::npos) << row.failure;
+        EXPECT_NE(row.failure.find(" K"), std::string::npos) << row.failure;
+    }
+    const ClosedLoopSummary summary = summarize(*rows);
+    EXPECT_EQ(summary.successRate, 0.0);
+    EXPECT_FALSE(summary.medianOverBound);
+}
+
+TEST(ClosedLoopStudy, TheMedianIsOfTheSettledRuns) {
+    std::vector<ClosedLoopRow> rows(4);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        rows[k].drawn.bound_s = 10.0;
+        rows[k].drawn.radiation_s = 5.0;
+        rows[k].overshoot_K = 0.1 * static_cast<double>(k);
+    }
+    rows[0].settling_s = 30.0;
+    rows[1].settling_s = 11.0;
+    rows[2].settling_s = 12.0; // the last one failed
+    const ClosedLoopSummary summary = summarize(rows);
+    EXPECT_DOUBLE_EQ(summary.successRate, 0.75);
+    EXPECT_DOUBLE_EQ(*summary.medianOverBound, 1.2);
+    EXPECT_DOUBLE_EQ(*summary.medianOverRadiation, 2.4);
+    EXPECT_DOUBLE_EQ(summary.worstOvershoot_K, 0.3);
+}
+
+} // namespace bask
