@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs what is missing, builds the ci preset, and runs the include check, the format check and every test.
+# Installs what is missing, builds the ci preset, and runs every check and test. What could not be looked at here is named at the end.
 # Where clang is installed, each fuzzer searches for 20 s too. Fails if any of them fails.
 set -eu
 cd "$(dirname "$0")/.."
@@ -8,8 +8,17 @@ sh packaging/install-deps.sh
 sh packaging/build.sh ci
 
 failed=
-python3 packaging/check_includes.py || failed="$failed include-check"
-sh packaging/check_format.sh || failed="$failed format-check"
+not_checked=
+# check NAME COMMAND...: what it could not look at here is said again at the end.
+check() {
+    name=$1
+    shift
+    "$@" >"build/$name.log" 2>&1 || failed="$failed $name"
+    cat "build/$name.log" >&2
+    not_checked="$not_checked$(grep '^not checked: ' "build/$name.log" || true)"
+}
+check include-check python3 packaging/check_includes.py
+check format-check sh packaging/check_format.sh
 [ -z "$failed" ] || echo "FAILED before the tests:$failed"
 
 ctest --preset ci -j 2 || failed="$failed ctest"
@@ -23,6 +32,7 @@ if echo 'int main() {}' | clang++ -fsanitize=fuzzer-no-link,address -x c++ - -o 
 else
     echo "fuzz: skipped, clang++ with sanitizers is not installed" >&2
 fi
+[ -z "$not_checked" ] || echo "$not_checked"
 if [ -n "$not_judged" ]; then
     echo "Tests against real time, on a machine that did not give it:"
     echo "$not_judged"
