@@ -32,9 +32,9 @@ class InstallDeps(unittest.TestCase):
             real = next(p for p in (Path(d) / tool for d in ["/usr/bin", "/bin"]) if p.exists())
             (self.tools / tool).symlink_to(real)
         self.write("installed", [])
-        # A system with the older name of the SVG package and without clang-format 14.
+        # A system with the older name of the SVG package and without LLVM 14.
         self.all = sorted({name.rstrip("?") for entry in self.entries() for name in entry.split("|")}
-                          - {"clang-format-14", "qt6-svg-dev"})
+                          - {"clang-format-14", "clang-tidy-14", "qt6-svg-dev"})
         self.write("archive", self.all)
 
     def write(self, name, lines):
