@@ -19,6 +19,7 @@ check() {
 }
 check include-check python3 packaging/check_includes.py
 check format-check sh packaging/check_format.sh
+check documentation-check sh packaging/check_docs.sh
 check clang-tidy python3 packaging/check_tidy.py
 [ -z "$failed" ] || echo "FAILED before the tests:$failed"
 

@@ -25,13 +25,13 @@ struct PlainSvg {
 
 /// Limits on a drawing, beyond which it is refused.
 inline constexpr int kMaxSvgElements = 150'000; ///< in the file
-inline constexpr int kMaxSvgDrawn = 150'000;    ///< of them, after <use> has multiplied them
-inline constexpr int kMaxSvgLevels = 256;       ///< of nesting, <use> included
+inline constexpr int kMaxSvgDrawn = 150'000;    ///< of them, after `<use>` has multiplied them
+inline constexpr int kMaxSvgLevels = 256;       ///< of nesting, `<use>` included
 
 /// Errors: XmlBroken, XmlTooDeep, NotSvg, SvgSizeUnusable, DrawingTooFull (the limits above, and what Qt's
 /// readers cannot take in a second: attributes, entities, style sheets, path data; see svg_filter.cpp). A
-/// recursive <use> is left out, as QtSvg leaves out what lies more than four <use> deep after 256 of them.
-/// Opens nothing.
+/// recursive `<use>` is left out, as QtSvg leaves out what lies more than four `<use>` deep after 256 of
+/// them. Opens nothing.
 Result<PlainSvg> plainSvg(const std::string& bytes, const std::string& where);
 
 } // namespace bask

@@ -22,7 +22,7 @@ struct Survey {
     QString css;
     QSet<QString> paints; ///< ids of gradients and patterns
     QHash<QString, Symbol> symbols;
-    QSet<int> recursive; ///< numbers of <use> elements to leave out
+    QSet<int> recursive; ///< numbers of `<use>` elements to leave out
     std::vector<std::string> unread;
 };
 
