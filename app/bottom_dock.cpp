@@ -161,6 +161,7 @@ void BottomDock::setAnswering(bool answering) {
 void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
     m_alarmList->setTemperatureUnit(unit);
     m_recipe->setTemperatureUnit(unit);
+    showEvents();
 }
 
 void BottomDock::setReviewing(bool isReviewing) {

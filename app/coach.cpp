@@ -164,11 +164,14 @@ void Coach::say() {
             tr("New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn."),
             tr("Show me"), tr("Not now"));
     //: number of the step, of so many, what to do
-    m_bar.ask(tr("%1 of %2: %3").arg(static_cast<int>(*m_step) + 1).arg(kSteps).arg(inUnit(words(), m_unit)),
+    m_bar.ask(tr("%1 of %2: %3").arg(static_cast<int>(*m_step) + 1).arg(kSteps).arg(words()),
               tr("Show where"), tr("Skip"));
 }
 
 QString Coach::words() const {
+    const auto typed = [this](double t_degC) {
+        return formatTemperature(kelvinFromCelsius(t_degC), m_unit, 0);
+    };
     if (isRunOver())
         return m_state == RunState::Fault
                    ? tr("The run has ended in a fault, as a hold that lasts does. End it in Tools > Simulate "
@@ -184,13 +187,15 @@ QString Coach::words() const {
     case Step::Undo:
         return tr("Take that back with Ctrl+Z. Every edit can be undone.");
     case Step::TooHot:
-        return tr("On the Targets page, type 200 °C for one object and read why it cannot be held.");
+        return tr("On the Targets page, type %1 for one object and read why it cannot be held.")
+            .arg(typed(200.0));
     case Step::Feasible:
         return tr("Press “Use nearest feasible”: targets that can be held together.");
     case Step::Arm:
-        return tr(
-            "Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the "
-            "recording is opened. Nothing moves yet.");
+        return tr("Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and "
+                  "the "
+                  "recording is opened. Nothing moves yet.")
+            .arg(typed(40.0));
     case Step::Start:
         return tr("Start (F6): the heat is on, and the robot moves.");
     case Step::Note:

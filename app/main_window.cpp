@@ -17,6 +17,7 @@
 #include "app/undo_actions.h"
 #include "app/why_not.h"
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/experiment/rig_file.h"
 #include "engine/recipe/recipe.h"
 #include "widgets/calibrate/calibration_age.h"
@@ -128,8 +129,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
-    if (m_refused &&
-        !m_pages->messages().keepWhile(inUnit(whyNot(snapshot, *m_refused), m_settings.temperatureUnit())))
+    if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused)))
         m_refused.reset();
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
@@ -209,7 +209,8 @@ void MainWindow::refuse(const Message& refusal) {
     // What the fields show is what runs; a newer edit of them has its own answer.
     const bool isTooHot =
         refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
-    const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
+    const bool isTooLate =
+        refusal.code == MessageCode::CommandNotNow && isVerb(refusal.args.at(0), CommandVerb::SetTargets);
     if (allowsEdits(m_last.state) || !(isTooHot || isTooLate))
         return m_pages->messages().showRefusal(sentence(refusal), m_last, refusal);
     (void)m_document.setTargets(m_last.targets_K);
@@ -219,15 +220,14 @@ void MainWindow::refuse(const Message& refusal) {
 
 void MainWindow::sayWhyNot(Verb verb) {
     m_refused = verb;
-    m_pages->messages().showWhile(inUnit(whyNot(m_last, verb), m_settings.temperatureUnit()));
+    m_pages->messages().showWhile(whyNot(m_last, verb));
 }
 
 void MainWindow::askInfeasible() {
     const auto& verdict = m_pages->judge().verdict();
     const bool known = verdict && !m_pages->judge().isStale() && !verdict->feasible;
     const Message reason = known ? verdict->reason : Message();
-    auto* dialog = new InfeasibleDialog(
-        known ? inUnit(sentence(reason), m_settings.temperatureUnit()) : QString(), this);
+    auto* dialog = new InfeasibleDialog(known ? messageText(reason) : QString(), this);
     connect(dialog, &QDialog::accepted, this, [this, known, reason] {
         m_engine.send(Start{true});
         if (known)
@@ -335,6 +335,7 @@ void MainWindow::setHornMode(HornMode mode) {
 
 void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_settings.setTemperatureUnit(unit);
+    setReadersUnit(unit);
     m_actions.showTemperatureUnit(unit);
     m_statusLine->setTemperatureUnit(unit);
     m_pages->setTemperatureUnit(unit);
@@ -357,7 +358,7 @@ void MainWindow::takeAges() {
 void MainWindow::showNotes() {
     QStringList notes;
     if (m_last.remedy.code != MessageCode::None)
-        notes << inUnit(sentence(m_last.remedy), m_settings.temperatureUnit());
+        notes << messageText(m_last.remedy);
     const TemperatureUnit unit = m_settings.temperatureUnit();
     const bool isOverHeat = isOverHotSource(m_last, m_document.experiment().environment_K);
     if (isOverHeat)

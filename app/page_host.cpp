@@ -321,6 +321,7 @@ void PageHost::setTemperatureUnit(TemperatureUnit unit) {
     m_targets->setTemperatureUnit(unit);
     m_run->setTemperatureUnit(unit);
     m_review->setTemperatureUnit(unit);
+    m_reviewDesk.retranslate(); // its events speak of temperatures
 }
 
 void PageHost::showMoment(double time_s) {

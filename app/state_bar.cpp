@@ -195,6 +195,7 @@ void StateBar::setAnswering(bool answering) {
 
 void StateBar::setTemperatureUnit(TemperatureUnit unit) {
     m_alarm->setTemperatureUnit(unit);
+    showChip();
 }
 
 void StateBar::showChip() {

@@ -19,7 +19,7 @@ HEADER_SUFFIXES = {".h", ".hpp"}
 # Calibrate page draws, too; the language of reports. These headers have no widget.
 COMMAND_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # Names of messages, from their tables.
-MADE_BY_THE_BUILD = {"engine/base/message_names.inc"}
+MADE_BY_THE_BUILD = {"engine/base/message_names.inc", "engine/base/condition_names.inc"}
 
 # QtCore and QtSql, which the engine may use where QT_IN_ENGINE allows it. Everything else of Qt is refused there.
 QT_CORE_AND_SQL = set("""

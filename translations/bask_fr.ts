@@ -154,6 +154,135 @@
     </message>
 </context>
 <context>
+    <name>Damage</name>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>la base de données n’est pas lisible</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>il est tronqué</translation>
+    </message>
+    <message>
+        <source>a sample is missing</source>
+        <translation>il manque un échantillon</translation>
+    </message>
+    <message>
+        <source>it does not say whether the rig was simulated</source>
+        <translation>il ne dit pas si le banc était simulé</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>thermometer</source>
+        <translation>thermomètre</translation>
+    </message>
+    <message>
+        <source>heat source</source>
+        <translation>source de chaleur</translation>
+    </message>
+    <message>
+        <source>heat source kept by hand</source>
+        <translation>source chauffée à la main</translation>
+    </message>
+    <message>
+        <source>source temperature</source>
+        <translation>température de la source</translation>
+    </message>
+</context>
+<context>
+    <name>Fault</name>
+    <message>
+        <source>Restore all devices</source>
+        <translation>Rétablir tous les appareils</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>Perte d’un capteur</translation>
+    </message>
+    <message>
+        <source>Sensor open</source>
+        <translation>Capteur ouvert</translation>
+    </message>
+    <message>
+        <source>Sensor shorted</source>
+        <translation>Capteur en court-circuit</translation>
+    </message>
+    <message>
+        <source>Sensor frozen</source>
+        <translation>Capteur figé</translation>
+    </message>
+    <message>
+        <source>Sensor jumping</source>
+        <translation>Capteur qui saute</translation>
+    </message>
+    <message>
+        <source>Sensor off its object</source>
+        <translation>Capteur décollé</translation>
+    </message>
+    <message>
+        <source>Object heated otherwise</source>
+        <translation>Objet chauffé autrement</translation>
+    </message>
+    <message>
+        <source>Robot lost</source>
+        <translation>Perte du robot</translation>
+    </message>
+    <message>
+        <source>Robot in alarm</source>
+        <translation>Robot en alarme</translation>
+    </message>
+    <message>
+        <source>Robot restarted</source>
+        <translation>Robot redémarré</translation>
+    </message>
+    <message>
+        <source>Robot slow</source>
+        <translation>Robot lent</translation>
+    </message>
+    <message>
+        <source>Heat source lost</source>
+        <translation>Perte de la source de chaleur</translation>
+    </message>
+    <message>
+        <source>Heat source without temperature</source>
+        <translation>Source sans température</translation>
+    </message>
+    <message>
+        <source>Heat source does not heat</source>
+        <translation>La source ne chauffe pas</translation>
+    </message>
+    <message>
+        <source>Heat source heats unasked</source>
+        <translation>La source chauffe sans ordre</translation>
+    </message>
+    <message>
+        <source>Heat source overheats</source>
+        <translation>La source surchauffe</translation>
+    </message>
+    <message>
+        <source>Heat source limited by itself</source>
+        <translation>Source limitée par elle-même</translation>
+    </message>
+    <message>
+        <source>Heat source cannot be switched off</source>
+        <translation>La source ne s’éteint plus</translation>
+    </message>
+    <message>
+        <source>Source hidden from the camera</source>
+        <translation>Source cachée à la caméra</translation>
+    </message>
+    <message>
+        <source>Camera lost</source>
+        <translation>Caméra perdue</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -415,8 +544,8 @@
         <translation>autant d’objets que d’axes libres (%1) : leur chauffage décide de tout mouvement, il n’en reste aucun pour s’écarter des limites</translation>
     </message>
     <message>
-        <source>At rest the sensors&apos; readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
-        <translation>Au repos, les mesures des capteurs s’écartent de %1 K de leur moyenne ; le zéro n’en corrige que %2 K au plus. Vérifiez les capteurs et leur bruit.</translation>
+        <source>At rest the sensors&apos; readings lie %1 from their mean; at most %2 can be zeroed. Check the sensors and their noise.</source>
+        <translation>Au repos, les mesures des capteurs s’écartent de %1 de leur moyenne ; le zéro n’en corrige que %2 au plus. Vérifiez les capteurs et leur bruit.</translation>
     </message>
     <message>
         <source>there is no such file; check the path</source>
@@ -543,12 +672,12 @@
         <translation>aucune pose de l’espace de travail ne respecte la distance à la source&#xa0;; élargissez l’espace de travail ou réduisez cette distance</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
-        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;°C&#xa0;: avec cette source il se stabilise à %3&#xa0;°C au plus, même avec un facteur de forme de 1</translation>
+        <source>&quot;%1&quot; cannot be held at %2: with this source it settles at %3 at most, even at a view factor of 1</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;: avec cette source il se stabilise à %3 au plus, même avec un facteur de forme de 1</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
-        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;°C&#xa0;: il se stabilise à %3&#xa0;°C là où il ne voit pas la source</translation>
+        <source>&quot;%1&quot; cannot be held at %2: it settles at %3 where it does not see the source</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;: il se stabilise à %3 là où il ne voit pas la source</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs a view factor of %2; within the workspace it has at most %3</source>
@@ -559,20 +688,20 @@
         <translation>«&#xa0;%1&#xa0;» demande un facteur de forme de %2&#xa0;; dans l’espace de travail il a au moins %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace at most %4 K are possible</source>
-        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;K&#xa0;; avec ce montage et cet espace de travail, au plus %4&#xa0;K sont possibles</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace at most %4 are possible</source>
+        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;; avec ce montage et cet espace de travail, au plus %4 sont possibles</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 K hotter everywhere</source>
-        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;K&#xa0;; avec ce montage et cet espace de travail, l’écart est d’au moins %4&#xa0;K</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 hotter everywhere</source>
+        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;; avec ce montage et cet espace de travail, l’écart est d’au moins %4</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 K off</source>
-        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: là où elles sont le plus proches dans l’espace de travail, les surfaces de consigne se manquent de %3&#xa0;cm, et «&#xa0;%1&#xa0;» est à %2&#xa0;K de sa consigne</translation>
+        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 off</source>
+        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: là où elles sont le plus proches dans l’espace de travail, les surfaces de consigne se manquent de %3&#xa0;cm, et «&#xa0;%1&#xa0;» est à %2 de sa consigne</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 K off</source>
-        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: la meilleure pose laisse «&#xa0;%1&#xa0;» à %2&#xa0;K de sa consigne</translation>
+        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 off</source>
+        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: la meilleure pose laisse «&#xa0;%1&#xa0;» à %2 de sa consigne</translation>
     </message>
     <message>
         <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
@@ -835,8 +964,8 @@
         <translation>L’estimateur de vitesse a&#xa0;%1 échantillons sur&#xa0;%2. Patientez un instant.</translation>
     </message>
     <message>
-        <source>The objects are not at rest at the room&apos;s temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
-        <translation>Les objets ne sont pas stables à la température ambiante (%1 °C), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
+        <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
+        <translation>Les objets ne sont pas stables à la température ambiante (%1), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1083,8 +1212,8 @@
         <translation>« %1 » existe et n’est pas un lien ; choisissez un autre chemin</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>« %1 » est à %2 °C, au-dessus de sa limite de %3 °C. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
+        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
+        <translation>« %1 » est à %2, au-dessus de sa limite de %3. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1127,16 +1256,16 @@
         <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réarmez.</translation>
     </message>
     <message>
-        <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>La source est à %1 °C, au-dessus de sa limite de %2 °C. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
+        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
+        <translation>La source est à %1, au-dessus de sa limite de %2. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
     </message>
     <message>
-        <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
+        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
+        <translation>La source est à %1 et ne s’approche plus de %2 depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
     </message>
     <message>
-        <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
-        <translation>La source a été réglée à %1 °C et relit %2 °C. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
+        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
+        <translation>La source a été réglée à %1 et relit %2. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1215,20 +1344,20 @@
         <translation>Le robot n’a rien dit ni rien pris depuis %1 s ; le chauffage est coupé. Vérifiez son contrôleur, puis réarmez.</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1 °C. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
+        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>La température de « %1 » aurait dû changer de %2 K en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
+        <translation>La température de « %1 » aurait dû changer de %2 en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
     </message>
     <message>
-        <source>The target of &quot;%1&quot;, %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
-        <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
+        <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
+        <translation>La consigne de « %1 », %2, dépasse sa limite d’avertissement de %3, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
     </message>
     <message>
-        <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
-        <translation>La source est encore à %1 °C, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
+        <source>The source is still at %1, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
+        <translation>La source est encore à %1, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
     </message>
     <message>
         <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
@@ -1255,8 +1384,8 @@
         <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par &quot;unattended_heat&quot;: true.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
-        <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K, plus que %4 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
+        <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3, plus que %4. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
     </message>
     <message>
         <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
@@ -1271,32 +1400,32 @@
         <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
     </message>
     <message>
-        <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé, plus que les %3 K admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
+        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+        <translation>La source a chauffé de %1 en %2 s alors que son chauffage est coupé, plus que les %3 admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>Le capteur de « %1 » a sauté de %2 K/s, plus que les %3 K/s que la chaleur permet. Cherchez un faux contact, et voyez s’il s’est détaché. Il est cru de nouveau quand il s’accorde avec la chaleur, ou quand il est confirmé.</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
+        <translation>Le capteur de « %1 » a sauté de %2/s, plus que les %3/s que la chaleur permet. Cherchez un faux contact, et voyez s’il s’est détaché. Il est cru de nouveau quand il s’accorde avec la chaleur, ou quand il est confirmé.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.</source>
-        <translation>Le capteur de « %1 » indique %2 °C, mais d’après la chaleur reçue depuis qu’il était juste, son objet est entre %3 et %4 °C. Voyez s’il est sur son objet, puis confirmez-le.</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
+        <translation>Le capteur de « %1 » indique %2, mais d’après la chaleur reçue depuis qu’il était juste, son objet est entre %3 et %4. Voyez s’il est sur son objet, puis confirmez-le.</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
         <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s, sans son bruit habituel : il s’est peut-être arrêté. Voyez s’il suit, ou confirmez-le.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>La température de « %1 » a changé de %2 K en %3 s, ce qu’aucune chaleur ni perte n’explique : son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifier, puis réinitialiser.</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>La température de « %1 » a changé de %2 en %3 s, ce qu’aucune chaleur ni perte n’explique : son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifier, puis réinitialiser.</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>Un autre Bask fonctionne avec les mêmes réglages. Les alarmes de celui-ci sont conservées dans %1.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
-        <translation>Le capteur de « %1 » est confirmé à %2 °C</translation>
+        <source>The sensor of &quot;%1&quot; is confirmed at %2</source>
+        <translation>Le capteur de « %1 » est confirmé à %2</translation>
     </message>
     <message>
         <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
@@ -1407,8 +1536,8 @@
         <translation>Le robot doit éloigner les objets et ne bouge pas ; il reste %1 cm. Le chauffage est coupé. Éloignez-les à la main, gare à la chaleur ; vérifiez l’alimentation du robot et ses moteurs.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its warning limit of %3 °C. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
-        <translation>« %1 » est à %2 °C, au-dessus de sa limite d’avertissement de %3 °C. Laissez-le refroidir : Arrêter ou Retrait l’éloigne. Vérifiez sa consigne et ses limites.</translation>
+        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <translation>« %1 » est à %2, au-dessus de sa limite d’avertissement de %3. Laissez-le refroidir : Arrêter ou Retrait l’éloigne. Vérifiez sa consigne et ses limites.</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
@@ -1423,8 +1552,8 @@
         <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s : lui ou son appareil s’est arrêté. Vérifiez-le.</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C, more than %3 K below the room&apos;s %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>La source de chaleur indique %1 °C, plus de %3 K au-dessous des %2 °C de la pièce : elle compte peut-être dans une autre unité (°C, °F) que ne le dit son profil, ou son capteur est faux. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
+        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
+        <translation>La source de chaleur indique %1, plus de %3 au-dessous des %2 de la pièce : elle compte peut-être dans une autre unité (°C, °F) que ne le dit son profil, ou son capteur est faux. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
@@ -1455,8 +1584,8 @@
         <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Regardez la plaque&#xa0;; coupez-la au secteur.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>Le capteur de « %1 » indique %2 °C et n’a pas suivi la chaleur de son objet. Vérifiez qu’il est sur son objet, puis confirmez-le.</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>Le capteur de « %1 » indique %2 et n’a pas suivi la chaleur de son objet. Vérifiez qu’il est sur son objet, puis confirmez-le.</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
@@ -1758,6 +1887,61 @@
     </message>
 </context>
 <context>
+    <name>State</name>
+    <message>
+        <source>Idle</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Pas prêt</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Armé</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Stabilisé</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Arrêt en cours</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Fault (latched)</source>
+        <translation>Défaut (verrouillé)</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Connexion en cours</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>Prise d’origine en cours</translation>
+    </message>
+    <message>
+        <source>Over</source>
+        <translation>Terminée</translation>
+    </message>
+</context>
+<context>
     <name>Verb</name>
     <message>
         <source>Arm</source>
@@ -1766,10 +1950,6 @@
     <message>
         <source>Disarm</source>
         <translation>Désarmer</translation>
-    </message>
-    <message>
-        <source>Set targets</source>
-        <translation>Fixer les consignes</translation>
     </message>
     <message>
         <source>Start</source>
@@ -1792,8 +1972,44 @@
         <translation>Réinitialiser</translation>
     </message>
     <message>
-        <source>Connecting</source>
-        <translation>Connexion en cours</translation>
+        <source>Retreat</source>
+        <translation>Retrait</translation>
+    </message>
+    <message>
+        <source>Set targets</source>
+        <translation>Fixer les consignes</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Déplacer</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>Déplacement manuel</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Prise d’origine</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Chauffer</translation>
+    </message>
+    <message>
+        <source>Confirm sensor</source>
+        <translation>Confirmer le capteur</translation>
+    </message>
+    <message>
+        <source>Clear alarm</source>
+        <translation>Effacer l’alarme</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>Mettre de côté</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>Reprendre</translation>
     </message>
 </context>
 <context>
@@ -2843,8 +3059,8 @@
         <translation>Annulez avec Ctrl+Z. Toute modification peut être annulée.</translation>
     </message>
     <message>
-        <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
-        <translation>Page Consignes : tapez 200 °C pour un objet et lisez pourquoi cela ne peut être tenu.</translation>
+        <source>On the Targets page, type %1 for one object and read why it cannot be held.</source>
+        <translation>Page Consignes : tapez %1 pour un objet et lisez pourquoi cela ne peut être tenu.</translation>
     </message>
     <message>
         <source>Press “Use nearest feasible”: targets that can be held together.</source>
@@ -2895,8 +3111,8 @@
         <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
     </message>
     <message>
-        <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-        <translation>Retapez-y 40 °C, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
+        <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+        <translation>Retapez-y %1, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
     </message>
 </context>
 <context>
@@ -3384,130 +3600,6 @@
         <translation>%1/min</translation>
     </message>
     <message>
-        <source>Camera lost</source>
-        <translation>Caméra perdue</translation>
-    </message>
-    <message>
-        <source>Heat source cannot be switched off</source>
-        <translation>La source ne s’éteint plus</translation>
-    </message>
-    <message>
-        <source>Heat source does not heat</source>
-        <translation>La source ne chauffe pas</translation>
-    </message>
-    <message>
-        <source>Heat source heats unasked</source>
-        <translation>La source chauffe sans ordre</translation>
-    </message>
-    <message>
-        <source>Heat source limited by itself</source>
-        <translation>Source limitée par elle-même</translation>
-    </message>
-    <message>
-        <source>Heat source lost</source>
-        <translation>Perte de la source de chaleur</translation>
-    </message>
-    <message>
-        <source>Heat source overheats</source>
-        <translation>La source surchauffe</translation>
-    </message>
-    <message>
-        <source>Heat source without temperature</source>
-        <translation>Source sans température</translation>
-    </message>
-    <message>
-        <source>Idle</source>
-        <translation>Au repos</translation>
-    </message>
-    <message>
-        <source>Not ready</source>
-        <translation>Pas prêt</translation>
-    </message>
-    <message>
-        <source>Object heated otherwise</source>
-        <translation>Objet chauffé autrement</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>Prêt</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>Armé</translation>
-    </message>
-    <message>
-        <source>Restore all devices</source>
-        <translation>Rétablir tous les appareils</translation>
-    </message>
-    <message>
-        <source>Robot in alarm</source>
-        <translation>Robot en alarme</translation>
-    </message>
-    <message>
-        <source>Robot lost</source>
-        <translation>Perte du robot</translation>
-    </message>
-    <message>
-        <source>Robot restarted</source>
-        <translation>Robot redémarré</translation>
-    </message>
-    <message>
-        <source>Robot slow</source>
-        <translation>Robot lent</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>En marche</translation>
-    </message>
-    <message>
-        <source>Holding</source>
-        <translation>En pause</translation>
-    </message>
-    <message>
-        <source>Sensor frozen</source>
-        <translation>Capteur figé</translation>
-    </message>
-    <message>
-        <source>Sensor jumping</source>
-        <translation>Capteur qui saute</translation>
-    </message>
-    <message>
-        <source>Sensor lost</source>
-        <translation>Perte d’un capteur</translation>
-    </message>
-    <message>
-        <source>Sensor off its object</source>
-        <translation>Capteur décollé</translation>
-    </message>
-    <message>
-        <source>Sensor open</source>
-        <translation>Capteur ouvert</translation>
-    </message>
-    <message>
-        <source>Sensor shorted</source>
-        <translation>Capteur en court-circuit</translation>
-    </message>
-    <message>
-        <source>Settled</source>
-        <translation>Stabilisé</translation>
-    </message>
-    <message>
-        <source>Source hidden from the camera</source>
-        <translation>Source cachée à la caméra</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>Arrêt en cours</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>Arrêté</translation>
-    </message>
-    <message>
-        <source>Fault (latched)</source>
-        <translation>Défaut (verrouillé)</translation>
-    </message>
-    <message>
         <source>The rig cannot be armed or started yet.</source>
         <translation>Le banc ne peut pas encore être armé ni démarré.</translation>
     </message>
@@ -3530,42 +3622,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>Tous les objets restent dans leur bande de tolérance. Le régulateur continue.</translation>
-    </message>
-    <message>
-        <source>a sample is missing</source>
-        <translation>il manque un échantillon</translation>
-    </message>
-    <message>
-        <source>database disk image is malformed</source>
-        <translation>la base de données n’est pas lisible</translation>
-    </message>
-    <message>
-        <source>it does not say whether the rig was simulated</source>
-        <translation>il ne dit pas si le banc était simulé</translation>
-    </message>
-    <message>
-        <source>it is cut short</source>
-        <translation>il est tronqué</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>robot</translation>
-    </message>
-    <message>
-        <source>thermometer</source>
-        <translation>thermomètre</translation>
-    </message>
-    <message>
-        <source>heat source</source>
-        <translation>source de chaleur</translation>
-    </message>
-    <message>
-        <source>source temperature</source>
-        <translation>température de la source</translation>
-    </message>
-    <message>
-        <source>heat source kept by hand</source>
-        <translation>source chauffée à la main</translation>
     </message>
     <message>
         <source>no value yet</source>

@@ -154,6 +154,135 @@
     </message>
 </context>
 <context>
+    <name>Damage</name>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>数据库内容已损坏</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>文件不完整</translation>
+    </message>
+    <message>
+        <source>a sample is missing</source>
+        <translation>缺少一个采样</translation>
+    </message>
+    <message>
+        <source>it does not say whether the rig was simulated</source>
+        <translation>未说明装置是否为仿真</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>robot</source>
+        <translation>机器人</translation>
+    </message>
+    <message>
+        <source>thermometer</source>
+        <translation>温度计</translation>
+    </message>
+    <message>
+        <source>heat source</source>
+        <translation>热源</translation>
+    </message>
+    <message>
+        <source>heat source kept by hand</source>
+        <translation>人工加热的热源</translation>
+    </message>
+    <message>
+        <source>source temperature</source>
+        <translation>热源温度</translation>
+    </message>
+</context>
+<context>
+    <name>Fault</name>
+    <message>
+        <source>Restore all devices</source>
+        <translation>恢复所有设备</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>传感器失联</translation>
+    </message>
+    <message>
+        <source>Sensor open</source>
+        <translation>传感器开路</translation>
+    </message>
+    <message>
+        <source>Sensor shorted</source>
+        <translation>传感器短路</translation>
+    </message>
+    <message>
+        <source>Sensor frozen</source>
+        <translation>传感器冻结</translation>
+    </message>
+    <message>
+        <source>Sensor jumping</source>
+        <translation>传感器跳变</translation>
+    </message>
+    <message>
+        <source>Sensor off its object</source>
+        <translation>传感器脱离物体</translation>
+    </message>
+    <message>
+        <source>Object heated otherwise</source>
+        <translation>物体被另外加热</translation>
+    </message>
+    <message>
+        <source>Robot lost</source>
+        <translation>机器人失联</translation>
+    </message>
+    <message>
+        <source>Robot in alarm</source>
+        <translation>机器人报警</translation>
+    </message>
+    <message>
+        <source>Robot restarted</source>
+        <translation>机器人已重启</translation>
+    </message>
+    <message>
+        <source>Robot slow</source>
+        <translation>机器人缓慢</translation>
+    </message>
+    <message>
+        <source>Heat source lost</source>
+        <translation>热源失联</translation>
+    </message>
+    <message>
+        <source>Heat source without temperature</source>
+        <translation>热源没有温度值</translation>
+    </message>
+    <message>
+        <source>Heat source does not heat</source>
+        <translation>热源不加热</translation>
+    </message>
+    <message>
+        <source>Heat source heats unasked</source>
+        <translation>热源擅自加热</translation>
+    </message>
+    <message>
+        <source>Heat source overheats</source>
+        <translation>热源过热</translation>
+    </message>
+    <message>
+        <source>Heat source limited by itself</source>
+        <translation>热源自行限制</translation>
+    </message>
+    <message>
+        <source>Heat source cannot be switched off</source>
+        <translation>热源无法关闭</translation>
+    </message>
+    <message>
+        <source>Source hidden from the camera</source>
+        <translation>相机看不到热源</translation>
+    </message>
+    <message>
+        <source>Camera lost</source>
+        <translation>相机失联</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -415,8 +544,8 @@
         <translation>物体数与自由轴数相同（%1）：加热决定了全部运动，没有余量用于避开限值</translation>
     </message>
     <message>
-        <source>At rest the sensors&apos; readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
-        <translation>静止时传感器读数偏离其平均值达 %1 K；最多可校零 %2 K。请检查传感器及其噪声。</translation>
+        <source>At rest the sensors&apos; readings lie %1 from their mean; at most %2 can be zeroed. Check the sensors and their noise.</source>
+        <translation>静止时传感器读数偏离其平均值达 %1；最多可校零 %2。请检查传感器及其噪声。</translation>
     </message>
     <message>
         <source>there is no such file; check the path</source>
@@ -543,12 +672,12 @@
         <translation>工作空间中没有位姿能保持与热源的间距；请扩大工作空间或减小间距</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
-        <translation>“%1”无法保持在 %2 °C：用此热源，即使角系数为 1，它也最高稳定在 %3 °C</translation>
+        <source>&quot;%1&quot; cannot be held at %2: with this source it settles at %3 at most, even at a view factor of 1</source>
+        <translation>“%1”无法保持在 %2：用此热源，即使角系数为 1，它也最高稳定在 %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
-        <translation>“%1”无法保持在 %2 °C：在看不到热源之处，它稳定在 %3 °C</translation>
+        <source>&quot;%1&quot; cannot be held at %2: it settles at %3 where it does not see the source</source>
+        <translation>“%1”无法保持在 %2：在看不到热源之处，它稳定在 %3</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs a view factor of %2; within the workspace it has at most %3</source>
@@ -559,20 +688,20 @@
         <translation>“%1”需要角系数 %2；在工作空间内至少为 %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace at most %4 K are possible</source>
-        <translation>“%1”应比“%2”高 %3 K；在此安装方式和工作空间下最多可高 %4 K</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace at most %4 are possible</source>
+        <translation>“%1”应比“%2”高 %3；在此安装方式和工作空间下最多可高 %4</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 K hotter everywhere</source>
-        <translation>“%1”应比“%2”高 %3 K；在此安装方式和工作空间下，它处处至少高 %4 K</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 hotter everywhere</source>
+        <translation>“%1”应比“%2”高 %3；在此安装方式和工作空间下，它处处至少高 %4</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 K off</source>
-        <translation>各目标可单独保持，但不能同时保持：在工作空间内最接近处，各目标等值面相距 %3 cm，“%1”偏离 %2 K</translation>
+        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 off</source>
+        <translation>各目标可单独保持，但不能同时保持：在工作空间内最接近处，各目标等值面相距 %3 cm，“%1”偏离 %2</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 K off</source>
-        <translation>各目标可单独保持，但不能同时保持：在最佳位姿下“%1”仍偏离 %2 K</translation>
+        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 off</source>
+        <translation>各目标可单独保持，但不能同时保持：在最佳位姿下“%1”仍偏离 %2</translation>
     </message>
     <message>
         <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
@@ -835,8 +964,8 @@
         <translation>变化率估计器已有 %1 个采样，共需 %2 个。请稍候。</translation>
     </message>
     <message>
-        <source>The objects are not at rest at the room&apos;s temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
-        <translation>物体未静置于室温（%1 °C），因此传感器无法校零。请等待冷却，或更正环境温度。</translation>
+        <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
+        <translation>物体未静置于室温（%1），因此传感器无法校零。请等待冷却，或更正环境温度。</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1083,8 +1212,8 @@
         <translation>“%1”已存在且不是链接；请另选路径</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>“%1”为 %2 °C，超过其限值 %3 °C。已将其移开并关闭加热。请检查物体及其传感器；冷却后再复位。</translation>
+        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
+        <translation>“%1”为 %2，超过其限值 %3。已将其移开并关闭加热。请检查物体及其传感器；冷却后再复位。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1127,16 +1256,16 @@
         <translation>机器人控制器已重启：先前的指令已失效，位置不确定。请使其回零或确认其位置，然后复位。</translation>
     </message>
     <message>
-        <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>热源为 %1 °C，超过其限值 %2 °C。已将物体移开并关闭加热。请检查其控制器和传感器；冷却后再复位。</translation>
+        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
+        <translation>热源为 %1，超过其限值 %2。已将物体移开并关闭加热。请检查其控制器和传感器；冷却后再复位。</translation>
     </message>
     <message>
-        <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>热源为 %1 °C，已有 %3 s 未向 %2 °C 接近。请检查其是否通电、传感器是否到位，然后复位。</translation>
+        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
+        <translation>热源为 %1，已有 %3 s 未向 %2 接近。请检查其是否通电、传感器是否到位，然后复位。</translation>
     </message>
     <message>
-        <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
-        <translation>热源被设为 %1 °C，回读却为 %2 °C。请检查其自身面板和限值，然后复位。</translation>
+        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
+        <translation>热源被设为 %1，回读却为 %2。请检查其自身面板和限值，然后复位。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1215,20 +1344,20 @@
         <translation>机器人已有 %1 s 没有任何回报，也不接收指令；加热已关闭。请检查其控制器，然后复位。</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>热源由人工加热，Bask 无法将其关闭：当前 %1 °C。请您自行关闭，并使物体远离它。</translation>
+        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>热源由人工加热，Bask 无法将其关闭：当前 %1。请您自行关闭，并使物体远离它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>“%1”的温度本应在 %3 s 内变化 %2 K，却没有变化：可能是传感器脱落、物体缺失，或热源不在预想的位置。加热已关闭。请检查，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
+        <translation>“%1”的温度本应在 %3 s 内变化 %2，却没有变化：可能是传感器脱落、物体缺失，或热源不在预想的位置。加热已关闭。请检查，然后复位。</translation>
     </message>
     <message>
-        <source>The target of &quot;%1&quot;, %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
-        <translation>“%1”的目标 %2 °C 高于其警告限值 %3 °C，每次运行都会在此保持。请降低目标；若物体和传感器能承受，也可提高限值。</translation>
+        <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
+        <translation>“%1”的目标 %2 高于其警告限值 %3，每次运行都会在此保持。请降低目标；若物体和传感器能承受，也可提高限值。</translation>
     </message>
     <message>
-        <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
-        <translation>热源在关闭加热 %2 s 后仍为 %1 °C。请切断其总电源，然后复位。</translation>
+        <source>The source is still at %1, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
+        <translation>热源在关闭加热 %2 s 后仍为 %1。请切断其总电源，然后复位。</translation>
     </message>
     <message>
         <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
@@ -1255,8 +1384,8 @@
         <translation>使用配置文件“%1”时热源没有看门狗：Bask 或计算机停止运行后它会一直发热。请使用带看门狗的控制器，或以 &quot;unattended_heat&quot;: true 允许这样做。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
-        <translation>“%1”与“%2”远离热源，却相差 %3 K，超过 %4 K。某个传感器有误或脱离了物体：请检查两者。</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
+        <translation>“%1”与“%2”远离热源，却相差 %3，超过 %4。某个传感器有误或脱离了物体：请检查两者。</translation>
     </message>
     <message>
         <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
@@ -1271,32 +1400,32 @@
         <translation>机器人可能不知道自身的位置：它未曾回零，或在重启或停止时丢失了位置。请使其回零，或确认其位置。</translation>
     </message>
     <message>
-        <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>加热已关闭，热源却在 %2 s 内升温 %1 K，超过允许的 %3 K：可能是其继电器粘连，或有人在其面板上加热。请切断其总电源，然后复位。</translation>
+        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+        <translation>加热已关闭，热源却在 %2 s 内升温 %1，超过允许的 %3：可能是其继电器粘连，或有人在其面板上加热。请切断其总电源，然后复位。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>“%1”的传感器跳变 %2 K/s，超过受热所能达到的 %3 K/s。请检查是否接触不良或已脱落。待其与受热情况相符或经人确认后，才重新采信。</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
+        <translation>“%1”的传感器跳变 %2/s，超过受热所能达到的 %3/s。请检查是否接触不良或已脱落。待其与受热情况相符或经人确认后，才重新采信。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.</source>
-        <translation>“%1”的传感器读数为 %2 °C，但按其正确以来的受热情况，物体应为 %3 至 %4 °C。请查看它是否在物体上，然后确认。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2，但按其正确以来的受热情况，物体应为 %3 至 %4。请查看它是否在物体上，然后确认。</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
         <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随变化，或确认它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>“%1”的温度在 %3 s 内变化了 %2 K，任何加热或散热都无法解释：其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>“%1”的温度在 %3 s 内变化了 %2，任何加热或散热都无法解释：其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查，然后复位。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>另一个 Bask 正以相同的设置运行。本程序的报警保存在 %1 中。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
-        <translation>“%1”的传感器已确认为 %2 °C</translation>
+        <source>The sensor of &quot;%1&quot; is confirmed at %2</source>
+        <translation>“%1”的传感器已确认为 %2</translation>
     </message>
     <message>
         <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
@@ -1407,8 +1536,8 @@
         <translation>已令机器人将物体移开，但它不动；还剩 %1 cm。加热已关闭。请手动移开物体，小心烫伤；检查机器人的电源和驱动。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its warning limit of %3 °C. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
-        <translation>“%1”为 %2 °C，超过其警告限值 %3 °C。请让它冷却：“停止”或“撤离”会将其移开。请检查其目标和限值。</translation>
+        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <translation>“%1”为 %2，超过其警告限值 %3。请让它冷却：“停止”或“撤离”会将其移开。请检查其目标和限值。</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
@@ -1423,8 +1552,8 @@
         <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值：传感器或其设备已停止工作。请检查。</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C, more than %3 K below the room&apos;s %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>热源报告 %1 °C，比室温 %2 °C 低 %3 K 以上：它使用的单位（°C、°F）可能与其配置文件不同，或其传感器有误。不对它加热。请把两者设为一致，然后复位。</translation>
+        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
+        <translation>热源报告 %1，比室温 %2 低 %3 以上：它使用的单位（°C、°F）可能与其配置文件不同，或其传感器有误。不对它加热。请把两者设为一致，然后复位。</translation>
     </message>
     <message>
         <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
@@ -1455,8 +1584,8 @@
         <translation>实际装置（%1）的加热不能确定已关闭，Bask 也不再监视它。请查看热板，并切断其电源。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>“%1”的传感器读数为 %2 °C，且没有跟随其物体的受热。请查看它是否在物体上，然后确认。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2，且没有跟随其物体的受热。请查看它是否在物体上，然后确认。</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
@@ -1758,6 +1887,61 @@
     </message>
 </context>
 <context>
+    <name>State</name>
+    <message>
+        <source>Idle</source>
+        <translation>空闲</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>未就绪</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就绪</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>待命中</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>运行中</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>保持中</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>已稳定</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>正在停止</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Fault (latched)</source>
+        <translation>故障（已锁存）</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>正在连接</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>正在回零</translation>
+    </message>
+    <message>
+        <source>Over</source>
+        <translation>已解除</translation>
+    </message>
+</context>
+<context>
     <name>Verb</name>
     <message>
         <source>Arm</source>
@@ -1766,10 +1950,6 @@
     <message>
         <source>Disarm</source>
         <translation>解除待命</translation>
-    </message>
-    <message>
-        <source>Set targets</source>
-        <translation>设定目标</translation>
     </message>
     <message>
         <source>Start</source>
@@ -1792,8 +1972,44 @@
         <translation>复位</translation>
     </message>
     <message>
-        <source>Connecting</source>
-        <translation>正在连接</translation>
+        <source>Retreat</source>
+        <translation>撤离</translation>
+    </message>
+    <message>
+        <source>Set targets</source>
+        <translation>设定目标</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移动</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回零</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>加热</translation>
+    </message>
+    <message>
+        <source>Confirm sensor</source>
+        <translation>确认传感器</translation>
+    </message>
+    <message>
+        <source>Clear alarm</source>
+        <translation>清除报警</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>搁置</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>取消搁置</translation>
     </message>
 </context>
 <context>
@@ -2839,8 +3055,8 @@
         <translation>用 Ctrl+Z 撤销。每项编辑都可以撤销。</translation>
     </message>
     <message>
-        <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
-        <translation>在“目标”页为一个物体输入 200 °C，阅读为何无法保持。</translation>
+        <source>On the Targets page, type %1 for one object and read why it cannot be held.</source>
+        <translation>在“目标”页为一个物体输入 %1，阅读为何无法保持。</translation>
     </message>
     <message>
         <source>Press “Use nearest feasible”: targets that can be held together.</source>
@@ -2891,8 +3107,8 @@
         <translation>在“回顾”页打开本次运行的记录。</translation>
     </message>
     <message>
-        <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-        <translation>在那里重新输入 40 °C，可更快达到。然后待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
+        <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+        <translation>在那里重新输入 %1，可更快达到。然后待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
     </message>
 </context>
 <context>
@@ -3379,130 +3595,6 @@
         <translation>%1/min</translation>
     </message>
     <message>
-        <source>Camera lost</source>
-        <translation>相机失联</translation>
-    </message>
-    <message>
-        <source>Heat source cannot be switched off</source>
-        <translation>热源无法关闭</translation>
-    </message>
-    <message>
-        <source>Heat source does not heat</source>
-        <translation>热源不加热</translation>
-    </message>
-    <message>
-        <source>Heat source heats unasked</source>
-        <translation>热源擅自加热</translation>
-    </message>
-    <message>
-        <source>Heat source limited by itself</source>
-        <translation>热源自行限制</translation>
-    </message>
-    <message>
-        <source>Heat source lost</source>
-        <translation>热源失联</translation>
-    </message>
-    <message>
-        <source>Heat source overheats</source>
-        <translation>热源过热</translation>
-    </message>
-    <message>
-        <source>Heat source without temperature</source>
-        <translation>热源没有温度值</translation>
-    </message>
-    <message>
-        <source>Idle</source>
-        <translation>空闲</translation>
-    </message>
-    <message>
-        <source>Not ready</source>
-        <translation>未就绪</translation>
-    </message>
-    <message>
-        <source>Object heated otherwise</source>
-        <translation>物体被另外加热</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>就绪</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>待命中</translation>
-    </message>
-    <message>
-        <source>Restore all devices</source>
-        <translation>恢复所有设备</translation>
-    </message>
-    <message>
-        <source>Robot in alarm</source>
-        <translation>机器人报警</translation>
-    </message>
-    <message>
-        <source>Robot lost</source>
-        <translation>机器人失联</translation>
-    </message>
-    <message>
-        <source>Robot restarted</source>
-        <translation>机器人已重启</translation>
-    </message>
-    <message>
-        <source>Robot slow</source>
-        <translation>机器人缓慢</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>运行中</translation>
-    </message>
-    <message>
-        <source>Holding</source>
-        <translation>保持中</translation>
-    </message>
-    <message>
-        <source>Sensor frozen</source>
-        <translation>传感器冻结</translation>
-    </message>
-    <message>
-        <source>Sensor jumping</source>
-        <translation>传感器跳变</translation>
-    </message>
-    <message>
-        <source>Sensor lost</source>
-        <translation>传感器失联</translation>
-    </message>
-    <message>
-        <source>Sensor off its object</source>
-        <translation>传感器脱离物体</translation>
-    </message>
-    <message>
-        <source>Sensor open</source>
-        <translation>传感器开路</translation>
-    </message>
-    <message>
-        <source>Sensor shorted</source>
-        <translation>传感器短路</translation>
-    </message>
-    <message>
-        <source>Settled</source>
-        <translation>已稳定</translation>
-    </message>
-    <message>
-        <source>Source hidden from the camera</source>
-        <translation>相机看不到热源</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>正在停止</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
-        <source>Fault (latched)</source>
-        <translation>故障（已锁存）</translation>
-    </message>
-    <message>
         <source>The rig cannot be armed or started yet.</source>
         <translation>装置尚不能进入待命或开始。</translation>
     </message>
@@ -3525,42 +3617,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>所有物体都保持在容差带内。控制器继续工作。</translation>
-    </message>
-    <message>
-        <source>a sample is missing</source>
-        <translation>缺少一个采样</translation>
-    </message>
-    <message>
-        <source>database disk image is malformed</source>
-        <translation>数据库内容已损坏</translation>
-    </message>
-    <message>
-        <source>it does not say whether the rig was simulated</source>
-        <translation>未说明装置是否为仿真</translation>
-    </message>
-    <message>
-        <source>it is cut short</source>
-        <translation>文件不完整</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>机器人</translation>
-    </message>
-    <message>
-        <source>thermometer</source>
-        <translation>温度计</translation>
-    </message>
-    <message>
-        <source>heat source</source>
-        <translation>热源</translation>
-    </message>
-    <message>
-        <source>source temperature</source>
-        <translation>热源温度</translation>
-    </message>
-    <message>
-        <source>heat source kept by hand</source>
-        <translation>人工加热的热源</translation>
     </message>
     <message>
         <source>no value yet</source>

@@ -154,6 +154,135 @@
     </message>
 </context>
 <context>
+    <name>Damage</name>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>資料庫內容已損壞</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>檔案不完整</translation>
+    </message>
+    <message>
+        <source>a sample is missing</source>
+        <translation>缺少一個取樣</translation>
+    </message>
+    <message>
+        <source>it does not say whether the rig was simulated</source>
+        <translation>未說明實驗台是否為模擬</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>robot</source>
+        <translation>機器人</translation>
+    </message>
+    <message>
+        <source>thermometer</source>
+        <translation>溫度計</translation>
+    </message>
+    <message>
+        <source>heat source</source>
+        <translation>熱源</translation>
+    </message>
+    <message>
+        <source>heat source kept by hand</source>
+        <translation>人工加熱的熱源</translation>
+    </message>
+    <message>
+        <source>source temperature</source>
+        <translation>熱源溫度</translation>
+    </message>
+</context>
+<context>
+    <name>Fault</name>
+    <message>
+        <source>Restore all devices</source>
+        <translation>恢復所有裝置</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>感測器失聯</translation>
+    </message>
+    <message>
+        <source>Sensor open</source>
+        <translation>感測器開路</translation>
+    </message>
+    <message>
+        <source>Sensor shorted</source>
+        <translation>感測器短路</translation>
+    </message>
+    <message>
+        <source>Sensor frozen</source>
+        <translation>感測器凍結</translation>
+    </message>
+    <message>
+        <source>Sensor jumping</source>
+        <translation>感測器跳變</translation>
+    </message>
+    <message>
+        <source>Sensor off its object</source>
+        <translation>感測器脫離物體</translation>
+    </message>
+    <message>
+        <source>Object heated otherwise</source>
+        <translation>物體被另外加熱</translation>
+    </message>
+    <message>
+        <source>Robot lost</source>
+        <translation>機器人失聯</translation>
+    </message>
+    <message>
+        <source>Robot in alarm</source>
+        <translation>機器人警報</translation>
+    </message>
+    <message>
+        <source>Robot restarted</source>
+        <translation>機器人已重啟</translation>
+    </message>
+    <message>
+        <source>Robot slow</source>
+        <translation>機器人緩慢</translation>
+    </message>
+    <message>
+        <source>Heat source lost</source>
+        <translation>熱源失聯</translation>
+    </message>
+    <message>
+        <source>Heat source without temperature</source>
+        <translation>熱源沒有溫度值</translation>
+    </message>
+    <message>
+        <source>Heat source does not heat</source>
+        <translation>熱源不加熱</translation>
+    </message>
+    <message>
+        <source>Heat source heats unasked</source>
+        <translation>熱源擅自加熱</translation>
+    </message>
+    <message>
+        <source>Heat source overheats</source>
+        <translation>熱源過熱</translation>
+    </message>
+    <message>
+        <source>Heat source limited by itself</source>
+        <translation>熱源自行限制</translation>
+    </message>
+    <message>
+        <source>Heat source cannot be switched off</source>
+        <translation>熱源無法關閉</translation>
+    </message>
+    <message>
+        <source>Source hidden from the camera</source>
+        <translation>相機看不到熱源</translation>
+    </message>
+    <message>
+        <source>Camera lost</source>
+        <translation>相機失聯</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -415,8 +544,8 @@
         <translation>物體數與自由軸數相同（%1）：加熱決定了全部運動，沒有餘量用於避開限值</translation>
     </message>
     <message>
-        <source>At rest the sensors&apos; readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
-        <translation>靜止時感測器讀數偏離其平均值達 %1 K；最多可歸零 %2 K。請檢查感測器及其雜訊。</translation>
+        <source>At rest the sensors&apos; readings lie %1 from their mean; at most %2 can be zeroed. Check the sensors and their noise.</source>
+        <translation>靜止時感測器讀數偏離其平均值達 %1；最多可歸零 %2。請檢查感測器及其雜訊。</translation>
     </message>
     <message>
         <source>there is no such file; check the path</source>
@@ -543,12 +672,12 @@
         <translation>工作空間中沒有位姿能保持與熱源的間距；請擴大工作空間或減小間距</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
-        <translation>「%1」無法保持在 %2 °C：用此熱源，即使角係數為 1，它也最高穩定在 %3 °C</translation>
+        <source>&quot;%1&quot; cannot be held at %2: with this source it settles at %3 at most, even at a view factor of 1</source>
+        <translation>「%1」無法保持在 %2：用此熱源，即使角係數為 1，它也最高穩定在 %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
-        <translation>「%1」無法保持在 %2 °C：在看不到熱源之處，它穩定在 %3 °C</translation>
+        <source>&quot;%1&quot; cannot be held at %2: it settles at %3 where it does not see the source</source>
+        <translation>「%1」無法保持在 %2：在看不到熱源之處，它穩定在 %3</translation>
     </message>
     <message>
         <source>&quot;%1&quot; needs a view factor of %2; within the workspace it has at most %3</source>
@@ -559,20 +688,20 @@
         <translation>「%1」需要角係數 %2；在工作空間內至少為 %3</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace at most %4 K are possible</source>
-        <translation>「%1」應比「%2」高 %3 K；在此安裝方式和工作空間下最多可高 %4 K</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace at most %4 are possible</source>
+        <translation>「%1」應比「%2」高 %3；在此安裝方式和工作空間下最多可高 %4</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 K hotter everywhere</source>
-        <translation>「%1」應比「%2」高 %3 K；在此安裝方式和工作空間下，它處處至少高 %4 K</translation>
+        <source>&quot;%1&quot; is to be %3 hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 hotter everywhere</source>
+        <translation>「%1」應比「%2」高 %3；在此安裝方式和工作空間下，它處處至少高 %4</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 K off</source>
-        <translation>各目標可單獨保持，但不能同時保持：在工作空間內最接近處，各目標等值面相距 %3 cm，「%1」偏離 %2 K</translation>
+        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 off</source>
+        <translation>各目標可單獨保持，但不能同時保持：在工作空間內最接近處，各目標等值面相距 %3 cm，「%1」偏離 %2</translation>
     </message>
     <message>
-        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 K off</source>
-        <translation>各目標可單獨保持，但不能同時保持：在最佳位姿下「%1」仍偏離 %2 K</translation>
+        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 off</source>
+        <translation>各目標可單獨保持，但不能同時保持：在最佳位姿下「%1」仍偏離 %2</translation>
     </message>
     <message>
         <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
@@ -835,8 +964,8 @@
         <translation>變化率估計器已有 %1 個取樣，共需 %2 個。請稍候。</translation>
     </message>
     <message>
-        <source>The objects are not at rest at the room&apos;s temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
-        <translation>物體未靜置於室溫（%1 °C），因此感測器無法歸零。請等待冷卻，或更正環境溫度。</translation>
+        <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
+        <translation>物體未靜置於室溫（%1），因此感測器無法歸零。請等待冷卻，或更正環境溫度。</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1083,8 +1212,8 @@
         <translation>「%1」已存在且不是連結；請另選路徑</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>「%1」為 %2 °C，超過其限值 %3 °C。已將其移開並關閉加熱。請檢查物體及其感測器；冷卻後再復歸。</translation>
+        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
+        <translation>「%1」為 %2，超過其限值 %3。已將其移開並關閉加熱。請檢查物體及其感測器；冷卻後再復歸。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1127,16 +1256,16 @@
         <translation>機器人控制器已重啟：先前的指令已失效，位置不確定。請使其回原點或確認其位置，然後復歸。</translation>
     </message>
     <message>
-        <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>熱源為 %1 °C，超過其限值 %2 °C。已將物體移開並關閉加熱。請檢查其控制器和感測器；冷卻後再復歸。</translation>
+        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
+        <translation>熱源為 %1，超過其限值 %2。已將物體移開並關閉加熱。請檢查其控制器和感測器；冷卻後再復歸。</translation>
     </message>
     <message>
-        <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>熱源為 %1 °C，已有 %3 s 未向 %2 °C 接近。請檢查其是否通電、感測器是否到位，然後復歸。</translation>
+        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
+        <translation>熱源為 %1，已有 %3 s 未向 %2 接近。請檢查其是否通電、感測器是否到位，然後復歸。</translation>
     </message>
     <message>
-        <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
-        <translation>熱源被設為 %1 °C，回讀卻為 %2 °C。請檢查其自身面板和限值，然後復歸。</translation>
+        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
+        <translation>熱源被設為 %1，回讀卻為 %2。請檢查其自身面板和限值，然後復歸。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1215,20 +1344,20 @@
         <translation>機器人已有 %1 s 沒有任何回報，也不接收指令；加熱已關閉。請檢查其控制器，然後復歸。</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>熱源由人工加熱，Bask 無法將其關閉：目前 %1 °C。請您自行關閉，並使物體遠離它。</translation>
+        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>熱源由人工加熱，Bask 無法將其關閉：目前 %1。請您自行關閉，並使物體遠離它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>「%1」的溫度本應在 %3 s 內變化 %2 K，卻沒有變化：可能是感測器脫落、物體缺失，或熱源不在預期的位置。加熱已關閉。請檢查，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
+        <translation>「%1」的溫度本應在 %3 s 內變化 %2，卻沒有變化：可能是感測器脫落、物體缺失，或熱源不在預期的位置。加熱已關閉。請檢查，然後復歸。</translation>
     </message>
     <message>
-        <source>The target of &quot;%1&quot;, %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
-        <translation>「%1」的目標 %2 °C 高於其警告限值 %3 °C，每次運轉都會在此保持。請降低目標；若物體和感測器能承受，也可提高限值。</translation>
+        <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
+        <translation>「%1」的目標 %2 高於其警告限值 %3，每次運轉都會在此保持。請降低目標；若物體和感測器能承受，也可提高限值。</translation>
     </message>
     <message>
-        <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
-        <translation>熱源在關閉加熱 %2 s 後仍為 %1 °C。請切斷其總電源，然後復歸。</translation>
+        <source>The source is still at %1, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
+        <translation>熱源在關閉加熱 %2 s 後仍為 %1。請切斷其總電源，然後復歸。</translation>
     </message>
     <message>
         <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
@@ -1255,8 +1384,8 @@
         <translation>使用設定檔「%1」時熱源沒有看門狗：Bask 或電腦停止執行後它會一直發熱。請使用具有看門狗的控制器，或以 &quot;unattended_heat&quot;: true 允許這樣做。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
-        <translation>「%1」與「%2」遠離熱源，卻相差 %3 K，超過 %4 K。某個感測器有誤或脫離了物體：請檢查兩者。</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
+        <translation>「%1」與「%2」遠離熱源，卻相差 %3，超過 %4。某個感測器有誤或脫離了物體：請檢查兩者。</translation>
     </message>
     <message>
         <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
@@ -1271,32 +1400,32 @@
         <translation>機器人可能不知道自身的位置：它未曾回原點，或在重新啟動或停止時失去了位置。請使其回原點，或確認其位置。</translation>
     </message>
     <message>
-        <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1 K，超過允許的 %3 K：可能是其繼電器沾黏，或有人在其面板上加熱。請切斷其總電源，然後復歸。</translation>
+        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+        <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1，超過允許的 %3：可能是其繼電器沾黏，或有人在其面板上加熱。請切斷其總電源，然後復歸。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>「%1」的感測器跳變 %2 K/s，超過受熱所能達到的 %3 K/s。請檢查是否接觸不良或已脫落。待其與受熱情況相符或經人確認後，才重新採信。</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
+        <translation>「%1」的感測器跳變 %2/s，超過受熱所能達到的 %3/s。請檢查是否接觸不良或已脫落。待其與受熱情況相符或經人確認後，才重新採信。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.</source>
-        <translation>「%1」的感測器讀數為 %2 °C，但按其正確以來的受熱情況，物體應為 %3 至 %4 °C。請查看它是否在物體上，然後確認。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2，但按其正確以來的受熱情況，物體應為 %3 至 %4。請查看它是否在物體上，然後確認。</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
         <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨變化，或確認它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>「%1」的溫度在 %3 s 內變化了 %2 K，任何加熱或散熱都無法解釋：其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>「%1」的溫度在 %3 s 內變化了 %2，任何加熱或散熱都無法解釋：其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查，然後復歸。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>另一個 Bask 正以相同的設定執行。本程式的警報儲存在 %1 中。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
-        <translation>「%1」的感測器已確認為 %2 °C</translation>
+        <source>The sensor of &quot;%1&quot; is confirmed at %2</source>
+        <translation>「%1」的感測器已確認為 %2</translation>
     </message>
     <message>
         <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
@@ -1407,8 +1536,8 @@
         <translation>已令機器人將物體移開，但它不動；還剩 %1 cm。加熱已關閉。請手動移開物體，小心燙傷；檢查機器人的電源和驅動。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2 °C, above its warning limit of %3 °C. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
-        <translation>「%1」為 %2 °C，超過其警告限值 %3 °C。請讓它冷卻：「停止」或「撤離」會將其移開。請檢查其目標和限值。</translation>
+        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <translation>「%1」為 %2，超過其警告限值 %3。請讓它冷卻：「停止」或「撤離」會將其移開。請檢查其目標和限值。</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
@@ -1423,8 +1552,8 @@
         <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值：感測器或其裝置已停止工作。請檢查。</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C, more than %3 K below the room&apos;s %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>熱源回報 %1 °C，比室溫 %2 °C 低 %3 K 以上：它使用的單位（°C、°F）可能與其設定檔不同，或其感測器有誤。不對它加熱。請把兩者設為一致，然後重設。</translation>
+        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
+        <translation>熱源回報 %1，比室溫 %2 低 %3 以上：它使用的單位（°C、°F）可能與其設定檔不同，或其感測器有誤。不對它加熱。請把兩者設為一致，然後重設。</translation>
     </message>
     <message>
         <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
@@ -1455,8 +1584,8 @@
         <translation>實際實驗台（%1）的加熱不能確定已關閉，Bask 也不再監視它。請查看熱板，並切斷其電源。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>「%1」的感測器讀數為 %2 °C，且沒有跟隨其物體的受熱。請查看它是否在物體上，然後確認。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2，且沒有跟隨其物體的受熱。請查看它是否在物體上，然後確認。</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
@@ -1758,6 +1887,61 @@
     </message>
 </context>
 <context>
+    <name>State</name>
+    <message>
+        <source>Idle</source>
+        <translation>空閒</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>未就緒</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>就緒</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>待命中</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>運轉中</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>保持中</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>已穩定</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>正在停止</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Fault (latched)</source>
+        <translation>故障（已閂鎖）</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>正在連線</translation>
+    </message>
+    <message>
+        <source>Homing</source>
+        <translation>正在回原點</translation>
+    </message>
+    <message>
+        <source>Over</source>
+        <translation>已解除</translation>
+    </message>
+</context>
+<context>
     <name>Verb</name>
     <message>
         <source>Arm</source>
@@ -1766,10 +1950,6 @@
     <message>
         <source>Disarm</source>
         <translation>解除待命</translation>
-    </message>
-    <message>
-        <source>Set targets</source>
-        <translation>設定目標</translation>
     </message>
     <message>
         <source>Start</source>
@@ -1792,8 +1972,44 @@
         <translation>復歸</translation>
     </message>
     <message>
-        <source>Connecting</source>
-        <translation>正在連線</translation>
+        <source>Retreat</source>
+        <translation>撤離</translation>
+    </message>
+    <message>
+        <source>Set targets</source>
+        <translation>設定目標</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>移動</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>寸動</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>回原點</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>加熱</translation>
+    </message>
+    <message>
+        <source>Confirm sensor</source>
+        <translation>確認感測器</translation>
+    </message>
+    <message>
+        <source>Clear alarm</source>
+        <translation>清除警報</translation>
+    </message>
+    <message>
+        <source>Shelve</source>
+        <translation>擱置</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>取消擱置</translation>
     </message>
 </context>
 <context>
@@ -2839,8 +3055,8 @@
         <translation>用 Ctrl+Z 復原。每項編輯都可以復原。</translation>
     </message>
     <message>
-        <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
-        <translation>在「目標」頁為一個物體輸入 200 °C，閱讀為何無法維持。</translation>
+        <source>On the Targets page, type %1 for one object and read why it cannot be held.</source>
+        <translation>在「目標」頁為一個物體輸入 %1，閱讀為何無法維持。</translation>
     </message>
     <message>
         <source>Press “Use nearest feasible”: targets that can be held together.</source>
@@ -2891,8 +3107,8 @@
         <translation>在「回顧」頁開啟本次運轉的記錄。</translation>
     </message>
     <message>
-        <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-        <translation>在那裡重新輸入 40 °C，可更快達到。然後待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
+        <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+        <translation>在那裡重新輸入 %1，可更快達到。然後待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
     </message>
 </context>
 <context>
@@ -3379,130 +3595,6 @@
         <translation>%1/min</translation>
     </message>
     <message>
-        <source>Camera lost</source>
-        <translation>相機失聯</translation>
-    </message>
-    <message>
-        <source>Heat source cannot be switched off</source>
-        <translation>熱源無法關閉</translation>
-    </message>
-    <message>
-        <source>Heat source does not heat</source>
-        <translation>熱源不加熱</translation>
-    </message>
-    <message>
-        <source>Heat source heats unasked</source>
-        <translation>熱源擅自加熱</translation>
-    </message>
-    <message>
-        <source>Heat source limited by itself</source>
-        <translation>熱源自行限制</translation>
-    </message>
-    <message>
-        <source>Heat source lost</source>
-        <translation>熱源失聯</translation>
-    </message>
-    <message>
-        <source>Heat source overheats</source>
-        <translation>熱源過熱</translation>
-    </message>
-    <message>
-        <source>Heat source without temperature</source>
-        <translation>熱源沒有溫度值</translation>
-    </message>
-    <message>
-        <source>Idle</source>
-        <translation>空閒</translation>
-    </message>
-    <message>
-        <source>Not ready</source>
-        <translation>未就緒</translation>
-    </message>
-    <message>
-        <source>Object heated otherwise</source>
-        <translation>物體被另外加熱</translation>
-    </message>
-    <message>
-        <source>Ready</source>
-        <translation>就緒</translation>
-    </message>
-    <message>
-        <source>Armed</source>
-        <translation>待命中</translation>
-    </message>
-    <message>
-        <source>Restore all devices</source>
-        <translation>恢復所有裝置</translation>
-    </message>
-    <message>
-        <source>Robot in alarm</source>
-        <translation>機器人警報</translation>
-    </message>
-    <message>
-        <source>Robot lost</source>
-        <translation>機器人失聯</translation>
-    </message>
-    <message>
-        <source>Robot restarted</source>
-        <translation>機器人已重啟</translation>
-    </message>
-    <message>
-        <source>Robot slow</source>
-        <translation>機器人緩慢</translation>
-    </message>
-    <message>
-        <source>Running</source>
-        <translation>運轉中</translation>
-    </message>
-    <message>
-        <source>Holding</source>
-        <translation>保持中</translation>
-    </message>
-    <message>
-        <source>Sensor frozen</source>
-        <translation>感測器凍結</translation>
-    </message>
-    <message>
-        <source>Sensor jumping</source>
-        <translation>感測器跳變</translation>
-    </message>
-    <message>
-        <source>Sensor lost</source>
-        <translation>感測器失聯</translation>
-    </message>
-    <message>
-        <source>Sensor off its object</source>
-        <translation>感測器脫離物體</translation>
-    </message>
-    <message>
-        <source>Sensor open</source>
-        <translation>感測器開路</translation>
-    </message>
-    <message>
-        <source>Sensor shorted</source>
-        <translation>感測器短路</translation>
-    </message>
-    <message>
-        <source>Settled</source>
-        <translation>已穩定</translation>
-    </message>
-    <message>
-        <source>Source hidden from the camera</source>
-        <translation>相機看不到熱源</translation>
-    </message>
-    <message>
-        <source>Stopping</source>
-        <translation>正在停止</translation>
-    </message>
-    <message>
-        <source>Stopped</source>
-        <translation>已停止</translation>
-    </message>
-    <message>
-        <source>Fault (latched)</source>
-        <translation>故障（已閂鎖）</translation>
-    </message>
-    <message>
         <source>The rig cannot be armed or started yet.</source>
         <translation>實驗台尚不能進入待命或開始。</translation>
     </message>
@@ -3525,42 +3617,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>所有物體都保持在容差帶內。控制器繼續工作。</translation>
-    </message>
-    <message>
-        <source>a sample is missing</source>
-        <translation>缺少一個取樣</translation>
-    </message>
-    <message>
-        <source>database disk image is malformed</source>
-        <translation>資料庫內容已損壞</translation>
-    </message>
-    <message>
-        <source>it does not say whether the rig was simulated</source>
-        <translation>未說明實驗台是否為模擬</translation>
-    </message>
-    <message>
-        <source>it is cut short</source>
-        <translation>檔案不完整</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>機器人</translation>
-    </message>
-    <message>
-        <source>thermometer</source>
-        <translation>溫度計</translation>
-    </message>
-    <message>
-        <source>heat source</source>
-        <translation>熱源</translation>
-    </message>
-    <message>
-        <source>source temperature</source>
-        <translation>熱源溫度</translation>
-    </message>
-    <message>
-        <source>heat source kept by hand</source>
-        <translation>人工加熱的熱源</translation>
     </message>
     <message>
         <source>no value yet</source>

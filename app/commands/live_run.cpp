@@ -3,6 +3,7 @@
 #include "app/commands/cooling_watch.h"
 #include "app/commands/engine_thread.h"
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/recipe/recipe_runner.h"
 
 #include <QCoreApplication>
@@ -111,7 +112,7 @@ private:
 
     /// A reset may come too early, and a stop after the engine's own.
     bool mayNotBeRefused(const Message& refusal) const {
-        if (refusal.code == MessageCode::CommandNotNow && refusal.args.front() == "Reset")
+        if (refusal.code == MessageCode::CommandNotNow && isVerb(refusal.args.front(), CommandVerb::Reset))
             return false;
         return m_wish == Wish::Start || (m_wish == Wish::Run && !m_hasBegun) ||
                (m_wish == Wish::Arm && !std::isfinite(m_reset_s));

@@ -38,7 +38,7 @@ Result<ReproducedRun> runOnce(Experiment experiment, std::size_t by) {
     run.outcome = std::move(*outcome);
     for (const TraceEvent& event : run.outcome.events)
         if (event.message.code == MessageCode::EventCompromise)
-            run.compromise = event.message.args.front();
+            run.compromise = event.message.args.front().text();
     if (run.outcome.settled) {
         run.settling_s = 0.0;
         for (const ObjectOutcome& object : run.outcome.objects)

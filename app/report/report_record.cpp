@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace bask {
 namespace {
@@ -142,7 +143,7 @@ QString acknowledgedText(const CommandRow& command, const std::vector<TraceEvent
         const QString name = QString::fromLatin1(messageName(event.message.code));
         const bool isIt =
             name == key || (!event.message.args.empty() &&
-                            name + u':' + QString::fromStdString(event.message.args.front()) == key);
+                            name + u':' + QString::fromStdString(event.message.args.front().text()) == key);
         if (isIt && (seen == nullptr || event.time_s <= command.time_s))
             seen = &event;
     }
@@ -177,8 +178,8 @@ QString commandText(const CommandRow& command, const std::vector<TraceEvent>& ev
 
 /// As recorded where the unit is the recorded one: another rounds to a tenth.
 QString eventText(const Message& message, TemperatureUnit unit) {
-    const QString text = sentenceText(message);
-    return unit == TemperatureUnit::Celsius ? text : inUnit(text, unit);
+    return asSentence(
+        recordedText(message, unit == TemperatureUnit::Celsius ? std::nullopt : std::optional(unit)));
 }
 
 std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {

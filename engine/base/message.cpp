@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <concepts>
 #include <iterator>
 #include <string_view>
 
@@ -21,20 +21,30 @@ constexpr Rank rankOf(int priority, std::string_view reaction) {
     return priority == 3 && reaction == "Note" ? Notice : static_cast<Rank>(priority);
 }
 
+/// Of the arguments, in their order.
+struct Kinds {
+    constexpr Kinds(std::same_as<ArgKind> auto... kinds) : all{kinds...}, count(sizeof...(kinds)) {}
+    std::array<ArgKind, 9> all;
+    std::size_t count;
+};
+
 struct Entry {
     MessageCode code;
     const char* name;
     Rank rank;
     const char* text;
+    Kinds kinds;
 };
+
+using enum ArgKind;
 
 // lupdate finds each QT_TRANSLATE_NOOP of the tables through this file.
 // clang-format off
 constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more than 256
-    {MessageCode::None, "None", NoAlarm, ""},
-#define MESSAGE(name, rank, english) {MessageCode::name, #name, rank, english},
-#define ALARM(condition, name, priority, reaction, traits, on_s, off_s, key, english)                        \
-    {MessageCode::name, #name, rankOf(priority, #reaction), english},
+    {MessageCode::None, "None", NoAlarm, "", {}},
+#define MESSAGE(name, rank, english, ...) {MessageCode::name, #name, rank, english, {__VA_ARGS__}},
+#define ALARM(condition, name, priority, reaction, traits, on_s, off_s, key, english, ...)                   \
+    {MessageCode::name, #name, rankOf(priority, #reaction), english, {__VA_ARGS__}},
 #define DEVICE_ALARM(...)
 #include "engine/base/message_table.inc"
 #include "engine/base/alarm_table.inc"
@@ -52,6 +62,16 @@ constexpr bool isInOrder() {
 }
 static_assert(isInOrder(), "the codes are made from the tables, see message_names.cmake");
 
+constexpr std::size_t argsOf(std::string_view text) {
+    std::size_t highest = 0;
+    for (std::size_t i = 0; i + 1 < text.size(); ++i)
+        if (text[i] == '%' && text[i + 1] >= '1' && text[i + 1] <= '9')
+            highest = std::max(highest, static_cast<std::size_t>(text[i + 1] - '0'));
+    return highest;
+}
+static_assert(std::ranges::all_of(kMessages, [](const Entry& e) { return argsOf(e.text) == e.kinds.count; }),
+              "each argument of a sentence has its kind in the table");
+
 const Entry& entry(MessageCode code) {
     const auto index = static_cast<std::size_t>(code);
     return index < std::size(kMessages) ? kMessages[index] : kMessages[0];
@@ -60,21 +80,16 @@ const Entry& entry(MessageCode code) {
 } // namespace
 
 bool isAboutAnother(MessageCode code) {
-    switch (code) {
-    case MessageCode::EventAlarmOver:
-    case MessageCode::EventHeldFor:
-    case MessageCode::EventStoppedFor:
-    case MessageCode::EventRetreatFor:
-    case MessageCode::RemedyWait:
-    case MessageCode::RemedyStop:
-        return true;
-    default:
-        return false;
-    }
+    return argKind(code, 0) == About;
 }
 
 const char* messageTemplate(MessageCode code) {
     return entry(code).text;
+}
+
+ArgKind argKind(MessageCode code, std::size_t index) {
+    const Kinds& kinds = entry(code).kinds;
+    return index < kinds.count ? kinds.all[index] : Text;
 }
 
 const char* messageName(MessageCode code) {
@@ -97,7 +112,7 @@ bool isNotice(MessageCode code) {
 std::optional<Message> messageWithin(const Message& message) {
     if (!isAboutAnother(message.code) || message.args.empty())
         return std::nullopt;
-    const MessageCode code = messageCodeFromName(message.args.front());
+    const MessageCode code = messageCodeFromName(message.args.front().text());
     if (code == MessageCode::None || isAboutAnother(code))
         return std::nullopt;
     return Message{code, {message.args.begin() + 1, message.args.end()}};
@@ -109,15 +124,30 @@ Message messageAbout(MessageCode code, const Message& about) {
     return out;
 }
 
+namespace {
+
+std::string inEnglish(const MessageArg& arg, ArgKind declared) {
+    switch (arg.kind(declared)) {
+    case Temperature:
+        return arg.text() + " \u00b0C";
+    case Difference:
+        return arg.text() + " K";
+    default:
+        return arg.text();
+    }
+}
+
+} // namespace
+
 std::string describe(const Message& message) {
     if (const auto within = messageWithin(message))
-        return describe(Message{message.code, {describe(*within)}});
+        return describe(Message{message.code, {MessageArg(describe(*within))}});
     std::string out;
     for (const char* p = messageTemplate(message.code); *p != '\0'; ++p) {
         if (*p == '%' && p[1] >= '1' && p[1] <= '9') {
             const auto index = static_cast<std::size_t>(p[1] - '1');
             if (index < message.args.size())
-                out += message.args[index];
+                out += inEnglish(message.args[index], argKind(message.code, index));
             ++p;
         } else {
             out += *p;
@@ -131,11 +161,11 @@ std::string describe(const Error& error) {
     return error.where.empty() ? describe(error.message) : error.where + ": " + describe(error.message);
 }
 
-std::string formatNumber(double value, int digits) {
-    std::array<char, 40> buffer{}; // not printf: its decimal point is that of the computer's language
-    const auto [end, failed] =
-        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
-    return {buffer.begin(), end};
+std::vector<std::string> argTexts(const Message& message) {
+    std::vector<std::string> out;
+    for (const MessageArg& arg : message.args)
+        out.push_back(arg.text());
+    return out;
 }
 
 } // namespace bask

@@ -1,6 +1,8 @@
 #pragma once
 // Everything Bask says in words, as a code and its arguments. The sentences are in message_table.inc and
-// alarm_table.inc, in English; whoever shows one translates it.
+// alarm_table.inc, in English, with what each argument is; whoever shows one translates it.
+
+#include "engine/base/message_arg.h"
 
 #include <optional>
 #include <string>
@@ -11,10 +13,10 @@ namespace bask {
 /// Names of sentences, see message_code.h: only files that say one need be built again for a new one.
 enum class MessageCode : int;
 
-/// A sentence to be: code and ordered arguments (already formatted numbers or names).
+/// A sentence to be: code and ordered arguments.
 struct Message {
     MessageCode code{}; ///< MessageCode::None
-    std::vector<std::string> args;
+    std::vector<MessageArg> args;
 
     bool operator==(const Message&) const = default;
 };
@@ -22,8 +24,14 @@ struct Message {
 /// English template of a code, with %1 ... %9; never null. Translators see it in context "Message".
 const char* messageTemplate(MessageCode code);
 
+/// Returns what the argument `index` of a message is, counted from 0, as the table of messages declares it.
+ArgKind argKind(MessageCode code, std::size_t index);
+
 /// English sentence with the arguments put in.
 std::string describe(const Message& message);
+
+/// The arguments as files keep them. To read them back, put these texts into a message.
+std::vector<std::string> argTexts(const Message& message);
 
 /// What an EventAlarmOver is about, or another message whose arguments are the name of a message and that
 /// one's (isAboutAnother); empty: any other, or one of a recording that has words there.
@@ -35,8 +43,5 @@ int alarmPriority(MessageCode code);
 /// Stable name of a code ("FileNotFound"), as recorded in session files; and back (None when unknown).
 const char* messageName(MessageCode code);
 MessageCode messageCodeFromName(const std::string& name);
-
-/// Number in a sentence: %.*g with `digits` significant digits.
-std::string formatNumber(double value, int digits = 4);
 
 } // namespace bask

@@ -15,7 +15,11 @@ std::string plainWords(const std::string& words) {
             c = '?';
     }
     constexpr std::size_t kLongest = 300;
-    return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
+    if (text.size() > kLongest) {
+        text.resize(kLongest);
+        text += " ...";
+    }
+    return text;
 }
 
 std::string printable(std::string text) {

@@ -17,7 +17,7 @@ struct Error {
     std::string where;
 
     Error() = default;
-    Error(MessageCode code, std::string place, std::vector<std::string> args = {})
+    Error(MessageCode code, std::string place, std::vector<MessageArg> args = {})
         : message{code, std::move(args)}, where(std::move(place)) {}
 
     MessageCode code() const { return message.code; }

@@ -80,19 +80,17 @@ void answerJointly(const SteadySearch& search, const FeasibilityRequest& request
     }
 }
 
-std::string celsius(double t_K) {
-    return formatNumber(std::round(celsiusFromKelvin(t_K) * 100.0) / 100.0, 6);
-}
-
 /// Why one object by itself cannot be; `name` as in the request.
 Message objectReason(const std::string& name, const TargetVerdict& v) {
     if (v.verdict == FeasibilityVerdict::TooHot && v.target_K > v.highest_K)
-        return {MessageCode::TargetAboveCeiling, {name, celsius(v.target_K), celsius(v.highest_K)}};
+        return {MessageCode::TargetAboveCeiling,
+                {name, roundedTemperatureArg(v.target_K, 2), roundedTemperatureArg(v.highest_K, 2)}};
     if (v.verdict == FeasibilityVerdict::TooHot)
         return {MessageCode::TargetNeedsMore,
                 {name, formatNumber(v.neededViewFactor, 3), formatNumber(v.reachableMax_F, 3)}};
     if (v.target_K < v.lowest_K)
-        return {MessageCode::TargetBelowFloor, {name, celsius(v.target_K), celsius(v.lowest_K)}};
+        return {MessageCode::TargetBelowFloor,
+                {name, roundedTemperatureArg(v.target_K, 2), roundedTemperatureArg(v.lowest_K, 2)}};
     return {MessageCode::TargetNeedsLess,
             {name, formatNumber(v.neededViewFactor, 3), formatNumber(v.reachableMin_F, 3)}};
 }
@@ -107,7 +105,7 @@ Message pairReason(const std::vector<std::string>& names, const PairVerdict& v) 
     const double least_K = flipped ? -v.largest_K : v.least_K;
     const bool tooMuch = wanted_K > largest_K;
     return {tooMuch ? MessageCode::TargetsTooFarApart : MessageCode::TargetsTooClose,
-            {hotter, colder, formatNumber(wanted_K, 3), formatNumber(tooMuch ? largest_K : least_K, 3)}};
+            {hotter, colder, differenceArg(wanted_K, 3), differenceArg(tooMuch ? largest_K : least_K, 3)}};
 }
 
 /// The condition that is missed by most; the joint one where both necessary ones hold.
@@ -133,11 +131,10 @@ Message reasonOf(const FeasibilityRequest& request, const JointVerdict& verdict)
     const auto worst =
         std::ranges::max_element(verdict.residuals_K, {}, [](double r_K) { return std::abs(r_K); });
     const std::string& name = request.names[static_cast<std::size_t>(worst - verdict.residuals_K.begin())];
-    const std::string error_K = formatNumber(std::abs(*worst), 2);
+    const MessageArg error = differenceArg(std::abs(*worst), 2);
     if (!verdict.surfaceGap_m)
-        return {MessageCode::TargetsNotTogether, {name, error_K}};
-    return {MessageCode::TargetsSurfacesApart,
-            {name, error_K, formatNumber(*verdict.surfaceGap_m * 100.0, 2)}};
+        return {MessageCode::TargetsNotTogether, {name, error}};
+    return {MessageCode::TargetsSurfacesApart, {name, error, formatNumber(*verdict.surfaceGap_m * 100.0, 2)}};
 }
 
 void checkLengths(const FeasibilityRequest& request) {

@@ -27,7 +27,7 @@ std::chrono::duration<double> seconds(double time_s) {
 
 // The reason within a CameraNotOpened.
 std::string wordsOf(const Error& error) {
-    return error.message.args.size() > 1 ? error.message.args[1] : describe(error);
+    return error.message.args.size() > 1 ? error.message.args[1].text() : describe(error);
 }
 
 } // namespace

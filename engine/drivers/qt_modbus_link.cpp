@@ -89,7 +89,7 @@ struct QtModbusLink::Line {
     void deliver(ModbusReply reply);
     void giveUp();
     void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
-    void lose(MessageCode code, std::vector<std::string> args);
+    void lose(MessageCode code, std::vector<MessageArg> args);
     void abort();
     double timeFor(const ModbusRequest& request) const;
     Error wrong(const char* words) {
@@ -225,7 +225,7 @@ void QtModbusLink::Line::giveUp() {
 
 /// The port cannot be closed in its own slot; left open, an unplugged one raises errors as fast as the
 /// processor can (Qt up to 6.7).
-void QtModbusLink::Line::lose(MessageCode code, std::vector<std::string> args) {
+void QtModbusLink::Line::lose(MessageCode code, std::vector<MessageArg> args) {
     if (isLost || client.state() != QModbusDevice::ConnectedState)
         return;
     isLost = true;

@@ -47,7 +47,7 @@ Alarm readAlarm(const json& j, const std::string& path, Failure& failure) {
 nlohmann::ordered_json alarmJson(const Alarm& alarm) {
     return {{"key", alarm.key},
             {"message", messageName(alarm.message.code)},
-            {"args", alarm.message.args},
+            {"args", argTexts(alarm.message)},
             {"priority", alarm.priority},
             {"active", alarm.isActive},
             {"acknowledged", alarm.isAcknowledged},

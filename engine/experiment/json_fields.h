@@ -63,7 +63,7 @@ public:
     /// Ends the reading of this object: unknown keys first, since a misspelt key is also a missing one.
     void close();
 
-    void fail(MessageCode code, const std::string& path, std::vector<std::string> args = {}) const {
+    void fail(MessageCode code, const std::string& path, std::vector<MessageArg> args = {}) const {
         if (!m_failure)
             m_failure = Error(code, path, std::move(args));
     }

@@ -4,7 +4,7 @@
 
 namespace bask {
 
-void Checker::fail(MessageCode code, const std::string& where, std::vector<std::string> args) {
+void Checker::fail(MessageCode code, const std::string& where, std::vector<MessageArg> args) {
     if (!m_error)
         m_error = Error(code, where, std::move(args));
 }

@@ -18,7 +18,7 @@ public:
     bool failed() const { return m_error.has_value(); }
     const std::optional<Error>& error() const { return m_error; }
 
-    void fail(MessageCode code, const std::string& where, std::vector<std::string> args = {});
+    void fail(MessageCode code, const std::string& where, std::vector<MessageArg> args = {});
     void take(const Result<void>& result);
 
     /// Refuses what is not within [min, max]; NaN is never within.

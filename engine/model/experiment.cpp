@@ -429,8 +429,7 @@ Result<void> checkTargets(const Experiment& experiment) {
     for (const ObjectSpec& object : experiment.objects)
         if (const double limit_K = warningLimit_K(experiment, object); object.target_K > limit_K + 1e-6)
             return Error(MessageCode::TargetAboveWarning, {},
-                         {object.name, formatNumber(celsiusFromKelvin(object.target_K), 6),
-                          formatNumber(celsiusFromKelvin(limit_K), 6)});
+                         {object.name, temperatureArg(object.target_K, 6), temperatureArg(limit_K, 6)});
     return {};
 }
 

@@ -30,8 +30,7 @@ public:
     }
     void hotter(const std::string& name, double before_K, double after_K) {
         if (after_K > before_K)
-            add(name, words(celsiusFromKelvin(before_K), "\u00b0C", 1.0),
-                words(celsiusFromKelvin(after_K), "\u00b0C", 1.0));
+            add(name, temperatureArg(before_K, 5), temperatureArg(after_K, 5));
     }
     /// What allows more of it by itself; Loosens::InCode is left out.
     void parameter(const ParameterFacts& facts, double before, double after) {
@@ -43,9 +42,10 @@ public:
         if (!isWider || facts.loosens == Loosens::Never || facts.loosens == Loosens::InCode)
             return;
         const bool isTemperature = facts.unit.edge == EdgeUnit::Temperature;
-        const auto text = [&](double si) {
-            return words(limit(si) == kNone ? kNone : written(facts, si),
-                         isTemperature ? "\u00b0C" : facts.unit.words, 1.0);
+        const auto text = [&](double si) -> MessageArg {
+            if (isTemperature)
+                return temperatureArg(si, 5);
+            return words(limit(si) == kNone ? kNone : written(facts, si), facts.unit.words, 1.0);
         };
         add(facts.label, text(before), text(after));
     }
@@ -54,7 +54,7 @@ public:
             if (const auto from = each.get(before), to = each.get(after); from && to)
                 parameter(each, *from, *to);
     }
-    void add(const std::string& name, const std::string& before, const std::string& after) {
+    void add(const std::string& name, const MessageArg& before, const MessageArg& after) {
         out.push_back({MessageCode::LimitLooser, {name, before, after}});
     }
 
@@ -157,10 +157,7 @@ std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& n
 }
 
 Message limitsLoosened(const std::vector<Message>& widened) {
-    std::string list;
-    for (const Message& each : widened)
-        list += (list.empty() ? "" : "; ") + describe(each);
-    return list.empty() ? Message{} : Message{MessageCode::LimitsLoosened, {list}};
+    return widened.empty() ? Message{} : Message{MessageCode::LimitsLoosened, {MessageArg(widened)}};
 }
 
 bool widensLimits(const Experiment& before, const Experiment& after) {

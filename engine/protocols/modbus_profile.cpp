@@ -59,7 +59,7 @@ std::string plain(std::string words) {
 }
 
 /// What stops the reading; caught where it began.
-[[noreturn]] void refuse(MessageCode code, const std::string& where, std::vector<std::string> args = {}) {
+[[noreturn]] void refuse(MessageCode code, const std::string& where, std::vector<MessageArg> args = {}) {
     throw Error(code, where, std::move(args));
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/notice.h"
+#include "engine/base/words.h"
 
 #include <algorithm>
 #include <array>
@@ -270,7 +271,7 @@ void RecipeRunner::stopping(const Snapshot& snapshot) {
             m_phase = Phase::Over;
     } else if (snapshot.clock_s - m_since_s > kStoppedWithin_s) {
         finishAll(State::Failed, RecipeEnd::Fault,
-                  {MessageCode::CommandNotNow, {"Stop", runStateName(snapshot.state)}});
+                  {MessageCode::CommandNotNow, {verbArg(CommandVerb::Stop), runStateName(snapshot.state)}});
     }
 }
 

@@ -46,8 +46,8 @@ std::string nowUtc() {
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
 
-std::string argsJson(const std::vector<std::string>& args) {
-    return nlohmann::json(args).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+std::string argsJson(const Message& message) {
+    return nlohmann::json(argTexts(message)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 /// Tables, header and experiment come into being in one transaction, before the file is switched to its log:
@@ -236,7 +236,7 @@ Result<void> SessionWriter::add(const TraceSample& sample) {
 Result<void> SessionWriter::add(const TraceEvent& event) {
     return m_impl->add([&] {
         return m_impl->put(kInsertEvent, event.time_s, std::string(messageName(event.message.code)),
-                           argsJson(event.message.args), describe(event.message));
+                           argsJson(event.message), describe(event.message));
     });
 }
 

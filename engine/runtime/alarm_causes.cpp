@@ -71,13 +71,13 @@ const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vecto
 } // namespace
 
 std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment) {
-    const AlarmRow& row = alarmRow(finding.condition);
+    const AlarmEntry& row = alarmEntry(finding.condition);
     std::string key = *row.key != '\0' ? row.key : messageName(finding.message.code);
     if (row.isOfObject)
         key += ':' + experiment.objects[finding.object].name;
     else if (finding.condition == Condition::RobotAlarm &&
              finding.message.code == MessageCode::RobotAlarm) // another number is another alarm
-        key += ':' + finding.message.args.at(0);
+        key += ':' + finding.message.args.at(0).text();
     return key;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/runtime/alarm_log.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/runtime/command.h"
 
 #include <algorithm>
@@ -179,7 +180,7 @@ bool AlarmLog::acknowledgeAll() {
 Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason) {
     const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
     if (alarm == m_alarms.end() || !alarm->cause.empty())
-        return Error(MessageCode::CommandNotNow, {}, {"Shelve", "Over"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Shelve), "Over"});
     if (std::ranges::all_of(reason, [](char letter) { return letter == ' '; }))
         return Error(MessageCode::ShelfReasonMissing, {});
     constexpr double kShortest_s = 60.0;

@@ -1,6 +1,7 @@
 #include "engine/runtime/engine_worker.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/drivers/heater_guard.h"
 #include "engine/rig/rig_setup.h"
 
@@ -496,7 +497,7 @@ Result<void> EngineWorker::shelve(const ShelveAlarm& wanted) {
 Result<void> EngineWorker::unshelve(std::uint64_t id) {
     const auto alarm = std::ranges::find(m_alarms.alarms(), id, &Alarm::id);
     if (alarm == m_alarms.alarms().end() || alarm->shelvedUntil_s == 0.0)
-        return Error(MessageCode::CommandNotNow, {}, {"Unshelve", "Over"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Unshelve), "Over"});
     if (m_session)
         m_session->loop.reportShelved(*alarm, 0.0);
     m_alarms.unshelve(id);

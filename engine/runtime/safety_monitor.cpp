@@ -27,8 +27,8 @@ constexpr double kDiskHysteresis = 1.1;
 
 enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
 
-constexpr AlarmRow row(Condition condition, const char* key, int priority, Reaction reaction, unsigned traits,
-                       double on_s, double off_s) {
+constexpr AlarmEntry row(Condition condition, const char* key, int priority, Reaction reaction,
+                         unsigned traits, double on_s, double off_s) {
     return {condition,
             key,
             priority,
@@ -54,12 +54,8 @@ constexpr std::array kAlarmTable{
 
 /// What is wrong with one sensor has one name, the one that it had first.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
-    const std::string_view key = alarmRow(a).key;
-    return ofA == ofB && (a == b || (!key.empty() && key == alarmRow(b).key));
-}
-
-std::string celsius(double t_K) {
-    return formatNumber(celsiusFromKelvin(t_K));
+    const std::string_view key = alarmEntry(a).key;
+    return ofA == ofB && (a == b || (!key.empty() && key == alarmEntry(b).key));
 }
 
 std::string oneDigit(double value) {
@@ -68,13 +64,13 @@ std::string oneDigit(double value) {
 
 void sortByGravity(std::vector<SafetyFinding>& findings) {
     std::ranges::stable_sort(findings, [](const SafetyFinding& a, const SafetyFinding& b) {
-        return alarmRow(a.condition).reaction > alarmRow(b.condition).reaction;
+        return alarmEntry(a.condition).reaction > alarmEntry(b.condition).reaction;
     });
 }
 
 } // namespace
 
-const AlarmRow& alarmRow(SafetyCondition condition) {
+const AlarmEntry& alarmEntry(SafetyCondition condition) {
     return kAlarmTable.at(static_cast<std::size_t>(condition)); // both are made from the same lines
 }
 
@@ -164,7 +160,7 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
         if (!seen_K && active && object.most_K > from_K) // nobody has seen that it is over
             add(condition, active->message, i);
         else if (seen_K && *seen_K > from_K)
-            add(condition, {code, {name(i), oneDigit(celsiusFromKelvin(*seen_K)), celsius(limit_K)}}, i);
+            add(condition, {code, {name(i), roundedTemperatureArg(*seen_K), temperatureArg(limit_K)}}, i);
     };
     over(Condition::ObjectHot, MessageCode::SafetyObjectHot,
          tripLimit_K(m_experiment, m_experiment.objects[i]));
@@ -180,7 +176,7 @@ void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
     if (object.jump.inARow > 0)
         add(Condition::SensorJump,
             {MessageCode::SafetySensorJump,
-             {name(i), formatNumber(object.jump.rate_K_s, 3), formatNumber(object.largestRate_K_s, 3)}},
+             {name(i), differenceArg(object.jump.rate_K_s, 3), differenceArg(object.largestRate_K_s, 3)}},
             i);
     else if (object.fault == SensorFault::Open)
         add(Condition::SensorOpen, {MessageCode::SafetySensorOpen, {name(i)}}, i);
@@ -258,7 +254,7 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
             found->isImpossible ? MessageCode::SafetyBeyondHeat : MessageCode::SafetyNotWarming;
         const double change_K = found->isImpossible ? found->gained_K : found->expected_K;
         add(Condition::NotWarming,
-            {words, {name(i), formatNumber(change_K, 2), formatNumber(found->time_s, 3)}}, i);
+            {words, {name(i), differenceArg(change_K, 2), formatNumber(found->time_s, 3)}}, i);
     }
 }
 
@@ -283,7 +279,7 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
     else if (seen.sourceAge_s > silent_s)
         add(Condition::SourceSilent, {MessageCode::SafetySourceSilent, {formatNumber(seen.sourceAge_s, 2)}});
     if (seen.heatOffProblem.code != MessageCode::None)
-        add(Condition::HeatNotOff, {MessageCode::SafetyHeatNotOff, {describe(seen.heatOffProblem)}});
+        add(Condition::HeatNotOff, {MessageCode::SafetyHeatNotOff, {seen.heatOffProblem}});
     if (seen.guardProblem.code != MessageCode::None)
         add(Condition::HeaterGuardGone, seen.guardProblem);
     if (seen.isSourcePoseLost)
@@ -297,9 +293,9 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
     const double from_K = trip_K - (hot ? kHysteresis_K : 0.0);
     if (*seen.source_K > from_K)
         add(Condition::SourceHot,
-            {MessageCode::SafetySourceHot, {oneDigit(celsiusFromKelvin(*seen.source_K)), celsius(trip_K)}});
+            {MessageCode::SafetySourceHot, {roundedTemperatureArg(*seen.source_K), temperatureArg(trip_K)}});
     if (seen.isByHand && seen.isHeatUnwanted && *seen.source_K > m_experiment.environment_K + kHandWarm_K)
-        add(Condition::HeatByHand, {MessageCode::SafetyHeatByHand, {celsius(*seen.source_K)}});
+        add(Condition::HeatByHand, {MessageCode::SafetyHeatByHand, {temperatureArg(*seen.source_K)}});
 }
 
 void SafetyMonitor::addHeating(const SafetyObservation& seen) {
@@ -307,25 +303,25 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
         return;
     m_source.add(seen.now_s, *seen.source_K, seen.asked_K);
     if (const auto for_s = m_source.notHeatingFor_s())
-        add(Condition::SourceNotHeating, {MessageCode::SafetySourceNotHeating,
-                                          {oneDigit(celsiusFromKelvin(*seen.source_K)),
-                                           celsius(seen.asked_K.value_or(0.0)), formatNumber(*for_s, 3)}});
+        add(Condition::SourceNotHeating,
+            {MessageCode::SafetySourceNotHeating,
+             {roundedTemperatureArg(*seen.source_K), temperatureArg(seen.asked_K.value_or(0.0)),
+              formatNumber(*for_s, 3)}});
     if (const auto warming = m_source.heatsUnasked())
         add(Condition::SourceHeatsUnasked,
             {MessageCode::SafetySourceHeatsUnasked,
-             {formatNumber(warming->gained_K, 3), formatNumber(warming->time_s, 3),
-              formatNumber(m_experiment.safety.sourceUnasked_K)}});
+             {differenceArg(warming->gained_K, 3), formatNumber(warming->time_s, 3),
+              differenceArg(m_experiment.safety.sourceUnasked_K)}});
     if (const auto for_s = m_source.notCoolingFor_s(m_experiment.environment_K + kHandWarm_K);
         for_s && seen.isSourceSwitched)
-        add(Condition::SourceNotCooling,
-            {MessageCode::SafetySourceNotCooling,
-             {oneDigit(celsiusFromKelvin(*seen.source_K)), formatNumber(*for_s, 3)}});
+        add(Condition::SourceNotCooling, {MessageCode::SafetySourceNotCooling,
+                                          {roundedTemperatureArg(*seen.source_K), formatNumber(*for_s, 3)}});
     addUnit(seen);
     if (seen.asked_K && !seen.hasWatchdog)
         add(Condition::NoWatchdog, {MessageCode::SafetyNoWatchdog, {}});
     if (seen.asked_K && seen.readBack_K && std::abs(*seen.asked_K - *seen.readBack_K) > kSetPointTrifle_K)
-        add(Condition::SetPointOther,
-            {MessageCode::SafetySetPointOther, {celsius(*seen.asked_K), celsius(*seen.readBack_K)}});
+        add(Condition::SetPointOther, {MessageCode::SafetySetPointOther,
+                                       {temperatureArg(*seen.asked_K), temperatureArg(*seen.readBack_K)}});
 }
 
 // A controller in another unit than its profile has heats far beyond what it is asked, or tells far more than
@@ -341,7 +337,7 @@ void SafetyMonitor::addUnit(const SafetyObservation& seen) {
     if (*seen.source_K < room_K - kColder_K)
         add(Condition::SourceCold,
             {MessageCode::SafetySourceCold,
-             {oneDigit(celsiusFromKelvin(*seen.source_K)), celsius(room_K), formatNumber(kColder_K)}});
+             {roundedTemperatureArg(*seen.source_K), temperatureArg(room_K), differenceArg(kColder_K)}});
     else if (const auto told_degC = m_source.roomInFahrenheit_degC())
         tellsOtherUnit(*told_degC, room_K);
     if (!seen.asked_K || !seen.readBack_K)
@@ -386,8 +382,8 @@ void SafetyMonitor::addCrossCheck(const SafetyObservation& seen) {
     const double apart_K = *seen.objects[most].measured_K - *seen.objects[least].measured_K;
     if (apart_K > m_experiment.safety.crossCheck_K)
         add(Condition::SensorsApart, {MessageCode::SafetySensorsApart,
-                                      {name(most), name(least), formatNumber(apart_K, 3),
-                                       formatNumber(m_experiment.safety.crossCheck_K)}});
+                                      {name(most), name(least), differenceArg(apart_K, 3),
+                                       differenceArg(m_experiment.safety.crossCheck_K)}});
 }
 
 void SafetyMonitor::raise(const SafetyObservation& seen, SafetyChanges& changes) {
@@ -403,7 +399,7 @@ void SafetyMonitor::raise(const SafetyObservation& seen, SafetyChanges& changes)
         }
         const auto before = std::ranges::find_if(m_rising, isIt);
         const double since_s = before != m_rising.end() ? before->since_s : seen.now_s;
-        if (seen.now_s - since_s >= alarmRow(finding.condition).on_s - 1e-9) {
+        if (seen.now_s - since_s >= alarmEntry(finding.condition).on_s - 1e-9) {
             m_active.push_back(finding);
             changes.raised.push_back(finding);
         } else {
@@ -426,7 +422,7 @@ void SafetyMonitor::end(const SafetyObservation& seen, SafetyChanges& changes) {
         }
         const auto before = std::ranges::find_if(m_ending, isIt);
         const double since_s = before != m_ending.end() ? before->since_s : seen.now_s;
-        if (seen.now_s - since_s >= alarmRow(finding.condition).off_s - 1e-9) {
+        if (seen.now_s - since_s >= alarmEntry(finding.condition).off_s - 1e-9) {
             changes.ended.push_back(std::move(finding));
         } else {
             ending.push_back({finding.condition, finding.object, since_s});
@@ -439,20 +435,20 @@ void SafetyMonitor::end(const SafetyObservation& seen, SafetyChanges& changes) {
 
 const SafetyFinding* SafetyMonitor::forbidsReset() const {
     const bool isGrave =
-        !m_active.empty() && alarmRow(m_active.front().condition).reaction >= SafetyReaction::Stop;
+        !m_active.empty() && alarmEntry(m_active.front().condition).reaction >= SafetyReaction::Stop;
     return isGrave ? &m_active.front() : nullptr;
 }
 
 const SafetyFinding* SafetyMonitor::forbidsResume() const {
     const bool isGrave =
-        !m_active.empty() && alarmRow(m_active.front().condition).reaction >= SafetyReaction::Hold;
+        !m_active.empty() && alarmEntry(m_active.front().condition).reaction >= SafetyReaction::Hold;
     return isGrave ? &m_active.front() : nullptr;
 }
 
 std::vector<SafetyMonitor::Delayed> SafetyMonitor::delayed() const {
     std::vector<Delayed> out;
     for (const Pending& rising : m_rising) {
-        const double delay_s = alarmRow(rising.condition).on_s;
+        const double delay_s = alarmEntry(rising.condition).on_s;
         const double in_s = rising.since_s + delay_s - m_now_s;
         const auto finding = std::ranges::find_if(m_present, [&](const SafetyFinding& present) {
             return present.condition == rising.condition && present.object == rising.object;
@@ -465,7 +461,7 @@ std::vector<SafetyMonitor::Delayed> SafetyMonitor::delayed() const {
 
 const SafetyFinding* SafetyMonitor::lost() const {
     const auto found = std::ranges::find_if(
-        m_active, [](const SafetyFinding& finding) { return alarmRow(finding.condition).isLoss; });
+        m_active, [](const SafetyFinding& finding) { return alarmEntry(finding.condition).isLoss; });
     return found == m_active.end() ? nullptr : &*found;
 }
 
@@ -479,7 +475,7 @@ double SafetyMonitor::lostTooLongIn_s() const {
 
 const SafetyFinding* SafetyMonitor::lostSensor() const {
     const auto found = std::ranges::find_if(m_active, [](const SafetyFinding& finding) {
-        const AlarmRow& lost = alarmRow(finding.condition);
+        const AlarmEntry& lost = alarmEntry(finding.condition);
         return lost.isLoss && lost.isOfObject;
     });
     return found == m_active.end() ? nullptr : &*found;

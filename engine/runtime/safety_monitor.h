@@ -27,15 +27,11 @@ enum class SafetyReaction {
 
 /// What can be wrong: the lines of the alarm table.
 enum class SafetyCondition {
-#define ALARM(condition, ...) condition,
-#define DEVICE_ALARM(condition, ...) condition,
-#include "engine/base/alarm_table.inc"
-#undef ALARM
-#undef DEVICE_ALARM
+#include "engine/base/condition_names.inc" // made by the build: "RobotLost," ...
 };
 
 /// A row of the alarm table, whose columns are explained in engine/base/alarm_table.inc.
-struct AlarmRow {
+struct AlarmEntry {
     SafetyCondition condition;
     const char* key; ///< several conditions of one key are one alarm
     int priority;    ///< as an alarm, 1 the highest
@@ -46,7 +42,7 @@ struct AlarmRow {
     double on_s;     ///< it must have been so for this time
     double off_s;    ///< and must be gone for this time
 };
-const AlarmRow& alarmRow(SafetyCondition condition);
+const AlarmEntry& alarmEntry(SafetyCondition condition);
 
 /// Of an experiment's sensors.
 SensorLimits sensorLimits(const Experiment& experiment);

@@ -219,15 +219,14 @@ Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
         total += mean(channel.window);
     const double common = total / static_cast<double>(m_channels.size());
     if (std::abs(common - expectedEnvironment_K) > kAmbientDistance_K)
-        return Error(MessageCode::ReasonNotAtAmbient, {},
-                     {formatNumber(celsiusFromKelvin(expectedEnvironment_K))});
+        return Error(MessageCode::ReasonNotAtAmbient, {}, {temperatureArg(expectedEnvironment_K)});
     double spread_K = 0.0;
     for (const Channel& channel : m_channels)
         for (const Reading& reading : channel.window)
             spread_K = std::max(spread_K, std::abs(reading.value_K - common));
     if (spread_K > kAmbientSpread_K)
         return Error(MessageCode::ReasonSensorsDisagree, {},
-                     {formatNumber(spread_K, 2), formatNumber(kAmbientSpread_K, 2)});
+                     {differenceArg(spread_K, 2), differenceArg(kAmbientSpread_K, 2)});
     Zeroing found;
     found.environment_K = common;
     for (const Channel& channel : m_channels)

@@ -11,32 +11,6 @@
 #include <limits>
 
 namespace bask {
-const char* runStateName(RunState state) {
-    switch (state) {
-    case RunState::Idle:
-        return "Idle";
-    case RunState::NotReady:
-        return "Not ready";
-    case RunState::Ready:
-        return "Ready";
-    case RunState::Armed:
-        return "Armed";
-    case RunState::Running:
-        return "Running";
-    case RunState::Holding:
-        return "Holding";
-    case RunState::Settled:
-        return "Settled";
-    case RunState::Stopping:
-        return "Stopping";
-    case RunState::Stopped:
-        return "Stopped";
-    case RunState::Fault:
-        return "Fault";
-    }
-    return "";
-}
-
 bool isRunOn(RunState state) {
     return state == RunState::Running || state == RunState::Holding || state == RunState::Settled ||
            state == RunState::Stopping;
@@ -129,11 +103,11 @@ double ServoLoop::runTime_s() const {
     return m_runOn || m_isCooling ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
 }
 
-Error ServoLoop::refusal(const char* verb) const {
-    return Error(MessageCode::CommandNotNow, {}, {verb, runStateName(m_state)});
+Error ServoLoop::refusal(CommandVerb verb) const {
+    return Error(MessageCode::CommandNotNow, {}, {verbArg(verb), runStateName(m_state)});
 }
 
-void ServoLoop::event(MessageCode code, std::vector<std::string> args) {
+void ServoLoop::event(MessageCode code, std::vector<MessageArg> args) {
     m_record.events.push_back({runTime_s(), {code, std::move(args)}});
 }
 
@@ -238,9 +212,9 @@ Result<void> ServoLoop::mayArm() const {
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
-        return refusal("Arm");
+        return refusal(CommandVerb::Arm);
     if (m_isHoming)
-        return Error(MessageCode::CommandNotNow, {}, {"Arm", "Homing"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Arm), "Homing"});
     if (const Message why = m_devices.source.cannotHeat(); why.code != MessageCode::None)
         return Error(why.code, {}, why.args);
     if (!m_sensors.zeroing())
@@ -277,7 +251,7 @@ Result<void> ServoLoop::arm() {
 
 Result<void> ServoLoop::disarm() {
     if (m_state != RunState::Armed)
-        return refusal("Disarm");
+        return refusal(CommandVerb::Disarm);
     m_state = RunState::Ready;
     command("disarm");
     return {};
@@ -285,7 +259,7 @@ Result<void> ServoLoop::disarm() {
 
 Result<void> ServoLoop::start(bool acceptInfeasible) {
     if (m_state != RunState::Armed)
-        return refusal("Start");
+        return refusal(CommandVerb::Start);
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
     if (const auto fit = checkTargets(m_experiment); !fit)
@@ -323,7 +297,7 @@ Result<void> ServoLoop::hold() {
         return {};
     }
     if (m_state != RunState::Running && m_state != RunState::Settled)
-        return refusal("Hold");
+        return refusal(CommandVerb::Hold);
     m_state = RunState::Holding;
     m_heldBySafety = false;
     standStill();
@@ -366,7 +340,7 @@ Result<void> ServoLoop::requireFreshSensors() const {
 
 Result<void> ServoLoop::resume() {
     if (m_state != RunState::Holding)
-        return refusal("Resume");
+        return refusal(CommandVerb::Resume);
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
     if (const SafetyFinding* finding = m_safety.forbidsResume())
@@ -384,7 +358,7 @@ Result<void> ServoLoop::stop() {
     if (m_state == RunState::Armed)
         return disarm();
     if (m_state != RunState::Running && m_state != RunState::Holding && m_state != RunState::Settled)
-        return refusal("Stop");
+        return refusal(CommandVerb::Stop);
     command("stop");
     return stopBy({MessageCode::EventStopped, {}});
 }
@@ -421,7 +395,7 @@ void ServoLoop::emergencyStop() {
 
 Result<void> ServoLoop::reset() {
     if (m_state != RunState::Fault)
-        return refusal("Reset");
+        return refusal(CommandVerb::Reset);
     m_devices.source.renewGuard();
     m_safety.restart(); // what the source and the objects did is over; what they do now is not
     look();
@@ -429,7 +403,7 @@ Result<void> ServoLoop::reset() {
     if (const SafetyFinding* finding = m_safety.forbidsReset())
         return Error(finding->message.code, {}, finding->message.args);
     if (isAwaited(m_hasThermometer) || isAwaited(m_hasRobot) || isAwaited(m_hasSource))
-        return Error(MessageCode::CommandNotNow, {}, {"Reset", "Connecting"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Reset), "Connecting"});
     m_faults.clear();
     m_state = RunState::NotReady;
     command("reset");
@@ -446,7 +420,7 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
                            &ObjectSpec::target_K))
         return {};
     if (m_state == RunState::Stopping)
-        return refusal("Set targets");
+        return refusal(CommandVerb::SetTargets);
     if (const auto result = checkTargets(changed); !result && isArmedOrOn())
         return result;
     m_experiment = std::move(changed);
@@ -456,15 +430,15 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
     m_withinBandSince_s = m_clock.now_s();
     m_compromise.clear();
     m_compromiseTold = false;
-    std::string value, words;
+    std::string value;
+    std::vector<ObjectKelvin> told;
     for (std::size_t i = 0; i < targets_K.size(); ++i) {
         value += (i == 0 ? "" : ",") + formatNumber(targets_K[i], 10);
-        words += (i == 0 ? "" : ", ") + m_experiment.objects[i].name + " " +
-                 formatNumber(std::round(celsiusFromKelvin(targets_K[i]) * 100.0) / 100.0, 6) + " \u00b0C";
+        told.push_back({m_experiment.objects[i].name, targets_K[i]});
     }
     command("targets", "{\"targets_K\":[" + value + "]}");
     if (isArmedOrOn())
-        event(MessageCode::EventTargetsChanged, {words});
+        event(MessageCode::EventTargetsChanged, {MessageArg::temperatures(std::move(told))});
     return {};
 }
 
@@ -544,7 +518,7 @@ Message ServoLoop::newest(const Latched& fault) const {
 
 /// Returns whether its condition can be seen to be over, and is: the fault stays latched.
 bool ServoLoop::isSeenOver(const Latched& fault) const {
-    return fault.finding && alarmRow(fault.finding->condition).isSeenOver &&
+    return fault.finding && alarmEntry(fault.finding->condition).isSeenOver &&
            std::ranges::none_of(m_safety.active(), [&](const SafetyFinding& finding) {
                return alarmKey(finding, m_experiment) == fault.key;
            });
@@ -564,7 +538,7 @@ std::vector<Message> ServoLoop::reasons() const {
         if (!fault.finding || causeOf(*fault.finding, m_safety.active(), m_experiment) == nullptr)
             out.push_back(newest(fault));
     for (const SafetyFinding& finding : m_safety.active()) {
-        const AlarmRow& row = alarmRow(finding.condition);
+        const AlarmEntry& row = alarmEntry(finding.condition);
         const bool isSaid =
             std::ranges::find(m_faults, alarmKey(finding, m_experiment), &Latched::key) != m_faults.end();
         if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
@@ -588,14 +562,14 @@ std::vector<Message> ServoLoop::reasons() const {
     if (m_state == RunState::Holding && !m_heldBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (!m_compromise.empty() && running())
-        out.push_back({MessageCode::EventCompromise, {m_compromise}});
+        out.push_back({MessageCode::EventCompromise, {MessageArg::differences(m_compromise)}});
     return out;
 }
 
 /// Of its words, which may be about less than its condition is at worst.
 int ServoLoop::priorityOf(const Latched& fault) {
     const int ofWords = alarmPriority(fault.message.code);
-    return ofWords > 0 ? ofWords : fault.finding ? alarmRow(fault.finding->condition).priority : 1;
+    return ofWords > 0 ? ofWords : fault.finding ? alarmEntry(fault.finding->condition).priority : 1;
 }
 
 namespace {
@@ -622,9 +596,11 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
         if (!isSeenOver(fault))
             add(fault.key, newest(fault), priorityOf(fault), fault.finding);
     for (const SafetyFinding& finding : m_safety.active())
-        add(alarmKey(finding, m_experiment), finding.message, alarmRow(finding.condition).priority, finding);
+        add(alarmKey(finding, m_experiment), finding.message, alarmEntry(finding.condition).priority,
+            finding);
     if (!m_compromise.empty() && running())
-        add(messageName(MessageCode::EventCompromise), {MessageCode::EventCompromise, {m_compromise}}, 3);
+        add(messageName(MessageCode::EventCompromise),
+            {MessageCode::EventCompromise, {MessageArg::differences(m_compromise)}}, 3);
     return out;
 }
 
@@ -649,17 +625,14 @@ bool ServoLoop::allWithinBand() const {
     });
 }
 
-std::string ServoLoop::objectsOffTarget() const {
-    std::string words;
+MessageArg ServoLoop::objectsOffTarget() const {
+    std::vector<ObjectKelvin> off;
     for (std::size_t i = 0; i < m_latest.objects.size(); ++i) {
         const double error_K = m_latest.objects[i].estimated_K - m_latest.objects[i].target_K;
-        if (std::abs(error_K) <= kSettledBand_K)
-            continue;
-        const std::string error =
-            std::isfinite(error_K) ? (error_K > 0.0 ? "+" : "") + formatNumber(error_K, 2) : "?";
-        words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name + " " + error + " K";
+        if (!(std::abs(error_K) <= kSettledBand_K))
+            off.push_back({m_experiment.objects[i].name, error_K});
     }
-    return words;
+    return MessageArg::differences(std::move(off));
 }
 
 void ServoLoop::updateReadiness() {

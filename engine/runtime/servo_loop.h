@@ -4,6 +4,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/control/controller.h"
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
@@ -257,12 +258,12 @@ private:
     Result<void> requireFreshSensor(std::size_t object) const;
     Result<void> requireFreshSensors() const;
     void trace();
-    void event(MessageCode code, std::vector<std::string> args = {});
+    void event(MessageCode code, std::vector<MessageArg> args = {});
     void command(const std::string& name, const std::string& value = {});
-    Error refusal(const char* verb) const;
+    Error refusal(CommandVerb verb) const;
     /// What a sensor that is not believed tells, and where its object can be, if that is known.
     Message distrust(std::size_t object) const;
-    std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
+    MessageArg objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
 
     Experiment m_experiment;
     RigDevices m_devices;
@@ -294,7 +295,7 @@ private:
     std::optional<double> m_retreatAt_s; ///< by itself, out of a fault
     bool m_isRetreatRefused = false;     ///< that one, by STOP
     double m_withinBandSince_s = 0.0;
-    std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none
+    std::vector<ObjectKelvin> m_compromise; ///< predicted errors of the compromise aimed at; empty: none
     bool m_compromiseTold = false;
     double m_startTime_s = 0.0;
     double m_sourceStrength = 1.0;

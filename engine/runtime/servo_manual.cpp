@@ -24,9 +24,9 @@ bool ServoLoop::isByHand() const {
 
 Result<void> ServoLoop::moveTo(const Vector6d& goal) {
     if (!isByHand())
-        return refusal("Move");
+        return refusal(CommandVerb::Move);
     if (m_isHoming)
-        return Error(MessageCode::CommandNotNow, {}, {"Move", "Homing"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Move), "Homing"});
     Vector6d reachable = goal;
     for (std::size_t k = 0; k < 6; ++k)
         if (!m_experiment.robot.free[k])
@@ -40,9 +40,9 @@ Result<void> ServoLoop::moveTo(const Vector6d& goal) {
 
 Result<void> ServoLoop::jog(const Vector6d& twist) {
     if (!isByHand())
-        return refusal("Jog");
+        return refusal(CommandVerb::Jog);
     if (m_isHoming)
-        return Error(MessageCode::CommandNotNow, {}, {"Jog", "Homing"});
+        return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Jog), "Homing"});
     if (!twist.allFinite())
         return Error(MessageCode::MoveOutside, {});
     if (m_goal)
@@ -63,8 +63,7 @@ Result<Zeroing> ServoLoop::findZero() const {
     if (m_state == RunState::Armed || running())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (heatOn() || m_handHeat_K)
-        return Error(MessageCode::ReasonNotAtAmbient, {},
-                     {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
+        return Error(MessageCode::ReasonNotAtAmbient, {}, {temperatureArg(m_experiment.environment_K)});
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         if (const auto fresh = requireFreshSensor(i); !fresh)
             return fresh.error();
@@ -89,16 +88,13 @@ Result<void> ServoLoop::zeroSensors() {
 }
 
 Message ServoLoop::distrust(std::size_t object) const {
-    const auto degC = [](double t_K) {
-        return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
-    };
     const std::string& name = m_experiment.objects[object].name;
-    const std::string told_degC = degC(m_sensors.told_K(object, m_clock.now_s()));
+    const MessageArg told = roundedTemperatureArg(m_sensors.told_K(object, m_clock.now_s()));
     if (!m_sensors.isDistrusted(object))
-        return {MessageCode::ReasonSensorDoubted, {name, told_degC}};
+        return {MessageCode::ReasonSensorDoubted, {name, told}};
     const HeatBounds* const bounds = m_sensors.bounds(object);
     return {MessageCode::ReasonSensorDistrusted,
-            {name, told_degC, degC(bounds->min_K()), degC(bounds->max_K())}};
+            {name, told, roundedTemperatureArg(bounds->min_K()), roundedTemperatureArg(bounds->max_K())}};
 }
 
 SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
@@ -110,7 +106,7 @@ SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
 
 Result<void> ServoLoop::confirmSensor(std::size_t object) {
     if (object >= m_sensors.size())
-        return refusal("Confirm sensor");
+        return refusal(CommandVerb::ConfirmSensor);
     const std::string& name = m_experiment.objects[object].name;
     if (!m_sensors.confirm(object, m_clock.now_s()))
         return Error(MessageCode::ReasonSensorInvalid, {}, {name});
@@ -118,14 +114,13 @@ Result<void> ServoLoop::confirmSensor(std::size_t object) {
     const double value_K = m_sensors.measured_K(object);
     command("confirm-sensor", "{\"object\":" + std::to_string(object) +
                                   ",\"temperature_K\":" + formatNumber(value_K, 10) + "}");
-    event(MessageCode::EventSensorConfirmed,
-          {name, formatNumber(std::round(10.0 * celsiusFromKelvin(value_K)) / 10.0, 6)});
+    event(MessageCode::EventSensorConfirmed, {name, roundedTemperatureArg(value_K)});
     return {};
 }
 
 Result<void> ServoLoop::home() {
     if (!isByHand() && m_state != RunState::Fault)
-        return refusal("Home");
+        return refusal(CommandVerb::Home);
     endMove();
     if (const auto asked = m_devices.robot.home(); !asked)
         return asked;
@@ -137,7 +132,7 @@ Result<void> ServoLoop::home() {
 
 Result<void> ServoLoop::clearRobotAlarm() {
     if (!isByHand() && m_state != RunState::Fault)
-        return refusal("Clear alarm");
+        return refusal(CommandVerb::ClearAlarm);
     endMove();
     return m_devices.robot.clearAlarm();
 }
@@ -158,7 +153,7 @@ Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
         return {};
     }
     if (!isByHand())
-        return refusal("Heat");
+        return refusal(CommandVerb::Heat);
     for (std::size_t i = 0; i < m_sensors.size(); ++i) // or nobody sees how hot the objects become
         if (const auto fresh = requireFreshSensor(i); !fresh)
             return fresh;

@@ -55,9 +55,9 @@ Message ServoLoop::keepsFromRetreat() const {
             (finding.condition == SafetyCondition::RobotAlarm && !mayRetreatAllTheSame(finding.message)))
             return finding.message;
     if (!m_hasRobot)
-        return {MessageCode::CommandNotNow, {"Retreat", "Connecting"}};
+        return {MessageCode::CommandNotNow, {verbArg(CommandVerb::Retreat), "Connecting"}};
     if (m_isHoming)
-        return {MessageCode::CommandNotNow, {"Retreat", "Homing"}};
+        return {MessageCode::CommandNotNow, {verbArg(CommandVerb::Retreat), "Homing"}};
     return {};
 }
 
@@ -110,7 +110,7 @@ void ServoLoop::retreatFor(const SafetyFinding& finding) {
 
 const SafetyFinding* ServoLoop::hot() const {
     const auto found = std::ranges::find_if(m_safety.active(), [](const SafetyFinding& finding) {
-        return alarmRow(finding.condition).reaction == SafetyReaction::Retreat;
+        return alarmEntry(finding.condition).reaction == SafetyReaction::Retreat;
     });
     return found == m_safety.active().end() ? nullptr : &*found;
 }
@@ -203,7 +203,7 @@ std::optional<PendingAction> ServoLoop::pending() const {
         take(MessageCode::ActionHeatOff, m_safety.lostSensor()->message, m_safety.lostTooLongIn_s());
     const bool isRun = running() && m_state != RunState::Stopping;
     for (const auto& [finding, in_s] : m_safety.delayed()) {
-        const SafetyReaction reaction = alarmRow(finding.condition).reaction;
+        const SafetyReaction reaction = alarmEntry(finding.condition).reaction;
         if (reaction == SafetyReaction::Hold && isRun && m_state != RunState::Holding)
             take(MessageCode::ActionHold, finding.message, in_s);
         else if (reaction >= SafetyReaction::Stop && isRun)

@@ -219,8 +219,8 @@ void ServoLoop::watch() {
         holdFor(*m_safety.lost());
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
         const SafetyFinding& lost = *m_safety.lost();
-        std::vector<std::string> args{formatNumber(m_experiment.safety.heldLimit_s)};
-        const bool isSensor = alarmRow(lost.condition).isOfObject;
+        std::vector<MessageArg> args{formatNumber(m_experiment.safety.heldLimit_s)};
+        const bool isSensor = alarmEntry(lost.condition).isOfObject;
         if (isSensor)
             args.push_back(m_experiment.objects[lost.object].name);
         event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
@@ -234,7 +234,7 @@ void ServoLoop::watch() {
 
 void ServoLoop::react(const SafetyFinding& finding) {
     const Message& message = finding.message;
-    switch (alarmRow(finding.condition).reaction) {
+    switch (alarmEntry(finding.condition).reaction) {
     case SafetyReaction::Note:
         return event(message.code, message.args);
     case SafetyReaction::Hold:
@@ -257,15 +257,14 @@ void ServoLoop::noteRefusedRetreat(const Message& problem) {
 }
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
-    const AlarmRow& row = alarmRow(finding.condition);
+    const AlarmEntry& row = alarmEntry(finding.condition);
     if (row.isLoss && row.isOfObject)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
     else if (row.isLoss)
         event(MessageCode::EventSourcePoseBack);
     else {
-        std::vector<std::string> args{messageName(finding.message.code)};
-        args.insert(args.end(), finding.message.args.begin(), finding.message.args.end());
-        event(MessageCode::EventAlarmOver, std::move(args));
+        const Message over = messageAbout(MessageCode::EventAlarmOver, finding.message);
+        event(over.code, over.args);
     }
 }
 
@@ -362,11 +361,10 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
     m_compromise.clear();
     for (std::size_t i = 0; i < output.compromise_K.size(); ++i) {
         const double error_K = output.compromise_K[i] - m_experiment.objects[i].target_K;
-        m_compromise += (i == 0 ? "" : ", ") + m_experiment.objects[i].name + (error_K > 0.0 ? " +" : " ") +
-                        formatNumber(error_K, 2) + " K";
+        m_compromise.push_back({m_experiment.objects[i].name, error_K});
     }
     if (!m_compromise.empty() && !m_compromiseTold) {
-        event(MessageCode::EventCompromise, {m_compromise});
+        event(MessageCode::EventCompromise, {MessageArg::differences(m_compromise)});
         m_compromiseTold = true;
     }
 }

@@ -2,6 +2,7 @@
 // What the engine tells the GUI, by value, about 20 times a second; faults and state changes at once.
 
 #include "engine/base/message.h"
+#include "engine/base/run_state.h"
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/serial_ports.h"
@@ -17,11 +18,7 @@
 
 namespace bask {
 
-/// States of the run, as the chip shows them.
-enum class RunState { Idle, NotReady, Ready, Armed, Running, Holding, Settled, Stopping, Stopped, Fault };
-
-const char* runStateName(RunState state); ///< English: "Idle", "Not ready" ...
-bool isRunOn(RunState state);             ///< also held, and in its retreat
+bool isRunOn(RunState state); ///< also held, and in its retreat
 
 /// How the source is followed.
 struct SourceTracking {

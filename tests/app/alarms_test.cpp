@@ -5,6 +5,7 @@
 #include "engine/recording/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/alarm_button.h"
+#include "widgets/review/review_page.h"
 
 #include <QAction>
 #include <QElapsedTimer>
@@ -81,6 +82,51 @@ TEST_F(AlarmsTest, IsSeenAtOnceAndLeavesOverAndAcknowledged) {
     click("resetButton");
     EXPECT_TRUE(waitFor([&] { return rows()->topLevelItemCount() == 0 && !bar()->isVisible(); }));
     EXPECT_EQ(tabs()->tabText(0), QStringLiteral("Alarms"));
+}
+
+// Catches: temperatures inside sentences that stay in degC, of an alarm, of an event and of a recorded run,
+// also those that are on the screen when another unit is chosen.
+TEST_F(AlarmsTest, SpeakTheUnitThatTheReaderChose) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    const auto speaks = [](const QTreeWidgetItem* row, int column, const char* unit) {
+        const QString text = row != nullptr ? row->text(column) : QString();
+        return text.contains(QString::fromUtf8(unit));
+    };
+    trigger("fahrenheit");
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    window->engine().send(SimulateFault{SimulatedFault::ObjectHot, 0});
+    ASSERT_TRUE(waitFor([&] { return bar()->isVisible() && rows()->topLevelItemCount() > 0; }));
+    auto* const events = find<BottomDock>("eventDock")->findChild<QTreeWidget*>("eventListTree");
+    const auto lastEvent = [&] {
+        const auto found = events->findItems(QStringLiteral("warning limit"), Qt::MatchContains, 2);
+        return found.isEmpty() ? nullptr : found.front();
+    };
+    ASSERT_TRUE(waitFor([&] { return lastEvent() != nullptr; }));
+    EXPECT_TRUE(speaks(rows()->topLevelItem(0), 4, "\u00a0\u00b0F,")) << cell(0, 4).toStdString();
+    EXPECT_FALSE(speaks(rows()->topLevelItem(0), 4, "\u00b0C")) << cell(0, 4).toStdString();
+    EXPECT_TRUE(bar()->text().contains(QString::fromUtf8("\u00b0F"))) << bar()->text().toStdString();
+    EXPECT_TRUE(speaks(lastEvent(), 2, "\u00a0\u00b0F,")) << lastEvent()->text(2).toStdString();
+    trigger("kelvin");
+    EXPECT_TRUE(speaks(rows()->topLevelItem(0), 4, "\u00a0K,")) << cell(0, 4).toStdString();
+    EXPECT_TRUE(speaks(lastEvent(), 2, "\u00a0K,")) << lastEvent()->text(2).toStdString();
+
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("hot.bask"));
+    auto writer = SessionWriter::create(path.toStdString(), window->document().experiment(), true);
+    ASSERT_TRUE(writer);
+    ASSERT_TRUE((*writer)->add(TraceEvent{1.0, {MessageCode::SafetyObjectWarm, {"disk", "100", "90"}}}));
+    ASSERT_TRUE((*writer)->finish("stopped"));
+    writer->reset();
+    window->files().setFileChooser([&](const FileQuestion&) { return path; });
+    QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+    ASSERT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
+    auto* const recorded = window->pages().review()->findChild<QTreeWidget*>("eventListTree");
+    ASSERT_TRUE(waitFor([&] { return recorded->topLevelItemCount() > 0; }));
+    EXPECT_TRUE(speaks(recorded->topLevelItem(0), 2, "373.2\u00a0K,"))
+        << recorded->topLevelItem(0)->text(2).toStdString();
+    trigger("fahrenheit");
+    EXPECT_TRUE(speaks(recorded->topLevelItem(0), 2, "212.0\u00a0\u00b0F, above its warning limit of 194.0"))
+        << recorded->topLevelItem(0)->text(2).toStdString();
 }
 
 // Catches: alarms out of sight while a recorded run is looked at, and its events mixed with the present ones.

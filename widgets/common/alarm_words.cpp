@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QRegularExpression>
 
 namespace bask {
 namespace {
@@ -31,14 +30,11 @@ QString shelfWords(const Alarm& alarm, QDate today) {
 }
 
 QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {
-    return inUnit(sentenceText(alarm.message), unit);
+    return sentenceText(alarm.message, unit);
 }
 
 QString alarmHeadline(const Alarm& alarm, TemperatureUnit unit) {
-    const QString whole = alarmSentence(alarm, unit);
-    static const QRegularExpression kEnd(QStringLiteral("\\.(?= )|。"));
-    const QRegularExpressionMatch end = kEnd.match(whole);
-    return end.hasMatch() ? whole.left(end.capturedEnd()) : whole;
+    return headlineText(alarm.message, unit);
 }
 
 QString alarmTime(double utc_s, QDate today) {

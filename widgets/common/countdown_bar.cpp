@@ -62,7 +62,7 @@ void CountdownBar::refresh() {
     const QString text = tr("In %1 s, unless the cause is gone: %2")
                              .arg(std::max(0.0, std::ceil(m_pending->in_s)), 0, 'f', 0)
                              .arg(sentenceText(m_pending->action));
-    const QString cause = tr("Cause: %1").arg(inUnit(sentenceText(m_pending->cause), m_unit));
+    const QString cause = tr("Cause: %1").arg(sentenceText(m_pending->cause, m_unit));
     if (text != m_text->text())
         m_text->setText(text);
     if (cause != m_cause->text())

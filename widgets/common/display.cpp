@@ -1,16 +1,16 @@
 #include "widgets/common/display.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/words.h"
 #include "engine/control/controller_catalogue.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
-#include <QRegularExpression>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
 namespace bask {
 namespace {
@@ -96,30 +96,17 @@ QString differenceUnitSymbol(TemperatureUnit unit) {
     return QString::fromUtf8(differenceSymbol(unit));
 }
 
+namespace {
+
+/// A word of the engine's own; what is none is shown as it is.
+QString engineWord(ArgKind kind, const std::string& name) {
+    return QCoreApplication::translate(wordContext(kind), wordText(kind, name));
+}
+
+} // namespace
+
 QString runStateWord(RunState state) {
-    switch (state) {
-    case RunState::Idle:
-        return DisplayWords::tr("Idle");
-    case RunState::NotReady:
-        return DisplayWords::tr("Not ready");
-    case RunState::Ready:
-        return DisplayWords::tr("Ready");
-    case RunState::Armed:
-        return DisplayWords::tr("Armed");
-    case RunState::Running:
-        return DisplayWords::tr("Running");
-    case RunState::Holding:
-        return DisplayWords::tr("Holding");
-    case RunState::Settled:
-        return DisplayWords::tr("Settled");
-    case RunState::Stopping:
-        return DisplayWords::tr("Stopping");
-    case RunState::Stopped:
-        return DisplayWords::tr("Stopped");
-    case RunState::Fault:
-        return DisplayWords::tr("Fault (latched)");
-    }
-    return {};
+    return engineWord(ArgKind::State, runStateName(state));
 }
 
 QString runStateExplanation(RunState state) {
@@ -154,92 +141,110 @@ QString controllerWord(ControllerKind kind) {
 }
 
 QString simulatedFaultWord(SimulatedFault fault) {
-    switch (fault) {
-    case SimulatedFault::None:
-        return DisplayWords::tr("Restore all devices");
-    case SimulatedFault::SensorLost:
-        return DisplayWords::tr("Sensor lost");
-    case SimulatedFault::SensorOpen:
-        return DisplayWords::tr("Sensor open");
-    case SimulatedFault::SensorShort:
-        return DisplayWords::tr("Sensor shorted");
-    case SimulatedFault::SensorFrozen:
-        return DisplayWords::tr("Sensor frozen");
-    case SimulatedFault::SensorJumping:
-        return DisplayWords::tr("Sensor jumping");
-    case SimulatedFault::SensorOff:
-        return DisplayWords::tr("Sensor off its object");
-    case SimulatedFault::ObjectHot:
-        return DisplayWords::tr("Object heated otherwise");
-    case SimulatedFault::RobotLost:
-        return DisplayWords::tr("Robot lost");
-    case SimulatedFault::RobotAlarm:
-        return DisplayWords::tr("Robot in alarm");
-    case SimulatedFault::RobotRestarted:
-        return DisplayWords::tr("Robot restarted");
-    case SimulatedFault::RobotSlow:
-        return DisplayWords::tr("Robot slow");
-    case SimulatedFault::SourceLost:
-        return DisplayWords::tr("Heat source lost");
-    case SimulatedFault::SourceSilent:
-        return DisplayWords::tr("Heat source without temperature");
-    case SimulatedFault::SourceNotHeating:
-        return DisplayWords::tr("Heat source does not heat");
-    case SimulatedFault::SourceHeatsAlone:
-        return DisplayWords::tr("Heat source heats unasked");
-    case SimulatedFault::SourceOverheats:
-        return DisplayWords::tr("Heat source overheats");
-    case SimulatedFault::SourceLimited:
-        return DisplayWords::tr("Heat source limited by itself");
-    case SimulatedFault::SourceKeepsHeat:
-        return DisplayWords::tr("Heat source cannot be switched off");
-    case SimulatedFault::SourceCovered:
-        return DisplayWords::tr("Source hidden from the camera");
-    case SimulatedFault::CameraLost:
-        return DisplayWords::tr("Camera lost");
-    }
-    return {};
+    return engineWord(ArgKind::Fault, simulatedFaultName(fault));
 }
 
 namespace {
 
-/// Where the engine's own English stands as an argument.
-QString argument(const Message& message, std::size_t i) {
-    static constexpr std::array kDevices{QT_TRANSLATE_NOOP("bask::Display", "robot"),
-                                         QT_TRANSLATE_NOOP("bask::Display", "thermometer"),
-                                         QT_TRANSLATE_NOOP("bask::Display", "heat source"),
-                                         QT_TRANSLATE_NOOP("bask::Display", "heat source kept by hand"),
-                                         QT_TRANSLATE_NOOP("bask::Display", "source temperature")};
-    static constexpr std::array kDamages{
-        QT_TRANSLATE_NOOP("bask::Display", "database disk image is malformed"), // SQLite's
-        QT_TRANSLATE_NOOP("bask::Display", "it is cut short"),
-        QT_TRANSLATE_NOOP("bask::Display", "a sample is missing"),
-        QT_TRANSLATE_NOOP("bask::Display", "it does not say whether the rig was simulated")};
-    if (message.code == MessageCode::SessionDamaged)
-        for (const char* words : kDamages)
-            if (message.args[i] == words)
-                return DisplayWords::tr(words);
-    if (i == 0 && (message.code == MessageCode::EventFault || message.code == MessageCode::EventObjectFault))
-        for (int k = 0; k < kSimulatedFaults; ++k)
-            if (const auto fault = static_cast<SimulatedFault>(k);
-                message.args[0] == simulatedFaultName(fault))
-                return simulatedFaultWord(fault);
-    if (message.code == MessageCode::LimitLooser)
-        return QCoreApplication::translate("Parameter", message.args[i].c_str());
-    if (message.code == MessageCode::RigIncomplete)
-        for (const char* word : kDevices)
-            if (message.args[i] == word)
-                return DisplayWords::tr(word);
-    return QString::fromStdString(message.args[i]);
-}
+TemperatureUnit g_readersUnit = TemperatureUnit::Celsius;
+
+/// Puts an argument in words; without a unit as it is recorded.
+class ArgWords {
+public:
+    ArgWords(const Message& message, std::optional<TemperatureUnit> unit)
+        : m_message(message), m_unit(unit) {}
+
+    QString at(std::size_t i) const {
+        const MessageArg& arg = m_message.args[i];
+        const ArgKind kind = arg.kind(argKind(m_message.code, i));
+        const QString text = QString::fromStdString(arg.text());
+        switch (kind) {
+        case ArgKind::Temperature:
+            return temperature(arg, kind, text) + space() + temperatureUnitSymbol(shownUnit());
+        case ArgKind::BareTemperature:
+            return temperature(arg, kind, text);
+        case ArgKind::Difference:
+            return difference(arg, kind, text) + space() + differenceUnitSymbol(shownUnit());
+        case ArgKind::Temperatures:
+        case ArgKind::Differences:
+            return objects(arg, kind, text);
+        case ArgKind::Figure:
+            return isCelsius() && m_unit != TemperatureUnit::Celsius ? temperature(arg, kind, text) : text;
+        case ArgKind::FigureUnit:
+            return isCelsius() ? temperatureUnitSymbol(shownUnit()) : text;
+        case ArgKind::Sentence:
+            return sentences(arg, text);
+        default:
+            return wordContext(kind) != nullptr ? engineWord(kind, arg.text()) : text;
+        }
+    }
+
+private:
+    TemperatureUnit shownUnit() const { return m_unit.value_or(TemperatureUnit::Celsius); }
+
+    QChar space() const { return m_unit ? kNarrowSpace : QChar(u' '); }
+
+    /// Of figures: their unit is the last argument.
+    bool isCelsius() const {
+        return m_unit && m_message.args.back().text() == temperatureSymbol(TemperatureUnit::Celsius);
+    }
+
+    QString temperature(const MessageArg& arg, ArgKind kind, const QString& text) const {
+        const auto t_K = arg.kelvin(kind);
+        return m_unit && t_K && std::isfinite(*t_K) ? formatTemperatureNumber(*t_K, *m_unit) : text;
+    }
+
+    /// Kelvins have the digits that they are recorded with.
+    QString difference(const MessageArg& arg, ArgKind kind, const QString& text) const {
+        const auto d_K = arg.kelvin(kind);
+        return m_unit == TemperatureUnit::Fahrenheit && d_K && std::isfinite(*d_K)
+                   ? number(displayDifference(*d_K, *m_unit), 1)
+                   : text;
+    }
+
+    QString objects(const MessageArg& arg, ArgKind kind, const QString& text) const {
+        const std::vector<ObjectKelvin> all = arg.objects(kind);
+        const bool isTemperature = kind == ArgKind::Temperatures;
+        if (!m_unit || all.empty() || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit))
+            return text;
+        QStringList words;
+        for (const ObjectKelvin& each : all)
+            words << QString::fromStdString(each.object) + u' ' +
+                         (isTemperature ? formatTemperature(each.value_K, *m_unit)
+                                        : formatDifference(each.value_K, *m_unit));
+        return words.join(QStringLiteral(", "));
+    }
+
+    QString sentences(const MessageArg& arg, const QString& text) const {
+        QStringList words;
+        for (const Message& each : arg.sentences())
+            words << recordedText(each, m_unit);
+        return words.isEmpty() ? text : words.join(QStringLiteral("; "));
+    }
+
+    const Message& m_message;
+    std::optional<TemperatureUnit> m_unit;
+};
 
 } // namespace
 
-QString messageText(const Message& message) {
-    if (const auto within = messageWithin(message))
-        return messageText({message.code, {messageText(*within).toStdString()}});
-    QString text = QCoreApplication::translate("Message", messageTemplate(message.code));
-    // In one pass, so that a "%1" inside an argument stays as it is.
+void setReadersUnit(TemperatureUnit unit) {
+    g_readersUnit = unit;
+}
+
+TemperatureUnit readersUnit() {
+    return g_readersUnit;
+}
+
+QString messageText(const Message& message, TemperatureUnit unit) {
+    return recordedText(message, unit);
+}
+
+namespace {
+
+/// In one pass, so that a "%1" inside an argument stays as it is.
+QString filledIn(QStringView text, const Message& message, std::optional<TemperatureUnit> unit) {
+    const ArgWords args(message, unit);
     QString out;
     for (qsizetype i = 0; i < text.size(); ++i) {
         const int digit = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
@@ -248,35 +253,41 @@ QString messageText(const Message& message) {
             continue;
         }
         if (static_cast<std::size_t>(digit) <= message.args.size())
-            out += argument(message, static_cast<std::size_t>(digit - 1));
+            out += args.at(static_cast<std::size_t>(digit - 1));
         ++i;
     }
     return out;
 }
 
-QString sentenceText(const Message& message) {
-    QString text = messageText(message);
+QString translatedTemplate(MessageCode code) {
+    return QCoreApplication::translate("Message", messageTemplate(code));
+}
+
+/// Of a translated template: its first sentence.
+QString firstSentence(const QString& text) {
+    const qsizetype full = text.indexOf(QStringLiteral(". ")), chinese = text.indexOf(QChar(0x3002));
+    const qsizetype end = full < 0 ? chinese : chinese < 0 ? full : std::min(full, chinese);
+    return end < 0 ? text : text.left(end + 1);
+}
+
+} // namespace
+
+QString recordedText(const Message& message, std::optional<TemperatureUnit> unit) {
+    if (auto within = messageWithin(message))
+        return recordedText({message.code, {std::move(*within)}}, unit);
+    return filledIn(translatedTemplate(message.code), message, unit);
+}
+
+QString headlineText(const Message& message, TemperatureUnit unit) {
+    return asSentence(filledIn(firstSentence(translatedTemplate(message.code)), message, unit));
+}
+
+QString asSentence(QString text) {
     return text.isEmpty() ? text : text.replace(0, 1, text[0].toUpper());
 }
 
-QString inUnit(const QString& sentence, TemperatureUnit unit) {
-    static const QRegularExpression quantity(
-        QStringLiteral("([-\u2212]?\\d+(?:\\.\\d+)?)[ \u00a0](\u00b0C|K)\\b"));
-    QString out;
-    qsizetype from = 0;
-    for (auto found = quantity.globalMatch(sentence); found.hasNext();) {
-        const QRegularExpressionMatch match = found.next();
-        out += QStringView(sentence).mid(from, match.capturedStart() - from);
-        from = match.capturedEnd();
-        const double value = match.captured(1).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
-        if (match.captured(2) != QLatin1String("K"))
-            out += formatTemperature(kelvinFromCelsius(value), unit);
-        else if (unit == TemperatureUnit::Fahrenheit)
-            out += number(displayDifference(value, unit), 1) + kNarrowSpace + differenceUnitSymbol(unit);
-        else
-            out += match.captured();
-    }
-    return out += QStringView(sentence).mid(from);
+QString sentenceText(const Message& message, TemperatureUnit unit) {
+    return asSentence(messageText(message, unit));
 }
 
 } // namespace bask

@@ -9,6 +9,8 @@
 
 #include <QString>
 
+#include <optional>
+
 class QDateTime;
 
 namespace bask {
@@ -44,11 +46,19 @@ QString runStateExplanation(RunState state); ///< one sentence, for tool-tips an
 QString simulatedFaultWord(SimulatedFault fault);
 QString controllerWord(ControllerKind kind); ///< "Level servo"
 
-/// Translated sentence of a message (context "Message") with its arguments put in.
-QString messageText(const Message& message);
+/// The unit in which sentences speak of temperatures where nobody names one: the window's. Of the GUI thread.
+void setReadersUnit(TemperatureUnit unit);
+TemperatureUnit readersUnit();
+
+/// Translated sentence of a message (context "Message") with its arguments put in, temperatures to a tenth.
+QString messageText(const Message& message, TemperatureUnit unit = readersUnit());
 /// The same with a capital letter in front: where it stands by itself.
-QString sentenceText(const Message& message);
-/// A sentence that speaks of "94.83 °C" and "12.4 K" in the unit shown, temperatures to a tenth.
-QString inUnit(const QString& sentence, TemperatureUnit unit);
+QString sentenceText(const Message& message, TemperatureUnit unit = readersUnit());
+/// The same as messageText(), but without a unit in degC and K with the digits that a file has.
+QString recordedText(const Message& message, std::optional<TemperatureUnit> unit);
+/// The first sentence of sentenceText(): what is wrong, for where there is little room.
+QString headlineText(const Message& message, TemperatureUnit unit);
+/// With a capital letter in front.
+QString asSentence(QString text);
 
 } // namespace bask

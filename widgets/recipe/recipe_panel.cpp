@@ -169,7 +169,7 @@ void RecipePanel::showRows() {
         const QString condition = conditionWords(step, m_unit);
         QString state = stateWord(progress.state);
         if (progress.reason.code != MessageCode::None)
-            state += QStringLiteral(": ") + inUnit(messageText(progress.reason), m_unit);
+            state += QStringLiteral(": ") + messageText(progress.reason, m_unit);
         const auto set = [&](int column, const QString& text) {
             if (item->text(column) != text)
                 item->setText(column, text);

@@ -102,7 +102,7 @@ void CheckList::refresh() {
         m_reasons.push_back(addLine(QStringLiteral("reason.%1").arg(m_reasons.size())));
     for (std::size_t i = 0; i < m_reasons.size(); ++i) {
         if (i < m_last.reasons.size()) {
-            put(m_reasons[i], Kind::Reason, inUnit(sentenceText(m_last.reasons[i]), m_unit));
+            put(m_reasons[i], Kind::Reason, sentenceText(m_last.reasons[i], m_unit));
         } else {
             m_reasons[i].mark->hide();
             m_reasons[i].text->hide();

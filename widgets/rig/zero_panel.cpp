@@ -92,7 +92,7 @@ QString ZeroPanel::problemText() const {
         return {};
     if (m_problem.code == MessageCode::ReasonNotAtAmbient && m_isHeatOn)
         return tr("Not while the heat is on.");
-    return inUnit(sentenceText(m_problem), m_unit);
+    return sentenceText(m_problem, m_unit);
 }
 
 void ZeroPanel::refresh() {

@@ -454,9 +454,9 @@ void TargetsPage::showJoint() {
     else if (stale)
         m_joint->setText(tr("Checking the targets\u2026"));
     else if (bad)
-        m_joint->setText(tr("Cannot be held: %1.").arg(inUnit(messageText(m_verdict->reason), m_unit)));
+        m_joint->setText(tr("Cannot be held: %1.").arg(messageText(m_verdict->reason, m_unit)));
     else if (!fit)
-        m_joint->setText(inUnit(sentenceText(fit.error().message), m_unit));
+        m_joint->setText(sentenceText(fit.error().message, m_unit));
     else
         m_joint->setText(m_rows.size() == 1 ? tr("The target can be held.")
                                             : tr("All targets can be held together."));

@@ -3,9 +3,11 @@
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 #include "engine/base/units.h"
+#include "engine/base/words.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -101,6 +103,57 @@ TEST(Message, TheEndOfAnAlarmSaysWhichOne) {
               "over: EventAlarmOver");
 }
 
+// Catches a value whose text in files or in English is not what it was before there were values, and one that
+// is read back as something else.
+TEST(Message, ArgumentsKeepTheirValueAndTheirText) {
+    const double t_K = kelvinFromCelsius(94.8321);
+    const Message hot{MessageCode::SafetyObjectHot,
+                      {"left", roundedTemperatureArg(t_K), temperatureArg(363.15)}};
+    EXPECT_EQ(argTexts(hot), (std::vector<std::string>{"left", "94.8", "90"}));
+    EXPECT_EQ(describe(hot).substr(0, 45), "\"left\" has 94.8 \u00b0C, above its limit of 90");
+    EXPECT_DOUBLE_EQ(hot.args[1].kelvin(argKind(hot.code, 1)).value(), t_K);
+    EXPECT_EQ(describe(Message{MessageCode::SafetyObjectHot, {"left", "94.8", "90"}}), describe(hot));
+    EXPECT_NEAR(MessageArg("94.8").kelvin(ArgKind::Temperature).value(), 367.95, 1e-9);
+    EXPECT_NEAR(MessageArg("12.4").kelvin(ArgKind::Difference).value(), 12.4, 1e-12);
+    EXPECT_FALSE(MessageArg("?").kelvin(ArgKind::Temperature));
+    EXPECT_EQ(describe(Message{MessageCode::SafetySensorJump, {"a", differenceArg(12.34, 3), "5"}})
+                  .find("The sensor of \"a\" jumped by 12.3 K/s, more than the 5 K/s that heat can do."),
+              0U);
+    EXPECT_EQ(roundedTemperatureArg(std::nan("")).text(), "?");
+}
+
+// Catches objects whose names look like what stands between them.
+TEST(Message, ObjectsWithTemperaturesAreReadBack) {
+    const MessageArg live = MessageArg::temperatures(
+        {{"left, big", kelvinFromCelsius(60.0)}, {"b 5", kelvinFromCelsius(55.555)}});
+    EXPECT_EQ(live.text(), "left, big 60 \u00b0C, b 5 55.56 \u00b0C");
+    const auto read = MessageArg(live.text()).objects(ArgKind::Temperatures);
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].object, "left, big");
+    EXPECT_EQ(read[1].object, "b 5");
+    EXPECT_NEAR(read[1].value_K, kelvinFromCelsius(55.56), 1e-9);
+    const MessageArg off = MessageArg::differences({{"a", 2.13}, {"b", -0.5}, {"c", std::nan("")}});
+    EXPECT_EQ(off.text(), "a +2.1 K, b -0.5 K, c ? K");
+    EXPECT_NEAR(MessageArg(off.text()).objects(ArgKind::Differences).at(0).value_K, 2.1, 1e-12);
+    EXPECT_TRUE(MessageArg("some words").objects(ArgKind::Differences).empty());
+}
+
+// Catches a sentence that files keep otherwise than as its English words.
+TEST(Message, ASentenceMayBeAnArgument) {
+    const Message off{MessageCode::SafetyHeatNotOff, {Message{MessageCode::LinkStuck, {"COM1"}}}};
+    EXPECT_EQ(off.args[0].text(), describe(off.args[0].sentences().at(0)));
+    EXPECT_NE(describe(off).find("It says: \"COM1\" takes no more bytes"), std::string::npos);
+    EXPECT_TRUE(MessageArg("words").sentences().empty());
+}
+
+TEST(Message, VerbsAreComparedAsValues) {
+    EXPECT_TRUE(isVerb(verbArg(CommandVerb::SetTargets), CommandVerb::SetTargets));
+    EXPECT_FALSE(isVerb("Stop", CommandVerb::Start));
+    EXPECT_STREQ(wordText(ArgKind::Fault, "sensor-open"), "Sensor open");
+    const std::string unknown = "Hold:0"; // a device's own word
+    EXPECT_STREQ(wordText(ArgKind::State, unknown), "Hold:0");
+}
+
 TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
     std::set<std::string> names;
     int i = 0;
@@ -111,6 +164,7 @@ TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
         EXPECT_TRUE(names.insert(messageName(code)).second);
         EXPECT_TRUE(i == 0 || messageTemplate(code)[0] != '\0') << messageName(code);
     }
+    // The last code of the enumeration: a code without an entry would end the walk before it.
     EXPECT_GT(i, 250);
 }
 

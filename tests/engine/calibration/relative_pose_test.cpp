@@ -191,7 +191,7 @@ TEST(RelativePose, AMarkerOfAnotherSizeIsFound) {
         ASSERT_TRUE(test::says(pose->a.remarks, MessageCode::MarkerSideOther, "2")) << side_m;
         const auto& remark =
             *std::ranges::find(pose->a.remarks, MessageCode::MarkerSideOther, &Message::code);
-        EXPECT_NEAR(std::stod(remark.args[1]), 1e3 * side_m, 1.0);
+        EXPECT_NEAR(std::stod(remark.args[1].text()), 1e3 * side_m, 1.0);
         for (const char* other : {"0", "1", "3"})
             EXPECT_FALSE(test::says(pose->a.remarks, MessageCode::MarkerSideOther, other)) << side_m;
         EXPECT_LT(test::normalisedError(pose->X_AB, pose->covariance, scene.X_SE()), 22.5) << side_m;

@@ -112,7 +112,7 @@ TEST(FrameSource, BadSourcesAreRefusedInWords) {
             continue;
         EXPECT_EQ(source.error().code(), MessageCode::CameraNotOpened) << name;
         EXPECT_EQ(source.error().message.args.at(0), name);
-        EXPECT_NE(source.error().message.args.at(1).find(words), std::string::npos)
+        EXPECT_NE(source.error().message.args.at(1).text().find(words), std::string::npos)
             << name << ": " << describe(source.error());
     }
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");

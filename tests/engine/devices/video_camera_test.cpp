@@ -27,7 +27,7 @@ MessageCode codeOf(VideoCamera& camera) {
 }
 std::string wordsOf(VideoCamera& camera) {
     const auto newest = camera.newest();
-    return newest || newest.error().message.args.size() < 2 ? "" : newest.error().message.args[1];
+    return newest || newest.error().message.args.size() < 2 ? "" : newest.error().message.args[1].text();
 }
 
 /// Seconds from the last frame caught to the loss told.

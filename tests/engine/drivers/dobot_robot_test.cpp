@@ -132,7 +132,7 @@ TEST_F(DobotRobotTest, AnArmThatIsTooQuickIsStopped) {
     run(0.5);
     const double from = y();
     drive(4.0 * m_left, 1.0);
-    EXPECT_EQ(m_robot->state()->alarm.args.at(1).find("it moves faster than it may"), 0U);
+    EXPECT_EQ(m_robot->state()->alarm.args.at(1).text().find("it moves faster than it may"), 0U);
     EXPECT_LT(y() - from, 20.0);
     const double stood = y();
     run(1.0);
@@ -267,7 +267,7 @@ TEST_F(DobotRobotTest, ItsSpeedIsKnown) {
     m_arm->dashboard().receive("SpeedFactor(1)", m_clock.now_s());
     m_dashboard->takeSent();
     EXPECT_FALSE(drive(m_left, 2.0));
-    EXPECT_EQ(m_robot->state()->alarm.args.at(1).find("a step took over twice its time"), 0U);
+    EXPECT_EQ(m_robot->state()->alarm.args.at(1).text().find("a step took over twice its time"), 0U);
     EXPECT_NE(m_dashboard->takeSent().find("ResetRobot()"), std::string::npos);
     EXPECT_FALSE(m_robot->state()->moving);
     EXPECT_TRUE(m_robot->clearAlarm());

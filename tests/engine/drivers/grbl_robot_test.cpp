@@ -203,7 +203,7 @@ TEST_F(GrblRobotTest, AfterALimitSwitchThePlaceIsNotSure) {
     ASSERT_TRUE(m_device->setFault("alarm"));
     run(0.1);
     ASSERT_EQ(alarm(), MessageCode::RobotAlarm);
-    EXPECT_EQ(m_robot->state()->alarm.args, (std::vector<std::string>{"1", "hard limit"}));
+    EXPECT_EQ(argTexts(m_robot->state()->alarm), (std::vector<std::string>{"1", "hard limit"}));
     EXPECT_EQ(m_robot->setTwist(m_right, 0.15).error().code(), MessageCode::RobotAlarm);
     m_link->takeSent();
     clear(); // a reset, since a mere unlock is refused; then the unlock
@@ -354,7 +354,7 @@ TEST_F(GrblRobotTest, AHoldIsToldAndFlushed) {
     EXPECT_TRUE(m_robot->setTwist(m_right, 0.5)); // it does not know yet: this line waits in the controller
     run(0.5);
     EXPECT_EQ(alarm(), MessageCode::RobotHeld);
-    EXPECT_EQ(m_robot->state()->alarm.args, std::vector<std::string>{"Hold:0"});
+    EXPECT_EQ(argTexts(m_robot->state()->alarm), std::vector<std::string>{"Hold:0"});
     const double stood = x_mm();
     clear();
     run(1.0);
@@ -411,7 +411,7 @@ TEST_F(GrblRobotTest, LostStepsAreSeen) {
     ASSERT_TRUE(m_device->setFault("lost-steps"));
     drive(m_right, 0.5);
     EXPECT_EQ(alarm(), MessageCode::RobotElsewhere);
-    EXPECT_EQ(m_robot->state()->alarm.args, (std::vector<std::string>{"0.72", "0.5"}));
+    EXPECT_EQ(argTexts(m_robot->state()->alarm), (std::vector<std::string>{"0.72", "0.5"}));
     EXPECT_FALSE(m_robot->state()->isPlaceSure);
     m_link->takeSent();
     EXPECT_FALSE(drive(m_right, 0.5));
@@ -432,7 +432,7 @@ TEST_F(GrblRobotTest, ARefusedStepIsTold) {
     run(1.0);
     EXPECT_FALSE(drive(m_right, 3.0));
     EXPECT_EQ(alarm(), MessageCode::RobotRefused);
-    EXPECT_EQ(m_robot->state()->alarm.args, (std::vector<std::string>{"15", "jog beyond the travel"}));
+    EXPECT_EQ(argTexts(m_robot->state()->alarm), (std::vector<std::string>{"15", "jog beyond the travel"}));
     EXPECT_TRUE(m_robot->state()->isPlaceSure);
     EXPECT_LE(x_mm(), 5.0);
     m_robot->setRetreating(true); // another way is free all the same

@@ -469,7 +469,7 @@ TEST_F(ModbusHeaterTest, ASetPointThatIsNotTakenIsToldAndNotWornOut) {
     heat(*heater, 5.0);
     ASSERT_FALSE(m_newest.ok());
     EXPECT_EQ(m_newest.error().code(), MessageCode::SafetySetPointOther);
-    EXPECT_EQ(m_newest.error().message.args, (std::vector<std::string>{"80", "60"}));
+    EXPECT_EQ(argTexts(m_newest.error().message), (std::vector<std::string>{"80", "60"}));
     EXPECT_NEAR(heater->setPoint_K().value(), kZeroCelsius_K + 60.0, 1e-9);
     EXPECT_EQ(sentBy(6), 3);
     heat(*heater, 2.0, kZeroCelsius_K + 50.0);

@@ -336,7 +336,7 @@ TEST_F(NamurHeaterTest, aPlateWithoutWatchdogIsNotHeated) {
     const auto failed = heat(20.0);
     ASSERT_FALSE(failed.ok());
     EXPECT_EQ(failed.error().code(), MessageCode::DeviceAnswersWrong);
-    EXPECT_NE(failed.error().message.args.at(1).find("OUT_WD1@30"), std::string::npos);
+    EXPECT_NE(failed.error().message.args.at(1).text().find("OUT_WD1@30"), std::string::npos);
     EXPECT_EQ(count("OUT_WD1@30"), 2u) << "one miss may be noise";
     ASSERT_GE(count("STOP_1"), 1u);
     EXPECT_LT(m_heard["STOP_1"].at(0), m_heard["OUT_WD1@30"].at(0) + 1.5);

@@ -67,7 +67,7 @@ TEST_F(RtuLinkTest, ExceptionsAreTold) {
     const ModbusReply reply = ask({3, 4, 500, 1});
     ASSERT_FALSE(reply.ok());
     EXPECT_EQ(reply.error().code(), MessageCode::DeviceException);
-    EXPECT_EQ(reply.error().message.args, (std::vector<std::string>{"port", "3", "2"}));
+    EXPECT_EQ(argTexts(reply.error().message), (std::vector<std::string>{"port", "3", "2"}));
     EXPECT_EQ(ask({3, 4, 1, 1}).value(), Registers{200}) << "and the line goes on";
 }
 

@@ -167,7 +167,7 @@ TEST_F(SerialLinkTest, aDeviceThatDoesNotReadIsToldAndNotWaitedFor) {
         m_link.write(std::string(100, 'x'));
     EXPECT_LT(taken, 200000u);
     EXPECT_EQ(m_link.problem().code, MessageCode::LinkStuck);
-    EXPECT_EQ(m_link.problem().args, std::vector<std::string>{m_path});
+    EXPECT_EQ(argTexts(m_link.problem()), std::vector<std::string>{m_path});
 }
 
 // Catches a stop that is thrown away with what nobody takes, when the port is closed right behind it; and a
@@ -201,7 +201,7 @@ TEST_F(SerialLinkTest, whyAPortCannotBeOpenedIsTold) {
     fs::permissions(locked, fs::perms::none);
     SerialLink refused(locked, {});
     refused.open();
-    EXPECT_NE(refused.problem().args.at(1).find("dialout"), std::string::npos);
+    EXPECT_NE(refused.problem().args.at(1).text().find("dialout"), std::string::npos);
 }
 
 } // namespace

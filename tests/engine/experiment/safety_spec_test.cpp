@@ -10,7 +10,7 @@
 namespace bask {
 namespace {
 
-Experiment example() {
+Experiment twoCircles() {
     return readExperiment(BASK_EXAMPLES "/two-circles.json").value();
 }
 
@@ -18,7 +18,7 @@ Experiment example() {
 
 // Catches a limit that is lost on its way through the file.
 TEST(SafetySpec, AllGoesThroughTheFile) {
-    Experiment e = example();
+    Experiment e = twoCircles();
     e.safety = {360.0, 380.0, 600.0, 5.0, 20.0, 7.0, 4, 45.0, 6.0, 9.0, 200.0, 12.0, 15.0, 250.0};
     e.objects[0].warning_K = 340.25;
     e.objects[1].trip_K = 400.0;
@@ -34,7 +34,7 @@ TEST(SafetySpec, AllGoesThroughTheFile) {
 
 // Catches defaults written into every file, and limits that are not those of the documents.
 TEST(SafetySpec, TheDefaultsAreNotWritten) {
-    const Experiment e = example();
+    const Experiment e = twoCircles();
     EXPECT_EQ(experimentToJson(e).find("safety"), std::string::npos);
     EXPECT_NEAR(warningLimit_K(e, e.objects[0]), kelvinFromCelsius(120.0), 1e-9);
     EXPECT_NEAR(tripLimit_K(e, e.objects[0]), kelvinFromCelsius(150.0), 1e-9);
@@ -47,7 +47,7 @@ TEST(SafetySpec, TheDefaultsAreNotWritten) {
 // Catches limits that can never act, or that act before the other.
 TEST(SafetySpec, LimitsThatContradictAreRefused) {
     const auto refusedAt = [](auto change) {
-        Experiment e = example();
+        Experiment e = twoCircles();
         change(e);
         const auto valid = validate(e);
         return valid ? std::string() : valid.error().where;
@@ -72,7 +72,7 @@ TEST(SafetySpec, LimitsThatContradictAreRefused) {
 
 // Catches an unknown fault that is taken for none.
 TEST(SafetySpec, AnUnknownFaultIsRefusedWithTheKnownOnes) {
-    std::string text = experimentToJson(example());
+    std::string text = experimentToJson(twoCircles());
     const std::string key = "\"seed\":";
     text.insert(text.find(key), R"("faults": [{"time_s": 1, "fault": "sensor-opn"}], )");
     const auto read = experimentFromJson(text, "", "");

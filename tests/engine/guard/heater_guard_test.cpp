@@ -351,7 +351,7 @@ TEST_F(GuardTest, AProgramThatStartsSlowlyHoldsNobodyUp) {
         makeNamur();
         EXPECT_LT(clock.now_s() - begun_s, 0.3);
         EXPECT_TRUE(until([&] { return starting.held() > 0; }));
-        EXPECT_EQ(heater->cannotHeat().args, std::vector<std::string>{"it is being started"});
+        EXPECT_EQ(argTexts(heater->cannotHeat()), std::vector<std::string>{"it is being started"});
         starting.release();
         heatUp();
         if (HasFatalFailure())
@@ -367,7 +367,7 @@ TEST_F(GuardTest, AProgramThatStartsSlowlyHoldsNobodyUp) {
         EXPECT_LT(clock.now_s() - renewed_s, 0.3);
         EXPECT_EQ(heater->guardProblem().code, MessageCode::None);
         EXPECT_TRUE(until([&] { return guard->state() == State::None; }));
-        EXPECT_EQ(heater->cannotHeat().args, std::vector<std::string>{"bask-guard does not start"});
+        EXPECT_EQ(argTexts(heater->cannotHeat()), std::vector<std::string>{"bask-guard does not start"});
         EXPECT_TRUE(until([&] { return heater->read().ok(); })) << "by itself";
         starting.release();
         heater->renewGuard();
@@ -526,7 +526,7 @@ TEST_F(GuardTest, AnotherPortAtItsPlaceIsNotOpened) {
     be("usb-two");
     end.plug();
     EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::DeviceExchanged; }));
-    EXPECT_EQ(namurLink->problem().args, (std::vector<std::string>{port, "usb-one", "usb-two"}));
+    EXPECT_EQ(argTexts(namurLink->problem()), (std::vector<std::string>{port, "usb-one", "usb-two"}));
     end.with([&] { plate.receive("START_1 \r\n", 0.0); });
     heater.reset();
     guard.reset(); // which takes over, and does not write there either

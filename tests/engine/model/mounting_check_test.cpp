@@ -138,7 +138,7 @@ TEST(MountingCheck, TheAlikeOnesAreNamed) {
     experiment.robot.free = {false, true, true, true, false, false};
     const std::vector<MountingRemark> remarks = mountingRemarks(experiment);
     ASSERT_EQ(remarks.size(), 1u);
-    EXPECT_EQ(remarks[0].message.args, (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(argTexts(remarks[0].message), (std::vector<std::string>{"left", "right"}));
     EXPECT_EQ(remarks[0].objects, (std::vector{0, 2}));
 }
 

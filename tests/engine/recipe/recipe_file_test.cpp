@@ -216,7 +216,7 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
     recipe.steps[0].object = "hand";
     Error error = readExperiments(recipe, noExample).error();
     EXPECT_EQ(error.where, "steps[0].wait.object");
-    EXPECT_EQ(error.message.args, (std::vector<std::string>{"hand", "left, right"}));
+    EXPECT_EQ(argTexts(error.message), (std::vector<std::string>{"hand", "left, right"}));
 
     recipe.steps[0].object = "left";
     for (const double never_degC : {14.0, 2000.0}) { // in a room of 25 degC; the warning limit is 120

@@ -60,7 +60,7 @@ TEST_F(KeptRigTest, HeatThatIsNotKnownToBeOffIsToldOverTheSimulatedRig) {
     });
     ASSERT_NE(left, engine->last.alarms.end());
     EXPECT_TRUE(left->isActive && left->isLive);
-    EXPECT_EQ(left->message.args, std::vector<std::string>{port(2)});
+    EXPECT_EQ(argTexts(left->message), std::vector<std::string>{port(2)});
     engine->send(AcknowledgeAlarm{left->id});
     EXPECT_TRUE(sees([&] {
         return std::ranges::none_of(engine->last.alarms, [](const Alarm& alarm) {

@@ -72,7 +72,7 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::DiskLow, MessageCode::SafetyDiskLow),
           std::pair(SafetyCondition::SensorQuiet, MessageCode::SafetySensorQuiet),
           std::pair(SafetyCondition::LoopLate, MessageCode::SafetyLoopLate)})
-        EXPECT_EQ(alarmRow(condition).priority, alarmPriority(code)) << messageName(code);
+        EXPECT_EQ(alarmEntry(condition).priority, alarmPriority(code)) << messageName(code);
 }
 
 // Catches a controller in degC that is read as degF: a room of 25 degC is -3.9 degC then, and 200 degC 392.

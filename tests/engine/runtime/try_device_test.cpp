@@ -141,7 +141,7 @@ TEST_F(TryDeviceTest, AWrongPortIsToldInWords) {
     engine.send(TryDevice{thermometer()}); // nothing is there
     ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkNotOpened; }));
     EXPECT_EQ(engine.last.tried->state.status.problem.args.at(0), port);
-    EXPECT_FALSE(engine.last.tried->state.status.problem.args.at(1).empty());
+    EXPECT_FALSE(engine.last.tried->state.status.problem.args.at(1).text().empty());
 
     NamurSimulator plate;
     serve(plate);

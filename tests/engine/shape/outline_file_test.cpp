@@ -99,7 +99,7 @@ TEST(OutlineFile, HolesOfManyCornersAreThinned) {
     EXPECT_EQ(many.warnings[0].code, MessageCode::HolesThinned);
     EXPECT_EQ(many.warnings[0].args[0], "9600");
     EXPECT_EQ(many.warnings[0].args[1], std::to_string(corners));
-    EXPECT_LT(std::stod(many.warnings[0].args[2]), 0.05) << "mm";
+    EXPECT_LT(std::stod(many.warnings[0].args[2].text()), 0.05) << "mm";
 }
 
 // Catches an open outline that is closed in silence.

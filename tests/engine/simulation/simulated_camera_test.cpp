@@ -277,7 +277,8 @@ TEST(SimulatedCamera, CoveredAndUnpluggedShowNoMarkersUntilTheyAreOver) {
     EXPECT_EQ(ids(2.0), "10, 11, 12");
     camera.setCovered(false);
     camera.setUnplugged(true);
-    EXPECT_EQ(camera.newest().error().message.args, (std::vector<std::string>{"simulated", "unplugged"}));
+    EXPECT_EQ(argTexts(camera.newest().error().message),
+              (std::vector<std::string>{"simulated", "unplugged"}));
     camera.setUnplugged(false);
     EXPECT_EQ(ids(3.0), "0, 1, 2, 3, 10, 11, 12");
 }

@@ -39,19 +39,54 @@ TEST(Display, EveryStateHasWordAndExplanation) {
     }
 }
 
-// Catches sentences in another unit than the page's, and figures that are no temperatures.
-TEST(Display, SentencesSpeakTheUnitShown) {
-    const QString sentence =
-        QString::fromUtf8("\"K 2\" at 165.56 \u00b0C: 95.4\u00a0\u00b0C, 12.5 K, F = 1.31, "
-                          "\u22125 \u00b0C");
-    EXPECT_EQ(inUnit(sentence, TemperatureUnit::Celsius),
-              QString::fromUtf8("\"K 2\" at 165.6\u00a0\u00b0C: 95.4\u00a0\u00b0C, 12.5 K, F = 1.31, "
-                                "\u22125.0\u00a0\u00b0C"));
-    EXPECT_EQ(
-        inUnit(sentence, TemperatureUnit::Fahrenheit),
-        QString::fromUtf8("\"K 2\" at 330.0\u00a0\u00b0F: 203.7\u00a0\u00b0F, 22.5\u00a0\u00b0F, F = 1.31, "
-                          "23.0\u00a0\u00b0F"));
-    EXPECT_TRUE(inUnit(sentence, TemperatureUnit::Kelvin).contains(QString::fromUtf8("438.7\u00a0K")));
+// Catches sentences in another unit than the reader's, live or as a recording has them, and figures that are
+// no temperatures.
+TEST(Display, SentencesSpeakTheUnitOfTheReader) {
+    const Message live{MessageCode::SafetyObjectHot,
+                       {"K 2", roundedTemperatureArg(kelvinFromCelsius(94.83), 1), temperatureArg(363.15)}};
+    const Message recorded{MessageCode::SafetyObjectHot, {"K 2", "94.8", "90"}};
+    for (const Message& message : {live, recorded}) {
+        EXPECT_TRUE(messageText(message, TemperatureUnit::Celsius)
+                        .startsWith(QString::fromUtf8(
+                            "\"K 2\" has 94.8\u00a0\u00b0C, above its limit of 90.0\u00a0\u00b0C.")));
+        EXPECT_TRUE(messageText(message, TemperatureUnit::Kelvin)
+                        .contains(QString::fromUtf8("limit of 363.2\u00a0K.")));
+        EXPECT_TRUE(recordedText(message, std::nullopt)
+                        .startsWith(QString::fromUtf8("\"K 2\" has 94.8 \u00b0C, above its limit of 90 ")));
+    }
+    EXPECT_TRUE(
+        messageText(live, TemperatureUnit::Fahrenheit) // of 94.83
+            .startsWith(QString::fromUtf8("\"K 2\" has 202.7\u00a0\u00b0F, above its limit of 194.0")));
+    EXPECT_TRUE(
+        messageText(recorded, TemperatureUnit::Fahrenheit)
+            .startsWith(QString::fromUtf8("\"K 2\" has 202.6\u00a0\u00b0F, above its limit of 194.0")));
+    setReadersUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_EQ(messageText(live), messageText(live, TemperatureUnit::Fahrenheit));
+    setReadersUnit(TemperatureUnit::Celsius);
+}
+
+TEST(Display, AlsoRangesListsAndOtherSentencesDo) {
+    const auto text = [](const Message& message) {
+        return messageText(message, TemperatureUnit::Fahrenheit);
+    };
+    EXPECT_TRUE(text({MessageCode::ReasonSensorDistrusted, {"a", "20", "80", "100"}})
+                    .contains(QString::fromUtf8("has 176.0 to 212.0\u00a0\u00b0F")));
+    EXPECT_TRUE(text({MessageCode::SafetySensorJump, {"a", "12.5", "5"}})
+                    .contains(QString::fromUtf8("by 22.5\u00a0\u00b0F/s")));
+    EXPECT_EQ(text({MessageCode::ValueOutOfRange, {"400", "25", "350", "\u00b0C"}}),
+              QString::fromUtf8("752.0 is out of range; allowed: 77.0 to 662.0 \u00b0F"));
+    EXPECT_EQ(text({MessageCode::ValueOutOfRange, {"400", "25", "350", "mm"}}),
+              QString::fromUtf8("400 is out of range; allowed: 25 to 350 mm"));
+    EXPECT_EQ(text({MessageCode::EventTargetsChanged, {"a 100 \u00b0C, b 40.25 \u00b0C"}}),
+              QString::fromUtf8("Targets: a 212.0\u00a0\u00b0F, b 104.5\u00a0\u00b0F"));
+    EXPECT_EQ(text({MessageCode::EventNotSettled, {"a +10 K"}}),
+              QString::fromUtf8("Not settled: a +18.0\u00a0\u00b0F"));
+    EXPECT_TRUE(text({MessageCode::RemedyWait, {"SafetyObjectHot", "a", "100", "90"}})
+                    .contains(QString::fromUtf8("\"a\" has 212.0\u00a0\u00b0F")));
+    EXPECT_TRUE(text({MessageCode::SafetySourceUnit, {"77", "25"}}) // it is about the two units
+                    .contains(QString::fromUtf8("77 \u00b0C")));
+    EXPECT_TRUE(text({MessageCode::ReasonSensorDoubted, {"a", "?"}})
+                    .contains(QString::fromUtf8("reads ?\u00a0\u00b0F")));
 }
 
 // Catches arguments that are themselves taken for placeholders.

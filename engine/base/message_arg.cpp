@@ -1,0 +1,145 @@
+#include "engine/base/message_arg.h"
+
+#include "engine/base/message.h"
+#include "engine/base/units.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+namespace bask {
+namespace {
+
+/// Of the whole text, without regard to the computer's language.
+std::optional<double> numberOf(std::string_view text) {
+    if (text.starts_with('+'))
+        text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size();
+    return isWhole ? std::optional(value) : std::nullopt;
+}
+
+constexpr std::string_view kCelsius = " \u00b0C", kKelvin = " K", kUnknown = "?";
+
+std::string joined(const std::vector<ObjectKelvin>& objects, ArgKind kind) {
+    std::string out;
+    for (const ObjectKelvin& each : objects) {
+        const bool isTemperature = kind == ArgKind::Temperatures;
+        out += (out.empty() ? "" : ", ") + each.object + ' ';
+        if (!std::isfinite(each.value_K))
+            out += kUnknown;
+        else if (isTemperature)
+            out += roundedTemperatureArg(each.value_K, 2).text();
+        else
+            out += (each.value_K > 0.0 ? "+" : "") + formatNumber(each.value_K, 2);
+        out += isTemperature ? kCelsius : kKelvin;
+    }
+    return out;
+}
+
+/// "left 60 °C": a name may have spaces and commas, so it is read from its end.
+std::optional<ObjectKelvin> objectOf(std::string_view text, ArgKind kind) {
+    const std::string_view unit = kind == ArgKind::Temperatures ? kCelsius : kKelvin;
+    if (!text.ends_with(unit))
+        return std::nullopt;
+    text.remove_suffix(unit.size());
+    const std::size_t space = text.rfind(' ');
+    if (space == std::string_view::npos)
+        return std::nullopt;
+    const std::string_view figure = text.substr(space + 1);
+    const auto value = figure == kUnknown ? std::numeric_limits<double>::quiet_NaN() : numberOf(figure);
+    if (!value)
+        return std::nullopt;
+    return ObjectKelvin{std::string(text.substr(0, space)),
+                        kind == ArgKind::Temperatures ? kelvinFromCelsius(*value) : *value};
+}
+
+std::vector<ObjectKelvin> objectsOf(std::string_view text, ArgKind kind) {
+    constexpr std::string_view kBetween = ", ";
+    std::vector<ObjectKelvin> out;
+    for (std::size_t from = 0, to = 0; to != std::string_view::npos;) {
+        to = text.find(kBetween, to);
+        if (const auto object = objectOf(text.substr(from, to - from), kind)) {
+            out.push_back(*object);
+            from = to + kBetween.size();
+        } else if (to == std::string_view::npos) {
+            return {};
+        }
+        to += to == std::string_view::npos ? 0 : kBetween.size();
+    }
+    return out;
+}
+
+std::string joined(const std::vector<Message>& sentences) {
+    std::string out;
+    for (const Message& each : sentences)
+        out += (out.empty() ? "" : "; ") + describe(each);
+    return out;
+}
+
+} // namespace
+
+MessageArg::MessageArg(std::vector<Message> sentences)
+    : m_text(joined(sentences)), m_kind(ArgKind::Sentence),
+      m_value(std::make_shared<const std::vector<Message>>(std::move(sentences))) {}
+
+MessageArg::MessageArg(Message sentence) : MessageArg(std::vector<Message>{std::move(sentence)}) {}
+
+MessageArg MessageArg::temperatures(std::vector<ObjectKelvin> objects) {
+    std::string text = joined(objects, ArgKind::Temperatures);
+    return {ArgKind::Temperatures, std::move(text),
+            std::make_shared<const std::vector<ObjectKelvin>>(std::move(objects))};
+}
+
+MessageArg MessageArg::differences(std::vector<ObjectKelvin> objects) {
+    std::string text = joined(objects, ArgKind::Differences);
+    return {ArgKind::Differences, std::move(text),
+            std::make_shared<const std::vector<ObjectKelvin>>(std::move(objects))};
+}
+
+std::optional<double> MessageArg::kelvin(ArgKind declared) const {
+    if (const double* value = std::get_if<double>(&m_value))
+        return *value;
+    const auto value = numberOf(m_text);
+    const bool isDifference = kind(declared) == ArgKind::Difference;
+    return value && !isDifference ? std::optional(kelvinFromCelsius(*value)) : value;
+}
+
+std::vector<ObjectKelvin> MessageArg::objects(ArgKind declared) const {
+    if (const Objects* value = std::get_if<Objects>(&m_value))
+        return **value;
+    return objectsOf(m_text, kind(declared));
+}
+
+const std::vector<Message>& MessageArg::sentences() const {
+    static const std::vector<Message> kNone;
+    const Sentences* value = std::get_if<Sentences>(&m_value);
+    return value != nullptr ? **value : kNone;
+}
+
+std::string formatNumber(double value, int digits) {
+    std::array<char, 40> buffer{}; // not printf: its decimal point is that of the computer's language
+    const auto [end, failed] =
+        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
+    return {buffer.begin(), end};
+}
+
+MessageArg temperatureArg(double t_K, int digits) {
+    return MessageArg::temperature(t_K, formatNumber(celsiusFromKelvin(t_K), digits));
+}
+
+MessageArg roundedTemperatureArg(double t_K, int decimals) {
+    if (!std::isfinite(t_K))
+        return MessageArg::temperature(t_K, std::string(kUnknown));
+    const double scale = std::pow(10.0, decimals);
+    return MessageArg::temperature(t_K, formatNumber(std::round(celsiusFromKelvin(t_K) * scale) / scale, 6));
+}
+
+MessageArg differenceArg(double d_K, int digits) {
+    return MessageArg::difference(d_K, formatNumber(d_K, digits));
+}
+
+} // namespace bask
