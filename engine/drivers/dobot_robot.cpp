@@ -17,8 +17,7 @@ namespace {
 
 constexpr double kFirstPacket_s = 3.0;
 constexpr double kPacketSilence_s = 1.0;
-constexpr double kEngineHeldUp_s = 0.5; // since the last call: the engine was silent, not the arm
-constexpr double kDrift = 1e-3;         // of two clocks
+constexpr double kDrift = 1e-3; // of two clocks
 constexpr double kPacketPeriod_s = 0.008;
 constexpr double kSlowArm_s = 2.0;
 constexpr double kThere = 0.05;       // mm, degrees: the servos' own noise
@@ -70,9 +69,6 @@ void DobotRobot::limitSpeed(double max_m_s, double max_rad_s) {
 
 void DobotRobot::work() {
     const double now_s = m_clock.now_s();
-    if (now_s - m_worked_s > kEngineHeldUp_s)
-        m_waiting_s = now_s; // what came meanwhile is still to be read
-    m_worked_s = now_s;
     if (!areLinksOpen(now_s))
         return;
     listen(now_s);
@@ -129,15 +125,15 @@ void DobotRobot::lose(const Message& why, double now_s) {
 
 void DobotRobot::watch(double now_s) {
     const bool isLive = m_linkState == LinkState::Live;
-    const double silent_s = now_s - std::max({m_opened_s, m_lastPacket_s, m_waiting_s});
-    const double unanswered_s = m_asked ? now_s - std::max(m_asked->sent_s, m_waiting_s) : 0.0;
+    const double silent_s = m_feedback.silence_s(std::max(m_lastPacket_s, m_opened_s), now_s);
+    const double unanswered_s = m_asked ? m_dashboard.silence_s(m_asked->sent_s, now_s) : 0.0;
     if (silent_s > (isLive ? kPacketSilence_s : kFirstPacket_s))
         return lose({MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}},
                     now_s);
     if (unanswered_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_dashboard.link().name(), formatNumber(unanswered_s, 2)}},
                     now_s);
-    const double move_s = m_move_s ? now_s - std::max(*m_move_s, m_waiting_s) : 0.0;
+    const double move_s = m_move_s ? m_motion.silence_s(*m_move_s, now_s) : 0.0;
     if (move_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_motion.link().name(), formatNumber(move_s, 2)}}, now_s);
     if (move_s > kSlowArm_s && !m_isSlow) {

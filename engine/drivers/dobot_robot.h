@@ -105,7 +105,6 @@ private:
     Message m_problem, m_note;
     double m_noteUntil_s = -1e300;
     bool m_isOpen = false, m_wasLive = false;
-    double m_worked_s = -1e300, m_waiting_s = -1e300; ///< last, and since when without a pause
     double m_opened_s = 0.0, m_lastPacket_s = -1e300, m_lastRead_s = 0.0, m_rate_Hz = 0.0,
            m_replyTime_s = 0.0;
     int m_discarded = 0;

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double kFirstReply_s = 3.0; // an Arduino that resets on opening takes up to 2 s
 constexpr double kSilence_s = 1.0;
-constexpr double kHeldUp_s = 0.5; // since the last call: the engine was silent, not the robot
 constexpr double kResetTime_s = 2.0;
 constexpr double kHomingTime_s = 120.0; // Grbl tells nothing while it homes
 constexpr double kRestPoll_s = 0.2, kMotionPoll_s = 0.05;
@@ -42,9 +41,6 @@ GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuar
 
 void GrblRobot::work() {
     const double now_s = m_clock.now_s();
-    if (now_s - m_worked_s > kHeldUp_s)
-        m_waiting_s = now_s; // what came meanwhile is still to be read
-    m_worked_s = now_s;
     if (!isLinkOpen(now_s))
         return;
     listen(now_s);
@@ -80,7 +76,6 @@ bool GrblRobot::isLinkOpen(double now_s) {
 void GrblRobot::begin(double now_s) {
     if (m_linkState == LinkState::Closed)
         m_linkState = LinkState::Opening;
-    m_opened_s = now_s;
     m_splitter.clear();
     m_lastGarbage.clear();
     m_offset.clear();
@@ -119,29 +114,28 @@ void GrblRobot::dropMotion() {
 }
 
 void GrblRobot::watch(double now_s) {
-    const double since_s =
-        now_s - std::max({m_opened_s, m_heard_s, m_waiting_s, m_reset_s.value_or(m_opened_s)});
+    const double since_s = m_keeper.silence_s(std::max(m_heard_s, m_reset_s.value_or(m_heard_s)), now_s);
     double allowed_s = m_linkState == LinkState::Live ? kSilence_s : kFirstReply_s;
     if (m_line && m_line->kind == Kind::Home)
         allowed_s = kHomingTime_s;
     else if (m_reset_s)
         allowed_s = kFirstReply_s;
     if (since_s > allowed_s) {
-        const bool isOther = m_lastReply_s < m_opened_s && !m_lastGarbage.empty();
+        const bool isOther = m_lastReply_s < m_keeper.opened_s() && !m_lastGarbage.empty();
         lose(isOther ? Message{MessageCode::DeviceOther, {m_link.name(), m_lastGarbage}}
                      : Message{MessageCode::DeviceSilent, {m_link.name(), formatNumber(since_s, 2)}},
              now_s);
         return;
     }
     workStops(now_s);
-    const double unanswered_s = m_line ? now_s - std::max(m_line->sent_s, m_waiting_s) : 0.0;
+    const double unanswered_s = m_line ? m_keeper.silence_s(m_line->sent_s, now_s) : 0.0;
     if (unanswered_s > kSlow_s && m_line->kind != Kind::Home && !m_isSlow) {
         m_isSlow = true;
         m_planner.forget();
         if (m_line->kind == Kind::Jog)
             stopJog();
     }
-    if (m_reset_s && now_s - std::max(*m_reset_s, m_waiting_s) > kResetTime_s) {
+    if (m_reset_s && m_keeper.silence_s(*m_reset_s, now_s) > kResetTime_s) {
         if (!m_homeStop_s)
             m_reset_s.reset();
         m_next.reset();
@@ -149,14 +143,14 @@ void GrblRobot::watch(double now_s) {
     }
     if (m_fence_s && now_s - *m_fence_s > kFenceTime_s)
         m_fence_s.reset();
-    if (m_next && now_s - std::max(m_nextFrom_s, m_waiting_s) > kNextTime_s) {
+    if (m_next && m_keeper.silence_s(m_nextFrom_s, now_s) > kNextTime_s) {
         m_next.reset();
         note({MessageCode::RobotOpening, {}}, now_s);
     }
 }
 
 void GrblRobot::ask(double now_s) {
-    if (now_s - m_opened_s < kSettle_s || (m_asked_s && now_s - *m_asked_s < kReply_s))
+    if (now_s - m_keeper.opened_s() < kSettle_s || (m_asked_s && now_s - *m_asked_s < kReply_s))
         return;
     const double since_s = now_s - m_lastAsk_s;
     if (since_s < (isMoving() || m_isHalting || m_runStop_s ? kMotionPoll_s : kRestPoll_s))
@@ -214,7 +208,7 @@ void GrblRobot::sendFence(double now_s) {
 }
 
 void GrblRobot::setUp(double now_s) {
-    if (now_s < m_setUpFrom_s || m_lastReply_s < m_opened_s || !isResting())
+    if (now_s < m_setUpFrom_s || m_lastReply_s < m_keeper.opened_s() || !isResting())
         return;
     m_setUpFrom_s = now_s + kSetUpPause_s;
     if (!m_isSetUp)

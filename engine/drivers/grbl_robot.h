@@ -131,8 +131,6 @@ private:
     Message m_note; ///< told for a while though it works
     double m_noteUntil_s = -1e300;
     bool m_wasLive = false;
-    double m_opened_s = 0.0;
-    double m_worked_s = -1e300, m_waiting_s = -1e300; ///< last, and since when without a pause
     double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;

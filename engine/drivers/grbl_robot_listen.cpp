@@ -26,7 +26,7 @@ void GrblRobot::listen(double now_s) {
     m_splitter.add(m_link.read());
     while (const auto text = m_splitter.next()) {
         const GrblLine line = parseGrblLine(*text);
-        if (now_s - m_opened_s >= kSettle_s || std::holds_alternative<GrblBanner>(line))
+        if (now_s - m_keeper.opened_s() >= kSettle_s || std::holds_alternative<GrblBanner>(line))
             take(line, now_s);
     }
 }
@@ -159,13 +159,13 @@ std::vector<double> GrblRobot::positionsIn(const GrblStatus& status) {
 void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
     m_status = status;
     const std::vector<double> at = positionsIn(status);
-    if (now_s > m_lastReply_s && m_lastReply_s > m_opened_s)
+    if (now_s > m_lastReply_s && m_lastReply_s > m_keeper.opened_s())
         m_rate_Hz += 0.2 * (1.0 / (now_s - m_lastReply_s) - m_rate_Hz);
     m_lastReply_s = m_heard_s = now_s;
     if (m_asked_s)
         m_replyTime_s = now_s - *m_asked_s;
     // Measured after it was asked for; one that nobody asked for, after the one before.
-    const double measured_s = m_asked_s ? *m_asked_s : std::max(m_at_s, m_opened_s);
+    const double measured_s = m_asked_s ? *m_asked_s : std::max(m_at_s, m_keeper.opened_s());
     m_asked_s.reset();
     takeState(status);
     if (at.empty() || m_tellsInches) {

@@ -4,18 +4,15 @@
 #include "engine/base/clock.h"
 #include "engine/base/result.h"
 #include "engine/devices/device.h"
-#include "engine/drivers/byte_link.h"
-
-#include <deque>
+#include "engine/drivers/link_keeper.h"
+#include "engine/drivers/reply_rate.h"
 
 namespace bask {
 
 /// Both must outlive it.
 class LinkWatch {
 public:
-    static constexpr double kReopen_s = 0.5; ///< between two attempts
-    static constexpr double kTold_s = 2.0;   ///< so long a discarded answer is told of
-    static constexpr double kHeldUp_s = 0.5; ///< since the last call: the engine was silent, not the device
+    static constexpr double kTold_s = 2.0; ///< so long a discarded answer is told of
 
     /// A device that has not answered for silence_s is lost, whatever the link says, and the link is opened
     /// anew.
@@ -43,18 +40,16 @@ public:
     Error error() const;
 
 private:
-    Turn opened();
     Message problem() const;
 
-    ByteLink& m_link;
+    LinkKeeper m_keeper;
     const Clock& m_clock;
     double m_silence_s;
-    bool m_isAsked = false, m_isOpen = false;
-    double m_nextOpen_s = -1e300, m_opened_s = -1e300, m_worked_s = -1e300, m_waiting_s = -1e300,
-           m_complained_s = -1e300;
+    bool m_isAsked = false;
+    double m_complained_s = -1e300;
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0;
     Message m_problem, m_complaint;
-    std::deque<double> m_replies_s; ///< the newest, for their rate
+    ReplyRate m_rate;
     int m_discards = 0;
 };
 

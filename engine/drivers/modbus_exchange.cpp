@@ -10,7 +10,6 @@ namespace {
 constexpr double kOpenAgain_s = 0.5;
 constexpr double kAskAgain_s = 1.0; // each silence costs the other units of the line twice a reply's time
 constexpr int kSilentOnce = 1;      // may be noise
-constexpr std::size_t kAnswersCounted = 20;
 
 } // namespace
 
@@ -56,9 +55,7 @@ void ModbusExchange::note(const ModbusReply& reply) {
     m_wasLive = true;
     m_answered_s = m_clock.now_s();
     m_replyTime_s = m_answered_s - m_sent_s;
-    m_answers_s.push_back(m_answered_s);
-    if (m_answers_s.size() > kAnswersCounted)
-        m_answers_s.pop_front();
+    m_rate.answered(m_answered_s);
 }
 
 bool ModbusExchange::canSend() const {
@@ -110,9 +107,7 @@ DeviceStatus ModbusExchange::status() const {
     out.discarded = m_discarded;
     if (isLive()) {
         out.link = LinkState::Live;
-        if (m_answers_s.size() > 1)
-            out.rate_Hz =
-                static_cast<double>(m_answers_s.size() - 1) / (m_answers_s.back() - m_answers_s.front());
+        out.rate_Hz = m_rate.rate_Hz();
     } else {
         out.link = m_wasLive ? LinkState::Lost : LinkState::Opening;
         out.problem = problem();

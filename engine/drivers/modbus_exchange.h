@@ -5,8 +5,8 @@
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/modbus_link.h"
+#include "engine/drivers/reply_rate.h"
 
-#include <deque>
 #include <optional>
 
 namespace bask {
@@ -53,7 +53,7 @@ private:
     bool m_isBegun = false, m_wasLive = false;
     double m_opened_s = -1e300; ///< tried last
     double m_begun_s = 0.0, m_sent_s = 0.0, m_answered_s = -1e300, m_replyTime_s = 0.0;
-    std::deque<double> m_answers_s; ///< the newest
+    ReplyRate m_rate;
     int m_discarded = 0;
     Message m_refusal; ///< of the newest request; None: it was answered
 };
