@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace bask {
 namespace {
@@ -88,6 +89,30 @@ TEST(RigSpec, AnUnknownDriverIsRefusedWithTheKnownOnes) {
     EXPECT_EQ(refusal(robot).message.args, (std::vector<MessageArg>{"scara", "grbl, dobot"}));
     EXPECT_EQ(refusal(rigWithDevice(&RigSpec::thermometer, "")).where, "thermometer.driver");
     EXPECT_EQ(refusal(rigWithDevice(&RigSpec::source, "grbl")).where, "source.driver");
+}
+
+// Catches a driver, or a parameter of one, that the document does not tell.
+TEST(RigSpec, TheDocumentHasEveryDriver) {
+    std::ifstream file(BASK_DOCS "/experiment-format.md");
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const auto expectDriver = [&](const std::string& role, const auto& driver) {
+        const std::size_t at = text.find("\n| `" + role + ".driver`");
+        ASSERT_NE(at, std::string::npos) << role;
+        const std::string row = text.substr(at + 1, text.find('\n', at + 1) - at);
+        EXPECT_NE(row.find("`\"" + std::string(driver.key) + "\"`"), std::string::npos) << role << driver.key;
+        for (const auto& parameter : driver.parameters) {
+            const std::string key = keyOf(*parameter.facts);
+            EXPECT_TRUE(text.find('`' + role + '.' + key + '`') != std::string::npos ||
+                        text.find("`." + key + '`') != std::string::npos)
+                << role << '.' << key;
+        }
+    };
+    for (const RobotDriver& driver : robotDrivers())
+        expectDriver("robot", driver);
+    for (const ThermometerDriver& driver : thermometerDrivers())
+        expectDriver("thermometer", driver);
+    for (const HeatSourceDriver& driver : heatSourceDrivers())
+        expectDriver("source", driver);
 }
 
 // Promise: an engine that dies leaves no heat on, unless somebody has said that it may.
