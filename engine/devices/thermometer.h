@@ -23,6 +23,8 @@ class Thermometer {
 public:
     virtual ~Thermometer() = default;
     virtual int channels() const = 0;
+    /// So often readings are wanted, s. One that is asked is asked so often, where it can be.
+    virtual void setPeriod(double period_s) { (void)period_s; }
     /// Newest reading of every channel, or an Error when the device does not answer.
     virtual Result<std::vector<Reading>> read() = 0;
 };

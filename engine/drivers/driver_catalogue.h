@@ -58,12 +58,9 @@ struct RobotDriver : DriverFacts {
 
 struct ThermometerDriver : DriverFacts {
     std::vector<DeviceParameter<ThermometerDeviceSpec>> parameters;
-    int maxChannels = 64;  ///< where no profile tells
-    bool isPolled = false; ///< its device is asked once a period, so another period makes it anew
-    /// One channel an object; all of the device where the spec has none. `period_s` is that of the samples,
-    /// 0.1 s at least.
-    MadeDevice<Thermometer> (*make)(DriverLinks& links, const ThermometerDeviceSpec& spec,
-                                    double period_s) = nullptr;
+    int maxChannels = 64; ///< where no profile tells
+    /// One channel an object; all of the device where the spec has none.
+    MadeDevice<Thermometer> (*make)(DriverLinks& links, const ThermometerDeviceSpec& spec) = nullptr;
 };
 
 struct HeatSourceDriver : DriverFacts {

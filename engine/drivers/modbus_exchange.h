@@ -16,6 +16,7 @@ public:
     /// A device is lost when nothing fitting has come for silentAfter_s.
     ModbusExchange(ModbusLink& link, const Clock& clock, int unit, double silentAfter_s);
 
+    void setSilentAfter(double silentAfter_s) { m_silentAfter_s = silentAfter_s; }
     /// Opens the link if it is due, and answers the reply to the last request when it is there. First of all
     /// in each work() of a driver.
     std::optional<ModbusReply> work();

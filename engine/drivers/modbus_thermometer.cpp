@@ -13,7 +13,12 @@
 namespace bask {
 namespace {
 
-constexpr double kMinPeriod_s = 0.1;
+constexpr double kMinPeriod_s = 0.1, kMaxPeriod_s = 60.0;
+
+/// A device that is asked seldom is not silent between two polls.
+double silentAfter_s(const ModbusThermometerSettings& settings) {
+    return std::max(settings.silentAfter_s, 3.0 * settings.period_s);
+}
 
 Error outOfRange(const char* where, double value, double least, double most, const char* unit = "") {
     return {MessageCode::ValueOutOfRange,
@@ -36,15 +41,14 @@ ModbusThermometer::create(ModbusLink& link, const Clock& clock, const ModbusTher
         if (channel < 0 || channel >= profile.channels)
             return outOfRange("channels", channel, 0, profile.channels - 1);
     }
-    if (!(settings.period_s >= kMinPeriod_s && settings.period_s <= 60.0))
-        return outOfRange("period", settings.period_s, kMinPeriod_s, 60.0, "s");
+    if (!(settings.period_s >= kMinPeriod_s && settings.period_s <= kMaxPeriod_s))
+        return outOfRange("period", settings.period_s, kMinPeriod_s, kMaxPeriod_s, "s");
     return std::unique_ptr<ModbusThermometer>(new ModbusThermometer(link, clock, settings));
 }
 
 ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
                                      const ModbusThermometerSettings& settings)
-    : m_settings(settings), m_clock(clock),
-      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)),
+    : m_settings(settings), m_clock(clock), m_exchange(link, clock, settings.unit, silentAfter_s(settings)),
       m_identity(settings.profile.identity) {
     const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
     const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
@@ -55,6 +59,11 @@ ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
     if (const auto range = m_identity.range())
         ranges.push_back(*range);
     m_ranges = joinedRanges(std::move(ranges));
+}
+
+void ModbusThermometer::setPeriod(double period_s) {
+    m_settings.period_s = std::clamp(period_s, kMinPeriod_s, kMaxPeriod_s);
+    m_exchange.setSilentAfter(silentAfter_s(m_settings));
 }
 
 RegisterRange ModbusThermometer::rangeOf(int channel) const {
@@ -126,17 +135,15 @@ ThermometerDriver modbusThermometerDriver() {
     driver.name = QT_TRANSLATE_NOOP("bask::Device", "Modbus RTU module");
     driver.serial = {19200, 8, 'E', 1};
     driver.isModbus = true;
-    driver.isPolled = true;
     driver.parameters = {deviceParameter(thermometerParameters(), "unit", SetupStep::Connection)};
-    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec,
-                     double period_s) -> MadeDevice<Thermometer> {
+    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec) -> MadeDevice<Thermometer> {
         std::vector<int> channels = spec.channels;
         if (channels.empty()) {
             channels.resize(static_cast<std::size_t>(spec.profile.channels));
             std::iota(channels.begin(), channels.end(), 0);
         }
-        return made(ModbusThermometer::create(links.modbus(), links.clock(),
-                                              {spec.unit, spec.profile, channels, period_s}));
+        return made(
+            ModbusThermometer::create(links.modbus(), links.clock(), {spec.unit, spec.profile, channels}));
     };
     return driver;
 }

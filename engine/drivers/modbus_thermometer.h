@@ -31,6 +31,7 @@ public:
     void work() override;
     DeviceStatus status() const override { return m_identity.told(m_exchange.status(), m_exchange.name()); }
     void expect(const std::string& signature) override { m_identity.expect(signature); }
+    void setPeriod(double period_s) override;
     int channels() const override { return static_cast<int>(m_settings.channels.size()); }
     /// Each with the time at which its register was asked for.
     Result<std::vector<Reading>> read() override;

@@ -14,6 +14,7 @@ public:
         : m_all(std::move(all)), m_picked(std::move(picked)) {}
 
     int channels() const override { return static_cast<int>(m_picked.size()); }
+    void setPeriod(double period_s) override { m_all->setPeriod(period_s); }
     Result<std::vector<Reading>> read() override {
         const auto all = m_all->read();
         if (!all)

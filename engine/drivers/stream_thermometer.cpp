@@ -80,8 +80,7 @@ ThermometerDriver streamThermometerDriver() {
     driver.key = "stream";
     driver.name = QT_TRANSLATE_NOOP("bask::Device", "Lines of text (MAX31865)");
     driver.serial = {115200, 8, 'N', 1};
-    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec,
-                     double) -> MadeDevice<Thermometer> {
+    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec) -> MadeDevice<Thermometer> {
         const int channels =
             spec.channels.empty() ? kTriedChannels : 1 + *std::ranges::max_element(spec.channels);
         auto all = std::make_unique<StreamThermometer>(links.serial(), links.clock(), channels);

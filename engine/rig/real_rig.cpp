@@ -23,7 +23,6 @@
 namespace bask {
 namespace {
 
-constexpr double kFastestPoll_s = 0.1;
 constexpr double kFarewell_s = 0.3;        ///< for the last words: stand still, heat off
 constexpr double kLongestFarewell_s = 2.0; ///< for a heat source that is not seen off
 constexpr double kHandOver_s = 0.5;        ///< until the heater's guard says that it has taken over
@@ -31,27 +30,21 @@ constexpr double kHandOver_s = 0.5;        ///< until the heater's guard says th
 /// What the devices are made from: those are the same for which it is.
 struct Plan {
     Plan() = default;
-    Plan(RigSpec devices, const Vector6d& start, double period_s) : rig(std::move(devices)) {
+    Plan(RigSpec devices, const Vector6d& start) : rig(std::move(devices)) {
         if (rig.robot)
             for (int k = 0; k < 6; ++k)
                 if (std::ranges::find(rig.robot->axes, k, &AxisSpec::coordinate) == rig.robot->axes.end())
                     fixed[k] = start[k];
-        if (rig.thermometer && driverOf(*rig.thermometer).isPolled)
-            poll_s = std::max(kFastestPoll_s, period_s);
     }
-    explicit Plan(const Experiment& experiment)
-        : Plan(*experiment.rig, experiment.start, experiment.sampling.period_s) {}
+    explicit Plan(const Experiment& experiment) : Plan(*experiment.rig, experiment.start) {}
 
     bool hasSameRobot(const Plan& b) const { return rig.robot == b.rig.robot && fixed == b.fixed; }
-    bool hasSameThermometer(const Plan& b) const {
-        return rig.thermometer == b.rig.thermometer && poll_s == b.poll_s;
-    }
+    bool hasSameThermometer(const Plan& b) const { return rig.thermometer == b.rig.thermometer; }
     bool hasSameSource(const Plan& b) const { return rig.source == b.rig.source; }
     bool hasSameCamera(const Plan& b) const { return rig.camera == b.rig.camera; }
 
     RigSpec rig;
     Vector6d fixed = Vector6d::Zero(); ///< coordinates without an axis
-    double poll_s = 0.0;               ///< of a thermometer that is asked
 };
 
 } // namespace
@@ -150,9 +143,9 @@ struct RealRig::Parts {
                                        });
         });
     }
-    void addThermometer(const ThermometerDeviceSpec& spec, double poll_s) {
+    void addThermometer(const ThermometerDeviceSpec& spec) {
         add(DeviceRole::Thermometer, spec, thermometer,
-            [&](DriverLinks& links) { return driverOf(spec).make(links, spec, poll_s); });
+            [&](DriverLinks& links) { return driverOf(spec).make(links, spec); });
     }
     void addSource(const HeatSourceDeviceSpec& spec) {
         auto off = add(DeviceRole::HeatSource, spec, source,
@@ -204,7 +197,7 @@ struct RealRig::Parts {
         if (rig.robot && !robot)
             addRobot(*rig.robot, plan.fixed);
         if (rig.thermometer && !thermometer)
-            addThermometer(*rig.thermometer, plan.poll_s);
+            addThermometer(*rig.thermometer);
         if (rig.source && !source)
             addSource(*rig.source);
         if (!rig.camera.empty() && !camera)
@@ -240,7 +233,7 @@ RealRig::RealRig(const Experiment& experiment, const Clock& clock, const std::st
 RealRig::RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory)
     : m_parts(std::make_unique<Parts>(clock, std::nullopt)) {
     m_parts->memory = memory;
-    m_parts->change({rig, Vector6d::Zero(), kFastestPoll_s});
+    m_parts->change({rig, Vector6d::Zero()});
 }
 
 RealRig::~RealRig() = default;
@@ -331,6 +324,10 @@ bool RealRig::mayEndElsewhere() const {
 
 void RealRig::setGuard(StepGuard guard) {
     m_parts->guard = std::move(guard);
+}
+
+void RealRig::setPeriod(double period_s) {
+    thermometer().setPeriod(period_s);
 }
 
 void RealRig::limitSpeed(const RobotLimits& limits) {

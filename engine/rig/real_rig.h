@@ -60,6 +60,8 @@ public:
     /// Whether another thread may destroy it: a network link belongs to this one, and closes at once.
     bool mayEndElsewhere() const;
     void setGuard(StepGuard guard);
+    /// So often the thermometer is read.
+    void setPeriod(double period_s);
     /// The quickest that the robot may move, also where it does not do as it is told.
     void limitSpeed(const RobotLimits& limits);
     /// Refused where no person keeps the source hot.

@@ -25,6 +25,7 @@ EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, Ke
         return;
     real->setGuard([this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
     real->limitSpeed(experiment.robot);
+    real->setPeriod(experiment.sampling.period_s);
 }
 
 RigDevices EngineSession::devices() {

@@ -1,6 +1,7 @@
 // Edits of an experiment on a real rig.
 
 #include "engine/base/units.h"
+#include "engine/device_simulators/modbus_simulator.h"
 #include "tests/engine/runtime/rig_on_ports.h"
 #include "tests/support/held_calls.h"
 
@@ -30,6 +31,28 @@ TEST_F(KeptRigTest, AnEditLeavesEveryPortAlone) {
     Vector6d back = experiment.start;
     engine->send(MoveTo{back});
     EXPECT_TRUE(sees([&] { return grbl.positions().at(0) < 0.1; })) << "the new loop's robot moves";
+}
+
+// Catches a port that is opened anew by a name, or by how often a thermometer is asked.
+TEST_F(KeptRigTest, NamesAndThePeriodLeaveEveryPortAlone) {
+    const ModbusProfile& profile =
+        *std::ranges::find(shippedProfiles(), "waveshare-8ch-4-20ma", &ModbusProfile::name);
+    ModbusSimulator module;
+    module.addThermometer(5, profile, kelvinFromCelsius(25.0));
+    devices[1].become(module);
+    ThermometerDeviceSpec& thermometer = *experiment.rig->thermometer;
+    thermometer.driver = "modbus";
+    thermometer.serial = driverOf(thermometer).serial;
+    thermometer.unit = 5;
+    thermometer.profile = profile;
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    experiment.rig->name = "bench 2";
+    experiment.sampling.period_s = 0.4;
+    ASSERT_NO_FATAL_FAILURE(load());
+    ASSERT_TRUE(sees([&] { return engine->last.state == RunState::Ready; })) << reasons();
+    ASSERT_NO_FATAL_FAILURE(waitForSamples(0.8));
+    EXPECT_EQ(opened(), (std::array{1, 1, 1}));
+    EXPECT_TRUE(engine->last.latest.objects.at(0).valid);
 }
 
 // Catches an edit of the thermometer that resets the robot's controller.
