@@ -1212,8 +1212,8 @@
         <translation>« %1 » existe et n’est pas un lien ; choisissez un autre chemin</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>« %1 » est à %2, au-dessus de sa limite de %3. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
+        <source>&quot;%1&quot; is at %2, above its trip limit of %3. The robot takes it away and the heat is off. Check the object and its sensor. Reset when it has cooled.</source>
+        <translation>«&#xa0;%1&#xa0;» est à %2, au-dessus de sa limite de déclenchement de %3. Le robot l’éloigne et le chauffage est coupé. Vérifiez l’objet et son capteur. Réinitialisez quand il a refroidi.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1233,10 +1233,10 @@
     </message>
     <message>
         <source>Bask has just connected to the rig. Check it, then reset.</source>
-        <translation>Bask vient de se connecter au banc. Vérifiez-le, puis réarmez.</translation>
+        <translation>Bask vient de se connecter au banc. Vérifiez-le, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
+        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some space, then arm again.</source>
         <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
     </message>
     <message>
@@ -1248,24 +1248,24 @@
         <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
     </message>
     <message>
-        <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
-        <translation>Le robot signale l’alarme %1 : %2. Remédiez-y, effacez l’alarme, et faites la prise d’origine si sa position n’est pas sûre.</translation>
+        <source>The robot reports alarm %1: %2. Remove the cause and clear the alarm. Home the robot if its place is not sure.</source>
+        <translation>Le robot signale l’alarme %1&#xa0;: %2. Éliminez la cause et effacez l’alarme. Faites la prise d’origine si sa position n’est pas sûre.</translation>
     </message>
     <message>
-        <source>The robot&apos;s controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
-        <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réarmez.</translation>
+        <source>The robot&apos;s controller has restarted: its last order is lost and its place is not sure. Home it, or confirm its place, then reset.</source>
+        <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>La source est à %1, au-dessus de sa limite de %2. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
+        <source>The source is at %1, above its trip limit of %2. The robot takes the objects away and the heat is off. Check the source&apos;s controller and sensor. Reset when it has cooled.</source>
+        <translation>La source est à %1, au-dessus de sa limite de déclenchement de %2. Le robot éloigne les objets et le chauffage est coupé. Vérifiez le régulateur et le capteur de la source. Réinitialisez quand elle a refroidi.</translation>
     </message>
     <message>
-        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>La source est à %1 et ne s’approche plus de %2 depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
+        <source>The source is at %1 and has come no nearer to %2 for %3 s. The heat is off. Check that the source is switched on and that its sensor is in place, then reset.</source>
+        <translation>La source est à %1 et ne s’approche plus de %2 depuis %3 s. Le chauffage est coupé. Vérifiez que la source est allumée et que son capteur est en place, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
-        <translation>La source a été réglée à %1 et relit %2. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
+        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
+        <translation>La source a été réglée à %1 mais relit %2. Le chauffage est coupé. Vérifiez son propre panneau et ses limites, puis réinitialisez.</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1332,24 +1332,24 @@
         <translation>l’appareil d’adresse %2 sur « %1 » refuse la demande avec l’exception %3. Vérifiez le profil réglé.</translation>
     </message>
     <message>
-        <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
-        <translation>La source de chaleur n’a pas pris l’ordre de s’éteindre. Coupez-la au secteur. Elle dit : %1</translation>
+        <source>The heat source did not obey the order to switch off. Switch it off at its mains. Its answer: %1</source>
+        <translation>La source de chaleur n’a pas exécuté l’ordre de s’éteindre. Coupez-la au secteur. Sa réponse&#xa0;: %1</translation>
     </message>
     <message>
-        <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
-        <translation>La source de chaleur n’a donné aucune température depuis %1 s. Vérifiez son capteur et sa liaison, puis réarmez.</translation>
+        <source>The heat source has reported no temperature for %1 s. The heat is off. Check its sensor and its link, then reset.</source>
+        <translation>La source de chaleur n’a donné aucune température depuis %1 s. Le chauffage est coupé. Vérifiez son capteur et sa liaison, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
-        <translation>Le robot n’a rien dit ni rien pris depuis %1 s ; le chauffage est coupé. Vérifiez son contrôleur, puis réarmez.</translation>
+        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
+        <translation>Le robot n’a rien signalé ni exécuté depuis %1 s. Le chauffage est coupé. Vérifiez son contrôleur, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
+        <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>La source est chauffée manuellement et est à %1&#xa0;: Bask ne peut pas l’éteindre. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>La température de « %1 » aurait dû changer de %2 en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
+        <translation>La température de «&#xa0;%1&#xa0;» aurait dû changer de %2 en %3 s et ne l’a pas fait. Capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez les trois, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1357,67 +1357,67 @@
     </message>
     <message>
         <source>The source is still at %1, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
-        <translation>La source est encore à %1, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
+        <translation>La source est encore à %1, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
-        <translation>Le robot a refusé une ligne, erreur %1 : %2. Remédiez à la cause, effacez l’alarme, puis réinitialisez.</translation>
+        <source>The robot refused a line with error %1: %2. Remove the cause, clear the alarm, then reset.</source>
+        <translation>Le robot a refusé une ligne, erreur %1&#xa0;: %2. Éliminez la cause, effacez l’alarme, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
-        <translation>Le robot n’a pas encore donné son état. Attendez un instant ; si cela dure, vérifiez son alimentation, sa liaison et le pilote réglé.</translation>
+        <source>The robot has not reported its state yet. Wait a moment. If this lasts, check its power, its link and the driver set for it.</source>
+        <translation>Le robot n’a pas encore donné son état. Attendez un instant. Si cela dure, vérifiez son alimentation, sa liaison et le pilote réglé.</translation>
     </message>
     <message>
-        <source>the device on &quot;%1&quot; answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
-        <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée. Vérifiez les réglages du port et ceux de l’appareil.</translation>
+        <source>the device on &quot;%1&quot; gave an answer that does not fit the question: %2. The answer was not used. Check the settings of the port, and of the device itself.</source>
+        <translation>l’appareil sur «&#xa0;%1&#xa0;» a donné une réponse qui ne correspond pas à la question&#xa0;: %2. La réponse n’a pas été utilisée. Vérifiez les réglages du port et ceux de l’appareil.</translation>
     </message>
     <message>
         <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.</source>
         <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes. La page Consignes montre ce qui peut être tenu.</translation>
     </message>
     <message>
-        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
-        <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réarmez.</translation>
+        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. Find the cause, then reset.</source>
+        <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réinitialisez.</translation>
     </message>
     <message>
         <source>with the profile &quot;%1&quot; the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with &quot;unattended_heat&quot;: true.</source>
         <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par &quot;unattended_heat&quot;: true.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
-        <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3, plus que %4. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but differ by %3, more than %4. One sensor is wrong or off its object. Check both.</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont loin de la source, mais diffèrent de %3, plus que %4. Un capteur est faux ou décollé de son objet. Vérifiez les deux.</translation>
     </message>
     <message>
-        <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
-        <translation>La boucle de commande a été retenue %1 s, plus que les %2 s admises ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
+        <source>The control loop was delayed by %1 s, more than the allowed %2 s; the robot stood still. Close other programs on this computer.</source>
+        <translation>La boucle de commande a été retardée de %1 s, plus que les %2 s admises&#xa0;; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
     </message>
     <message>
         <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-        <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
+        <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
+        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>La position du robot n’est pas sûre&#xa0;: sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
     </message>
     <message>
-        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>La source a chauffé de %1 en %2 s alors que son chauffage est coupé, plus que les %3 admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
+        <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>
+        <translation>La source a chauffé de %1 en %2 s alors que son chauffage est coupé&#xa0;; %3 au plus est admis. Son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>Le capteur de « %1 » a sauté de %2/s, plus que les %3/s que la chaleur permet. Cherchez un faux contact, et voyez s’il s’est détaché. Il est cru de nouveau quand il s’accorde avec la chaleur, ou quand il est confirmé.</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s; heat can change it by at most %3/s. Check for a loose contact, and that the sensor is on its object. Bask uses it again when it agrees with the heat, or when a person confirms it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» a sauté de %2/s&#xa0;; la chaleur ne permet que %3/s au plus. Cherchez un faux contact, et vérifiez que le capteur est sur son objet. Bask l’utilise de nouveau quand il s’accorde avec la chaleur, ou quand une personne le confirme.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
-        <translation>Le capteur de « %1 » indique %2, mais d’après la chaleur reçue depuis qu’il était juste, son objet est entre %3 et %4. Voyez s’il est sur son objet, puis confirmez-le.</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but after the heat that its object received the object should be at %3 to %4. Check that the sensor is on its object, then confirm it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2, mais d’après la chaleur reçue, son objet devrait être entre %3 et %4. Vérifiez que le capteur est sur son objet, puis confirmez-le.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
-        <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s, sans son bruit habituel : il s’est peut-être arrêté. Voyez s’il suit, ou confirmez-le.</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows the heat, or confirm it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» donne exactement la même valeur depuis %2 s, sans son bruit habituel&#xa0;: il s’est peut-être arrêté. Voyez s’il suit la chaleur, ou confirmez-le.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>La température de « %1 » a changé de %2 en %3 s, ce qu’aucune chaleur ni perte n’explique : son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifier, puis réinitialiser.</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
+        <translation>La température de «&#xa0;%1&#xa0;» a changé de %2 en %3 s, ce qu’aucune chaleur ni perte n’explique. Son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -1428,16 +1428,16 @@
         <translation>Le capteur de « %1 » est confirmé à %2</translation>
     </message>
     <message>
-        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
-        <translation>La source de chaleur n’a pas de chien de garde : si cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas seule.</translation>
+        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it unattended.</source>
+        <translation>La source de chaleur n’a pas de chien de garde&#xa0;: si cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas sans surveillance.</translation>
     </message>
     <message>
         <source>No heat without the guard process, which switches the heater off if Bask dies; it cannot be started: %1. Install Bask again.</source>
         <translation>Pas de chauffage sans le processus de garde, qui coupe le chauffage si Bask meurt ; il ne peut pas démarrer : %1. Réinstallez Bask.</translation>
     </message>
     <message>
-        <source>The guard process has taken the heater over and switches it off: %1. Its log tells what it did. See why, then reset.</source>
-        <translation>Le processus de garde a repris le chauffage et le coupe : %1. Son journal dit ce qu’il a fait. Voyez pourquoi, puis réinitialisez.</translation>
+        <source>The guard process has taken the heater over and switches it off: %1. Its log says what it did. Find the cause, then reset.</source>
+        <translation>Le processus de garde a repris le chauffage et le coupe&#xa0;: %1. Son journal dit ce qu’il a fait. Cherchez-en la cause, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The heater&apos;s guard process has ended; Bask has taken the port back and switches the heat off. Reset starts a new guard.</source>
@@ -1532,36 +1532,36 @@
         <translation>le banc réel pourra aller plus loin qu’avant : %1. C’est à une personne de dire si robot, source, objets et capteurs le supportent</translation>
     </message>
     <message>
-        <source>The robot was told to take the objects away and does not move; %1 cm are left. The heat is off. Take them away by hand, mind the heat; check the robot&apos;s power and its drives.</source>
-        <translation>Le robot doit éloigner les objets et ne bouge pas ; il reste %1 cm. Le chauffage est coupé. Éloignez-les à la main, gare à la chaleur ; vérifiez l’alimentation du robot et ses moteurs.</translation>
+        <source>The robot was ordered to take the objects away but does not move; %1 cm are left. The heat is off. Take the objects away by hand; they may be hot. Check the robot&apos;s power and its drives.</source>
+        <translation>Le robot doit éloigner les objets mais ne bouge pas&#xa0;; il reste %1 cm. Le chauffage est coupé. Éloignez les objets à la main&#xa0;; ils peuvent être très chauds. Vérifiez l’alimentation du robot et ses moteurs.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <source>&quot;%1&quot; is at %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
         <translation>« %1 » est à %2, au-dessus de sa limite d’avertissement de %3. Laissez-le refroidir : Arrêter ou Retrait l’éloigne. Vérifiez sa consigne et ses limites.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
+        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Repair it.</source>
         <translation>Le capteur de « %1 » est ouvert : un fil ou la fiche est débranché. Réparez-le.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is shorted: look at its wires and plug. Mend it.</source>
-        <translation>Le capteur de « %1 » est en court-circuit : voyez ses fils et sa fiche. Réparez-le.</translation>
+        <source>The sensor of &quot;%1&quot; is shorted. Check its wires and its plug, and repair it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» est en court-circuit. Vérifiez ses fils et sa fiche, et réparez-le.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s: it, or its device, has stopped. Check it.</source>
-        <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s : lui ou son appareil s’est arrêté. Vérifiez-le.</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s: the sensor or its device has stopped. Check both.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» donne exactement la même valeur depuis %2 s&#xa0;: le capteur ou son appareil s’est arrêté. Vérifiez les deux.</translation>
     </message>
     <message>
-        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>La source de chaleur indique %1, plus de %3 au-dessous des %2 de la pièce : elle compte peut-être dans une autre unité (°C, °F) que ne le dit son profil, ou son capteur est faux. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
+        <source>The heat source reports %1, more than %3 below the room&apos;s %2. It may use another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>La source de chaleur indique %1, plus de %3 au-dessous des %2 de la pièce. Elle utilise peut-être une autre unité (°C, °F) que ne le dit son profil, ou son capteur est faux. Elle n’est pas chauffée. Réglez les deux sur la même unité, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
-        <translation>La source de chaleur indique %1 °C là où elle devrait être à %2 °C, ce qui est le même nombre en °F : elle compte dans une autre unité que ne le dit son profil. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
+        <source>The heat source reports %1 °C instead of %2 °C. This is the same number in °F: it uses another unit than its profile says. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>La source de chaleur indique %1 °C au lieu de %2 °C. C’est le même nombre en °F&#xa0;: elle utilise une autre unité que ne le dit son profil. Elle n’est pas chauffée. Réglez les deux sur la même unité, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The computer was suspended for %1 s while the source was hot or the robot moved: nobody knows what happened meanwhile. The heat is off. Look at the rig, then reset.</source>
-        <translation>L’ordinateur a été en veille pendant %1 s alors que la source était chaude ou que le robot bougeait : personne ne sait ce qui s’est passé entre-temps. Le chauffage est coupé. Regardez le banc, puis réinitialisez.</translation>
+        <source>The computer was suspended for %1 s while the source was hot or the robot moved. What happened meanwhile is not known. The heat is off. Check the rig, then reset.</source>
+        <translation>L’ordinateur a été en veille pendant %1 s alors que la source était chaude ou que le robot bougeait. Ce qui s’est passé entre-temps n’est pas connu. Le chauffage est coupé. Vérifiez le banc, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The computer was suspended for %1 s</source>
@@ -1580,12 +1580,12 @@
         <translation>Un autre appareil que d’habitude répond sur %1 : c’était « %2 », c’est « %3 ». Rien ne lui est écrit. Remettez les prises en ordre, ou dites sur la page Banc que c’est le bon.</translation>
     </message>
     <message>
-        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
-        <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Regardez la plaque&#xa0;; coupez-la au secteur.</translation>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask no longer watches it. Check the plate, and switch it off at its mains.</source>
+        <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Vérifiez la plaque et coupez-la au secteur.</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>Le capteur de « %1 » indique %2 et n’a pas suivi la chaleur de son objet. Vérifiez qu’il est sur son objet, puis confirmez-le.</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2 et n’a pas suivi la chaleur de son objet. Vérifiez que le capteur est sur son objet, puis confirmez-le.</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>

@@ -1212,8 +1212,8 @@
         <translation>“%1”已存在且不是链接；请另选路径</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>“%1”为 %2，超过其限值 %3。已将其移开并关闭加热。请检查物体及其传感器；冷却后再复位。</translation>
+        <source>&quot;%1&quot; is at %2, above its trip limit of %3. The robot takes it away and the heat is off. Check the object and its sensor. Reset when it has cooled.</source>
+        <translation>“%1”为 %2，超过其跳闸限值 %3。机器人将其移开，加热已关闭。请检查物体及其传感器。冷却后再复位。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1236,7 +1236,7 @@
         <translation>Bask 刚连接到装置。请检查装置，然后复位。</translation>
     </message>
     <message>
-        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
+        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some space, then arm again.</source>
         <translation>磁盘空间仅剩 %1 MB；记录需要 %2 MB。请释放空间，然后重新进入待命。</translation>
     </message>
     <message>
@@ -1248,24 +1248,24 @@
         <translation>机器人在其自身控制器上被关闭。请启用它，然后清除报警。</translation>
     </message>
     <message>
-        <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
-        <translation>机器人报出报警 %1：%2。请处理后清除报警；若其位置不确定，请使机器人回零。</translation>
+        <source>The robot reports alarm %1: %2. Remove the cause and clear the alarm. Home the robot if its place is not sure.</source>
+        <translation>机器人报出报警 %1：%2。请排除原因并清除报警。若其位置不确定，请使机器人回零。</translation>
     </message>
     <message>
-        <source>The robot&apos;s controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
+        <source>The robot&apos;s controller has restarted: its last order is lost and its place is not sure. Home it, or confirm its place, then reset.</source>
         <translation>机器人控制器已重启：先前的指令已失效，位置不确定。请使其回零或确认其位置，然后复位。</translation>
     </message>
     <message>
-        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>热源为 %1，超过其限值 %2。已将物体移开并关闭加热。请检查其控制器和传感器；冷却后再复位。</translation>
+        <source>The source is at %1, above its trip limit of %2. The robot takes the objects away and the heat is off. Check the source&apos;s controller and sensor. Reset when it has cooled.</source>
+        <translation>热源为 %1，超过其跳闸限值 %2。机器人将物体移开，加热已关闭。请检查热源的控制器和传感器。冷却后再复位。</translation>
     </message>
     <message>
-        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>热源为 %1，已有 %3 s 未向 %2 接近。请检查其是否通电、传感器是否到位，然后复位。</translation>
+        <source>The source is at %1 and has come no nearer to %2 for %3 s. The heat is off. Check that the source is switched on and that its sensor is in place, then reset.</source>
+        <translation>热源为 %1，已有 %3 s 未向 %2 接近。加热已关闭。请检查热源是否通电、其传感器是否到位，然后复位。</translation>
     </message>
     <message>
-        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
-        <translation>热源被设为 %1，回读却为 %2。请检查其自身面板和限值，然后复位。</translation>
+        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
+        <translation>热源被设为 %1，回读却为 %2。加热已关闭。请检查其自身面板和限值，然后复位。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1332,24 +1332,24 @@
         <translation>“%1”上的单元 %2 以异常 %3 拒绝了请求。请检查所设的配置文件。</translation>
     </message>
     <message>
-        <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
-        <translation>热源没有接受关闭指令。请切断其总电源。它回报：%1</translation>
+        <source>The heat source did not obey the order to switch off. Switch it off at its mains. Its answer: %1</source>
+        <translation>热源没有执行关闭指令。请切断其总电源。它的应答：%1</translation>
     </message>
     <message>
-        <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
-        <translation>热源已有 %1 s 没有给出温度。请检查其传感器和连接，然后复位。</translation>
+        <source>The heat source has reported no temperature for %1 s. The heat is off. Check its sensor and its link, then reset.</source>
+        <translation>热源已有 %1 s 没有给出温度。加热已关闭。请检查其传感器和连接，然后复位。</translation>
     </message>
     <message>
-        <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
-        <translation>机器人已有 %1 s 没有任何回报，也不接收指令；加热已关闭。请检查其控制器，然后复位。</translation>
+        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
+        <translation>机器人已有 %1 s 没有任何回报，也不执行指令。加热已关闭。请检查其控制器，然后复位。</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>热源由人工加热，Bask 无法将其关闭：当前 %1。请您自行关闭，并使物体远离它。</translation>
+        <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>热源由人工加热，当前 %1：Bask 无法将其关闭。请您自行关闭，并使物体远离它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>“%1”的温度本应在 %3 s 内变化 %2，却没有变化：可能是传感器脱落、物体缺失，或热源不在预想的位置。加热已关闭。请检查，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
+        <translation>“%1”的温度本应在 %3 s 内变化 %2，却没有变化。可能是传感器脱落、物体缺失，或热源不在预想的位置。加热已关闭。请检查这三项，然后复位。</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1360,15 +1360,15 @@
         <translation>热源在关闭加热 %2 s 后仍为 %1。请切断其总电源，然后复位。</translation>
     </message>
     <message>
-        <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
-        <translation>机器人以错误 %1 拒绝了一行指令：%2。请处理原因，清除报警，然后复位。</translation>
+        <source>The robot refused a line with error %1: %2. Remove the cause, clear the alarm, then reset.</source>
+        <translation>机器人以错误 %1 拒绝了一行指令：%2。请排除原因，清除报警，然后复位。</translation>
     </message>
     <message>
-        <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
-        <translation>机器人尚未回报状态。请稍候；若一直如此，请检查其电源、连接和所设的驱动。</translation>
+        <source>The robot has not reported its state yet. Wait a moment. If this lasts, check its power, its link and the driver set for it.</source>
+        <translation>机器人尚未回报状态。请稍候。若一直如此，请检查其电源、连接和所设的驱动。</translation>
     </message>
     <message>
-        <source>the device on &quot;%1&quot; answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
+        <source>the device on &quot;%1&quot; gave an answer that does not fit the question: %2. The answer was not used. Check the settings of the port, and of the device itself.</source>
         <translation>“%1”上的设备所答非所问：%2。该应答未被使用。请检查端口和设备本身的设置。</translation>
     </message>
     <message>
@@ -1376,7 +1376,7 @@
         <translation>工作空间中没有能同时保持所有目标的位姿；将前往所找到的最佳折中处，预计最终与目标的偏差为 %1。可保持的目标见“目标”页面。</translation>
     </message>
     <message>
-        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
+        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. Find the cause, then reset.</source>
         <translation>热源被其自身面板或自身保护停止；Bask 使其保持关闭。请查明原因，然后复位。</translation>
     </message>
     <message>
@@ -1384,11 +1384,11 @@
         <translation>使用配置文件“%1”时热源没有看门狗：Bask 或计算机停止运行后它会一直发热。请使用带看门狗的控制器，或以 &quot;unattended_heat&quot;: true 允许这样做。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
-        <translation>“%1”与“%2”远离热源，却相差 %3，超过 %4。某个传感器有误或脱离了物体：请检查两者。</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but differ by %3, more than %4. One sensor is wrong or off its object. Check both.</source>
+        <translation>“%1”与“%2”远离热源，却相差 %3，超过 %4。某个传感器有误或脱离了物体。请检查两者。</translation>
     </message>
     <message>
-        <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+        <source>The control loop was delayed by %1 s, more than the allowed %2 s; the robot stood still. Close other programs on this computer.</source>
         <translation>控制回路被延误 %1 s，超过允许的 %2 s；机器人已静止。请关闭此计算机上的其他程序。</translation>
     </message>
     <message>
@@ -1396,28 +1396,28 @@
         <translation>机器人与按步进应到的位置相差 %1 mm，超过 %2 mm。它可能被推动过或丢步：请检查并回零，然后复位。</translation>
     </message>
     <message>
-        <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>机器人可能不知道自身的位置：它未曾回零，或在重启或停止时丢失了位置。请使其回零，或确认其位置。</translation>
+        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>机器人的位置不确定：它未曾回零，或在重启或停止时丢失了位置。请使其回零，或确认其位置。</translation>
     </message>
     <message>
-        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>加热已关闭，热源却在 %2 s 内升温 %1，超过允许的 %3：可能是其继电器粘连，或有人在其面板上加热。请切断其总电源，然后复位。</translation>
+        <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>
+        <translation>加热已关闭，热源却在 %2 s 内升温 %1；最多允许 %3。可能是其继电器粘连，或有人在其面板上加热。请切断其总电源，然后复位。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>“%1”的传感器跳变 %2/s，超过受热所能达到的 %3/s。请检查是否接触不良或已脱落。待其与受热情况相符或经人确认后，才重新采信。</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s; heat can change it by at most %3/s. Check for a loose contact, and that the sensor is on its object. Bask uses it again when it agrees with the heat, or when a person confirms it.</source>
+        <translation>“%1”的传感器跳变 %2/s；受热最多只能变化 %3/s。请检查是否接触不良、传感器是否在物体上。待其与受热情况相符或经人确认后，Bask 才重新使用它。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
-        <translation>“%1”的传感器读数为 %2，但按其正确以来的受热情况，物体应为 %3 至 %4。请查看它是否在物体上，然后确认。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but after the heat that its object received the object should be at %3 to %4. Check that the sensor is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2，但按其物体的受热情况，物体应为 %3 至 %4。请检查传感器是否在物体上，然后确认。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
-        <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随变化，或确认它。</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows the heat, or confirm it.</source>
+        <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随受热变化，或确认它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>“%1”的温度在 %3 s 内变化了 %2，任何加热或散热都无法解释：其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
+        <translation>“%1”的温度在 %3 s 内变化了 %2，任何加热或散热都无法解释。其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -1428,7 +1428,7 @@
         <translation>“%1”的传感器已确认为 %2</translation>
     </message>
     <message>
-        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
+        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it unattended.</source>
         <translation>热源没有看门狗：若本计算机停机，热源仍保持高温。请勿无人看管。</translation>
     </message>
     <message>
@@ -1436,7 +1436,7 @@
         <translation>没有守护进程就不加热：它在 Bask 异常终止时关闭加热器；无法启动它：%1。请重新安装 Bask。</translation>
     </message>
     <message>
-        <source>The guard process has taken the heater over and switches it off: %1. Its log tells what it did. See why, then reset.</source>
+        <source>The guard process has taken the heater over and switches it off: %1. Its log says what it did. Find the cause, then reset.</source>
         <translation>守护进程已接管加热器并将其关闭：%1。其日志说明了所做的操作。请查明原因，然后复位。</translation>
     </message>
     <message>
@@ -1532,36 +1532,36 @@
         <translation>这将允许实机装置超出以前的范围：%1。机器人、热源、物体和传感器能否承受，须由人来判断</translation>
     </message>
     <message>
-        <source>The robot was told to take the objects away and does not move; %1 cm are left. The heat is off. Take them away by hand, mind the heat; check the robot&apos;s power and its drives.</source>
-        <translation>已令机器人将物体移开，但它不动；还剩 %1 cm。加热已关闭。请手动移开物体，小心烫伤；检查机器人的电源和驱动。</translation>
+        <source>The robot was ordered to take the objects away but does not move; %1 cm are left. The heat is off. Take the objects away by hand; they may be hot. Check the robot&apos;s power and its drives.</source>
+        <translation>已令机器人将物体移开，但它不动；还剩 %1 cm。加热已关闭。请用手移开物体，物体可能很烫。请检查机器人的电源和驱动。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <source>&quot;%1&quot; is at %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
         <translation>“%1”为 %2，超过其警告限值 %3。请让它冷却：“停止”或“撤离”会将其移开。请检查其目标和限值。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
+        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Repair it.</source>
         <translation>“%1”的传感器开路：导线或插头脱落。请修好。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is shorted: look at its wires and plug. Mend it.</source>
-        <translation>“%1”的传感器短路：请检查其导线和插头。请修好。</translation>
+        <source>The sensor of &quot;%1&quot; is shorted. Check its wires and its plug, and repair it.</source>
+        <translation>“%1”的传感器短路。请检查其导线和插头并修好。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s: it, or its device, has stopped. Check it.</source>
-        <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值：传感器或其设备已停止工作。请检查。</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s: the sensor or its device has stopped. Check both.</source>
+        <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值：传感器或其设备已停止工作。请检查两者。</translation>
     </message>
     <message>
-        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>热源报告 %1，比室温 %2 低 %3 以上：它使用的单位（°C、°F）可能与其配置文件不同，或其传感器有误。不对它加热。请把两者设为一致，然后复位。</translation>
+        <source>The heat source reports %1, more than %3 below the room&apos;s %2. It may use another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>热源报告 %1，比室温 %2 低 %3 以上。它使用的单位（°C、°F）可能与其配置文件不同，或其传感器有误。不对它加热。请把两者设为同一单位，然后复位。</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
-        <translation>热源在应为 %2 °C 时报告 %1 °C，这正是以 °F 表示的同一数值：它使用的单位与其配置文件不同。不对它加热。请把两者设为一致，然后复位。</translation>
+        <source>The heat source reports %1 °C instead of %2 °C. This is the same number in °F: it uses another unit than its profile says. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>热源报告 %1 °C，而不是 %2 °C。这正是以 °F 表示的同一数值：它使用的单位与其配置文件不同。不对它加热。请把两者设为同一单位，然后复位。</translation>
     </message>
     <message>
-        <source>The computer was suspended for %1 s while the source was hot or the robot moved: nobody knows what happened meanwhile. The heat is off. Look at the rig, then reset.</source>
-        <translation>计算机在热源加热或机器人运动时休眠了 %1 s：没有人知道其间发生了什么。加热已关闭。请查看装置，然后复位。</translation>
+        <source>The computer was suspended for %1 s while the source was hot or the robot moved. What happened meanwhile is not known. The heat is off. Check the rig, then reset.</source>
+        <translation>计算机在热源加热或机器人运动时休眠了 %1 s。其间发生了什么并不清楚。加热已关闭。请检查装置，然后复位。</translation>
     </message>
     <message>
         <source>The computer was suspended for %1 s</source>
@@ -1580,12 +1580,12 @@
         <translation>在 %1 应答的设备与以前不同：原为“%2”，现为“%3”。不会向它写入任何内容。请把插头接对，或在“装置”页上说明就是这台。</translation>
     </message>
     <message>
-        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
-        <translation>实际装置（%1）的加热不能确定已关闭，Bask 也不再监视它。请查看热板，并切断其电源。</translation>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask no longer watches it. Check the plate, and switch it off at its mains.</source>
+        <translation>实际装置（%1）的加热不能确定已关闭，Bask 也不再监视它。请检查热板，并切断其电源。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>“%1”的传感器读数为 %2，且没有跟随其物体的受热。请查看它是否在物体上，然后确认。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2，且没有跟随其物体的受热。请检查传感器是否在物体上，然后确认。</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>

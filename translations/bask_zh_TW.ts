@@ -1212,8 +1212,8 @@
         <translation>「%1」已存在且不是連結；請另選路徑</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its limit of %3. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-        <translation>「%1」為 %2，超過其限值 %3。已將其移開並關閉加熱。請檢查物體及其感測器；冷卻後再復歸。</translation>
+        <source>&quot;%1&quot; is at %2, above its trip limit of %3. The robot takes it away and the heat is off. Check the object and its sensor. Reset when it has cooled.</source>
+        <translation>「%1」為 %2，超過其跳脫限值 %3。機器人將其移開，加熱已關閉。請檢查物體及其感測器。冷卻後再復歸。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
@@ -1236,7 +1236,7 @@
         <translation>Bask 剛連接到實驗台。請檢查實驗台，然後復歸。</translation>
     </message>
     <message>
-        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
+        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some space, then arm again.</source>
         <translation>磁碟空間僅剩 %1 MB；記錄需要 %2 MB。請釋放空間，然後重新進入待命。</translation>
     </message>
     <message>
@@ -1248,24 +1248,24 @@
         <translation>機器人在其自身控制器上被關閉。請啟用它，然後清除警報。</translation>
     </message>
     <message>
-        <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
-        <translation>機器人報出警報 %1：%2。請處理後清除警報；若其位置不確定，請使機器人回原點。</translation>
+        <source>The robot reports alarm %1: %2. Remove the cause and clear the alarm. Home the robot if its place is not sure.</source>
+        <translation>機器人報出警報 %1：%2。請排除原因並清除警報。若其位置不確定，請使機器人回原點。</translation>
     </message>
     <message>
-        <source>The robot&apos;s controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
+        <source>The robot&apos;s controller has restarted: its last order is lost and its place is not sure. Home it, or confirm its place, then reset.</source>
         <translation>機器人控制器已重啟：先前的指令已失效，位置不確定。請使其回原點或確認其位置，然後復歸。</translation>
     </message>
     <message>
-        <source>The source has %1, above its limit of %2. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-        <translation>熱源為 %1，超過其限值 %2。已將物體移開並關閉加熱。請檢查其控制器和感測器；冷卻後再復歸。</translation>
+        <source>The source is at %1, above its trip limit of %2. The robot takes the objects away and the heat is off. Check the source&apos;s controller and sensor. Reset when it has cooled.</source>
+        <translation>熱源為 %1，超過其跳脫限值 %2。機器人將物體移開，加熱已關閉。請檢查熱源的控制器和感測器。冷卻後再復歸。</translation>
     </message>
     <message>
-        <source>The source is at %1 and has not come nearer to %2 for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-        <translation>熱源為 %1，已有 %3 s 未向 %2 接近。請檢查其是否通電、感測器是否到位，然後復歸。</translation>
+        <source>The source is at %1 and has come no nearer to %2 for %3 s. The heat is off. Check that the source is switched on and that its sensor is in place, then reset.</source>
+        <translation>熱源為 %1，已有 %3 s 未向 %2 接近。加熱已關閉。請檢查熱源是否通電、其感測器是否到位，然後復歸。</translation>
     </message>
     <message>
-        <source>The source was set to %1 and reads back %2. Check its own panel and limits, then reset.</source>
-        <translation>熱源被設為 %1，回讀卻為 %2。請檢查其自身面板和限值，然後復歸。</translation>
+        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
+        <translation>熱源被設為 %1，回讀卻為 %2。加熱已關閉。請檢查其自身面板和限值，然後復歸。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1332,24 +1332,24 @@
         <translation>「%1」上的單元 %2 以異常 %3 拒絕了請求。請檢查所設的設定檔。</translation>
     </message>
     <message>
-        <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
-        <translation>熱源沒有接受關閉指令。請切斷其總電源。它回報：%1</translation>
+        <source>The heat source did not obey the order to switch off. Switch it off at its mains. Its answer: %1</source>
+        <translation>熱源沒有執行關閉指令。請切斷其總電源。它的回應：%1</translation>
     </message>
     <message>
-        <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
-        <translation>熱源已有 %1 s 沒有給出溫度。請檢查其感測器和連線，然後復歸。</translation>
+        <source>The heat source has reported no temperature for %1 s. The heat is off. Check its sensor and its link, then reset.</source>
+        <translation>熱源已有 %1 s 沒有給出溫度。加熱已關閉。請檢查其感測器和連線，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
-        <translation>機器人已有 %1 s 沒有任何回報，也不接收指令；加熱已關閉。請檢查其控制器，然後復歸。</translation>
+        <source>The robot has not reported or obeyed anything for %1 s. The heat is off. Check its controller, then reset.</source>
+        <translation>機器人已有 %1 s 沒有任何回報，也不執行指令。加熱已關閉。請檢查其控制器，然後復歸。</translation>
     </message>
     <message>
-        <source>The source is heated by hand, so Bask cannot switch it off: it has %1. Switch it off yourself, and keep the objects away from it.</source>
-        <translation>熱源由人工加熱，Bask 無法將其關閉：目前 %1。請您自行關閉，並使物體遠離它。</translation>
+        <source>The source is heated manually and is at %1: Bask cannot switch it off. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>熱源由人工加熱，目前 %1：Bask 無法將其關閉。請您自行關閉，並使物體遠離它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-        <translation>「%1」的溫度本應在 %3 s 內變化 %2，卻沒有變化：可能是感測器脫落、物體缺失，或熱源不在預期的位置。加熱已關閉。請檢查，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
+        <translation>「%1」的溫度本應在 %3 s 內變化 %2，卻沒有變化。可能是感測器脫落、物體缺失，或熱源不在預期的位置。加熱已關閉。請檢查這三項，然後復歸。</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1360,15 +1360,15 @@
         <translation>熱源在關閉加熱 %2 s 後仍為 %1。請切斷其總電源，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
-        <translation>機器人以錯誤 %1 拒絕了一行指令：%2。請處理原因，清除警報，然後復歸。</translation>
+        <source>The robot refused a line with error %1: %2. Remove the cause, clear the alarm, then reset.</source>
+        <translation>機器人以錯誤 %1 拒絕了一行指令：%2。請排除原因，清除警報，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
-        <translation>機器人尚未回報狀態。請稍候；若一直如此，請檢查其電源、連線和所設的驅動。</translation>
+        <source>The robot has not reported its state yet. Wait a moment. If this lasts, check its power, its link and the driver set for it.</source>
+        <translation>機器人尚未回報狀態。請稍候。若一直如此，請檢查其電源、連線和所設的驅動。</translation>
     </message>
     <message>
-        <source>the device on &quot;%1&quot; answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
+        <source>the device on &quot;%1&quot; gave an answer that does not fit the question: %2. The answer was not used. Check the settings of the port, and of the device itself.</source>
         <translation>「%1」上的裝置所答非所問：%2。該回應未被使用。請檢查連接埠和裝置本身的設定。</translation>
     </message>
     <message>
@@ -1376,7 +1376,7 @@
         <translation>工作空間中沒有能同時保持所有目標的位姿；將前往所找到的最佳折衷處，預計最終與目標的偏差為 %1。可保持的目標見「目標」頁面。</translation>
     </message>
     <message>
-        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
+        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. Find the cause, then reset.</source>
         <translation>熱源被其自身面板或自身保護停止；Bask 使其保持關閉。請查明原因，然後復歸。</translation>
     </message>
     <message>
@@ -1384,11 +1384,11 @@
         <translation>使用設定檔「%1」時熱源沒有看門狗：Bask 或電腦停止執行後它會一直發熱。請使用具有看門狗的控制器，或以 &quot;unattended_heat&quot;: true 允許這樣做。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 apart, more than %4. One sensor is wrong or off its object: check both.</source>
-        <translation>「%1」與「%2」遠離熱源，卻相差 %3，超過 %4。某個感測器有誤或脫離了物體：請檢查兩者。</translation>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but differ by %3, more than %4. One sensor is wrong or off its object. Check both.</source>
+        <translation>「%1」與「%2」遠離熱源，卻相差 %3，超過 %4。某個感測器有誤或脫離了物體。請檢查兩者。</translation>
     </message>
     <message>
-        <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+        <source>The control loop was delayed by %1 s, more than the allowed %2 s; the robot stood still. Close other programs on this computer.</source>
         <translation>控制迴路被延誤 %1 s，超過允許的 %2 s；機器人已靜止。請關閉此電腦上的其他程式。</translation>
     </message>
     <message>
@@ -1396,28 +1396,28 @@
         <translation>機器人與按步進應到的位置相差 %1 mm，超過 %2 mm。它可能被推動過或失步：請檢查並使其回原點，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>機器人可能不知道自身的位置：它未曾回原點，或在重新啟動或停止時失去了位置。請使其回原點，或確認其位置。</translation>
+        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>機器人的位置不確定：它未曾回原點，或在重新啟動或停止時失去了位置。請使其回原點，或確認其位置。</translation>
     </message>
     <message>
-        <source>The source warmed by %1 in %2 s though its heat is off, more than the %3 it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-        <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1，超過允許的 %3：可能是其繼電器沾黏，或有人在其面板上加熱。請切斷其總電源，然後復歸。</translation>
+        <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>
+        <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1；最多允許 %3。可能是其繼電器沾黏，或有人在其面板上加熱。請切斷其總電源，然後復歸。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; jumped by %2/s, more than the %3/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
-        <translation>「%1」的感測器跳變 %2/s，超過受熱所能達到的 %3/s。請檢查是否接觸不良或已脫落。待其與受熱情況相符或經人確認後，才重新採信。</translation>
+        <source>The sensor of &quot;%1&quot; jumped by %2/s; heat can change it by at most %3/s. Check for a loose contact, and that the sensor is on its object. Bask uses it again when it agrees with the heat, or when a person confirms it.</source>
+        <translation>「%1」的感測器跳變 %2/s；受熱最多只能變化 %3/s。請檢查是否接觸不良、感測器是否在物體上。待其與受熱情況相符或經人確認後，Bask 才重新使用它。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2, but by the heat since it was right its object has %3 to %4. Look whether it is on its object, then confirm it.</source>
-        <translation>「%1」的感測器讀數為 %2，但按其正確以來的受熱情況，物體應為 %3 至 %4。請查看它是否在物體上，然後確認。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2, but after the heat that its object received the object should be at %3 to %4. Check that the sensor is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2，但按其物體的受熱情況，物體應為 %3 至 %4。請檢查感測器是否在物體上，然後確認。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
-        <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨變化，或確認它。</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows the heat, or confirm it.</source>
+        <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨受熱變化，或確認它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
-        <translation>「%1」的溫度在 %3 s 內變化了 %2，任何加熱或散熱都無法解釋：其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
+        <translation>「%1」的溫度在 %3 s 內變化了 %2，任何加熱或散熱都無法解釋。其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -1428,7 +1428,7 @@
         <translation>「%1」的感測器已確認為 %2</translation>
     </message>
     <message>
-        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
+        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it unattended.</source>
         <translation>熱源沒有看門狗：若本電腦停機，熱源仍保持高溫。請勿無人看管。</translation>
     </message>
     <message>
@@ -1436,7 +1436,7 @@
         <translation>沒有守護行程就不加熱：它在 Bask 異常終止時關閉加熱器；無法啟動它：%1。請重新安裝 Bask。</translation>
     </message>
     <message>
-        <source>The guard process has taken the heater over and switches it off: %1. Its log tells what it did. See why, then reset.</source>
+        <source>The guard process has taken the heater over and switches it off: %1. Its log says what it did. Find the cause, then reset.</source>
         <translation>守護行程已接管加熱器並將其關閉：%1。其日誌說明了所做的操作。請查明原因，然後復歸。</translation>
     </message>
     <message>
@@ -1532,36 +1532,36 @@
         <translation>這將允許實機實驗台超出以前的範圍：%1。機器人、熱源、物體和感測器能否承受，須由人來判斷</translation>
     </message>
     <message>
-        <source>The robot was told to take the objects away and does not move; %1 cm are left. The heat is off. Take them away by hand, mind the heat; check the robot&apos;s power and its drives.</source>
-        <translation>已令機器人將物體移開，但它不動；還剩 %1 cm。加熱已關閉。請手動移開物體，小心燙傷；檢查機器人的電源和驅動。</translation>
+        <source>The robot was ordered to take the objects away but does not move; %1 cm are left. The heat is off. Take the objects away by hand; they may be hot. Check the robot&apos;s power and its drives.</source>
+        <translation>已令機器人將物體移開，但它不動；還剩 %1 cm。加熱已關閉。請用手移開物體，物體可能很燙。請檢查機器人的電源和驅動。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; has %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <source>&quot;%1&quot; is at %2, above its warning limit of %3. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
         <translation>「%1」為 %2，超過其警告限值 %3。請讓它冷卻：「停止」或「撤離」會將其移開。請檢查其目標和限值。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
+        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Repair it.</source>
         <translation>「%1」的感測器開路：導線或插頭脫落。請修好。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; is shorted: look at its wires and plug. Mend it.</source>
-        <translation>「%1」的感測器短路：請檢查其導線和插頭。請修好。</translation>
+        <source>The sensor of &quot;%1&quot; is shorted. Check its wires and its plug, and repair it.</source>
+        <translation>「%1」的感測器短路。請檢查其導線和插頭並修好。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s: it, or its device, has stopped. Check it.</source>
-        <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值：感測器或其裝置已停止工作。請檢查。</translation>
+        <source>The sensor of &quot;%1&quot; has given exactly the same value for %2 s: the sensor or its device has stopped. Check both.</source>
+        <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值：感測器或其裝置已停止工作。請檢查兩者。</translation>
     </message>
     <message>
-        <source>The heat source tells %1, more than %3 below the room&apos;s %2: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
-        <translation>熱源回報 %1，比室溫 %2 低 %3 以上：它使用的單位（°C、°F）可能與其設定檔不同，或其感測器有誤。不對它加熱。請把兩者設為一致，然後重設。</translation>
+        <source>The heat source reports %1, more than %3 below the room&apos;s %2. It may use another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>熱源回報 %1，比室溫 %2 低 %3 以上。它使用的單位（°C、°F）可能與其設定檔不同，或其感測器有誤。不對它加熱。請把兩者設為同一單位，然後復歸。</translation>
     </message>
     <message>
-        <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
-        <translation>熱源在應為 %2 °C 時回報 %1 °C，這正是以 °F 表示的同一數值：它使用的單位與其設定檔不同。不對它加熱。請把兩者設為一致，然後重設。</translation>
+        <source>The heat source reports %1 °C instead of %2 °C. This is the same number in °F: it uses another unit than its profile says. It is not heated. Set both to the same unit, then reset.</source>
+        <translation>熱源回報 %1 °C，而不是 %2 °C。這正是以 °F 表示的同一數值：它使用的單位與其設定檔不同。不對它加熱。請把兩者設為同一單位，然後復歸。</translation>
     </message>
     <message>
-        <source>The computer was suspended for %1 s while the source was hot or the robot moved: nobody knows what happened meanwhile. The heat is off. Look at the rig, then reset.</source>
-        <translation>電腦在熱源加熱或機器人運動時休眠了 %1 s：沒有人知道其間發生了什麼。加熱已關閉。請查看實驗台，然後重設。</translation>
+        <source>The computer was suspended for %1 s while the source was hot or the robot moved. What happened meanwhile is not known. The heat is off. Check the rig, then reset.</source>
+        <translation>電腦在熱源加熱或機器人運動時休眠了 %1 s。其間發生了什麼並不清楚。加熱已關閉。請檢查實驗台，然後復歸。</translation>
     </message>
     <message>
         <source>The computer was suspended for %1 s</source>
@@ -1580,12 +1580,12 @@
         <translation>在 %1 回應的裝置與以前不同：原為「%2」，現為「%3」。不會向它寫入任何內容。請把插頭接對，或在「實驗台」頁上說明就是這台。</translation>
     </message>
     <message>
-        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
-        <translation>實際實驗台（%1）的加熱不能確定已關閉，Bask 也不再監視它。請查看熱板，並切斷其電源。</translation>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask no longer watches it. Check the plate, and switch it off at its mains.</source>
+        <translation>實際實驗台（%1）的加熱不能確定已關閉，Bask 也不再監視它。請檢查熱板，並切斷其電源。</translation>
     </message>
     <message>
-        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
-        <translation>「%1」的感測器讀數為 %2，且沒有跟隨其物體的受熱。請查看它是否在物體上，然後確認。</translation>
+        <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2，且沒有跟隨其物體的受熱。請檢查感測器是否在物體上，然後確認。</translation>
     </message>
     <message>
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>

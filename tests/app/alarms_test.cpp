@@ -223,7 +223,8 @@ TEST_F(AlarmsTest, OverTemperatureIsActedUponBehindADialog) {
         const bool isEnding = snapshot.state == RunState::Stopping || snapshot.state == RunState::Fault;
         if (reaction_ms < 0 && isEnding && !snapshot.heatOn)
             reaction_ms = sinceCrossed.elapsed();
-        const bool isShown = bar()->isVisible() && bar()->text().contains(QStringLiteral("above its limit"));
+        const bool isShown =
+            bar()->isVisible() && bar()->text().contains(QStringLiteral("above its trip limit"));
         if (seen_ms < 0 && isShown && QApplication::activeModalWidget() == &box)
             seen_ms = sinceCrossed.elapsed();
         if (reaction_ms >= 0 && seen_ms >= 0)

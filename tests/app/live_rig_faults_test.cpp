@@ -72,12 +72,12 @@ TEST_F(LiveRigFaults, ofTheRobotEndTheHeatAndAllSteps) {
     load(read());
     for (const RobotRow& row :
          {RobotRow{"robot unplug", {MessageCode::LinkLost, "was lost"}, Remedy::Plug},
-          RobotRow{"robot silent", {MessageCode::RobotSlow, "the heat is off"}, Remedy::None},
+          RobotRow{"robot silent", {MessageCode::RobotSlow, "The heat is off"}, Remedy::None},
           RobotRow{"robot alarm", {MessageCode::RobotAlarm, "alarm 1: "}, Remedy::Home},
           RobotRow{"robot restart", {MessageCode::RobotRestarted, "has restarted"}, Remedy::Home},
           RobotRow{"robot door", {MessageCode::RobotHeld, "held at its own panel (Door"}, Remedy::Clear},
           RobotRow{"robot lost-steps", {MessageCode::RobotElsewhere, "mm from where"}, Remedy::Home},
-          RobotRow{"robot slow-ok", {MessageCode::RobotSlow, "the heat is off", 3000.0}, Remedy::Clear}}) {
+          RobotRow{"robot slow-ok", {MessageCode::RobotSlow, "The heat is off", 3000.0}, Remedy::Clear}}) {
         ASSERT_NO_FATAL_FAILURE(begin()) << row.fault;
         // The answer to a line comes 3 s late: the line in flight is then still carried out.
         const bool isLate = row.as.within_ms > kReaction_ms;
@@ -120,7 +120,7 @@ TEST_F(LiveRigFaults, aSourceThatDoesNotHeatEndsTheRun) {
     tell("heater no-heat");
     ASSERT_NO_FATAL_FAILURE(begin());
     const Reaction cold =
-        raise("heater no-heat", {MessageCode::SafetySourceNotHeating, "not come nearer", 11000.0});
+        raise("heater no-heat", {MessageCode::SafetySourceNotHeating, "come no nearer", 11000.0});
     EXPECT_LE(cold.off_ms - cold.told_ms, 500.0);
     ASSERT_TRUE(reaches(RunState::Fault, 40000)) << reasons();
     expectRecorded("fault");
@@ -131,7 +131,7 @@ TEST_F(LiveRigFaults, ofTheSourceTakeTheObjectsAway) {
     startBench();
     load(read());
     ASSERT_NO_FATAL_FAILURE(takesAwayFor(
-        {"heater garbage", {MessageCode::DeviceAnswersWrong, "something else", 2500.0}, kReaction_ms}));
+        {"heater garbage", {MessageCode::DeviceAnswersWrong, "does not fit", 2500.0}, kReaction_ms}));
     tell("heater setpoint-zero"); // it forgets what it is told at the start
     ASSERT_NO_FATAL_FAILURE(takesAwayFor(
         {"heater setpoint-zero", {MessageCode::SafetySetPointOther, "reads back", 15000.0}, kReaction_ms}));
@@ -159,7 +159,7 @@ TEST_F(LiveRigFaults, ofAPlateThatHeatsByItselfAreToldInIdle) {
     ASSERT_NO_FATAL_FAILURE(beReady());
     const BenchState before = state();
     const Reaction alone = raise(
-        "heater stuck-on", {MessageCode::SafetySourceHeatsUnasked, "though its heat is off", 5000.0}, 300);
+        "heater stuck-on", {MessageCode::SafetySourceHeatsUnasked, "although its heat is off", 5000.0}, 300);
     EXPECT_EQ(live.last.state, RunState::Fault) << reasons();
     EXPECT_EQ(alone.moved_m, 0.0);
     ASSERT_TRUE(waitFor([&] { return live.alarm(MessageCode::SafetySourceHot) != nullptr; }, 40000))
@@ -180,7 +180,7 @@ TEST_F(LiveRigFaults, ofAllDevicesAtOnceEndTheRun) {
         m_isBenchStopped = true;
         ::kill(pid, SIGSTOP);
     };
-    raise("SIGSTOP of all", stopIt, {MessageCode::RobotSlow, "the heat is off"});
+    raise("SIGSTOP of all", stopIt, {MessageCode::RobotSlow, "The heat is off"});
     EXPECT_EQ(live.last.state, RunState::Fault) << reasons();
     EXPECT_NE(live.alarm(MessageCode::ReasonSensorStale), nullptr) << "seen first";
     ASSERT_TRUE(waitFor([&] { return live.last.devices.at(2).status.link == LinkState::Lost; }, 5000));

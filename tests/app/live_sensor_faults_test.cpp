@@ -80,7 +80,7 @@ TEST_F(LiveSensorFaults, frozenReadingsHoldTheRun) {
     live.send(Start{true});
     ASSERT_TRUE(comesInRun([&] { return state().plate_degC > 40.0; })) << reasons();
     const Reaction seen =
-        raise("thermometer frozen", {MessageCode::SafetySensorFrozen, "very same value", 90000.0});
+        raise("thermometer frozen", {MessageCode::SafetySensorFrozen, "exactly the same value", 90000.0});
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
     EXPECT_LE(seen.moved_ms - seen.told_ms, kReaction_ms);
     tell("thermometer none");
@@ -147,14 +147,14 @@ TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
         return celsiusFromKelvin(most_K);
     };
     ASSERT_TRUE(waitFor([&] { return hottest_degC() > kTrip_degC - 1.0; }));
-    const ToldAs tripped{MessageCode::SafetyObjectHot, "above its limit of 72", 5000.0};
+    const ToldAs tripped{MessageCode::SafetyObjectHot, "above its trip limit of 72", 5000.0};
     const Reaction away = raise(
         "trip limit", [] {}, tripped);
     EXPECT_GT(away.off_ms, 0.0);
     EXPECT_LE(away.off_ms - away.told_ms, 200.0);
     EXPECT_LE(away.rose_ms - away.told_ms, kReaction_ms);
-    const std::string& told = away.sentence; // "circle" has 72.4 °C
-    const double at_degC = std::stod(told.substr(told.find(" has ") + 5));
+    const std::string& told = away.sentence; // "circle" is at 72.4 °C
+    const double at_degC = std::stod(told.substr(told.find(" is at ") + 7));
     EXPECT_LT(at_degC, kTrip_degC + 1e-3 * kReaction_ms * (kRise_K_s + 2.0));
     ASSERT_TRUE(reaches(RunState::Fault, 60000)) << reasons();
     EXPECT_GT(state().place_m.z(), kAway_m);

@@ -92,6 +92,8 @@ void TracePlot::Canvas::restyle(bool darkGround) {
     m_reference->setPen(QPen(quantity == Quantity::Speed ? ink : quiet, 1,
                              quantity == Quantity::Speed ? Qt::DashLine : Qt::SolidLine));
     m_empty->setColor(quiet);
+    m_empty->setBrush(colors.color(QPalette::Base)); // the line of zero runs behind it
+    m_empty->setPadding(QMargins(6, 2, 6, 2));
     m_empty->setFont(font());
     m_cursor->setPen(QPen(quiet, 1));
     m_pinned->setPen(QPen(accentColor(dark), 1, Qt::DashLine));

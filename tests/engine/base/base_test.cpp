@@ -110,14 +110,14 @@ TEST(Message, ArgumentsKeepTheirValueAndTheirText) {
     const Message hot{MessageCode::SafetyObjectHot,
                       {"left", roundedTemperatureArg(t_K), temperatureArg(363.15)}};
     EXPECT_EQ(argTexts(hot), (std::vector<std::string>{"left", "94.8", "90"}));
-    EXPECT_EQ(describe(hot).substr(0, 45), "\"left\" has 94.8 \u00b0C, above its limit of 90");
+    EXPECT_EQ(describe(hot).find("\"left\" is at 94.8 \u00b0C, above its trip limit of 90 \u00b0C. "), 0U);
     EXPECT_DOUBLE_EQ(hot.args[1].kelvin(argKind(hot.code, 1)).value(), t_K);
     EXPECT_EQ(describe(Message{MessageCode::SafetyObjectHot, {"left", "94.8", "90"}}), describe(hot));
     EXPECT_NEAR(MessageArg("94.8").kelvin(ArgKind::Temperature).value(), 367.95, 1e-9);
     EXPECT_NEAR(MessageArg("12.4").kelvin(ArgKind::Difference).value(), 12.4, 1e-12);
     EXPECT_FALSE(MessageArg("?").kelvin(ArgKind::Temperature));
     EXPECT_EQ(describe(Message{MessageCode::SafetySensorJump, {"a", differenceArg(12.34, 3), "5"}})
-                  .find("The sensor of \"a\" jumped by 12.3 K/s, more than the 5 K/s that heat can do."),
+                  .find("The sensor of \"a\" jumped by 12.3 K/s; heat can change it by at most 5 K/s."),
               0U);
     EXPECT_EQ(roundedTemperatureArg(std::nan("")).text(), "?");
 }
@@ -142,7 +142,7 @@ TEST(Message, ObjectsWithTemperaturesAreReadBack) {
 TEST(Message, ASentenceMayBeAnArgument) {
     const Message off{MessageCode::SafetyHeatNotOff, {Message{MessageCode::LinkStuck, {"COM1"}}}};
     EXPECT_EQ(off.args[0].text(), describe(off.args[0].sentences().at(0)));
-    EXPECT_NE(describe(off).find("It says: \"COM1\" takes no more bytes"), std::string::npos);
+    EXPECT_NE(describe(off).find("Its answer: \"COM1\" takes no more bytes"), std::string::npos);
     EXPECT_TRUE(MessageArg("words").sentences().empty());
 }
 

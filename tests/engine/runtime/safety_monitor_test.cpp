@@ -153,7 +153,7 @@ TEST(SafetyMonitor, LimitsHaveDelaysAndHysteresis) {
     ASSERT_EQ(changes.raised.size(), 1U);
     EXPECT_EQ(
         describe(changes.raised[0].message),
-        "\"left\" has 120.1 °C, above its warning limit of 120 °C. Let it cool: Stop or Retreat takes it "
+        "\"left\" is at 120.1 °C, above its warning limit of 120 °C. Let it cool: Stop or Retreat takes it "
         "away. Check its target and its limits.");
     m.seen.objects[0].measured_K = warning_K - 1.5;
     EXPECT_TRUE(m.after(1.0).ended.empty());

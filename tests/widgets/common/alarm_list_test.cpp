@@ -71,7 +71,8 @@ TEST_F(AlarmListTest, SaysWhatEachIs) {
     EXPECT_TRUE(cell(2, 2).endsWith(QStringLiteral(" 12:00:05"))) << cell(2, 2).toStdString();
     EXPECT_EQ(cell(0, 3), QStringLiteral("3×"));
     EXPECT_EQ(cell(2, 3), QString());
-    EXPECT_TRUE(cell(0, 4).startsWith(QStringLiteral("\"hand\" has 152.3\u00a0°C, above its limit of 150")));
+    EXPECT_TRUE(
+        cell(0, 4).startsWith(QStringLiteral("\"hand\" is at 152.3\u00a0°C, above its trip limit of 150")));
     EXPECT_EQ(tree()->topLevelItem(1)->data(0, Qt::AccessibleTextRole).toString(),
               QStringLiteral("Priority 2"));
     EXPECT_FALSE(tree()->topLevelItem(1)->icon(0).isNull());
@@ -85,7 +86,7 @@ TEST_F(AlarmListTest, SaysWhatEachIs) {
     EXPECT_EQ(look(1), std::pair(false, false));
 
     choose(0);
-    EXPECT_TRUE(guidance().contains(QStringLiteral("reset once it has cooled.")));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("Reset when it has cooled.")));
     EXPECT_TRUE(guidance().contains(QStringLiteral("3 times since it was last acknowledged")));
     EXPECT_TRUE(guidance().contains(QStringLiteral("likely their cause")));
     choose(2);
@@ -283,7 +284,8 @@ TEST(AlarmButton, ShowsTheFirstAndCountsTheOthers) {
     EXPECT_FALSE(button.isVisible());
     button.setAlarms({hot(4, "hand"), hot(5, "foot"), hot(6, "plate")});
     EXPECT_TRUE(button.isVisible());
-    EXPECT_EQ(button.text(), QStringLiteral("\"hand\" has 152.3\u00a0°C, above its limit of 150.0\u00a0°C."));
+    EXPECT_EQ(button.text(),
+              QStringLiteral("\"hand\" is at 152.3\u00a0°C, above its trip limit of 150.0\u00a0°C."));
     EXPECT_TRUE(button.accessibleName().startsWith(QStringLiteral("Alarm of priority 1 (Active, new): ")));
     EXPECT_TRUE(button.accessibleName().endsWith(QStringLiteral(" 2 more.")));
     const int withOthers = button.minimumSizeHint().width();

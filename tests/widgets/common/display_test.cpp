@@ -48,18 +48,19 @@ TEST(Display, SentencesSpeakTheUnitOfTheReader) {
     for (const Message& message : {live, recorded}) {
         EXPECT_TRUE(messageText(message, TemperatureUnit::Celsius)
                         .startsWith(QString::fromUtf8(
-                            "\"K 2\" has 94.8\u00a0\u00b0C, above its limit of 90.0\u00a0\u00b0C.")));
+                            "\"K 2\" is at 94.8\u00a0\u00b0C, above its trip limit of 90.0\u00a0\u00b0C.")));
         EXPECT_TRUE(messageText(message, TemperatureUnit::Kelvin)
                         .contains(QString::fromUtf8("limit of 363.2\u00a0K.")));
-        EXPECT_TRUE(recordedText(message, std::nullopt)
-                        .startsWith(QString::fromUtf8("\"K 2\" has 94.8 \u00b0C, above its limit of 90 ")));
+        EXPECT_TRUE(
+            recordedText(message, std::nullopt)
+                .startsWith(QString::fromUtf8("\"K 2\" is at 94.8 \u00b0C, above its trip limit of 90 ")));
     }
-    EXPECT_TRUE(
-        messageText(live, TemperatureUnit::Fahrenheit) // of 94.83
-            .startsWith(QString::fromUtf8("\"K 2\" has 202.7\u00a0\u00b0F, above its limit of 194.0")));
-    EXPECT_TRUE(
-        messageText(recorded, TemperatureUnit::Fahrenheit)
-            .startsWith(QString::fromUtf8("\"K 2\" has 202.6\u00a0\u00b0F, above its limit of 194.0")));
+    EXPECT_TRUE(messageText(live, TemperatureUnit::Fahrenheit) // of 94.83
+                    .startsWith(QString::fromUtf8(
+                        "\"K 2\" is at 202.7\u00a0\u00b0F, above its trip limit of 194.0")));
+    EXPECT_TRUE(messageText(recorded, TemperatureUnit::Fahrenheit)
+                    .startsWith(QString::fromUtf8(
+                        "\"K 2\" is at 202.6\u00a0\u00b0F, above its trip limit of 194.0")));
     setReadersUnit(TemperatureUnit::Fahrenheit);
     EXPECT_EQ(messageText(live), messageText(live, TemperatureUnit::Fahrenheit));
     setReadersUnit(TemperatureUnit::Celsius);
@@ -70,7 +71,7 @@ TEST(Display, AlsoRangesListsAndOtherSentencesDo) {
         return messageText(message, TemperatureUnit::Fahrenheit);
     };
     EXPECT_TRUE(text({MessageCode::ReasonSensorDistrusted, {"a", "20", "80", "100"}})
-                    .contains(QString::fromUtf8("has 176.0 to 212.0\u00a0\u00b0F")));
+                    .contains(QString::fromUtf8("at 176.0 to 212.0\u00a0\u00b0F")));
     EXPECT_TRUE(text({MessageCode::SafetySensorJump, {"a", "12.5", "5"}})
                     .contains(QString::fromUtf8("by 22.5\u00a0\u00b0F/s")));
     EXPECT_EQ(text({MessageCode::ValueOutOfRange, {"400", "25", "350", "\u00b0C"}}),
@@ -82,7 +83,7 @@ TEST(Display, AlsoRangesListsAndOtherSentencesDo) {
     EXPECT_EQ(text({MessageCode::EventNotSettled, {"a +10 K"}}),
               QString::fromUtf8("Not settled: a +18.0\u00a0\u00b0F"));
     EXPECT_TRUE(text({MessageCode::RemedyWait, {"SafetyObjectHot", "a", "100", "90"}})
-                    .contains(QString::fromUtf8("\"a\" has 212.0\u00a0\u00b0F")));
+                    .contains(QString::fromUtf8("\"a\" is at 212.0\u00a0\u00b0F")));
     EXPECT_TRUE(text({MessageCode::SafetySourceUnit, {"77", "25"}}) // it is about the two units
                     .contains(QString::fromUtf8("77 \u00b0C")));
     EXPECT_TRUE(text({MessageCode::ReasonSensorDoubted, {"a", "?"}})
