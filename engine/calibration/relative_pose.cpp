@@ -8,7 +8,7 @@
 namespace bask {
 namespace {
 
-std::vector<std::string> numbersOf(const PoseSpread& spread) {
+std::vector<MessageArg> numbersOf(const PoseSpread& spread) {
     return {formatNumber(1e3 * spread.position_m, 2), formatNumber(degFromRad(spread.angle_rad), 2)};
 }
 
@@ -74,7 +74,7 @@ Judgement judged(const RelativePose& pose) {
             return {Verdict::Redo,
                     *std::ranges::find(part->remarks, MessageCode::PoseAmbiguous, &Message::code)};
     const Verdict verdict = verdictOn(pose.spread);
-    std::vector<std::string> numbers = numbersOf(pose.spread);
+    std::vector<MessageArg> numbers = numbersOf(pose.spread);
     if (verdict == Verdict::Good)
         return {verdict, {MessageCode::PoseGood, numbers}};
     std::ranges::copy(numbersOf(pose.possible), std::back_inserter(numbers));
