@@ -37,7 +37,7 @@ LinkWatch::Turn LinkWatch::work() {
     }
     if (m_keeper.silence_s(m_lastReply_s, now_s) <= m_silence_s)
         return Turn::Open;
-    m_problem = {MessageCode::DeviceSilent, {m_keeper.link().name(), formatNumber(m_silence_s)}};
+    m_problem = silent();
     m_keeper.close(now_s);
     return Turn::Closed;
 }
@@ -70,7 +70,14 @@ Message LinkWatch::problem() const {
         return ofLink;
     if (m_clock.now_s() - m_complained_s <= kTold_s)
         return m_complaint;
-    return isLive() ? Message{} : m_problem;
+    if (isLive())
+        return {};
+    const bool isSilent = m_problem.code == MessageCode::None && m_lastReply_s > -1e300;
+    return isSilent ? silent() : m_problem; // work() says so a moment later
+}
+
+Message LinkWatch::silent() const {
+    return {MessageCode::DeviceSilent, {m_keeper.link().name(), formatNumber(m_silence_s)}};
 }
 
 DeviceStatus LinkWatch::status() const {

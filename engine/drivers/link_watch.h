@@ -41,6 +41,7 @@ public:
 
 private:
     Message problem() const;
+    Message silent() const;
 
     LinkKeeper m_keeper;
     const Clock& m_clock;

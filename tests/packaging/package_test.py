@@ -132,7 +132,7 @@ class Package(unittest.TestCase):
         self.assertEqual(output("groff", "-man", "-Tutf8", "-ww", "-z", input=self.man), (0, ""))
 
     def test_one_version(self):
-        version = re.search(r"project\(Bask VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+        version = re.search(r"BASK_VERSION \"([0-9.]+)\"", (ROOT / "engine/base/version.h").read_text(encoding="utf-8"))[1]
         self.assertIn(f'"Bask {version}"', self.man.splitlines()[0])
         self.assertEqual(self.metainfo.find("releases/release").get("version"), version)
         with gzip.open(self.share / "doc/bask/changelog.gz", "rt", encoding="utf-8") as changelog:
