@@ -62,25 +62,16 @@ void BottomDock::fit() {
     for (QWidget* part = m_recipe->parentWidget(); part != this; part = part->parentWidget())
         part->updateGeometry(); // now: the height is asked for before the layouts are told
     if (isRecipe) {
-        m_lowHeight = height();
-        m_toLower = 0;
-        emit heightWanted(std::max(height(), std::min(kRecipeHeight, window()->height() / 3)));
+        m_lowHeight = isHidden() ? m_height : height();
+        emit heightWanted(std::max(m_lowHeight, recipeHeight()));
     } else if (m_lowHeight > 0) {
-        m_toLower = std::min(height(), std::exchange(m_lowHeight, 0));
-        emit heightWanted(m_toLower);
+        const int low = std::exchange(m_lowHeight, 0);
+        emit heightWanted(isHidden() ? low : std::min(height(), low));
     }
 }
 
-/// A busy window's layouts may follow later: it is as low as wanted when the last of them has.
-bool BottomDock::event(QEvent* event) {
-    const bool isTaken = QDockWidget::event(event);
-    if (event->type() == QEvent::LayoutRequest && m_toLower > 0) {
-        if (height() <= m_toLower)
-            m_toLower = 0;
-        else if (minimumSizeHint().height() < height())
-            emit heightWanted(m_toLower);
-    }
-    return isTaken;
+int BottomDock::recipeHeight() const {
+    return std::min(kRecipeHeight, window()->height() / 3);
 }
 
 void BottomDock::showRecipe() {
@@ -167,13 +158,9 @@ void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
 void BottomDock::setReviewing(bool isReviewing) {
     if (isReviewing && !m_isReviewing)
         m_isBackToEvents = m_tabs->currentWidget() == m_eventList;
-    const bool isOver = m_isReviewing && !isReviewing, wasHidden = isHidden();
-    if (!wasHidden)
-        m_height = height();
+    const bool isOver = m_isReviewing && !isReviewing;
     m_isReviewing = isReviewing;
     showParts();
-    if (wasHidden && !isHidden() && m_height > 0)
-        emit heightWanted(m_height); // else it has what its lists would like
     if (isOver && m_isBackToEvents)
         m_tabs->setCurrentWidget(m_eventList);
 }
@@ -184,6 +171,9 @@ void BottomDock::showAlarm(std::uint64_t id) {
 }
 
 void BottomDock::showParts() {
+    const bool wasHidden = isHidden();
+    if (!wasHidden)
+        m_height = height();
     const int alarmTab = m_tabs->indexOf(m_alarmList);
     const std::vector<AlarmGroup>& present = m_groups.present;
     QString title = present.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(present.size());
@@ -196,6 +186,9 @@ void BottomDock::showParts() {
                                                          devicePixelRatioF(), !present.front().isActive())));
     m_tabs->setTabVisible(m_tabs->indexOf(m_eventList), !m_isReviewing);
     setVisible(!m_isReviewing || !m_alarms.empty());
+    if (wasHidden && !isHidden() && m_height > 0) // else it has what its lists would like
+        emit heightWanted(m_tabs->currentWidget() == m_recipe ? std::max(m_height, recipeHeight())
+                                                              : m_height);
 }
 
 void BottomDock::retranslate() {

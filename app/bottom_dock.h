@@ -38,11 +38,11 @@ signals:
     void commandIssued(const bask::Command& command);
     /// Of an event or a note, since Start.
     void timeChosen(double time_s);
-    /// What is in front now needs this height.
+    /// What is in front now needs this height, at once: the dock looks at its height again before layouts
+    /// follow by themselves.
     void heightWanted(int height);
 
 protected:
-    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -54,6 +54,7 @@ private:
     void showParts();
     void bringAlarmsToFront();
     void fit();
+    int recipeHeight() const;
     void retranslate();
 
     QTabWidget* m_tabs;
@@ -68,7 +69,6 @@ private:
     bool m_isReviewing = false;
     int m_height = 0;              ///< before it was hidden
     int m_lowHeight = 0;           ///< before the recipe was in front; 0: it is not
-    int m_toLower = 0;             ///< wanted, and not had yet; 0: nothing
     bool m_isBackToEvents = false; ///< after the review
 };
 

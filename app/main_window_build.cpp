@@ -192,8 +192,11 @@ void MainWindow::connectRecipe() {
     connect(m_recipe, &RecipeControl::showWanted, m_dock, &BottomDock::showRecipe);
     m_files.setRecipeGuard([this] { return m_recipe->isOn(); });
     connect(&m_files, &SessionActions::recipeChosen, m_recipe, &RecipeControl::open);
-    connect(m_dock, &BottomDock::heightWanted, this,
-            [this](int height) { resizeDocks({m_dock}, {height}, Qt::Vertical); });
+    connect(m_dock, &BottomDock::heightWanted, this, [this](int height) {
+        resizeDocks({m_dock}, {height}, Qt::Vertical);
+        layout()->invalidate();
+        layout()->activate(); // a busy window's would follow later, when something else may be in front
+    });
 }
 
 void MainWindow::connectCoach() {

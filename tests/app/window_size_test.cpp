@@ -15,6 +15,9 @@
 #include <QTabWidget>
 #include <QWheelEvent>
 
+#include <random>
+#include <string>
+
 namespace bask::test {
 namespace {
 
@@ -124,8 +127,68 @@ TEST_F(WindowSizeTest, NothingShownLaterMakesItGrow) {
     EXPECT_GT(find<QWidget>("eventDock")->height(), before);
     EXPECT_EQ(window->size(), size);
     find<QTabWidget>("dockTabs")->setCurrentIndex(1);
-    EXPECT_TRUE(waitFor([&] { return find<QWidget>("eventDock")->height() == before; }, 5000))
+    EXPECT_TRUE(waitFor([&] { return find<QWidget>("eventDock")->height() == before; }))
         << find<QWidget>("eventDock")->height() << " px after " << before;
+}
+
+// Catches: a dock that keeps the recipe's height when tabs, pages, bars and alarms changed while its layouts
+// had not followed yet, as on a busy machine. Events are handled in some of the gaps only, so each seed
+// leaves others unlaid.
+TEST_F(WindowSizeTest, TheDockIsLowAgainHoweverLateItsLayoutsAre) {
+    openWindow();
+    Snapshot snapshot = freeze();
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetyObjectHot, {"aluminium hand with a painted palm", "152.3", "150"}};
+    auto* dock = find<QWidget>("eventDock");
+    auto* tabs = find<QTabWidget>("dockTabs");
+    const int events = 1, recipe = tabs->indexOf(find<QWidget>("recipePanel"));
+    tabs->setCurrentIndex(events);
+    settle();
+    const int before = dock->height();
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+        std::mt19937 random(seed);
+        std::string done;
+        const auto handleSome = [&] {
+            for (auto left = random() % 4; left > 0; --left) {
+                QCoreApplication::processEvents();
+                done += '.';
+            }
+        };
+        for (auto left = 1 + random() % 6; left > 0; --left) {
+            switch (random() % 5) {
+            case 0:
+                done += " page";
+                window->pages().show(static_cast<Page>(random() % kPages));
+                break;
+            case 1:
+                done += " recipe";
+                tabs->setCurrentIndex(recipe);
+                break;
+            case 2:
+                done += " events";
+                if (tabs->isTabVisible(events))
+                    tabs->setCurrentIndex(events);
+                break;
+            case 3:
+                done += " alarm";
+                ++alarm.id;
+                snapshot.alarms.push_back(alarm);
+                emit window->engine().snapshot(snapshot);
+                break;
+            default:
+                done += " bars";
+                showBars();
+            }
+            handleSome();
+        }
+        snapshot.alarms.clear();
+        emit window->engine().snapshot(snapshot);
+        window->pages().show(Page::Run);
+        handleSome();
+        tabs->setCurrentIndex(events);
+        ASSERT_TRUE(waitFor([&] { return dock->height() == before; }, 5000))
+            << dock->height() << " px after " << before << ", seed " << seed << ':' << done;
+    }
 }
 
 // Catches: a control that gets the keyboard where nobody sees it.
