@@ -61,13 +61,14 @@ void ParameterForm::addRow(const ParameterFacts& facts, bool mayBeAutomatic) {
         row->addWidget(field, 1);
         row->addWidget(automatic);
         connect(automatic, &QCheckBox::clicked, this, [this, &facts](bool isAutomatic) {
-            const Row& row = *rowOf(facts);
             if (isAutomatic)
                 tell(facts, std::nullopt, tr("automatic"));
             else
-                tell(facts, row.takenOver, {});
+                tell(facts, rowOf(facts)->takenOver, {});
         });
     }
+    if (m_layout->parentWidget() != this) // a number among wider fields
+        field->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_layout->addRow(label, part);
     m_rows.push_back({&facts, label, field, automatic, part});
     retranslate();
