@@ -62,6 +62,8 @@ def compiled_files():
     done = subprocess.run(["cmake", "--preset", "tidy"], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         sys.exit(f"clang-tidy: cmake --preset tidy failed:\n{done.stdout}{done.stderr}")
+    # Headers that the build makes. Without them clang-tidy says what is missing.
+    subprocess.run(["cmake", "--build", "build/tidy", "--target", "message_names"], capture_output=True, check=False)
     root = Path.cwd().resolve()
     commands = json.loads(Path("build/tidy/compile_commands.json").read_text(encoding="utf-8"))
     files = [(Path(entry["directory"]) / entry["file"]).resolve() for entry in commands]
@@ -72,7 +74,7 @@ def is_of_change(finding, lines):
     place = re.match(r"(.+?):(\d+):\d+: ", finding)
     if not place or "[clang-diagnostic-error" in finding:
         return bool(re.match(r".*: error: ", finding))
-    name, line = os.path.relpath(place[1]), int(place[2])
+    name, line = os.path.relpath(os.path.realpath(place[1])), int(place[2])  # include roots are links
     return name in lines and (not lines[name] or any(first <= line <= last for first, last in lines[name]))
 
 
