@@ -9,7 +9,10 @@ if ! command -v doxygen >/dev/null 2>&1; then
     exit 1
 fi
 rm -rf build/doxygen
-mkdir -p build
+names=build/names/engine/base # headers that the build makes
+mkdir -p "$names"
+cmake "-DTABLES=engine/base/message_table.inc;engine/base/alarm_table.inc" "-DCODES=$names/message_names.inc" \
+    "-DCONDITIONS=$names/condition_names.inc" -P engine/base/message_names.cmake
 if ! doxygen packaging/Doxyfile; then
     echo "documentation check: doxygen $(doxygen --version) has warnings; packaging/Doxyfile says which count" >&2
     exit 1

@@ -14,6 +14,7 @@
 namespace bask {
 namespace {
 
+// NOLINTNEXTLINE(readability-identifier-naming): as the tables write them
 enum Rank : int { NoAlarm = 0, Priority1 = 1, Priority2 = 2, Priority3 = 3, Notice = 4 };
 
 /// An alarm of low priority about which the engine does nothing asks nothing of a person.

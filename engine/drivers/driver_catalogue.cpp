@@ -22,6 +22,7 @@ template <class Driver> const Driver& driverIn(const std::vector<Driver>& driver
 
 template <class Driver> std::vector<const DriverFacts*> factsOf(const std::vector<Driver>& drivers) {
     std::vector<const DriverFacts*> out;
+    out.reserve(drivers.size());
     for (const Driver& driver : drivers)
         out.push_back(&driver);
     return out;
@@ -30,19 +31,20 @@ template <class Driver> std::vector<const DriverFacts*> factsOf(const std::vecto
 } // namespace
 
 const std::vector<RobotDriver>& robotDrivers() {
-    static const std::vector<RobotDriver> drivers{grblDriver(), dobotDriver()};
-    return drivers;
+    static const std::vector<RobotDriver> kDrivers{grblDriver(), dobotDriver()};
+    return kDrivers;
 }
 
 const std::vector<ThermometerDriver>& thermometerDrivers() {
-    static const std::vector<ThermometerDriver> drivers{modbusThermometerDriver(), streamThermometerDriver()};
-    return drivers;
+    static const std::vector<ThermometerDriver> kDrivers{modbusThermometerDriver(),
+                                                         streamThermometerDriver()};
+    return kDrivers;
 }
 
 const std::vector<HeatSourceDriver>& heatSourceDrivers() {
-    static const std::vector<HeatSourceDriver> drivers{handHeaterDriver(), namurHeaterDriver(),
-                                                       modbusHeaterDriver()};
-    return drivers;
+    static const std::vector<HeatSourceDriver> kDrivers{handHeaterDriver(), namurHeaterDriver(),
+                                                        modbusHeaterDriver()};
+    return kDrivers;
 }
 
 std::vector<const DriverFacts*> driversOf(DeviceRole role) {

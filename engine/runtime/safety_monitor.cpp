@@ -25,6 +25,7 @@ constexpr double kLate_s = 1.0;           ///< of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object is as cold as the room
 constexpr double kDiskHysteresis = 1.1;
 
+// NOLINTNEXTLINE(readability-identifier-naming): as the table writes them
 enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
 
 constexpr AlarmEntry row(Condition condition, const char* key, int priority, Reaction reaction,

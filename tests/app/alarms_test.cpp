@@ -111,7 +111,7 @@ TEST_F(AlarmsTest, SpeakTheUnitThatTheReaderChose) {
     EXPECT_TRUE(speaks(lastEvent(), 2, "\u00a0K,")) << lastEvent()->text(2).toStdString();
 
     const QTemporaryDir folder;
-    const QString path = folder.filePath(QStringLiteral("hot.bask"));
+    QString path = folder.filePath(QStringLiteral("hot.bask"));
     auto writer = SessionWriter::create(path.toStdString(), window->document().experiment(), true);
     ASSERT_TRUE(writer);
     ASSERT_TRUE((*writer)->add(TraceEvent{1.0, {MessageCode::SafetyObjectWarm, {"disk", "100", "90"}}}));

@@ -102,7 +102,8 @@ TEST(RigSpec, TheDocumentHasEveryDriver) {
         EXPECT_NE(row.find("`\"" + std::string(driver.key) + "\"`"), std::string::npos) << role << driver.key;
         for (const auto& parameter : driver.parameters) {
             const std::string key = keyOf(*parameter.facts);
-            EXPECT_TRUE(text.find('`' + role + '.' + key + '`') != std::string::npos ||
+            EXPECT_TRUE(text.find(std::string("`").append(role).append(".").append(key).append("`")) !=
+                            std::string::npos ||
                         text.find("`." + key + '`') != std::string::npos)
                 << role << '.' << key;
         }
