@@ -1,10 +1,13 @@
 #!/bin/sh
-# Configures (when needed) and builds one preset of CMakePresets.json: sh packaging/build.sh release
+# Configures (when needed) and builds one preset of CMakePresets.json, or targets of it:
+#   sh packaging/build.sh release
+#   sh packaging/build.sh asan --target engine_tests
 # The configuration's output goes to build/<preset>-configure.log and is shown when it fails.
 set -eu
 cd "$(dirname "$0")/.."
 
-preset=${1:?usage: sh packaging/build.sh PRESET}
+preset=${1:?usage: sh packaging/build.sh PRESET [OPTION OF cmake --build...]}
+shift
 ninja_file=build/$preset/build.ninja
 log=build/$preset-configure.log
 
@@ -19,4 +22,4 @@ if [ ! -e "$ninja_file" ] || [ CMakePresets.json -nt "$ninja_file" ]; then
     fi
 fi
 echo "Building preset $preset"
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" "$@"
