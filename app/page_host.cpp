@@ -82,10 +82,8 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
 }
 
 void PageHost::connectReview() {
-    connect(&m_reviewDesk, &ReviewDesk::opened, this, [this] {
-        m_messages.clear();
-        show(Page::Review);
-    });
+    connect(&m_reviewDesk, &ReviewDesk::opening, this, [this] { m_messages.clear(); });
+    connect(&m_reviewDesk, &ReviewDesk::opened, this, [this] { show(Page::Review); });
     connect(&m_reviewDesk, &ReviewDesk::problem, this, &PageHost::showProblem);
     connect(&m_reviewDesk, &ReviewDesk::told, this, &PageHost::showNote);
     connect(&m_reviewDesk, &ReviewDesk::manualRequested, this, &PageHost::manualRequested);

@@ -26,9 +26,10 @@ void ReviewDesk::open(std::shared_ptr<RecordedSession> session) {
     m_session = std::move(session);
     m_numbers.reset();
     m_isDamageTold = false;
+    emit opening();
     showSession();
-    emit opened();
     m_count.start(*m_session);
+    emit opened();
 }
 
 bool ReviewDesk::isOpen(const QString& path) const {

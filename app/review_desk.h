@@ -26,7 +26,8 @@ public:
     void retranslate();
 
 signals:
-    void opened(); ///< a session, which is shown
+    void opening(); ///< another session: what was said is over
+    void opened();  ///< it is shown
     void problem(const QString& sentence);
     void told(const QString& sentence);
     /// "manual.md#review"

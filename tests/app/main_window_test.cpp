@@ -30,6 +30,8 @@
 #include <QMessageBox>
 #include <QOpenGLWidget>
 #include <QSplitter>
+#include <QSqlDatabase>
+#include <QSqlQuery>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
@@ -361,6 +363,35 @@ TEST_F(MainWindowTest, ADamagedSessionOfTheCommandLineIsTold) {
     ASSERT_TRUE(waitFor(
         [this] { return find<MessageBar>("messageBar")->sentence().contains(QStringLiteral("cut.bask")); }));
     EXPECT_FALSE(window->document().experiment().objects.empty());
+}
+
+// Catches damage that is found while a run is shown first, and is told only until it is shown.
+TEST_F(MainWindowTest, ASampleThatIsMissingIsToldWhenTheRunIsOpened) {
+    openWindow();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("holed.bask");
+    auto writer = SessionWriter::create(path.toStdString(), window->document().experiment(), true);
+    ASSERT_TRUE(writer);
+    TraceSample sample;
+    sample.objects.resize(window->document().experiment().objects.size());
+    for (int i = 0; i < 600; ++i) { // the first 512 have an overview, and are read when they are looked at
+        sample.time_s = 0.1 * i;
+        ASSERT_TRUE((*writer)->add(sample));
+    }
+    ASSERT_TRUE((*writer)->finish("stopped"));
+    writer->reset();
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), path);
+        database.setDatabaseName(path);
+        ASSERT_TRUE(database.open());
+        QSqlQuery query(database);
+        ASSERT_TRUE(query.exec(QStringLiteral("DELETE FROM step WHERE number = 5")));
+    }
+    QSqlDatabase::removeDatabase(path);
+    window->files().open(path);
+    ASSERT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
+    EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("holed.bask")); }))
+        << message().toStdString();
 }
 
 // Catches a window that marks no runs, leaves the mark of one that it ended, or tells no one of a crash.
