@@ -1,11 +1,11 @@
 #include "engine/experiment/alarm_file.h"
 #include "engine/base/plain_text.h"
+#include "engine/experiment/text_file.h"
 #include "engine/model/alarm.h"
 
 #include "engine/experiment/json_fields.h"
 
 #include <QFile>
-#include <QSaveFile>
 #include <QString>
 
 #include <nlohmann/json.hpp>
@@ -103,15 +103,7 @@ Result<void> writeAlarms(const std::vector<Alarm>& alarms, const std::string& pa
         {"format", "bask-alarms"}, {"version", kVersion}, {"alarms", nlohmann::ordered_json::array()}};
     for (const Alarm& alarm : alarms)
         j["alarms"].push_back(alarmJson(alarm));
-    const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
-    QSaveFile file(QString::fromStdString(path));
-    const bool written =
-        file.open(QIODevice::WriteOnly) &&
-        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        file.commit();
-    if (!written)
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(path, j.dump(1, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 } // namespace bask

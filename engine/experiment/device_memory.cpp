@@ -3,9 +3,9 @@
 #include "engine/base/plain_text.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/experiment/json_fields.h"
+#include "engine/experiment/text_file.h"
 
 #include <QFile>
-#include <QSaveFile>
 
 #include <nlohmann/json.hpp>
 
@@ -93,15 +93,7 @@ Result<void> writeDeviceMemory(const DeviceMemory& memory, const std::string& pa
     for (const auto& [key, device] : memory)
         j["devices"].push_back(
             {{"device", key}, {"port_id", device.portId}, {"signature", device.signature}});
-    const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
-    QSaveFile file(QString::fromStdString(path));
-    const bool isWritten =
-        file.open(QIODevice::WriteOnly) &&
-        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        file.commit();
-    if (!isWritten)
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(path, j.dump(1, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 } // namespace bask

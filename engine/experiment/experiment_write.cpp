@@ -6,11 +6,9 @@
 #include "engine/experiment/json_quantities.h"
 #include "engine/experiment/parameter_json.h"
 #include "engine/experiment/rig_json.h"
+#include "engine/experiment/text_file.h"
 #include "engine/experiment/vision_json.h"
 #include "engine/model/experiment_parameters.h"
-
-#include <QSaveFile>
-#include <QString>
 
 #include <nlohmann/json.hpp>
 
@@ -244,15 +242,7 @@ std::string experimentToJson(const Experiment& experiment) {
 Result<void> writeExperiment(const Experiment& experiment, const std::string& path) {
     if (auto valid = validate(experiment); !valid)
         return valid.error();
-    const std::string text = experimentToJson(experiment);
-    QSaveFile file(QString::fromStdString(path));
-    const bool written =
-        file.open(QIODevice::WriteOnly) &&
-        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        file.commit();
-    if (!written)
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(path, experimentToJson(experiment));
 }
 
 std::string controllerToJson(const ControllerSettings& settings) {

@@ -3,8 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/experiment/rig_json.h"
-
-#include <QSaveFile>
+#include "engine/experiment/text_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -76,15 +75,7 @@ Result<void> writeRigFile(const RigSpec& rig, const std::string& path) {
     j["format"] = "bask-rig";
     j["version"] = kRigFormat;
     j["rig"] = rigJson(rig);
-    const std::string text = j.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
-    QSaveFile file(QString::fromStdString(path));
-    const bool isWritten =
-        file.open(QIODevice::WriteOnly) &&
-        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        file.commit();
-    if (!isWritten)
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(path, j.dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 
 } // namespace bask

@@ -3,9 +3,8 @@
 #include "engine/experiment/json_fields.h"
 #include "engine/experiment/json_quantities.h"
 #include "engine/experiment/json_text.h"
+#include "engine/experiment/text_file.h"
 #include "engine/recipe/recipe.h"
-
-#include <QSaveFile>
 
 #include <nlohmann/json.hpp>
 
@@ -180,12 +179,7 @@ std::string recipeToJson(const Recipe& recipe, const std::string& folder) {
 Result<void> writeRecipe(const Recipe& recipe, const std::string& path) {
     if (const auto valid = validate(recipe); !valid)
         return valid;
-    const std::string text = recipeToJson(recipe, folderOf(path));
-    QSaveFile file(QString::fromStdString(path));
-    const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(path, recipeToJson(recipe, folderOf(path)));
 }
 
 } // namespace bask

@@ -6,14 +6,13 @@
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
+#include "engine/studies/parallel.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <thread>
 
 namespace bask {
 namespace {
@@ -281,23 +280,13 @@ Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int th
         if (const auto valid = validate(rig); !valid)
             return valid.error();
     std::vector<AlarmStudyRow> rows(static_cast<std::size_t>(study.count));
-    std::atomic<int> next = 0, done = 0;
-    const auto work = [&](bool reports) {
-        for (int index = next++; index < study.count; index = next++) {
+    runInParallel(
+        study.count, threads,
+        [&](int index) {
             rows[static_cast<std::size_t>(index)] =
                 AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, study.first - 1 + index)).run();
-            ++done;
-            if (reports && progress)
-                progress(done);
-        }
-    };
-    const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> others;
-        for (int i = 1; i < std::min(wanted, study.count); ++i)
-            others.emplace_back(work, false);
-        work(true);
-    }
+        },
+        progress);
     return rows;
 }
 

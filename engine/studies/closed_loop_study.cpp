@@ -6,16 +6,15 @@
 #include "engine/control/velocity_solve.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/studies/parallel.h"
 #include "engine/studies/study_random.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
-#include <thread>
 
 namespace bask {
 namespace {
@@ -300,22 +299,9 @@ Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& stu
     if (const auto valid = validate(study.rig); !valid)
         return valid.error();
     std::vector<std::optional<Result<ClosedLoopRow>>> results(static_cast<std::size_t>(study.count));
-    std::atomic<int> next = 0, done = 0;
-    const auto work = [&](bool reports) {
-        for (int index = next++; index < study.count; index = next++) {
-            results[static_cast<std::size_t>(index)] = runCase(study, index);
-            ++done;
-            if (reports && progress)
-                progress(done);
-        }
-    };
-    const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> others;
-        for (int i = 1; i < std::min(wanted, study.count); ++i)
-            others.emplace_back(work, false);
-        work(true);
-    }
+    runInParallel(
+        study.count, threads,
+        [&](int index) { results[static_cast<std::size_t>(index)] = runCase(study, index); }, progress);
     std::vector<ClosedLoopRow> rows;
     for (auto& result : results) {
         if (!*result)
