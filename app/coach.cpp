@@ -193,8 +193,7 @@ QString Coach::words() const {
         return tr("Press “Use nearest feasible”: targets that can be held together.");
     case Step::Arm:
         return tr("Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and "
-                  "the "
-                  "recording is opened. Nothing moves yet.")
+                  "the recording is opened. Nothing moves yet.")
             .arg(typed(40.0));
     case Step::Start:
         return tr("Start (F6): the heat is on, and the robot moves.");

@@ -133,8 +133,7 @@ void printProgress(double time_s, const TraceSample& sample) {
         return;
     std::fprintf(stderr, "\r%7.0f s ", time_s);
     for (const ObjectSample& object : sample.objects)
-        std::fprintf(stderr, " %7.2f",
-                     celsiusFromKelvin(std::isfinite(object.true_K) ? object.true_K : object.estimated_K));
+        std::fprintf(stderr, " %7.2f", celsiusFromKelvin(judgedTemperature_K(object)));
     std::fprintf(stderr, " degC ");
 }
 

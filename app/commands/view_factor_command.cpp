@@ -66,15 +66,6 @@ std::string withOddNumbersQuoted(const std::string& text) {
     return result;
 }
 
-// The parser's words on one line of plain characters, without the library's number of the error.
-std::string plainWords(const std::string& words) {
-    const std::size_t number = words.find("] ");
-    std::string text = number == std::string::npos ? words : words.substr(number + 2);
-    std::replace_if(
-        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text.substr(0, 300);
-}
-
 Result<json> readCases(const std::string& path) {
     QFile file(QString::fromStdString(path));
     if (!file.exists())

@@ -17,6 +17,7 @@ class Checker {
 public:
     bool failed() const { return m_error.has_value(); }
     const std::optional<Error>& error() const { return m_error; }
+    Result<void> result() const { return m_error ? Result<void>(*m_error) : Result<void>(); }
 
     void fail(MessageCode code, const std::string& where, std::vector<MessageArg> args = {});
     void take(const Result<void>& result);

@@ -452,9 +452,7 @@ Result<void> validate(const Experiment& e) {
     checkFaults(check, e);
     if (!check.failed())
         checkStart(check, e);
-    if (check.failed())
-        return *check.error();
-    return {};
+    return check.result();
 }
 
 Result<void> setTargets(Experiment& experiment, const std::vector<double>& targets_K) {

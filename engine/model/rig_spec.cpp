@@ -17,17 +17,11 @@ constexpr std::size_t kMaxText = 1000;
 constexpr double kMaxOrigin_m = 5.0;
 constexpr double kMaxOrigin_rad = 6.2831853071795862;
 
-Error outOfRange(const std::string& where, double value, double least, double most, const char* unit = "") {
-    return {MessageCode::ValueOutOfRange,
-            where,
-            {formatNumber(value, 10), formatNumber(least), formatNumber(most), unit}};
-}
-
-Result<void> checkRange(const std::string& where, double value, double least, double most,
+Result<void> checkRange(const std::string& where, double value, double min, double max,
                         const char* unit = "") {
-    if (!(value >= least && value <= most))
-        return outOfRange(where, value, least, most, unit);
-    return {};
+    Checker check;
+    check.range(where, value, min, max, unit);
+    return check.result();
 }
 
 Result<void> checkPort(const std::string& where, const std::string& port) {
@@ -68,9 +62,7 @@ template <class Spec> Result<void> checkDevice(DeviceRole role, const std::strin
     }
     if (own != spec.own.size())
         throw std::invalid_argument("a device with values that its driver does not know: " + spec.driver);
-    if (check.failed())
-        return *check.error();
-    return {};
+    return check.result();
 }
 
 Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>& freeCoordinates) {
@@ -160,8 +152,10 @@ bool hasOneLine(const RigSpec& rig) {
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
-    if (rig.name.size() > kMaxText)
-        return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
+    if (const auto fit =
+            checkRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
+        !fit)
+        return fit;
     if (rig.robot)
         if (const auto fit = checkRobot(*rig.robot, freeCoordinates); !fit)
             return fit;

@@ -10,8 +10,7 @@ std::optional<double> settlingTime_s(const std::vector<TraceSample>& samples, st
         if (i >= sample->objects.size())
             break;
         const ObjectSample& object = sample->objects[i];
-        const double T_K = std::isfinite(object.true_K) ? object.true_K : object.estimated_K;
-        if (!(std::abs(T_K - object.target_K) <= band_K))
+        if (!(std::abs(judgedTemperature_K(object) - object.target_K) <= band_K))
             break;
         since_s = sample->time_s;
     }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -29,6 +30,11 @@ struct ObjectSample {
     double true_K = 0.0;  ///< the simulated plant's own temperature; NaN on a real rig
     bool valid = false;   ///< measured_K is a fresh, plausible reading
 };
+
+/// As an object's outcome is judged: the plant's own temperature where there is one, else the estimate.
+inline double judgedTemperature_K(const ObjectSample& object) {
+    return std::isfinite(object.true_K) ? object.true_K : object.estimated_K;
+}
 
 /// One sample of a run.
 struct TraceSample {

@@ -62,10 +62,11 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
     if (!facts)
         return facts.error();
     session->m_facts = std::move(*facts);
-    const auto tables = SessionTables::of(**store, session->m_facts);
+    auto tables = SessionTables::of(**store, session->m_facts);
     if (!tables)
         return tables.error();
-    auto done = session->readOverview(**store, *tables);
+    session->m_tables = std::make_unique<SessionTables>(std::move(*tables));
+    auto done = session->readOverview(**store);
     if (done)
         done = session->readTargets(**store);
     if (!done)
@@ -74,24 +75,24 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
 }
 
 /// What the recorder has summed up, and the samples that came after.
-Result<void> RecordedSession::readOverview(const SessionStore& store, const SessionTables& tables) {
+Result<void> RecordedSession::readOverview(const SessionStore& store) {
     m_overview = TraceOverview(m_facts.experiment.objects.size());
     bool isSound = true;
-    const auto done = store.select("SELECT last_step, extremes FROM overview ORDER BY last_step",
-                                   [&](SessionStore::Row row) {
-                                       const auto* last = std::get_if<std::int64_t>(&row[0]);
-                                       const auto* extremes = std::get_if<SqlBlob>(&row[1]);
-                                       const std::size_t before = m_overview.samples();
-                                       isSound = isSound && last != nullptr && extremes != nullptr &&
-                                                 std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
-                                                 m_overview.addBytes(extremes->bytes, tables.quantities()) &&
-                                                 std::cmp_equal(*last, m_overview.samples());
-                                   });
+    const auto done = store.select(
+        "SELECT last_step, extremes FROM overview ORDER BY last_step", [&](SessionStore::Row row) {
+            const auto* last = std::get_if<std::int64_t>(&row[0]);
+            const auto* extremes = std::get_if<SqlBlob>(&row[1]);
+            const std::size_t before = m_overview.samples();
+            isSound = isSound && last != nullptr && extremes != nullptr &&
+                      std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
+                      m_overview.addBytes(extremes->bytes, m_tables->quantities()) &&
+                      std::cmp_equal(*last, m_overview.samples());
+        });
     if (!done)
         return done;
     if (!isSound)
         m_overview = TraceOverview(m_facts.experiment.objects.size());
-    return readSteps(store, tables, m_facts.path, m_overview.samples() + 1, kNoLimit,
+    return readSteps(store, *m_tables, m_facts.path, m_overview.samples() + 1, kNoLimit,
                      [this](const TraceSample& sample) { m_overview.add(sample); });
 }
 
@@ -159,13 +160,10 @@ Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
     const auto store = m_reader->open(m_facts.path);
     if (!store)
         return store.error();
-    const auto tables = SessionTables::of(**store, m_facts);
-    if (!tables)
-        return tables.error();
     const std::size_t first = k * kBlock, last = std::min(first + kBlock, size());
     std::vector<TraceSample> samples;
     samples.reserve(last - first);
-    const auto done = readSteps(**store, *tables, m_facts.path, first + 1, last,
+    const auto done = readSteps(**store, *m_tables, m_facts.path, first + 1, last,
                                 [&](const TraceSample& sample) { samples.push_back(sample); });
     if (!done)
         return done.error();

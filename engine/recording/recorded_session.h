@@ -69,12 +69,13 @@ private:
     };
 
     RecordedSession() = default;
-    Result<void> readOverview(const SessionStore& store, const SessionTables& tables);
+    Result<void> readOverview(const SessionStore& store);
     Result<void> readTargets(const SessionStore& store);
     void adopt(std::vector<TraceSample> samples);
     Result<std::vector<TraceSample>> readBlock(std::size_t k);
 
     SessionRecord m_facts;
+    std::unique_ptr<SessionTables> m_tables; ///< null: all is in memory
     TraceOverview m_overview;
     std::vector<std::vector<std::pair<double, double>>> m_targets;
     bool m_isWhole = false; ///< all blocks are in memory

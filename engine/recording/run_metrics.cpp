@@ -12,10 +12,6 @@
 namespace bask {
 namespace {
 
-double temperature_K(const ObjectSample& object) {
-    return std::isfinite(object.true_K) ? object.true_K : object.estimated_K;
-}
-
 /// When T first passes a level, linear between samples; samples without T are left out.
 class LevelCrossing {
 public:
@@ -52,7 +48,7 @@ struct RunMetricsCount::ObjectCount {
 
     void add(const TraceSample& sample, std::size_t i, double band_K) {
         const ObjectSample& object = sample.objects[i];
-        const double T_K = temperature_K(object);
+        const double T_K = judgedTemperature_K(object);
         if (!isBegun || object.target_K != metrics.target_K) // an unknown one is another each time
             beginStep(sample.time_s, object.target_K, T_K, band_K);
         metrics.isTrue = std::isfinite(object.true_K);

@@ -13,9 +13,8 @@ constexpr int kOutlinePoints = 120;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 double drawn_K(const ObjectSample& object) {
-    return std::isfinite(object.true_K)        ? object.true_K
-           : std::isfinite(object.estimated_K) ? object.estimated_K
-                                               : object.measured_K;
+    const double T_K = judgedTemperature_K(object);
+    return std::isfinite(T_K) ? T_K : object.measured_K;
 }
 
 /// Indices of `count` points from `first` on.

@@ -47,6 +47,13 @@ struct Plan {
     Vector6d fixed = Vector6d::Zero(); ///< coordinates without an axis
 };
 
+/// One that looks at its port on a thread of its own; an empty `portId` takes whatever port has that name.
+std::unique_ptr<ByteLink> serialLink(const std::string& port, const SerialSettings& settings,
+                                     const std::string& portId) {
+    return std::make_unique<ByteLinkOnThread>(
+        port, [=] { return std::make_unique<SerialLink>(port, settings, PortCheck(portId)); });
+}
+
 } // namespace
 
 struct RealRig::Parts {
@@ -70,10 +77,7 @@ struct RealRig::Parts {
         ByteLink& serial() override {
             if (m_parts.isGuarded(m_spec.port))
                 return add(m_parts.guarded(m_spec.serial));
-            return add(std::make_unique<ByteLinkOnThread>(
-                m_spec.port, [port = m_spec.port, settings = m_spec.serial, portId = m_portId] {
-                    return std::make_unique<SerialLink>(port, settings, PortCheck(portId));
-                }));
+            return add(serialLink(m_spec.port, m_spec.serial, m_portId));
         }
         ModbusLink& modbus() override {
             auto& link = m_parts.modbusLinks[m_spec.port];
@@ -107,11 +111,8 @@ struct RealRig::Parts {
     }
     bool isGuarded(const std::string& port) const { return heaterGuard && heaterGuard->port() == port; }
     std::unique_ptr<ByteLink> guarded(const SerialSettings& settings) {
-        const std::string port = heaterGuard->port();
-        const auto direct = [=, this] {
-            return std::make_unique<ByteLinkOnThread>(port, [=, portId = heaterGuard->portId()] {
-                return std::make_unique<SerialLink>(port, settings, PortCheck(portId));
-            });
+        const auto direct = [=, this, port = heaterGuard->port()] {
+            return serialLink(port, settings, heaterGuard->portId());
         };
         return std::make_unique<GuardedLink>(*heaterGuard, direct, clock);
     }

@@ -27,6 +27,11 @@ public:
         post([task] { (*task)(); });
         return answer;
     }
+    /// Deletes `owned` there: what its end may wait for keeps nobody else.
+    template <class Owned> void dispose(std::unique_ptr<Owned> owned) {
+        if (owned)
+            post([last = std::shared_ptr<Owned>(std::move(owned))]() mutable { last.reset(); });
+    }
     /// Returns false when not all that was posted is done after `bound`.
     bool wait(std::chrono::milliseconds bound) const;
 

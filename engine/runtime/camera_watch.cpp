@@ -17,7 +17,7 @@ CameraWatch::~CameraWatch() = default;
 
 void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
     m_wanted = wanted;
-    m_isBoardOut = !session.isInUse();
+    m_isBoardOut = !session.loop.isArmedOrOn();
     if (session.simulated)
         session.simulated->simulatedCamera().setBoard(
             wanted.show && !m_chosen && m_isBoardOut ? wanted.board : std::nullopt);
@@ -25,7 +25,7 @@ void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
 }
 
 void CameraWatch::followRun(EngineSession& session) {
-    if (m_wanted.board && m_isBoardOut == session.isInUse())
+    if (m_wanted.board && m_isBoardOut == session.loop.isArmedOrOn())
         watchOn(session);
 }
 
@@ -57,8 +57,7 @@ void CameraWatch::setTask(EngineSession& session) {
 }
 
 void CameraWatch::close() {
-    if (m_chosen)
-        m_closer.post([last = std::shared_ptr<Chosen>(std::move(m_chosen))]() mutable { last.reset(); });
+    m_closer.dispose(std::move(m_chosen));
 }
 
 std::shared_ptr<const VisionView> CameraWatch::newest(const EngineSession* session) const {

@@ -35,10 +35,6 @@ RigDevices EngineSession::devices() {
             [this] { return simulated->trueTemperatures_K(); }, &tracker};
 }
 
-bool EngineSession::isInUse() const {
-    return loop.running() || loop.state() == RunState::Armed;
-}
-
 void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.state = loop.state();
     snapshot.reasons = loop.reasons();

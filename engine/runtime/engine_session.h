@@ -22,7 +22,6 @@ struct EngineSession {
     EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept);
 
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
-    bool isInUse() const; ///< a run is armed or on
     /// Writes what is known of rig and loop into a snapshot.
     void tell(Snapshot& snapshot) const;
 

@@ -274,7 +274,7 @@ Result<void> EngineWorker::setVision(const VisionSpec& vision) {
 }
 
 bool EngineWorker::isInUse() const {
-    return m_session->isInUse();
+    return m_session->loop.isArmedOrOn();
 }
 
 Result<void> EngineWorker::choose(const std::string& camera) {
@@ -289,10 +289,10 @@ Result<void> EngineWorker::choose(const std::string& camera) {
 void EngineWorker::endTrial() {
     if (!m_tried)
         return;
-    letGo(m_tried->takeCamera());
+    m_closer.dispose(m_tried->takeCamera());
     const bool isLive = m_session && (m_session->loop.heatOn() || m_session->loop.isMoving() || isInUse());
     if (isLive && m_tried->mayEndElsewhere())
-        letGo(std::move(m_tried));
+        m_closer.dispose(std::move(m_tried));
     m_tried.reset();
 }
 
@@ -680,8 +680,7 @@ Result<void> EngineWorker::endRecording() {
 }
 
 void EngineWorker::closeFinished() {
-    if (m_session && !m_session->loop.running() && m_session->loop.state() != RunState::Armed &&
-        !m_session->loop.isCooling())
+    if (m_session && !isInUse() && !m_session->loop.isCooling())
         closeRecording();
 }
 

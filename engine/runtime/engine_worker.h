@@ -137,11 +137,6 @@ private:
     QElapsedTimer m_wall;
     BackgroundThread m_closer; ///< of cameras, and of ports that were tried
     CameraWatch m_cameras;
-    /// A picture that is looked at, and a driver that hangs, take their time: elsewhere.
-    template <class Closed> void letGo(std::unique_ptr<Closed> closed) {
-        if (closed)
-            m_closer.post([last = std::shared_ptr<Closed>(std::move(closed))]() mutable { last.reset(); });
-    }
     std::shared_ptr<const VisionView> m_view; ///< handed on last
     std::unique_ptr<DeviceTrial> m_tried;
     bool m_isClosing = false, m_isEnding = false;

@@ -167,6 +167,7 @@ public:
     std::vector<AlarmCondition> alarmConditions() const;
     /// A run is on, from Start until it has stopped; or a retreat, with or without one.
     bool running() const;
+    bool isArmedOrOn() const; ///< running(), or a run is armed
     /// A run has ended by a fault or STOP: its record and its time go on until the objects are cold and the
     /// heat is off, or a person ends it.
     bool isCooling() const { return m_isCooling; }
@@ -197,7 +198,6 @@ private:
     void endMove();
     double mostHeat_K() const; ///< that the experiment asks for
     void goOn();               ///< towards the goal of moveTo
-    bool isArmedOrOn() const;  ///< a run is armed or on
     bool isByHand() const;     ///< no run is armed or on, and nothing is latched
     void readRobotAndSource();
     void readViewFactors();
