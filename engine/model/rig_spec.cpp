@@ -152,8 +152,7 @@ bool hasOneLine(const RigSpec& rig) {
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
-    if (const auto fit =
-            checkRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
+    if (auto fit = checkRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
         !fit)
         return fit;
     if (rig.robot)

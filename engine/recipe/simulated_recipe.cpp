@@ -46,8 +46,8 @@ public:
         m_snapshot.runTime_s = loop.runTime_s();
         m_snapshot.clock_s = m_drive->clock().now_s();
         m_snapshot.latest = loop.latest();
-        m_snapshot.heat = loop.heatState();
-        m_snapshot.heatOn = loop.heatOn();
+        m_snapshot.heat = loop.heat().state();
+        m_snapshot.heatOn = loop.heat().isOn();
         return m_snapshot;
     }
 

@@ -23,7 +23,9 @@ EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, Ke
                                                 clock());
     if (!real)
         return;
-    real->setGuard([this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
+    real->setGuard([this](const Vector6d& from, const Vector6d& to) {
+        return loop.readings().geometry()->mayStep(from, to, loop.experiment().robot);
+    });
     real->limitSpeed(experiment.robot);
     real->setPeriod(experiment.sampling.period_s);
 }
@@ -36,39 +38,41 @@ RigDevices EngineSession::devices() {
 }
 
 void EngineSession::tell(Snapshot& snapshot) const {
+    const RigReadings& readings = loop.readings();
+    const double now_s = clock().now_s();
     snapshot.state = loop.state();
     snapshot.reasons = loop.reasons();
     snapshot.remedy = loop.remedy();
     snapshot.pending = loop.pending();
     snapshot.canRetreat = loop.keepsFromRetreat().code == MessageCode::None;
     snapshot.runTime_s = loop.runTime_s();
-    snapshot.clock_s = clock().now_s();
+    snapshot.clock_s = now_s;
     snapshot.latest = loop.latest();
     snapshot.simulated = simulated != nullptr;
-    snapshot.place = loop.placeState();
-    snapshot.placeAge_s = loop.placeAge_s();
+    snapshot.place = loop.motion().placeState();
+    snapshot.placeAge_s = loop.motion().placeAge_s();
     if (simulated && snapshot.place != PlaceState::Unknown) // it tells nobody then
         snapshot.latest.coordinates = simulated->simulatedRobot().coordinates();
     if (real)
         snapshot.devices = real->devices();
-    snapshot.sampleTime_s = loop.sampleTime_s();
-    snapshot.sampleAge_s = clock().now_s() - loop.sampleTime_s();
+    snapshot.sampleTime_s = readings.sampleTime_s();
+    snapshot.sampleAge_s = now_s - readings.sampleTime_s();
     for (std::size_t i = 0; i < loop.experiment().objects.size(); ++i) {
         snapshot.sensors.push_back(loop.sensorTrust(i));
-        snapshot.readingAges_s.push_back(loop.readingAge_s(i));
-        snapshot.toldReadings_K.push_back(loop.toldReading_K(i));
+        snapshot.readingAges_s.push_back(readings.sensors().age_s(i, now_s));
+        snapshot.toldReadings_K.push_back(readings.sensors().told_K(i, now_s));
     }
-    snapshot.source_K = loop.source_K();
-    snapshot.sourceAge_s = loop.sourceAge_s();
-    snapshot.heat = loop.heatState();
-    snapshot.heatOn = loop.heatOn();
-    snapshot.isMoving = loop.isMoving();
-    snapshot.tracking = loop.tracking();
-    snapshot.robotAlarm = loop.robotAlarm();
-    snapshot.isPlaceSure = loop.isPlaceSure();
+    snapshot.source_K = readings.source_K();
+    snapshot.sourceAge_s = readings.sourceAge_s();
+    snapshot.heat = loop.heat().state();
+    snapshot.heatOn = loop.heat().isOn();
+    snapshot.isMoving = loop.motion().isMoving();
+    snapshot.tracking = readings.tracking();
+    snapshot.robotAlarm = readings.robot().alarm;
+    snapshot.isPlaceSure = readings.robot().isPlaceSure;
     snapshot.heatSetPoint_K = loop.heatSetPoint_K();
     snapshot.isSourceByHand = real && real->heatSource().isByHand();
-    snapshot.zeroing = loop.zeroing();
+    snapshot.zeroing = readings.sensors().zeroing();
     if (const auto zero = loop.findZero(); !zero)
         snapshot.zeroProblem = zero.error().message;
     snapshot.controller = loop.experiment().controller;

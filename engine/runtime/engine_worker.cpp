@@ -230,7 +230,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (const auto valid = validate(experiment); !valid)
         return valid;
     const auto zeroing = m_session && haveSameSensors(m_session->loop.experiment(), experiment)
-                             ? m_session->loop.zeroing()
+                             ? m_session->loop.readings().sensors().zeroing()
                              : std::nullopt;
     const bool isSameRig =
         m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
@@ -290,7 +290,8 @@ void EngineWorker::endTrial() {
     if (!m_tried)
         return;
     m_closer.dispose(m_tried->takeCamera());
-    const bool isLive = m_session && (m_session->loop.heatOn() || m_session->loop.isMoving() || isInUse());
+    const bool isLive =
+        m_session && (m_session->loop.heat().isOn() || m_session->loop.motion().isMoving() || isInUse());
     if (isLive && m_tried->mayEndElsewhere())
         m_closer.dispose(std::move(m_tried));
     m_tried.reset();
@@ -314,7 +315,7 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
 Result<void> EngineWorker::accept(DeviceRole role) {
     if (!m_session->real)
         return Error(MessageCode::RigMissing, {});
-    if (isInUse() || (m_session->loop.heatOn() && !m_session->real->heatSource().isByHand()))
+    if (isInUse() || (m_session->loop.heat().isOn() && !m_session->real->heatSource().isByHand()))
         return Error(MessageCode::SessionAlreadyRunning, {});
     Experiment experiment = m_session->loop.experiment();
     std::string port;
@@ -563,7 +564,7 @@ void EngineWorker::watchSleep() {
     const bool isReal = m_session->real != nullptr;
     if (slept_s > 0.0 && isReal)
         m_session->loop.reportSuspended(slept_s);
-    m_sleep.keepAwake(isReal && m_session->loop.heatOn());
+    m_sleep.keepAwake(isReal && m_session->loop.heat().isOn());
     if (const std::string problem = m_sleep.problem(); !problem.empty() && !m_isSleepTold) {
         m_isSleepTold = true;
         m_session->loop.reportMaySleep(problem);

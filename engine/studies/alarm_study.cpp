@@ -136,7 +136,8 @@ private:
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::SensorOff) {
             const bool isHeated = m_loop.latest().objects[m_drawn.fault.object].viewFactor > kAlarmHeated;
-            if (const double told_K = m_loop.toldReading_K(m_drawn.fault.object);
+            if (const double told_K =
+                    m_loop.readings().sensors().told_K(m_drawn.fault.object, m_rig.clock().now_s());
                 isHeated && std::isfinite(told_K))
                 m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - told_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;

@@ -107,7 +107,7 @@ TEST(FollowedSource, IsWhereItIsTakenToBe) {
         worst_m = std::max(worst_m, (followed.run.loop.latest().source - truth).head<3>().norm());
     }
     EXPECT_LT(worst_m, 1.5e-3);
-    const auto tracking = followed.run.loop.tracking();
+    const auto tracking = followed.run.loop.readings().tracking();
     ASSERT_TRUE(tracking);
     EXPECT_TRUE(tracking->isSeen);
     EXPECT_FALSE(tracking->isPredicted);
@@ -130,11 +130,11 @@ TEST(FollowedSource, ThatIsHiddenHoldsTheRunUntilItIsSeenAgain) {
     followed.periods(4);
     EXPECT_EQ(followed.run.loop.state(), RunState::Holding);
     EXPECT_TRUE(followed.run.reasonGiven(MessageCode::ReasonSourcePoseLost));
-    EXPECT_FALSE(followed.run.loop.tracking()->isSeen);
+    EXPECT_FALSE(followed.run.loop.readings().tracking()->isSeen);
     EXPECT_FALSE(followed.run.loop.resume());
     followed.camera.setCovered(false);
     followed.periods(3);
-    EXPECT_TRUE(followed.run.loop.tracking()->isSeen);
+    EXPECT_TRUE(followed.run.loop.readings().tracking()->isSeen);
     ASSERT_TRUE(followed.run.loop.resume());
     followed.camera.setUnplugged(true);
     followed.periods(25);
@@ -191,11 +191,11 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     goal[kX] += 0.05;
     goal[kThetaX] += 0.1;
     ASSERT_TRUE(run.loop.moveTo(goal));
-    EXPECT_TRUE(run.loop.isMoving());
+    EXPECT_TRUE(run.loop.motion().isMoving());
     run.periods(1);
     EXPECT_FALSE(run.rig.heatSource().heating());
     run.periods(20);
-    EXPECT_FALSE(run.loop.isMoving());
+    EXPECT_FALSE(run.loop.motion().isMoving());
     EXPECT_LT((run.rig.simulatedRobot().coordinates() - goal).cwiseAbs().maxCoeff(), 2e-3);
 
     Vector6d outside = goal;
@@ -207,7 +207,7 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     ASSERT_TRUE(run.loop.moveTo(run.experiment.start));
     run.periods(1);
     ASSERT_TRUE(run.loop.hold()); // where it is
-    EXPECT_FALSE(run.loop.isMoving());
+    EXPECT_FALSE(run.loop.motion().isMoving());
     const Vector6d held = run.rig.simulatedRobot().coordinates();
     run.periods(3);
     EXPECT_LT((run.rig.simulatedRobot().coordinates() - held).cwiseAbs().maxCoeff(), 5e-3);
@@ -215,10 +215,10 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     ASSERT_TRUE(run.loop.moveTo(goal));
     run.periods(1);
     run.loop.emergencyStop();
-    EXPECT_FALSE(run.loop.isMoving());
+    EXPECT_FALSE(run.loop.motion().isMoving());
     ASSERT_TRUE(run.loop.reset());
     run.periods(2);
-    EXPECT_FALSE(run.loop.isMoving());
+    EXPECT_FALSE(run.loop.motion().isMoving());
     ASSERT_TRUE(run.loop.arm());
     EXPECT_FALSE(run.loop.moveTo(goal));
 }

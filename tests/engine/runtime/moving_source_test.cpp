@@ -124,7 +124,7 @@ TEST(MovingSource, LostFromViewHoldsAndThenEndsTheRun) {
     run.rig.simulatedSourceTracker().setLost(true);
     run.periods(21);
     EXPECT_EQ(run.loop.state(), RunState::Stopping);
-    EXPECT_FALSE(run.loop.heatOn());
+    EXPECT_FALSE(run.loop.heat().isOn());
     run.periods(60);
     EXPECT_EQ(run.loop.outcome(), "fault") << "no operator has stopped it";
     EXPECT_EQ(run.loop.reasons().front().code, MessageCode::ReasonSourcePoseLost);
@@ -371,7 +371,7 @@ TEST(Dropouts, ALooseContactEndsTheRunToo) {
         run.rig.simulatedThermometer().setLost(0, i % 12 != 0);
         run.periods(1);
     }
-    EXPECT_FALSE(run.loop.heatOn());
+    EXPECT_FALSE(run.loop.heat().isOn());
 }
 
 // Catches a limit in seconds that a slow loop never reaches.
@@ -382,7 +382,7 @@ TEST(Dropouts, ALossEndsASlowRunToo) {
     run.startRun(true);
     run.rig.simulatedThermometer().setLost(0, true);
     run.periods(6);
-    EXPECT_FALSE(run.loop.heatOn());
+    EXPECT_FALSE(run.loop.heat().isOn());
 }
 
 // Catches another kind of controller that begins without a belief: the source is still too cold to heat.

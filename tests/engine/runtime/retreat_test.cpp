@@ -99,7 +99,7 @@ TEST(Retreat, TheVerbTakesObjectsAwayInEveryState) {
             ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Stopped; }, 60.0));
             Vector6d goal = rig.experiment.start;
             ASSERT_TRUE(rig.loop.moveTo(goal));
-            ASSERT_TRUE(rig.until([&] { return !rig.loop.isMoving(); }, 60.0));
+            ASSERT_TRUE(rig.until([&] { return !rig.loop.motion().isMoving(); }, 60.0));
         }
         if (state == "hiccup") {
             setFault(rig.rig, SimulatedFault::RobotAlarm, 0, true);
@@ -116,7 +116,7 @@ TEST(Retreat, TheVerbTakesObjectsAwayInEveryState) {
         EXPECT_EQ(rig.loop.keepsFromRetreat(), Message{}) << state;
         ASSERT_TRUE(rig.loop.retreatNow()) << state;
         EXPECT_EQ(rig.loop.state(), RunState::Stopping) << state;
-        EXPECT_FALSE(rig.loop.heatOn());
+        EXPECT_FALSE(rig.loop.heat().isOn());
         ASSERT_TRUE(rig.until([&] { return rig.loop.state() != RunState::Stopping; }, 60.0)) << state;
         EXPECT_TRUE(rig.isAway()) << state;
         EXPECT_EQ(rig.loop.state() == RunState::Fault, isFault)
@@ -227,7 +227,7 @@ TEST(Retreat, AMoveThatDoesNotBeginIsAnAlarm) {
     ASSERT_TRUE(rig.loop.moveTo(goal));
     ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 20.0));
     EXPECT_TRUE(rig.isAlarm(MessageCode::RobotDoesNotMove));
-    EXPECT_FALSE(rig.loop.isMoving());
+    EXPECT_FALSE(rig.loop.motion().isMoving());
 }
 
 // Catches a robot that nobody can trust, sent through the rig by itself.

@@ -144,7 +144,7 @@ TEST(Safety, AHotObjectHoldsTheRunAndIsThenTakenAway) {
     ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectHot); }, 30.0), 30.0);
     EXPECT_NEAR(rig.loop.latest().objects[0].measured_K, rig.experiment.safety.trip_K, 1.0);
     EXPECT_EQ(rig.loop.state(), RunState::Stopping);
-    EXPECT_FALSE(rig.loop.heatOn());
+    EXPECT_FALSE(rig.loop.heat().isOn());
     ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0), 60.0);
     EXPECT_NEAR(rig.rig.simulatedRobot().coordinates()[kZ], rig.experiment.robot.upper[kZ], 2e-3);
     const auto refused = rig.loop.reset();
@@ -208,11 +208,11 @@ TEST(Safety, ALostSensorEndsAManualMoveOnce) {
     ASSERT_TRUE(rig.loop.moveTo(goal));
     rig.periods(10);
     setFault(rig.rig, SimulatedFault::SensorOpen, 0, true);
-    EXPECT_LE(rig.until([&] { return !rig.loop.isMoving(); }, 2.0), 0.5);
+    EXPECT_LE(rig.until([&] { return !rig.loop.motion().isMoving(); }, 2.0), 0.5);
     EXPECT_TRUE(rig.isAlarm(MessageCode::SafetySensorOpen));
     ASSERT_TRUE(rig.loop.moveTo(goal)); // a person has seen the alarm and wants it all the same
     rig.periods(20);
-    EXPECT_TRUE(rig.loop.isMoving());
+    EXPECT_TRUE(rig.loop.motion().isMoving());
 }
 
 // The sensor came off its object and shows the room. Catches a controller that goes on heating for ever.
@@ -225,7 +225,7 @@ TEST(Safety, ASensorThatDoesNotWarmNearTheSourceEndsTheRun) {
     EXPECT_GE(took_s, 10.0);
     RecordProperty("seconds", std::to_string(took_s));
     EXPECT_EQ(rig.loop.state(), RunState::Stopping);
-    EXPECT_FALSE(rig.loop.heatOn());
+    EXPECT_FALSE(rig.loop.heat().isOn());
     EXPECT_EQ(rig.loop.reasons().front().args.at(0), "left");
 }
 
@@ -243,8 +243,9 @@ TEST(Safety, ASensorThatCameOffIsDistrustedUntilItAgrees) {
     EXPECT_TRUE(rig.isAlarm(MessageCode::SafetySensorJump));
     EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Distrusted);
     EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Trusted);
-    EXPECT_NEAR(rig.loop.toldReading_K(0), rig.rig.environment_K(), 0.5);
-    EXPECT_GT(rig.loop.readingAge_s(0), 9.0);
+    EXPECT_NEAR(rig.loop.readings().sensors().told_K(0, rig.rig.clock().now_s()), rig.rig.environment_K(),
+                0.5);
+    EXPECT_GT(rig.loop.readings().sensors().age_s(0, rig.rig.clock().now_s()), 9.0);
     const auto refused = rig.loop.resume();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorDistrusted);

@@ -29,7 +29,7 @@ TEST_F(ServoLoopTest, NothingMovesOrHeatsBeforeStart) {
     ASSERT_TRUE(loop.arm());
     periods(20);
     EXPECT_EQ(rig.simulatedRobot().coordinates(), experiment.start);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     EXPECT_NEAR(rig.trueTemperatures_K()[0], experiment.environment_K, 1e-6);
 }
 
@@ -50,7 +50,7 @@ TEST_F(ServoLoopTest, RunsSettlesAndStopsWithARetreat) {
     EXPECT_TRUE(eventSeen(MessageCode::EventSettled));
     ASSERT_TRUE(loop.stop());
     EXPECT_EQ(loop.state(), RunState::Stopping);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     const Vector6d at = rig.simulatedRobot().coordinates();
     periods(2);
     const Vector6d later = rig.simulatedRobot().coordinates();
@@ -70,7 +70,7 @@ TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
     const Vector6d at = rig.simulatedRobot().coordinates();
     periods(5);
     EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
-    EXPECT_TRUE(loop.heatOn());
+    EXPECT_TRUE(loop.heat().isOn());
     ASSERT_TRUE(loop.resume());
     periods(3);
     EXPECT_NE(rig.simulatedRobot().coordinates(), at);
@@ -78,27 +78,27 @@ TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
 
 // Catches: a lost robot that is shown where it was as if it were there, and one that has told nothing yet.
 TEST_F(ServoLoopTest, TheAgeOfTheRobotsPlaceIsTold) {
-    EXPECT_EQ(loop.placeState(), PlaceState::Unknown);
-    EXPECT_TRUE(std::isinf(loop.placeAge_s()));
-    EXPECT_TRUE(std::isinf(loop.sourceAge_s()));
+    EXPECT_EQ(loop.motion().placeState(), PlaceState::Unknown);
+    EXPECT_TRUE(std::isinf(loop.motion().placeAge_s()));
+    EXPECT_TRUE(std::isinf(loop.readings().sourceAge_s()));
     periods(3);
-    EXPECT_EQ(loop.placeState(), PlaceState::Sure);
-    EXPECT_LE(loop.placeAge_s(), 0.1);
-    EXPECT_LE(loop.sourceAge_s(), experiment.sampling.period_s);
+    EXPECT_EQ(loop.motion().placeState(), PlaceState::Sure);
+    EXPECT_LE(loop.motion().placeAge_s(), 0.1);
+    EXPECT_LE(loop.readings().sourceAge_s(), experiment.sampling.period_s);
     const Vector6d at = loop.latest().coordinates;
     for (const RobotTrouble trouble : {RobotTrouble::LinkLost, RobotTrouble::Slow}) {
         rig.simulatedRobot().setTrouble(trouble);
         periods(12);
-        EXPECT_EQ(loop.placeState(), PlaceState::Unknown);
-        EXPECT_GE(loop.placeAge_s(), 11.0 * experiment.sampling.period_s);
+        EXPECT_EQ(loop.motion().placeState(), PlaceState::Unknown);
+        EXPECT_GE(loop.motion().placeAge_s(), 11.0 * experiment.sampling.period_s);
         EXPECT_EQ(loop.latest().coordinates, at);
         rig.simulatedRobot().setTrouble(RobotTrouble::None);
         periods(1);
-        EXPECT_EQ(loop.placeState(), PlaceState::Sure);
+        EXPECT_EQ(loop.motion().placeState(), PlaceState::Sure);
     }
     rig.simulatedRobot().setTrouble(RobotTrouble::Restarted);
     periods(1);
-    EXPECT_EQ(loop.placeState(), PlaceState::Unsure);
+    EXPECT_EQ(loop.motion().placeState(), PlaceState::Unsure);
 }
 
 // Catches: limits of the last command in the samples of a robot that is told to stand.
@@ -129,7 +129,7 @@ TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     EXPECT_FALSE(loop.resume());
     periods(16);
     EXPECT_EQ(loop.state(), RunState::Stopping);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     for (const TraceEvent& event : loop.takeRecord().events)
         EXPECT_EQ(describe(event.message).find("nan"), std::string::npos) << describe(event.message);
     periods(40);
@@ -155,7 +155,7 @@ TEST_F(ServoLoopTest, ALostRobotIsAFaultWithTheHeatOff) {
     rig.simulatedRobot().setLinkLost(true);
     periods(1);
     EXPECT_EQ(loop.state(), RunState::Fault);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     EXPECT_TRUE(reasonGiven(MessageCode::ReasonRobotLost));
     rig.simulatedRobot().setLinkLost(false);
     periods(5);
@@ -170,7 +170,7 @@ TEST_F(ServoLoopTest, EmergencyStopActsAtOnceAndLatches) {
     periods(5);
     loop.emergencyStop();
     const Vector6d at = rig.simulatedRobot().coordinates();
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     periods(10);
     EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
     EXPECT_EQ(loop.state(), RunState::Fault);
@@ -250,7 +250,7 @@ TEST_F(ServoLoopTest, StartIsRefusedWhileASensorIsLost) {
     const auto refused = loop.start(false);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorInvalid);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
     rig.simulatedThermometer().setLost(0, false);
     periods(1);
     EXPECT_TRUE(loop.start(false));
@@ -263,7 +263,7 @@ TEST_F(ServoLoopTest, ASensorLostDuringAnOperatorsHoldEndsInARetreatToo) {
     rig.simulatedThermometer().setLost(0, true);
     periods(21);
     EXPECT_EQ(loop.state(), RunState::Stopping);
-    EXPECT_FALSE(loop.heatOn());
+    EXPECT_FALSE(loop.heat().isOn());
 }
 
 TEST_F(ServoLoopTest, EveryLossGetsItsOwnShortHold) {
@@ -295,7 +295,7 @@ TEST_F(ServoLoopTest, ALostSourceLinkRetreatsBeforeTheFault) {
 
 TEST_F(ServoLoopTest, PassingThroughTheBandIsNotASettledOutcome) {
     startRun();
-    for (int i = 0; i < 200 && !loop.allWithinBand(); ++i)
+    for (int i = 0; i < 200 && !loop.readings().allWithinBand(); ++i)
         periods(1);
     ASSERT_TRUE(loop.stop());
     EXPECT_EQ(loop.outcome(), "stopped");
@@ -391,7 +391,7 @@ TEST_F(ServoLoopTest, ZeroesAtAmbientOnly) {
     EXPECT_EQ(refusal(), MessageCode::SessionAlreadyRunning);
     ASSERT_TRUE(loop.start(true));
     EXPECT_EQ(refusal(), MessageCode::SessionAlreadyRunning);
-    EXPECT_TRUE(loop.zeroing());
+    EXPECT_TRUE(loop.readings().sensors().zeroing());
 }
 
 // Catches warm objects that cannot be armed although their sensors were zeroed when they were cold.
@@ -411,7 +411,7 @@ TEST_F(ServoLoopTest, WarmObjectsAreArmedOnAnEarlierZeroing) {
     const auto refused = next.arm();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::ReasonNotAtAmbient);
-    next.useZeroing(*loop.zeroing());
+    next.useZeroing(*loop.readings().sensors().zeroing());
     EXPECT_TRUE(next.arm());
 }
 

@@ -1,0 +1,30 @@
+#include "engine/runtime/approach.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bask {
+namespace {
+
+// A robot that has not come nearer for so long will not: one may obey late and start slowly.
+constexpr double kStill_s = 15.0;
+constexpr double kStillPeriods = 3.0;
+constexpr double kNearer = 1e-4; ///< m, rad: less is the jitter of what it tells
+
+} // namespace
+
+void Approach::begin(double now_s) {
+    m_nearer_s = now_s;
+    m_left = std::numeric_limits<double>::infinity();
+    m_isStill = false;
+}
+
+void Approach::add(double now_s, double left, double period_s) {
+    if (left < m_left - kNearer) {
+        m_left = left;
+        m_nearer_s = now_s;
+    }
+    m_isStill = now_s - m_nearer_s >= std::max(kStill_s, kStillPeriods * period_s);
+}
+
+} // namespace bask

@@ -1,0 +1,115 @@
+#include "engine/runtime/latched_faults.h"
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/alarm_causes.h"
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+/// Of its words, which may be about less than its condition is at worst.
+int priorityOf(const LatchedFault& fault) {
+    const int ofWords = alarmPriority(fault.message.code);
+    return ofWords > 0 ? ofWords : fault.finding ? alarmEntry(fault.finding->condition).priority : 1;
+}
+
+// Seen over a link that works: what was lost before and is latched is not its cause.
+bool heatsByItself(SafetyCondition condition) {
+    return condition == SafetyCondition::SourceHeatsUnasked || condition == SafetyCondition::SourceNotCooling;
+}
+
+} // namespace
+
+LatchedFault latchedFault(Message reason) {
+    std::string key = messageName(reason.code);
+    return {std::move(reason), std::move(key), std::nullopt};
+}
+
+LatchedFault latchedFault(const SafetyFinding& finding, const Experiment& experiment) {
+    return {finding.message, alarmKey(finding, experiment), finding};
+}
+
+LatchedFaults::LatchedFaults(const Experiment& experiment, const SafetyMonitor& safety)
+    : m_experiment(experiment), m_safety(safety) {}
+
+bool LatchedFaults::add(LatchedFault fault) {
+    if (std::ranges::find(m_faults, fault.key, &LatchedFault::key) != m_faults.end())
+        return false;
+    m_faults.push_back(std::move(fault));
+    return true;
+}
+
+void LatchedFaults::use(std::vector<LatchedFault> faults) {
+    m_faults = std::move(faults);
+    for (LatchedFault& fault : m_faults)
+        if (fault.finding && fault.finding->object >= m_experiment.objects.size())
+            fault.finding.reset();
+}
+
+std::string LatchedFaults::keyOf(const SafetyFinding& finding) const {
+    return alarmKey(finding, m_experiment);
+}
+
+const SafetyFinding* LatchedFaults::activeOne(const std::string& key) const {
+    const auto& active = m_safety.active();
+    const auto found =
+        std::ranges::find(active, key, [this](const SafetyFinding& finding) { return keyOf(finding); });
+    return found == active.end() ? nullptr : &*found;
+}
+
+/// Its message with the newest values, where the condition still holds.
+Message LatchedFaults::newest(const LatchedFault& fault) const {
+    const SafetyFinding* const finding = activeOne(fault.key);
+    return finding != nullptr ? finding->message : fault.message;
+}
+
+/// Returns whether its condition can be seen to be over, and is: the fault stays latched.
+bool LatchedFaults::isSeenOver(const LatchedFault& fault) const {
+    return fault.finding && alarmEntry(fault.finding->condition).isSeenOver &&
+           activeOne(fault.key) == nullptr;
+}
+
+std::vector<SafetyFinding> LatchedFaults::foundOrLatched() const {
+    std::vector<SafetyFinding> out = m_safety.active();
+    for (const LatchedFault& fault : m_faults)
+        if (fault.finding)
+            out.push_back(*fault.finding);
+    return out;
+}
+
+std::vector<Message> LatchedFaults::reasons() const {
+    std::vector<Message> out;
+    for (const LatchedFault& fault : m_faults) // also those that a retreat will end in
+        if (!fault.finding || causeOf(*fault.finding, m_safety.active(), m_experiment) == nullptr)
+            out.push_back(newest(fault));
+    for (const SafetyFinding& finding : m_safety.active()) {
+        const AlarmEntry& row = alarmEntry(finding.condition);
+        const bool isSaid = std::ranges::find(m_faults, keyOf(finding), &LatchedFault::key) != m_faults.end();
+        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
+            causeOf(finding, m_safety.active(), m_experiment) == nullptr)
+            out.push_back(finding.message);
+    }
+    return out;
+}
+
+std::vector<AlarmCondition> LatchedFaults::alarmConditions() const {
+    const std::vector<SafetyFinding> present = foundOrLatched();
+    std::vector<AlarmCondition> out;
+    const auto add = [&](std::string key, const Message& message, int priority,
+                         const std::optional<SafetyFinding>& finding) {
+        if (std::ranges::find(out, key, &AlarmCondition::key) != out.end())
+            return;
+        const auto& causes = finding && heatsByItself(finding->condition) ? m_safety.active() : present;
+        const SafetyFinding* cause = finding ? causeOf(*finding, causes, m_experiment) : nullptr;
+        out.push_back({std::move(key), message, priority, cause ? keyOf(*cause) : ""});
+    };
+    for (const LatchedFault& fault : m_faults)
+        if (!isSeenOver(fault))
+            add(fault.key, newest(fault), priorityOf(fault), fault.finding);
+    for (const SafetyFinding& finding : m_safety.active())
+        add(keyOf(finding), finding.message, alarmEntry(finding.condition).priority, finding);
+    return out;
+}
+
+} // namespace bask
