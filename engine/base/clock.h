@@ -1,5 +1,5 @@
 #pragma once
-// Time as a dependency: the engine asks a Clock, a simulation or a test turns it by hand.
+// Time as a dependency: the engine reads a Clock, so that a simulation or a test can set the time.
 
 namespace bask {
 
@@ -10,8 +10,8 @@ public:
     virtual double now_s() const = 0;
 };
 
-/// The computer's own: it never goes back, and goes on while the computer sleeps (CLOCK_BOOTTIME), so that
-/// what is from before is old then.
+/// The computer's clock. It never goes back and continues while the computer sleeps (CLOCK_BOOTTIME), so that
+/// a value from before the sleep counts as old.
 class SteadyClock final : public Clock {
 public:
     double now_s() const override;
@@ -21,9 +21,9 @@ public:
 class ManualClock final : public Clock {
 public:
     double now_s() const override { return m_now_s; }
-    /// Throws std::logic_error when dt_s is negative.
+    /// Advances the clock by dt_s. Throws std::logic_error if dt_s is negative.
     void advance(double dt_s) { advanceTo(m_now_s + dt_s); }
-    /// Throws std::logic_error when time_s has passed.
+    /// Advances the clock to time_s. Throws std::logic_error if time_s is in the past.
     void advanceTo(double time_s);
 
 private:

@@ -18,15 +18,15 @@ std::string siKey(std::string_view name, EdgeUnit unit);
 std::string_view readableUnit(EdgeUnit unit);
 
 double toSi(double readable, EdgeUnit unit);
-/// Nearest readable value; `exact` tells whether toSi gives back the very same double. Prefers few digits
-/// (40, not 40.00000000000006).
+/// A readable value and whether toSi of it gives back exactly the same double.
 struct ReadableValue {
     double value = 0.0;
     bool exact = false;
 };
+/// Returns the nearest readable value; prefers few digits (40, not 40.00000000000006).
 ReadableValue fromSi(double si, EdgeUnit unit);
 
-/// Readable suffix of the six pose coordinates: cm for the first three, deg for the others.
+/// Returns the readable unit of a pose coordinate: cm for the first three, deg for the others.
 EdgeUnit coordinateUnit(int coordinate);
 
 } // namespace bask

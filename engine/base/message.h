@@ -1,6 +1,6 @@
 #pragma once
-// Everything Bask says in words, as a code and its arguments. The sentences are in message_table.inc and
-// alarm_table.inc, in English, with what each argument is; whoever shows one translates it.
+// Every text that Bask shows, as a code and its arguments. The English sentences are in message_table.inc and
+// alarm_table.inc, with the kind of each argument; the code that shows a message translates it.
 
 #include "engine/base/message_arg.h"
 
@@ -10,10 +10,10 @@
 
 namespace bask {
 
-/// Names of sentences, see message_code.h: only files that say one need be built again for a new one.
+/// Codes of the sentences, see message_code.h. Only files that use a code must be rebuilt when one is added.
 enum class MessageCode : int;
 
-/// A sentence to be: code and ordered arguments.
+/// A sentence before it is written out: code and ordered arguments.
 struct Message {
     MessageCode code{}; ///< MessageCode::None
     std::vector<MessageArg> args;
@@ -21,27 +21,28 @@ struct Message {
     bool operator==(const Message&) const = default;
 };
 
-/// English template of a code, with %1 ... %9; never null. Translators see it in context "Message".
+/// Returns the English template of a code, with %1 ... %9; never null. Its translation context is "Message".
 const char* messageTemplate(MessageCode code);
 
-/// Returns what the argument `index` of a message is, counted from 0, as the table of messages declares it.
+/// Returns the kind of the argument `index` of a message, counted from 0, as the message table declares it.
 ArgKind argKind(MessageCode code, std::size_t index);
 
-/// English sentence with the arguments put in.
+/// Returns the English sentence with its arguments inserted.
 std::string describe(const Message& message);
 
-/// The arguments as files keep them. To read them back, put these texts into a message.
+/// Returns the arguments as files store them. To read them back, put these texts into a message.
 std::vector<std::string> argTexts(const Message& message);
 
-/// What an EventAlarmOver is about, or another message whose arguments are the name of a message and that
-/// one's (isAboutAnother); empty: any other, or one of a recording that has words there.
+/// Returns the inner message of a message about another one (isAboutAnother), for example of EventAlarmOver.
+/// Empty for any other message, and for a recording that stores words there.
 std::optional<Message> messageWithin(const Message& message);
 
-/// Priority as an alarm, 1 the highest (a person must act), 3 a notice; 0: not an alarm.
+/// Returns the priority as an alarm: 1 is the highest (a person must act), 3 is a notice, 0 is not an alarm.
 int alarmPriority(MessageCode code);
 
-/// Stable name of a code ("FileNotFound"), as recorded in session files; and back (None when unknown).
+/// Returns the stable name of a code ("FileNotFound"), as recorded in session files.
 const char* messageName(MessageCode code);
+/// The reverse; MessageCode::None if the name is unknown.
 MessageCode messageCodeFromName(const std::string& name);
 
 } // namespace bask

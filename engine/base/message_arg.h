@@ -1,6 +1,6 @@
 #pragma once
-// What a sentence speaks of: text, a temperature, an object's temperature, a word of the engine's own,
-// another sentence. An argument keeps its value until it is shown, in the reader's language and unit.
+// Arguments of a sentence: text, a temperature, an object's temperature, a word of the engine, another
+// sentence. An argument keeps its value until it is shown, in the reader's language and unit.
 
 #include <memory>
 #include <optional>
@@ -13,28 +13,28 @@ namespace bask {
 
 struct Message;
 
-/// What an argument is, as the table of messages declares it. An argument that is text, since it was read
-/// from a file or its maker has no value, is read as this when it is shown.
+/// The kind of an argument, as the message table declares it. An argument that is only text (read from a
+/// file, or made without a value) is interpreted as this kind when it is shown.
 enum class ArgKind : unsigned char {
-    Text,            ///< as it is: a number, a name, words of a device or a library
-    Temperature,     ///< in files in degC, "94.8"; shown with its unit
-    BareTemperature, ///< the same, shown without its unit: the first of "88 to 95 °C"
-    Difference,      ///< of temperatures; in files in K, "12.4"; shown with its unit
+    Text,            ///< shown as it is: a number, a name, words of a device or a library
+    Temperature,     ///< in degC in files, "94.8"; shown with its unit
+    BareTemperature, ///< a temperature shown without its unit: the first of "88 to 95 °C"
+    Difference,      ///< of temperatures; in K in files, "12.4"; shown with its unit
     Temperatures,    ///< of objects: "left 60 °C, right 55.5 °C"
     Differences,     ///< of objects: "left +2.1 K, right ? K"
-    Figure,          ///< a number in the unit that the FigureUnit names
+    Figure,          ///< a number in the unit given by the FigureUnit
     FigureUnit,      ///< the last argument: "mm", "°C"; temperatures in degC are shown in the reader's unit
     About,           ///< the name of another message, whose arguments follow
     Sentence,        ///< another message, or several; in files their English words
-    Verb,            ///< what a person asks for, see words.h
-    State,           ///< of the run, or why it has none
+    Verb,            ///< a command of a person, see words.h
+    State,           ///< a state of the run, or the reason why there is no run
     Fault,           ///< a simulated fault, by its name in files
-    Device,          ///< a device by its role
+    Device,          ///< a device, named by its role
     Damage,          ///< of a session file
     Label            ///< of a parameter (context "Parameter"), or a value in words
 };
 
-/// A temperature or a difference of one object, in K; NaN where it is not known.
+/// A temperature or a temperature difference of one object, in K; NaN if it is unknown.
 struct ObjectKelvin {
     std::string object;
     double value_K = 0.0;
@@ -57,19 +57,20 @@ public:
     static MessageArg temperatures(std::vector<ObjectKelvin> objects);
     static MessageArg differences(std::vector<ObjectKelvin> objects);
 
-    /// As files keep it, in English.
+    /// Returns the English text, as files store it.
     const std::string& text() const { return m_text; }
-    /// What it is: its own kind, else `declared`.
+    /// Returns the argument's own kind, or `declared` if it has none.
     ArgKind kind(ArgKind declared) const { return m_kind == ArgKind::Text ? declared : m_kind; }
 
-    /// The value of a Temperature or a Difference, from its text if need be; empty: no number.
+    /// Returns the value of a Temperature or a Difference, parsed from its text if necessary; empty if it is
+    /// not a number.
     std::optional<double> kelvin(ArgKind declared) const;
-    /// Those of Temperatures or Differences; empty: the text is none such.
+    /// Returns the values of Temperatures or Differences; empty if the text does not contain any.
     std::vector<ObjectKelvin> objects(ArgKind declared) const;
-    /// Empty where there are only words.
+    /// Returns the sentences of a Sentence; empty if the argument is only text.
     const std::vector<Message>& sentences() const;
 
-    /// Alike in a file.
+    /// Compares the texts, as files store them.
     friend bool operator==(const MessageArg& a, const MessageArg& b) { return a.m_text == b.m_text; }
 
 private:
@@ -84,13 +85,13 @@ private:
     Value m_value;
 };
 
-/// Number in a sentence: %.*g with `digits` significant digits.
+/// Returns a number for a sentence: %.*g with `digits` significant digits.
 std::string formatNumber(double value, int digits = 4);
-/// A temperature in a sentence; in English in degC with so many significant digits.
+/// Makes a temperature argument; the English text is in degC with `digits` significant digits.
 MessageArg temperatureArg(double t_K, int digits = 4);
-/// The same, to a tenth or a hundredth of a degree; "?" where it is not finite.
+/// Makes a temperature argument rounded to `decimals` decimals; "?" if it is not finite.
 MessageArg roundedTemperatureArg(double t_K, int decimals = 1);
-/// A difference of temperatures, or a rate of which "/s" is in the sentence.
+/// Makes an argument of a temperature difference, or of a rate if the sentence adds "/s".
 MessageArg differenceArg(double d_K, int digits = 4);
 
 } // namespace bask

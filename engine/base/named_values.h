@@ -1,5 +1,5 @@
 #pragma once
-// Values of a table of parameters kept by their names, where only the table's owner knows their struct.
+// Values of a parameter table stored by name, for code that does not know the struct they belong to.
 
 #include "engine/base/parameter.h"
 
@@ -8,10 +8,10 @@
 
 namespace bask {
 
-/// In SI, by the key in files: "emittance". One that is not there is as by default.
+/// Values in SI by their key in files ("emittance"). A value that is missing has its default.
 using NamedValues = std::map<std::string, double>;
 
-/// The struct of these values.
+/// Returns the struct with these values.
 template <class Settings> Settings settingsFrom(ParameterTable<Settings> table, const NamedValues& values) {
     Settings out;
     for (const Parameter<Settings>& parameter : table)

@@ -1,12 +1,12 @@
 #pragma once
-// Which alarms ask nothing of a person.
+// Which alarms need no action by a person.
 
 #include "engine/base/message.h"
 
 namespace bask {
 
-/// An alarm of priority 3 that holds and ends nothing: it is listed, and neither sounds the horn, comes to
-/// the front, nor ends a recipe.
+/// Returns whether this is an alarm of priority 3 that neither pauses nor ends anything. It is only listed:
+/// it does not sound the horn, come to the front, or end a recipe.
 bool isNotice(MessageCode code);
 
 } // namespace bask

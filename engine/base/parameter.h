@@ -1,7 +1,7 @@
 #pragma once
-// A table of parameters states what there is to know of a struct's values once: the name in files, the unit,
-// what is valid, in which direction a change allows more, and the words. Files, checks, forms, questions,
-// reports and exports walk it.
+// A parameter table describes the values of a struct in one place: name in files, unit, valid range, which
+// direction of change loosens a limit, and labels. Files, checks, forms, questions, reports and exports use
+// it.
 
 #include "engine/base/unit.h"
 
@@ -12,40 +12,40 @@
 
 namespace bask {
 
-/// In which direction a change of a limit allows a rig more than before, so that a person is asked first.
+/// The direction in which a change loosens a limit. A person is asked before a limit is loosened.
 enum class Loosens {
-    Never, ///< it is no limit
+    Never, ///< the value is not a limit
     Up,
-    UpOrZero, ///< zero: no limit at all
+    UpOrZero, ///< a larger value loosens it, and zero means no limit
     Down,
     InCode ///< it depends on other values; see limits_widened.cpp
 };
 
-/// From min to max in the unit of files; NaN is never valid.
+/// The valid range, from min to max in the unit of files; NaN is never valid.
 struct ValidRange {
     double min = 0.0;
     double max = 0.0;
     bool excludesMin = false;
 };
 
-/// All of a parameter but where its value is.
+/// Everything about a parameter except the member that stores its value.
 struct ParameterFacts {
     const char* name; ///< in files, without the unit: "held_limit"
     Unit unit;
     ValidRange range;
     Loosens loosens = Loosens::Never;
-    const char* label = "";  ///< English, context "Parameter"
-    const char* help = "";   ///< a sentence, likewise; empty: the label says it
-    int decimals = 2;        ///< on a screen
-    bool isRequired = false; ///< in a file
+    const char* label = "";  ///< English label, translation context "Parameter"
+    const char* help = "";   ///< an English sentence in the same context; empty if the label is enough
+    int decimals = 2;        ///< number of decimals on a screen
+    bool isRequired = false; ///< whether a file must contain it
     const char* symbol = ""; ///< in formulas, UTF-8
 };
 
-/// "held_limit_s", as people write it in a file.
+/// Returns the key in files, with the unit: "held_limit_s".
 std::string keyOf(const ParameterFacts& facts);
-/// The value as people write it in a file, from SI.
+/// Converts a value from SI to the unit used in files.
 double written(const ParameterFacts& facts, double si);
-/// And back.
+/// Converts a value from the unit used in files to SI.
 double fromWritten(const ParameterFacts& facts, double value);
 
 template <class Spec> struct Parameter : ParameterFacts {
@@ -53,11 +53,11 @@ template <class Spec> struct Parameter : ParameterFacts {
 
     bool isWhole() const { return std::holds_alternative<int Spec::*>(member); }
     bool isOptional() const { return std::holds_alternative<std::optional<double> Spec::*>(member); }
-    /// In SI; empty: an optional one that is not set.
+    /// Returns the value in SI; empty for an optional value that is not set.
     std::optional<double> get(const Spec& spec) const {
         return std::visit([&](auto m) -> std::optional<double> { return spec.*m; }, member);
     }
-    /// An optional one can be made empty.
+    /// Sets the value in SI. Only an optional value may be set to empty.
     void set(Spec& spec, std::optional<double> si) const {
         if (const auto* optional = std::get_if<std::optional<double> Spec::*>(&member))
             spec.** optional = si;

@@ -1,5 +1,5 @@
 #pragma once
-// Texts from files: read whole, and fit for a sentence.
+// Text from files: reading a whole file, and making text safe for a sentence.
 
 #include "engine/base/result.h"
 
@@ -8,15 +8,16 @@
 
 namespace bask {
 
-/// Words from a parser or a file, fit for a sentence: one line of plain characters, not too long, without the
-/// JSON library's error id.
+/// Makes words from a parser or a file safe for a sentence: one line of plain characters, shortened, without
+/// the error id of the JSON library.
 std::string plainWords(const std::string& words);
 
-/// A person's words from a file, in any script and of any lines: other control characters, which a terminal
-/// would obey and XML cannot have, are spaces.
+/// Replaces control characters other than line breaks and tabs by spaces in a text written by a person, in
+/// any script. A terminal would interpret them, and XML does not allow them.
 std::string printable(std::string text);
 
-/// The whole of a file that is at most so large, bytes. Errors: FileNotFound, FileUnreadable, FileTooLarge.
+/// Reads a whole file of at most the given number of bytes. Errors: FileNotFound, FileUnreadable,
+/// FileTooLarge.
 Result<std::string> readTextFile(const std::string& path, std::uintmax_t most);
 
 } // namespace bask

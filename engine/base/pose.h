@@ -17,7 +17,7 @@ inline constexpr std::array<const char*, 6> kCoordinateNames{"x", "y", "z", "the
 /// Pose from translation (m) and rotation vector (rad, axis times angle).
 Pose poseFromRotationVector(const Eigen::Vector3d& translation_m, const Eigen::Vector3d& rotation_rad);
 
-/// The pose on the way from one to another, `share` of it (0 to 1) gone: evenly, turned about one axis.
+/// Interpolates between two poses: `share` is 0 at `from` and 1 at `to`. The turn is even and about one axis.
 Pose poseBetween(const Pose& from, const Pose& to, double share);
 
 /// Pose from coordinates (x, y, z, theta_x, theta_y, theta_z): R = Rz(theta_z) Ry(theta_y) Rx(theta_x).
@@ -29,8 +29,7 @@ Vector6d coordinatesFromPose(const Pose& X);
 /// 3 x 3 matrix whose column k is the axis (parent frame) about which theta_k turns: w = axes * d(theta)/dt.
 Eigen::Matrix3d rotationAxes(const Vector6d& q);
 
-/// Gradient with respect to the six coordinates from a gradient by position and by rotation about parent
-/// axes.
+/// Converts a gradient by position and by rotation about the parent axes to one by the six coordinates.
 Vector6d coordinateGradient(const Vector6d& q, const Vector6d& gradient);
 
 } // namespace bask

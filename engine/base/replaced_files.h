@@ -1,5 +1,5 @@
 #pragma once
-// Files that take the places of older ones, all or none of them.
+// Replaces several files together: either all are replaced or none.
 
 #include "engine/base/result.h"
 
@@ -8,8 +8,8 @@
 
 namespace bask {
 
-/// Unless it is told that all went well, what was in the places comes back when this ends, and what is new
-/// there goes. Links are not followed.
+/// Restores the old files and removes the new ones when it is destroyed, unless keepNew() was called.
+/// Symbolic links are not followed.
 class ReplacedFiles {
 public:
     ReplacedFiles() = default;
@@ -17,15 +17,16 @@ public:
     ReplacedFiles(const ReplacedFiles&) = delete;
     ReplacedFiles& operator=(const ReplacedFiles&) = delete;
 
-    /// Before a file takes this place: what is there also stays beside it. Error: FileUnwritable.
+    /// Call before a new file is written to `path`: keeps a copy of the old file beside it. Error:
+    /// FileUnwritable.
     Result<void> setAside(const std::string& path);
-    /// All are in their places.
+    /// Call when all new files are written: keeps them.
     void keepNew();
 
 private:
     struct Place {
         std::string path;
-        std::string old; ///< empty: nothing was there
+        std::string old; ///< empty if there was no file before
     };
     std::vector<Place> m_places;
 };

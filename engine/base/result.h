@@ -11,7 +11,8 @@
 
 namespace bask {
 
-/// An expected failure: what went wrong, and where (file, line, JSON path); `where` may be empty.
+/// An expected failure: the message, and the place of the failure (file, line, JSON path); `where` may be
+/// empty.
 struct Error {
     Message message;
     std::string where;
@@ -23,10 +24,10 @@ struct Error {
     MessageCode code() const { return message.code; }
 };
 
-/// "where: sentence" in English, for the command line and logs.
+/// Returns "where: sentence" in English, for the command line and logs.
 std::string describe(const Error& error);
 
-/// Value or Error. Reading the wrong side is a broken contract and throws std::logic_error.
+/// A value or an Error. Reading the one that is absent is a broken contract and throws std::logic_error.
 template <class T> class [[nodiscard]] Result {
 public:
     Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}

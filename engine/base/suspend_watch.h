@@ -1,11 +1,11 @@
 #pragma once
-// Time in which the computer slept: a clock that stands still then, beside one that does not.
+// Measures how long the computer slept, by comparing a clock that stops during sleep with one that does not.
 
 #include "engine/base/clock.h"
 
 namespace bask {
 
-/// Stands still while the computer sleeps (CLOCK_MONOTONIC).
+/// A clock that stops while the computer sleeps (CLOCK_MONOTONIC).
 class AwakeClock final : public Clock {
 public:
     double now_s() const override;
@@ -13,11 +13,11 @@ public:
 
 class SuspendWatch {
 public:
-    static constexpr double kMin_s = 1.0; ///< less is no sleep
+    static constexpr double kMin_s = 1.0; ///< a shorter time does not count as sleep
 
-    /// Both outlive it.
+    /// Both clocks must outlive this object.
     SuspendWatch(const Clock& always, const Clock& awake);
-    /// How long it slept since the last call, s; 0: not.
+    /// Returns how long the computer slept since the last call, s; 0 if it did not.
     double slept_s();
 
 private:

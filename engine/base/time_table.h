@@ -1,5 +1,5 @@
 #pragma once
-// A value given at some moments: linear in between, constant before the first and after the last.
+// A value given at several times: linear between them, constant before the first and after the last.
 
 #include <algorithm>
 #include <iterator>
@@ -14,10 +14,10 @@ template <class T> struct TimePoint {
     bool operator==(const TimePoint&) const = default;
 };
 
-/// In the order of growing times.
+/// Points in ascending order of time.
 template <class T> using TimeTable = std::vector<TimePoint<T>>;
 
-/// The value at a moment; `otherwise` where the table is empty.
+/// Returns the value at a time, or `otherwise` if the table is empty.
 template <class T> T valueAt(const TimeTable<T>& table, double time_s, const T& otherwise) {
     if (table.empty())
         return otherwise;

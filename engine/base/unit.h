@@ -9,14 +9,13 @@
 
 namespace bask {
 
-/// The unit of a parameter. Inside the program every value is in SI (or in the unit itself where SI has
-/// none).
+/// The unit of a parameter. Inside the program every value is in SI, or in this unit if SI has none.
 struct Unit {
-    const char* suffix = "";        ///< of a file's key: "K_s"
-    const char* words = "";         ///< in a sentence of plain characters: "K/s"
+    const char* suffix = "";        ///< of a key in files: "K_s"
+    const char* words = "";         ///< in a sentence of ASCII characters: "K/s"
     const char* symbol = "";        ///< on a screen, UTF-8: "K/s"
-    double symbolPerSi = 1.0;       ///< value on a screen over the value in SI
-    std::optional<EdgeUnit> edge{}; ///< files take two spellings: the readable one and SI
+    double symbolPerSi = 1.0;       ///< value on a screen divided by the value in SI
+    std::optional<EdgeUnit> edge{}; ///< if set, files accept two spellings: the readable unit and SI
 };
 
 namespace unit {
@@ -52,7 +51,7 @@ inline constexpr Unit kDegrees{"deg", "deg", "\u00b0", degFromRad(1.0), EdgeUnit
 
 } // namespace unit
 
-/// Of the value in SI, as NeXus spells it: "m", "kg/m^3"; "1" for a number.
+/// Returns the SI unit of the value as NeXus spells it: "m", "kg/m^3"; "1" for a number without a unit.
 std::string siUnit(const Unit& unit);
 
 } // namespace bask

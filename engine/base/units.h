@@ -24,7 +24,7 @@ constexpr double degFromRad(double a_rad) {
     return a_rad * 180.0 / std::numbers::pi;
 }
 
-/// Unit in which a temperature is shown and typed. Differences scale without the offset.
+/// The unit in which a temperature is shown and typed. Differences are scaled without the offset.
 enum class TemperatureUnit { Celsius, Kelvin, Fahrenheit };
 
 constexpr double displayTemperature(double t_K, TemperatureUnit unit) {

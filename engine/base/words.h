@@ -1,12 +1,12 @@
 #pragma once
-// Words of the engine's own that stand in its sentences: what a person asks for, states, simulated faults,
-// devices. Each has a name, which files and recordings keep, and an English text that is translated.
+// Words of the engine that appear in its sentences: commands, states, simulated faults, devices. Each has a
+// name, which files and recordings store, and an English text that is translated.
 
 #include "engine/base/message_arg.h"
 
 namespace bask {
 
-/// What a person can ask the engine for.
+/// The commands that a person can give to the engine.
 enum class CommandVerb {
     Arm,
     Disarm,
@@ -27,15 +27,16 @@ enum class CommandVerb {
     Unshelve
 };
 
-/// The verb as an argument of a sentence (ArgKind::Verb).
+/// Returns the verb as an argument of a sentence (ArgKind::Verb).
 MessageArg verbArg(CommandVerb verb);
 /// Returns whether `arg` is this verb.
 bool isVerb(const MessageArg& arg, CommandVerb verb);
 
-/// Where translators find the words of a kind: "Verb", "State", "Fault", "Device", "Damage" or "Parameter";
-/// null: its arguments are no words.
+/// Returns the translation context of the words of a kind: "Verb", "State", "Fault", "Device", "Damage" or
+/// "Parameter"; null if arguments of this kind are not words.
 const char* wordContext(ArgKind kind);
-/// English text of a word, "Sensor lost" for the fault "sensor-lost"; what has none is shown by its name.
+/// Returns the English text of a word, "Sensor lost" for the fault "sensor-lost"; a word without a text is
+/// shown by its name.
 const char* wordText(ArgKind kind, const std::string& name);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// What the readers of outlines share: a whole file in memory with its refusals, and lines without blanks.
+// Helpers that the outline readers share: reading a whole file with size checks, and trimming lines.
 
 #include "engine/base/result.h"
 
@@ -9,11 +9,11 @@
 
 namespace bask {
 
-/// Bytes of an ordinary file. Errors: FileNotFound, FileUnreadable (folder, device, permission), FileEmpty,
-/// FileTooLarge (above `limit_bytes`).
+/// Reads all bytes of an ordinary file. Errors: FileNotFound, FileUnreadable (folder, device, permission),
+/// FileEmpty, FileTooLarge (larger than `limit_bytes`).
 Result<std::string> readFileBytes(const std::string& path, std::uintmax_t limit_bytes);
 
-/// Without spaces, tabs and carriage returns at both ends.
+/// Returns the text without spaces, tabs and carriage returns at both ends.
 std::string_view trimmed(std::string_view text);
 
 } // namespace bask

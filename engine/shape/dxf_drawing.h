@@ -1,5 +1,5 @@
 #pragma once
-// What a DXF draws, as dxflib reads it: curves and copies of blocks, still in the file's unit.
+// The content of a DXF drawing as dxflib reads it: curves and copies of blocks, still in the file's unit.
 
 #include "engine/base/result.h"
 #include "engine/shape/flattening.h"
@@ -12,7 +12,7 @@
 
 namespace bask {
 
-/// Straight edges and arcs; the bulge of a vertex is of the edge that leaves it.
+/// Straight edges and arcs. A vertex's bulge belongs to the edge that starts at it.
 struct DxfPolyline {
     struct Vertex {
         Eigen::Vector2d point;
@@ -24,10 +24,10 @@ struct DxfPolyline {
 
 struct DxfSpline {
     Spline curve;
-    bool closed = false; ///< so flagged: its ends are joined
+    bool closed = false; ///< flagged as closed: its ends are joined
 };
 
-/// Copies of a block in columns and rows, set apart before the turn and not scaled.
+/// Copies of a block in columns and rows. Their spacing is applied before the rotation and is not scaled.
 struct DxfInsert {
     std::string block;
     Eigen::Affine2d placement; ///< from the block's base point
@@ -49,14 +49,14 @@ struct DxfBlock {
 struct DxfDrawing {
     std::vector<DxfEntity> entities;
     std::map<std::string, DxfBlock> blocks;
-    std::set<std::string> hidden_layers; ///< off or frozen
+    std::set<std::string> hidden_layers; ///< layers that are off or frozen
     int unit_code = 0;                   ///< $INSUNITS
-    std::map<std::string, int> left_out; ///< entities that draw no curve of the plane, by kind
-    int invisible = 0;                   ///< entities marked so, or in paper space
+    std::map<std::string, int> left_out; ///< number of entities, by kind, that draw no curve in the plane
+    int invisible = 0;                   ///< number of entities that are marked invisible, or in paper space
 };
 
-/// Errors as cleanDxf. Extrusion (0, 0, -1) mirrors; what is tilted against the plane is left out; z is
-/// dropped. Names are in capitals.
+/// Reads a drawing; has the errors of cleanDxf. Extrusion (0, 0, -1) mirrors an entity. Entities tilted out
+/// of the plane are left out; z is ignored. Names are in capitals.
 Result<DxfDrawing> readDxfDrawing(const std::string& bytes, const std::string& where);
 
 } // namespace bask

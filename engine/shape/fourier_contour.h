@@ -10,7 +10,7 @@
 
 namespace bask {
 
-inline constexpr int kMaxHarmonics = 40; ///< most that a fit is offered
+inline constexpr int kMaxHarmonics = 40; ///< the maximum for a fit
 
 /// Descriptor series, counter-clockwise; coefficient(j) for |j| <= harmonics(), metres.
 class FourierContour {
@@ -36,32 +36,34 @@ private:
     std::vector<std::complex<double>> m_coefficients;
 };
 
-/// A place (m) where the curve meets itself, laps of the same curve included; none when it is simple. Strands
-/// closer together than 1e-8 of the size may count as meeting, and loops as small may be missed.
+/// Returns a point (m) where the curve meets itself, also where it runs over itself again; empty if it is
+/// simple. Parts closer together than 1e-8 of the size may count as meeting, and loops of that size may be
+/// missed.
 std::optional<Eigen::Vector2d> findCrossing(const FourierContour& contour);
 
-/// A fit and what it leaves: rms and largest distance (m) between points of the outline and of the series at
-/// equal arc length, and the Hausdorff distance, which knows of no arc length.
+/// A fit and its errors: rms and largest distance (m) between points of the outline and of the series at
+/// equal arc length, and the Hausdorff distance, which does not depend on arc length.
 struct FourierFit {
     FourierContour contour;
     Eigen::Vector2d centre_m = Eigen::Vector2d::Zero(); ///< the series' origin in the outline's coordinates
     double rms_m = 0.0;
     double max_m = 0.0;
     double hausdorff_m = 0.0;   ///< both ways, to 1e-6 of the perimeter
-    double areaError = 0.0;     ///< area of the series over that of the outline, less one
+    double areaError = 0.0;     ///< area of the series divided by that of the outline, minus one
     bool crossesItself = false; ///< the truncated curve is not simple
 };
 
-/// Least-squares series of `harmonics` harmonics in the arc length of the outline (exact projection, edge by
-/// edge). The centroid of the **series** is moved to the origin. Refuses harmonics outside 1..kMaxHarmonics.
+/// Fits a least-squares series of `harmonics` harmonics in the arc length of the outline (exact projection,
+/// edge by edge). The centroid of the **series** is moved to the origin. Refuses harmonics
+/// outside 1..kMaxHarmonics.
 Result<FourierFit> fitFourier(const Contour& outline, int harmonics);
 
-/// Distance (m) of points in the outline's coordinates to the nearest point of the fit's curve, to a
-/// millionth of its size.
+/// Returns the distance (m) of points in the outline's coordinates to the nearest point of the fitted curve,
+/// to a millionth of its size.
 std::vector<double> distancesTo(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points);
 
-/// The fit of the fewest harmonics whose Hausdorff distance from the outline is at most `tolerance_m` and
-/// that does not cross itself. Errors: ValueNotPositive, ToleranceUnreachable.
+/// Returns the fit with the smallest number of harmonics whose Hausdorff distance from the outline is at most
+/// `tolerance_m` and that does not cross itself. Errors: ValueNotPositive, ToleranceUnreachable.
 Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// How far closed outlines are apart: at most, and point by point.
+// Distances between closed outlines: the largest one, and the distance of each point.
 
 #include <Eigen/Core>
 
@@ -7,13 +7,14 @@
 
 namespace bask {
 
-/// Hausdorff distance (m) of two closed polygons' edges, the larger of both ways, every point of every edge
-/// counted: exact to `tolerance_m`. O(n log n) or so. Both need a point.
+/// Returns the Hausdorff distance (m) of the edges of two closed polygons: the larger of both directions,
+/// over every point of every edge, exact to `tolerance_m`. About O(n log n). Each polygon needs at least one
+/// point.
 double hausdorffDistance(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b,
                          double tolerance_m);
 
-/// Distance (m) of each point to the nearest point of a closed polygon's edges. O(log n) each or so where
-/// neighbours in the list are neighbours in the plane. The polygon needs a point.
+/// Returns the distance (m) of each point to the nearest point of a closed polygon's edges. About O(log n)
+/// for each if neighbours in the list are close to each other. The polygon needs at least one point.
 std::vector<double> distancesTo(const std::vector<Eigen::Vector2d>& ring,
                                 const std::vector<Eigen::Vector2d>& points);
 

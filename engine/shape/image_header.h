@@ -1,5 +1,5 @@
 #pragma once
-// What the first bytes of a picture say, read before a decoder is trusted with it.
+// Reads the header of a picture, before a decoder opens the file.
 
 #include <cstdint>
 #include <optional>
@@ -7,13 +7,14 @@
 
 namespace bask {
 
-/// Width times height as announced by a PNG, JPEG, BMP or TIFF; none when the header is of no such kind or
-/// damaged.
+/// Returns width times height as the header of a PNG, JPEG, BMP or TIFF states them; empty if the header is
+/// of another kind or damaged.
 std::optional<std::uint64_t> announcedPixels(std::string_view bytes);
 
 bool isJpeg(std::string_view bytes);
 
-/// True when the JPEG's compressed data run up to its end marker; decoders fill a cut one with grey.
+/// Returns whether the JPEG's compressed data continue to its end marker; decoders fill the rest of a
+/// truncated file with grey.
 bool isCompleteJpeg(std::string_view bytes);
 
 } // namespace bask

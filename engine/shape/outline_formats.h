@@ -1,5 +1,5 @@
 #pragma once
-// All kinds of files that outlines are read from. Readers, dialogs and sentences walk this list.
+// All file formats that outlines are read from. Readers, dialogs and sentences use this list.
 
 #include "engine/shape/contour_import.h"
 
@@ -10,8 +10,8 @@
 
 namespace bask {
 
-/// What a file of outlines is, and so what must be known besides: of a list and of some drawings the unit, of
-/// a picture its scale.
+/// The kind of an outline file, which decides what else must be given: the unit for a list and some drawings,
+/// the scale for a picture.
 enum class OutlineKind { Drawing, List, Picture };
 
 struct OutlineFormat {
@@ -21,13 +21,13 @@ struct OutlineFormat {
     Result<OutlineFile> (*read)(const std::string& path, const ContourImportOptions& options);
 };
 
-/// Drawings first, then lists, then pictures.
+/// Returns the formats: drawings first, then lists, then pictures.
 std::span<const OutlineFormat> outlineFormats();
-/// By the file's ending; null: there is none for it.
+/// Returns the format for the file's ending; null if there is none.
 const OutlineFormat* outlineFormatOf(const std::string& path);
-/// Names of a kind's formats: "SVG, DXF".
+/// Returns the names of a kind's formats: "SVG, DXF".
 std::string outlineFormatNames(OutlineKind kind);
-/// Endings of a kind's formats, or of all: "svg, dxf".
+/// Returns the endings of a kind's formats, or of all: "svg, dxf".
 std::string outlineEndings(OutlineKind kind, const std::string& before = "",
                            const std::string& between = ", ");
 std::string outlineEndings(const std::string& before = "", const std::string& between = ", ");

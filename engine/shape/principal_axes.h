@@ -1,5 +1,5 @@
 #pragma once
-// Second moments of area of an outline: how far it reaches, and which way.
+// Second moments of area of an outline: its extent and main direction.
 
 #include <Eigen/Core>
 
@@ -12,13 +12,13 @@ namespace bask {
 struct PrincipalAxes {
     Eigen::Vector2d centroid_m = Eigen::Vector2d::Zero();
     Eigen::Vector2d major =
-        Eigen::Vector2d::UnitX(); ///< of length 1, x not negative; the other is square to it
+        Eigen::Vector2d::UnitX(); ///< of length 1, x not negative; the minor axis is perpendicular to it
     double major_m = 0.0;         ///< radius of gyration along `major`
-    double minor_m = 0.0;         ///< along the other, not above major_m
+    double minor_m = 0.0;         ///< radius of gyration along the minor axis; at most major_m
 };
 
-/// Of the area within closed rings: outlines counter-clockwise, holes clockwise. `major` is along x where the
-/// two radii agree to 1e-6. The area must not be zero.
+/// Returns the axes of the area within closed rings: outlines counter-clockwise, holes clockwise. `major` is
+/// along x if the two radii agree to 1e-6. The area must not be zero.
 PrincipalAxes principalAxes(const std::vector<std::vector<Eigen::Vector2d>>& rings);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The first pass over an SVG drawing: what there is, and what <use> makes of it.
+// The first pass over an SVG drawing: its elements, and how <use> multiplies them.
 
 #include "engine/base/result.h"
 #include "engine/shape/svg_elements.h"
@@ -17,7 +17,7 @@ struct Symbol {
     QString preserve;
 };
 
-/// What the second pass has to know before it begins.
+/// What the second pass needs to know before it starts.
 struct Survey {
     QString css;
     QSet<QString> paints; ///< ids of gradients and patterns
@@ -26,7 +26,8 @@ struct Survey {
     std::vector<std::string> unread;
 };
 
-/// Refuses what Qt's readers cannot take. Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull.
+/// Surveys a drawing; refuses what Qt's readers cannot process. Errors: XmlBroken, XmlTooDeep, NotSvg,
+/// DrawingTooFull.
 Result<Survey> survey(const QByteArray& bytes, const std::string& where);
 
 } // namespace bask::svg
