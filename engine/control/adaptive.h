@@ -1,14 +1,14 @@
 #pragma once
-// The paper's adaptive controller: knows only the geometry, estimates a1 = 1/lambda1 and a2 = lambda2/lambda1
-// on the way.
+// The paper's adaptive controller: knows only the geometry, and estimates a1 = 1/lambda1 and a2 =
+// lambda2/lambda1 during the run.
 
 #include "engine/control/controller.h"
 
 namespace bask {
 
 /// With zeta = v + mu dtau:  u = J+ (-mu a1 v - K zeta + 4 T a2 v),  da1/dt = gamma1 mu v zeta,  da2/dt = -4
-/// gamma2 v zeta T^3. Estimates stay within a factor kEstimateRange of their start; adaptation stands still
-/// while the command is limited or |zeta| is within noise. Source: paper, section IV-B.
+/// gamma2 v zeta T^3. Estimates stay within a factor kEstimateRange of their start; adaptation pauses while
+/// the command is limited or |zeta| is within noise. Source: paper, section IV-B.
 class AdaptiveController final : public Controller {
 public:
     static constexpr double kEstimateRange = 20.0;

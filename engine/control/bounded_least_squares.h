@@ -12,8 +12,9 @@ struct BoundedSolution {
     bool converged = false;   ///< optimal; otherwise y is feasible, but not the minimum
 };
 
-/// H: n x n symmetric positive definite, G: m x n, h: m with every h <= 0, so that y = 0 is feasible (throws
-/// std::invalid_argument otherwise). Source: Nocedal & Wright, Numerical Optimization, algorithm 16.3.
+/// Solves the program. H: n x n symmetric positive definite, G: m x n, h: m with every h <= 0, so that y = 0
+/// is feasible (throws std::invalid_argument otherwise). Source: Nocedal & Wright, Numerical Optimization,
+/// algorithm 16.3.
 BoundedSolution solveBounded(const Eigen::MatrixXd& H, const Eigen::VectorXd& f, const Eigen::MatrixXd& G,
                              const Eigen::VectorXd& h);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every controller is: a pure step from an observation to a velocity within the robot's limits.
+// The interface of all controllers: a step from an observation to a velocity within the robot's limits.
 
 #include "engine/control/controller_settings.h"
 #include "engine/control/rig_geometry.h"
@@ -16,43 +16,46 @@ struct ObjectObservation {
     double rate_K_s = 0.0;
 };
 
-/// Everything a controller sees at one sample.
+/// The inputs of a controller at one sample.
 struct Observation {
     double time_s = 0.0;                     ///< since the run's start
     Vector6d coordinates = Vector6d::Zero(); ///< of the end-effector, measured
-    double sourceStrength = 1.0; ///< net source power now over the one the believed lambda1 stand for
+    /// Net source power now, divided by the power for which the estimated lambda1 is given.
+    double sourceStrength = 1.0;
     std::vector<ObjectObservation> objects;
-    /// Rates of the pose coordinates that the robot was told last, from which it accelerates; zero at rest.
+    /// The last commanded rates of the pose coordinates, from which the robot accelerates; zero at rest.
     Vector6d lastRates = Vector6d::Zero();
 };
 
-/// What a step asks of the robot and what the controller thinks.
+/// The command of a step and the controller's estimates.
 struct ControlOutput {
     Vector6d rates = Vector6d::Zero();  ///< of the pose coordinates, m/s and rad/s
     double smallestSingularValue = 0.0; ///< of the interaction matrix dF/dx, rotation scaled, 1/m
     std::vector<double>
-        compromise_K; ///< the temperatures aimed at where the targets cannot be had together; else empty
-    std::vector<HeatRates> belief; ///< N, as the controller believes them now
-    ActiveLimits limits;           ///< that hold the command back
+        /// The temperatures that it aims at if no pose has all targets together; else empty.
+        compromise_K;
+    std::vector<HeatRates> belief; ///< N, the controller's present estimate
+    ActiveLimits limits;           ///< limits that restrict the command
 };
 
-/// What a controller knows before it starts.
+/// What a controller is given before it starts.
 struct ControlModel {
     std::shared_ptr<const RigGeometry> geometry;
-    std::vector<HeatRates> believed; ///< at sourceStrength 1
+    std::vector<HeatRates> believed; ///< N, the estimated rates at sourceStrength 1
     std::vector<double> targets_K;
 };
 
-/// Steps are deterministic functions of the observations so far; time comes with them. Not thread-safe.
+/// Each step is a deterministic function of the observations so far; time is part of them. Not thread-safe.
 class Controller {
 public:
     virtual ~Controller() = default;
-    /// The velocity to hold for the next dt_s. Throws std::invalid_argument on a wrong number of objects.
+    /// Returns the velocity for the next dt_s. Throws std::invalid_argument if the number of objects is
+    /// wrong.
     virtual ControlOutput step(const Observation& observation, double dt_s) = 0;
     virtual void setTargets(const std::vector<double>& targets_K) = 0;
-    /// The source has moved: the same rig in another geometry, without a bump.
+    /// Sets a new geometry of the same rig, after the source has moved, without a jump of the command.
     virtual void setGeometry(std::shared_ptr<const RigGeometry> geometry) = 0;
-    /// New gains of the same kind, without a bump: estimates are kept.
+    /// Sets new gains of the same kind without a jump of the command; estimates are kept.
     virtual void setGains(const ControllerSettings& settings) = 0;
 };
 

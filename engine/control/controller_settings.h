@@ -8,7 +8,7 @@ const char* controllerKindName(ControllerKind kind); ///< "level-servo", "model-
 
 /// Outer loop of Bask's own level servo.
 struct LevelServoGains {
-    double timeConstant_s = 8.0;  ///< tau_c: wanted rate = error / tau_c
+    double timeConstant_s = 8.0;  ///< tau_c: demanded rate = error / tau_c
     double integralTime_s = 60.0; ///< of the slow integral action near the target
     bool operator==(const LevelServoGains&) const = default;
 };
@@ -20,7 +20,7 @@ struct ModelBasedGains {
     bool operator==(const ModelBasedGains&) const = default;
 };
 
-/// The same law as a frequency and a damping ratio: D = 2 damping frequency, K = frequency^2.
+/// The same law given by a frequency and a damping ratio: D = 2 damping frequency, K = frequency^2.
 struct NaturalGains {
     double frequency_rad_s = 0.0;
     double damping = 0.0; ///< 1: critical
@@ -28,13 +28,13 @@ struct NaturalGains {
 NaturalGains naturalGains(const ModelBasedGains& gains);
 ModelBasedGains gainsFromNatural(const NaturalGains& gains);
 
-/// Error after a step of the target at rest, as a share of the step, t seconds later: the analytic solution
-/// of d2e/dt2 = -D de/dt - K e without limits, noise or delay.
+/// Returns the error t seconds after a step of the target at rest, as a fraction of the step: the analytic
+/// solution of d2e/dt2 = -D de/dt - K e without limits, noise or delay.
 double errorAfterStep(const ModelBasedGains& gains, double t_s);
 
-/// What errorAfterStep says of a step of step_K.
+/// Prediction of errorAfterStep for a step of step_K.
 struct StepPrediction {
-    double overshoot = 0.0;  ///< share of the step
+    double overshoot = 0.0;  ///< fraction of the step
     double settling_s = 0.0; ///< until the error stays within +-band_K; infinite without damping
 };
 StepPrediction predictStep(const ModelBasedGains& gains, double step_K, double band_K);
@@ -48,20 +48,21 @@ struct AdaptiveGains {
     bool operator==(const AdaptiveGains&) const = default;
 };
 
-/// Time until the error is within +-band_K once zeta is zero, where it dies as exp(-mu t): what the adaptive
-/// law comes to when it has adapted, and its least settling time. It does not overshoot then.
+/// Returns the time until the error is within +-band_K once zeta is zero; it then decays as exp(-mu t)
+/// without overshoot. This is the behaviour of the adapted law, and its minimum settling time.
 double predictSettling_s(const AdaptiveGains& gains, double step_K, double band_K);
 
-/// Controller and gains of all three kinds, so that switching loses nothing.
+/// The selected controller and the gains of all three kinds, so that switching loses nothing.
 struct ControllerSettings {
     ControllerKind kind = ControllerKind::LevelServo;
     LevelServoGains levelServo;
     ModelBasedGains modelBased;
     AdaptiveGains adaptive;
-    double rotationLength_m = 0.10; ///< makes radians and metres compare
-    double damping = 1e-3;          ///< of the damped least squares, relative to the largest singular value
+    /// Length that counts as one radian when rotations and translations are combined.
+    double rotationLength_m = 0.10;
+    double damping = 1e-3; ///< of the damped least squares, relative to the largest singular value
     double believedRateErrorFactor =
-        1.0; ///< >= 1: believed rates start wrong by seeded random factors in [1/f, f]
+        1.0; ///< >= 1: estimated rates start with random errors: seeded factors in [1/f, f]
     bool operator==(const ControllerSettings&) const = default;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A way of the end-effector for the next minutes and the temperatures that it would give: what the level
-// servo chooses between.
+// A path of the end-effector for the next minutes and the predicted temperatures; the level servo chooses
+// between such plans.
 
 #include "engine/control/rig_geometry.h"
 #include "engine/thermal/heat_balance.h"
@@ -10,24 +10,24 @@
 
 namespace bask {
 
-/// Time at a pose, s.
+/// A pose and how long the robot stays there, s.
 struct Stay {
     Vector6d pose = Vector6d::Zero();
     double time_s = 0.0;
 };
 
-/// Straight ways at the robot's limits to each stay in turn, then to the rest, for ever.
+/// Straight moves at the robot's limits to each stay in turn, then to the final rest, where it remains.
 struct HeatingPlan {
     std::array<Stay, 2> stays;
     Vector6d rest = Vector6d::Zero();
 
-    /// Takes time_s from the first stay; one that is over makes room for `next` at the end.
+    /// Removes time_s from the first stay. If that stay is over, it is removed and `next` is appended.
     void spend(double time_s, const Stay& next);
-    /// Takes every pose along with a source that has moved by `motion` in R, as far as the robot can.
+    /// Moves every pose with a source that has moved by `motion` in R, as far as the robot can.
     void move(const Pose& motion, const RobotLimits& limits);
 };
 
-/// Present state of the objects, and what they are to come to.
+/// The present state of the objects and their aims.
 struct HeatingTask {
     Vector6d from = Vector6d::Zero(); ///< the end-effector's coordinates
     std::vector<HeatRates> rates;     ///< N, lambda1 at the source's present strength
@@ -40,19 +40,19 @@ struct PricedPlan {
     double cost = 0.0; ///< s3
 };
 
-/// What plans cost: for each object the time that it is still away from its aim, squared and integrated from
-/// now on for ever under the heat balance, and a small price on travel. Cold, that is the time to heat it
-/// with F = 1, of which large errors count as a root; too hot counts for more, and steeply. Refers to
-/// geometry and task.
+/// The cost of plans: for each object the time by which it is away from its aim, squared and integrated from
+/// now to infinity under the heat balance, plus a small cost of travel. For a cold object this is the time to
+/// heat it with F = 1, of which large errors count as a root; too hot costs more, and rises steeply. Keeps
+/// references to geometry and task.
 class PlanCost {
 public:
     PlanCost(const RigGeometry& geometry, const HeatingTask& task);
 
-    /// Residuals whose squares add up to the cost, s sqrt(s).
+    /// Returns residuals whose squares add up to the cost, s sqrt(s).
     Eigen::VectorXd residuals(const HeatingPlan& plan) const;
     double of(const HeatingPlan& plan) const { return residuals(plan).squaredNorm(); }
-    /// Levenberg-Marquardt on stays and times from `plan`, inside workspace and clearance; never worse than
-    /// `plan`.
+    /// Optimises stays and times from `plan` (Levenberg-Marquardt) inside workspace and clearance; never
+    /// worse than `plan`.
     PricedPlan improve(const HeatingPlan& plan, int iterations) const;
 
 private:
@@ -62,7 +62,7 @@ private:
 
     const RigGeometry& m_geometry;
     const HeatingTask& m_task;
-    double m_hot_s_K = 0.0;     ///< what a kelvin too hot counts as
+    double m_hot_s_K = 0.0;     ///< cost of a kelvin too hot
     Eigen::VectorXd m_cold_s_K; ///< N, time to heat by a kelvin at F = 1
 };
 

@@ -26,14 +26,15 @@ struct NormBound {
 /// Minimiser of y'Hy/2 - f'y with G y >= h and every norm within its bound.
 struct NormBoundedSolution {
     SmallVector y;
-    std::vector<int> active; ///< rows of G, then norms, that hold the minimum back; sorted
+    std::vector<int> active; ///< rows of G, then norms, that are active at the minimum; sorted
     bool converged = false;  ///< otherwise y may violate a bound
 };
 
-/// H: n x n symmetric positive definite, G: m x n, h: m; n at most 6, m and the norms together at most 32
-/// (throws std::invalid_argument otherwise). The bounds are met within about 1e-9 of their own size. The
-/// feasible set may be a single point, not empty. Source: Nocedal & Wright, Numerical Optimization, section
-/// 16.6 (Mehrotra's predictor and corrector), with the norms' curvature in the Hessian of the Lagrangian.
+/// Solves the program. H: n x n symmetric positive definite, G: m x n, h: m; n at most 6, m and the norms
+/// together at most 32 (throws std::invalid_argument otherwise). The bounds are satisfied within about 1e-9
+/// of their own size. The feasible set may be a single point, but not empty. Source: Nocedal & Wright,
+/// Numerical Optimization, section 16.6 (Mehrotra's predictor and corrector), with the norms' curvature in
+/// the Hessian of the Lagrangian.
 NormBoundedSolution solveNormBounded(const SmallMatrix& H, const SmallVector& f, const SmallRows& G,
                                      const RowVector& h, const std::vector<NormBound>& norms);
 

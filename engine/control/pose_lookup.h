@@ -1,6 +1,6 @@
 #pragma once
-// The workspace sampled once: which pose gives wanted view factors. Global, so without local minima; refined
-// elsewhere.
+// The workspace sampled once, to find the pose with given view factors. The search is global, so it has no
+// local minima; the result is refined elsewhere.
 
 #include "engine/control/rig_geometry.h"
 
@@ -9,27 +9,27 @@
 
 namespace bask {
 
-/// What the inner step of the level servo looks for.
+/// The query of the inner step of the level servo.
 struct PoseQuery {
     Eigen::VectorXd wanted;           ///< N view factors
     Eigen::VectorXd weights;          ///< N, of the squared errors of F
     Vector6d from = Vector6d::Zero(); ///< present pose; fixed coordinates are taken from it
 };
 
-/// Table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with all
-/// objects' view factors.
+/// A table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with the view
+/// factors of all objects.
 class PoseLookup {
 public:
     PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector6d& rest, int samples = 40000);
 
     std::size_t size() const { return m_poses.size(); }
     const Vector6d& pose(std::size_t k) const { return m_poses[k]; }
-    /// Mean spacing of the samples, m and rad; 0 in fixed coordinates.
+    /// Returns the mean spacing of the samples, m and rad; 0 in fixed coordinates.
     const Vector6d& cell() const { return m_cell; }
-    /// size() x N
+    /// Returns the view factors, size() x N.
     const Eigen::ArrayXXd& table() const { return m_F; }
 
-    /// The `count` cheapest poses, cheapest first, no two of them in neighbouring cells.
+    /// Returns the `count` cheapest poses, cheapest first, no two of them in neighbouring cells.
     std::vector<Vector6d> best(const PoseQuery& query, int count) const;
 
 private:
@@ -39,11 +39,11 @@ private:
     Vector6d m_cell = Vector6d::Zero();
 };
 
-/// Weighted squared errors of F.
+/// Returns the weighted sum of squared errors of F.
 double residualCost(const PoseQuery& query, const Eigen::VectorXd& F);
 
-/// Gauss-Newton on the residual from `start` with the exact gradient inside workspace and clearance, damped;
-/// never returns a worse pose.
+/// Refines a pose by damped Gauss-Newton steps on the residual from `start`, with the exact gradient, inside
+/// workspace and clearance; never returns a worse pose.
 Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
                     int iterations);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Recursive least squares for lambda1 and lambda2 of one object while a run is on.
+// Recursive least squares for lambda1 and lambda2 of one object during a run.
 
 #include "engine/thermal/heat_balance.h"
 
@@ -11,26 +11,27 @@ namespace bask {
 
 /// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4)  with T0^4 = lambda3 /
 /// lambda2 over a short window w: the integral form of the heat balance, which needs no differentiated
-/// temperature. What was learnt is forgotten exponentially, back to a wide prior about the start values, so
-/// that long rests at a steady state neither wind the estimate up nor freeze it. Estimates are the minimum
-/// within bounds, not clipped.
+/// temperature. Old data are forgotten exponentially, back to a wide prior about the start values, so that a
+/// long rest at a steady state neither winds the estimate up nor freezes it. Estimates are the minimum within
+/// bounds, not clipped.
 class RateIdentification {
 public:
     static constexpr double kRange = 10.0;       ///< estimates stay within start / kRange .. start * kRange
-    static constexpr double kForgetting = 0.998; ///< a sample, or slower:
-    static constexpr double kMemory = 0.5;       ///< time constants of the object, at least
-    static constexpr double kWindow_s = 6.0;     ///< of the integral, or longer:
-    static constexpr double kWindow = 0.01;      ///< time constants of the object, at least
-    static constexpr double kNoise_K = 0.05;     ///< of a difference of two readings
+    static constexpr double kForgetting = 0.998; ///< for each sample, or slower:
+    static constexpr double kMemory = 0.5;       ///< in time constants of the object, at least
+    static constexpr double kWindow_s = 6.0;     ///< window of the integral, or longer:
+    static constexpr double kWindow = 0.01;      ///< in time constants of the object, at least
+    static constexpr double kNoise_K = 0.05;     ///< of the difference of two readings
     static constexpr double kPrior = 2.0;        ///< standard deviation of lambda / start - 1
 
     explicit RateIdentification(const HeatRates& start);
 
-    /// A sample: measured temperature, view factor and source strength at time_s (growing).
+    /// Adds a sample: measured temperature, view factor and source strength at time_s (ascending).
     void add(double time_s, double temperature_K, double F, double sourceStrength);
-    /// Present estimate; lambda3 / lambda2 is kept.
+    /// Returns the present estimate; the ratio lambda3 / lambda2 is fixed.
     HeatRates rates() const;
-    /// Standard deviation of the steady view factor for temperature T_K, from the fit's covariance.
+    /// Returns the standard deviation of the steady view factor for temperature T_K, from the fit's
+    /// covariance.
     double steadyViewFactorDeviation(double T_K) const;
 
 private:
@@ -43,7 +44,7 @@ private:
     void update(const Sample& from, const Sample& to, double forgetting);
 
     HeatRates m_start;
-    double m_timeConstant_s; ///< at the environment's temperature, as believed at the start
+    double m_timeConstant_s; ///< at the environment's temperature, with the estimate of the start
     double m_lastF = 0.0;
     std::deque<Sample> m_samples;
     // In units of the start values, about them: minimise x'Ax/2 - b'x, x = lambda / start - 1.

@@ -7,23 +7,24 @@
 
 namespace bask {
 
-/// A grid of cells over the temperatures of two objects that the workspace offers, seen from one target.
+/// A grid of cells over the steady temperatures of two objects within the workspace, and its relation to one
+/// target.
 struct ReachableMap {
     int first = 0; ///< objects; `first` along the map's x
     int second = 0;
     int cells = 0;                     ///< along each side
     Eigen::Vector2d lower_K{0.0, 0.0}; ///< outer edges of the map: (first, second)
     Eigen::Vector2d upper_K{0.0, 0.0};
-    /// cells x cells, row by row from lower_K, x fastest. Share of the sampled poses whose temperatures lie
-    /// in the cell; where it is small, the pair asks for a pose that is hard to keep.
+    /// cells x cells, row by row from lower_K, x fastest: fraction of the sampled poses whose temperatures
+    /// are in the cell. If it is small, the pair needs a pose that is difficult to keep.
     std::vector<double> density;
-    std::vector<bool> reachable; ///< some pose of the workspace comes into the cell
-    /// Edges between reachable and other cells, their ends in K: the boundary to the size of a cell.
+    std::vector<bool> reachable; ///< whether a pose of the workspace reaches the cell
+    /// Edges between reachable and other cells, with their ends in K: the boundary to the size of a cell.
     std::vector<std::array<Eigen::Vector2d, 2>> boundary;
     Eigen::Vector2d target_K{0.0, 0.0};
-    bool targetReachable = false;        ///< for these two, whatever becomes of the other objects
-    Eigen::Vector2d nearest_K{0.0, 0.0}; ///< the pair that some pose holds nearest to the target
-    /// Outside: to that nearest pair, K. Inside: to the boundary of the cells.
+    bool targetReachable = false;        ///< for these two objects, regardless of the others
+    Eigen::Vector2d nearest_K{0.0, 0.0}; ///< the pair of steady temperatures nearest to the target
+    /// If unreachable: distance to that nearest pair, K. If reachable: distance to the boundary of the cells.
     double distance_K = 0.0;
 
     Eigen::Vector2d cell_K() const { return (upper_K - lower_K) / cells; }
@@ -31,14 +32,14 @@ struct ReachableMap {
 
 inline constexpr int kReachableCells = 48;
 
-/// Maps of all pairs, first < second, in lexical order. From each cell with a sample the search goes on to
-/// its neighbours without one until none is added: the map has no holes for want of samples. Some 50 ms a
-/// pair: a job. Empty when stopped. No maps where no pose is allowed.
+/// Returns maps of all pairs, first < second, in lexical order. From each cell with a sample the search
+/// continues into neighbours without one until none is added, so that too few samples leave no holes in the
+/// map. About 50 ms for each pair: run it as a job. Empty if stopped. No maps if no pose is allowed.
 std::optional<std::vector<ReachableMap>> reachablePairs(const FeasibilityRequest& request,
                                                         std::stop_token stop = {});
 
-/// The same maps seen from the request's targets, where nothing else of it changed: 0.4 to 2.5 ms a pair.
-/// Empty when stopped.
+/// Updates the maps for the request's targets, if nothing else of the request changed: 0.4 to 2.5 ms for each
+/// pair. Empty if stopped.
 std::optional<std::vector<ReachableMap>>
 placeTargets(std::vector<ReachableMap> maps, const FeasibilityRequest& request, std::stop_token stop = {});
 

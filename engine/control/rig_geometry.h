@@ -13,7 +13,7 @@
 
 namespace bask {
 
-/// By which angles are compared with lengths: a radian counts as 0.1 m.
+/// To compare angles with lengths: a radian counts as 0.1 m.
 inline constexpr double kRotationLength_m = 0.1;
 
 /// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
@@ -29,39 +29,41 @@ struct Clearance {
     Vector6d gradient = Vector6d::Zero();
 };
 
-/// Immutable; calls are thread-safe. All poses q are the end-effector's coordinates in the robot's base R,
-/// and so is the workspace; the source lies at X_RS.
+/// Immutable; calls are thread-safe. All poses q, and the workspace, are the end-effector's coordinates in
+/// the robot's base R; the source is at X_RS.
 class RigGeometry {
 public:
-    /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different
-    /// lengths.
+    /// `mountings` are X_EO as pose coordinates, one for each shape. Throws std::invalid_argument if the
+    /// lengths differ.
     RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
                 const RobotLimits& limits, const Pose& X_RS = Pose::Identity());
 
-    /// The same rig with its source elsewhere. Shares the contours: cheap enough for every sample.
+    /// Returns the same rig with its source at another pose. Shares the contours: cheap enough for every
+    /// sample.
     std::shared_ptr<const RigGeometry> withSourceAt(const Pose& X_RS) const;
     const Pose& X_RS() const { return m_X_RS; }
-    /// The source's normal in R: the way off its plane.
+    /// Returns the source's normal in R: the direction away from its plane.
     Eigen::Vector3d away() const { return m_X_RS.linear().col(2); }
 
     int objects() const { return static_cast<int>(m_mounted.size()); }
-    /// As given, with a clearance of 0.1 mm at least.
+    /// Returns the limits as given, but with a clearance of at least 0.1 mm.
     const RobotLimits& limits() const { return m_limits; }
     const std::vector<int>& freeCoordinates() const { return m_free; }
 
     ViewFactors viewFactors(const Vector6d& q) const;
-    /// Values only, to 1e-6: for tables.
+    /// Returns only the values, to 1e-6: for tables.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
-    /// The same into `F` (N), which is not allocated anew.
+    /// Like viewFactorsFast(q), into `F` (N), which is not allocated again.
     void viewFactorsFast(const Vector6d& q, Eigen::VectorXd& F) const;
-    /// Lowest point of each object.
+    /// Returns the clearance of the lowest point of each object.
     std::vector<Clearance> clearances(const Vector6d& q) const;
-    /// Least clearance of all objects, m.
+    /// Returns the smallest clearance of all objects, m.
     double lowestPoint_m(const Vector6d& q) const;
-    /// Inside the workspace and at least the clearance from the source plane, within 1e-9.
+    /// Returns whether the pose is inside the workspace and keeps the clearance from the source plane, within
+    /// 1e-9.
     bool allowed(const Vector6d& q) const;
-    /// As allowed(to) under these limits, but for what is outside at `from` already: there the step only may
-    /// not lead farther out.
+    /// Returns whether a step to `to` is allowed under these limits. A limit that is already violated at
+    /// `from` only forbids to go farther out.
     bool mayStep(const Vector6d& from, const Vector6d& to, const RobotLimits& limits) const;
 
 private:
@@ -73,7 +75,7 @@ private:
     std::vector<MountedContour> m_mounted;
     std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
     Pose m_X_RS;
-    std::optional<Pose> m_X_SR; ///< empty where R and S are one
+    std::optional<Pose> m_X_SR; ///< empty if R and S are the same
 };
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// What the robot may do: free coordinates, limits of speed and acceleration, workspace, clearance to the
-// source plane; and which of these a command has met.
+// What the robot may do: free coordinates, limits of speed and acceleration, workspace, clearance from the
+// source plane; and which of these limits a command has reached.
 
 #include "engine/base/pose.h"
 
@@ -9,7 +9,7 @@
 
 namespace bask {
 
-/// Length that a radian counts as beside metres, where poses' distances are one number.
+/// The length that one radian counts as, where the distance of poses is one number.
 inline constexpr double kRadianLength_m = 0.1;
 
 /// Limits in the end-effector's coordinates (x, y, z, theta_x, theta_y, theta_z; m, rad) in the robot's base
@@ -22,8 +22,9 @@ struct RobotLimits {
     double maxAngularAcceleration_rad_s2 = 0; ///< of the angular acceleration's norm; 0: no limit
     Vector6d lower{-0.2, -0.2, 0.01, -0.6108652381980153, 0.0, 0.0};
     Vector6d upper{0.2, 0.2, 0.3, 0.6108652381980153, 0.0, 0.0};
-    double clearance_m = 0.01;        ///< least distance of any contour point from the source plane
-    double maxMountingRadius_m = 0.2; ///< how far from E the robot can carry an object; 0: anywhere
+    double clearance_m = 0.01; ///< smallest allowed distance of any contour point from the source plane
+    /// Largest distance from E at which the robot can carry an object; 0: no limit.
+    double maxMountingRadius_m = 0.2;
 
     int degreesOfFreedom() const;
     bool limitsAcceleration() const {
@@ -32,10 +33,11 @@ struct RobotLimits {
     bool operator==(const RobotLimits&) const = default;
 };
 
-/// Workspace + k is the workspace's bound of coordinate k.
+/// The active limits are numbered so that Workspace + k is the bound of coordinate k.
 enum class Limit { Speed, Rotation, Acceleration, AngularAcceleration, Clearance, Workspace };
 
-/// Limits that hold a command back. Bit 0: any at all; bit 1 + l: limit l (the form of the session file).
+/// Limits that restrict a command. Bit 0: any limit at all; bit 1 + l: limit l (the format of the session
+/// file).
 struct ActiveLimits {
     unsigned bits = 0;
 
@@ -48,7 +50,7 @@ struct ActiveLimits {
     bool operator==(const ActiveLimits&) const = default;
 };
 
-/// "speed, workspace x"; empty when none is active or none is named.
+/// Returns "speed, workspace x"; empty if no limit is active or named.
 std::string describe(const ActiveLimits& limits);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Search of the workspace for the pose whose steady temperatures come nearest to what is wanted of them.
+// Searches the workspace for the pose whose steady temperatures are nearest to the wanted ones.
 
 #include "engine/control/pose_lookup.h"
 #include "engine/thermal/heat_balance.h"
@@ -10,36 +10,37 @@
 
 namespace bask {
 
-/// What is wanted of linear combinations of the steady temperatures: the least |rows T - wanted|^2 +
-/// |pull (q - towards)|^2, products by coordinate.
+/// Wanted values of linear combinations of the steady temperatures: minimise |rows T - wanted|^2 + |pull (q -
+/// towards)|^2, with products by coordinate.
 struct SteadyAim {
     Eigen::MatrixXd rows;             ///< k x N
     Eigen::VectorXd wanted;           ///< k, K
-    Vector6d pull = Vector6d::Zero(); ///< K/m and K/rad; only refine() heeds it
+    Vector6d pull = Vector6d::Zero(); ///< K/m and K/rad; used only by refine()
     Vector6d towards = Vector6d::Zero();
 };
 
-/// A pose and what the objects settle at there.
+/// A pose and the steady temperatures of the objects there.
 struct SteadyPose {
     Vector6d q = Vector6d::Zero(); ///< in R
     Eigen::VectorXd T_K;           ///< N
     double cost_K2 = 0.0;          ///< squared residual of the aim
 };
 
-/// Immutable: the look-up's view factors as temperatures under given heat rates. Global by the look-up, exact
-/// by bounded Gauss-Newton steps from its best poses. The same question has the same answer, whatever the
-/// machine's load or number of cores.
+/// Immutable: the look-up's view factors as temperatures under given heat rates. The look-up makes the search
+/// global, and bounded Gauss-Newton steps from its best poses make it exact. The same question has the same
+/// answer, independent of the machine's load or number of cores.
 class SteadySearch {
 public:
-    /// Throws std::invalid_argument unless there is a rate for each object.
+    /// Throws std::invalid_argument unless there is one rate for each object.
     SteadySearch(std::shared_ptr<const RigGeometry> geometry, std::shared_ptr<const PoseLookup> lookup,
                  std::vector<HeatRates> rates, std::stop_token stop = {});
 
     const RigGeometry& geometry() const { return *m_geometry; }
     const std::vector<HeatRates>& rates() const { return m_rates; }
-    /// No pose of the sample keeps workspace and clearance: nothing below may be asked then.
+    /// Returns whether no pose of the sample is within workspace and clearance: do not call the functions
+    /// below then.
     bool empty() const { return m_T_K.rows() == 0; }
-    /// Steady temperatures at the look-up's poses, size() x N, K.
+    /// Returns the steady temperatures at the look-up's poses, size() x N, K.
     const Eigen::ArrayXXd& table_K() const { return m_T_K; }
     const Vector6d& sample(Eigen::Index k) const { return m_lookup->pose(static_cast<std::size_t>(k)); }
     bool stopped() const { return m_stop.stop_requested(); }
@@ -51,12 +52,12 @@ public:
     };
     Gradient at(const Vector6d& q) const;
 
-    /// Local: from `start` inside workspace and clearance; never worse than it.
+    /// Searches locally from `start` inside workspace and clearance; the result is never worse than `start`.
     SteadyPose refine(const SteadyAim& aim, const Vector6d& start) const;
 
-    /// The best of up to `starts` refinements, tried cheapest first. Ends with the batch of kBatch in which
-    /// the cost came under `enough_K2`; of several such in the batch the one farthest from all limits wins.
-    /// Stopped, it is any pose.
+    /// Returns the best of up to `starts` refinements, tried in ascending order of cost. Ends with the batch
+    /// of kBatch in which the cost fell below `enough_K2`; if several in that batch did, the one farthest
+    /// from all limits is returned. If stopped, returns any pose.
     SteadyPose best(const SteadyAim& aim, int starts, double enough_K2) const;
 
     static constexpr int kBatch = 8;
@@ -71,11 +72,11 @@ private:
     Eigen::ArrayXXd m_T_K;
 };
 
-/// The limit that a pose is nearest to.
+/// The limit nearest to a pose.
 struct LimitDistance {
     double distance_m = 0.0; ///< a radian counts as kRadianLength_m
     Limit limit = Limit::Workspace;
-    int coordinate = 0; ///< of Limit::Workspace
+    int coordinate = 0; ///< coordinate of Limit::Workspace
 };
 LimitDistance nearestLimit(const RigGeometry& geometry, const Vector6d& q);
 

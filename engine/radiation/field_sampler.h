@@ -1,5 +1,6 @@
 #pragma once
-// View factors on a grid of poses: one to four of the six pose coordinates along axes, the others held.
+// View factors on a grid of poses: one to four of the six pose coordinates vary along axes, the others are
+// fixed.
 
 #include "engine/radiation/view_factor.h"
 
@@ -11,7 +12,7 @@
 
 namespace bask {
 
-/// "m" or "rad".
+/// Returns "m" or "rad".
 const char* coordinateUnit(Coordinate coordinate);
 
 /// Equally spaced values of one coordinate.
@@ -27,28 +28,31 @@ struct FieldAxis {
 
 inline constexpr int kMaxAxes = 4;
 inline constexpr int kMaxAxisSamples = 100'000;
-inline constexpr double kMaxFieldNumbers = 1e8; ///< a sample has one, or seven with its gradient
-inline constexpr double kFieldReach = 1e6;      ///< m and rad, of every coordinate, either way
+inline constexpr double kMaxFieldNumbers = 1e8; ///< a sample has one number, or seven with its gradient
+inline constexpr double kFieldReach = 1e6;      ///< m and rad; largest absolute value of every coordinate
 
-/// What is sampled: the view factor, or what a function makes of it.
+/// What is sampled: the view factor, or a function of it.
 struct FieldQuantity {
     std::string name = "view_factor";
     std::string unit = {};
-    std::function<double(double)> fromViewFactor = {}; ///< called from many threads; empty: F itself
+    /// Called from many threads; if empty, F itself is sampled.
+    std::function<double(double)> fromViewFactor = {};
 };
 
 struct FieldRequest {
     RadiatingContour source;
     RadiatingContour object;
     std::vector<FieldAxis> axes;
-    /// Coordinates that have no axis stay here.
+    /// Values of the coordinates that have no axis.
     Vector6d held = Vector6d::Zero();
-    /// Mounting: X_SO = poseFromCoordinates(q) * X_EO. Identity: q is of the object's own centre.
+    /// Mounting: X_SO = poseFromCoordinates(q) * X_EO. With identity, q is the pose of the object's own
+    /// centre.
     Pose X_EO = Pose::Identity();
-    /// The source in R, the frame of the coordinates: X_SO = X_RS^-1 * poseFromCoordinates(q) * X_EO.
+    /// Pose of the source in R, the frame of the coordinates: X_SO = X_RS^-1 * poseFromCoordinates(q) * X_EO.
     Pose X_RS = Pose::Identity();
-    /// Samples with a point of the object's outline lower than this over the source's plane (m) are left out,
-    /// NaN: plates cannot go through each other, and what they would exchange there takes long.
+    /// If set, samples in which a point of the object's outline is lower than this above the source's plane
+    /// (m) are left out (NaN): plates cannot pass through each other, and view factors there take long to
+    /// compute.
     std::optional<double> leastHeight_m = {};
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
@@ -58,32 +62,33 @@ struct FieldRequest {
 /// Samples in one block, the first axis fastest: sample (i, j, ...) is values[i + axes[0].count * (j + ...)].
 struct Field {
     std::vector<FieldAxis> axes;
-    Vector6d held = Vector6d::Zero(); ///< as asked for; only the coordinates without an axis mean something
+    Vector6d held = Vector6d::Zero(); ///< as requested; only the coordinates without an axis are used
     std::string quantity;
     std::string unit;
     double tolerance = 0.0;
     std::vector<double> values;
-    /// dF/dq by the six pose coordinates (1/m, 1/rad), six numbers a sample; empty when not asked for.
+    /// dF/dq by the six pose coordinates (1/m, 1/rad), six numbers for each sample; empty if not requested.
     std::vector<double> gradient;
-    /// Samples where object and source overlap in one plane, or that are left out: their numbers are NaN.
+    /// Number of samples in which object and source overlap in one plane, or that are left out: their values
+    /// are NaN.
     std::size_t undefinedSamples = 0;
-    /// Samples whose error estimate is above the tolerance (points ran out, or rounding), and the largest
-    /// estimate.
+    /// Number of samples whose error estimate is above the tolerance (too few points, or rounding), and the
+    /// largest estimate.
     std::size_t unreachedSamples = 0;
     double largestErrorEstimate = 0.0;
 };
 
 struct FieldRun {
-    int threads = 0; ///< 0: one a core
+    int threads = 0; ///< 0: one for each core
     std::stop_token stop = {};
-    /// Gets the part that is done, in (0, 1], rising, some hundred times at most; called in the thread that
-    /// called sampleField, which works too.
+    /// Receives the part that is done, in (0, 1], ascending, at most a few hundred times. Called in the
+    /// thread that called sampleField, which also computes.
     std::function<void(double)> progress = {};
 };
 
-/// Samples a field and returns when it is done. The numbers do not depend on the threads. Errors: axes,
-/// held values or tolerance out of range (`where` says which), too many samples (before memory is taken),
-/// FieldCancelled. What the caller's functions throw comes through.
+/// Samples a field and returns when it is complete. The numbers do not depend on the number of threads.
+/// Errors: axes, fixed values or tolerance out of range (`where` says which), too many samples (before memory
+/// is allocated), FieldCancelled. Exceptions of the caller's functions are passed on.
 Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, const FieldRun& run = {});
 
 } // namespace bask

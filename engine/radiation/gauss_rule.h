@@ -1,5 +1,5 @@
 #pragma once
-// Gauss-Legendre rules and how many points a field needs.
+// Gauss-Legendre rules, and how many points an integrand needs.
 
 #include <span>
 
@@ -14,12 +14,13 @@ struct GaussRule {
 };
 GaussRule gaussRule(int n);
 
-/// log of the sum of the semi-axes of the ellipse about [-1, 1] that holds every point within `distance` of
-/// the centre; 0 when none does. A rule of n points errs by about exp(-2 n times this).
+/// Returns the log of the sum of the semi-axes of the ellipse about [-1, 1] that contains every point within
+/// `distance` of the centre; 0 if there is none. The error of a rule of n points is about exp(-2 n times
+/// this).
 double ellipseExponent(double distance);
 
-/// Points (1 to kMaxGaussPoints) that a panel of half length 1 needs to err by exp(-exponent), relatively,
-/// for a field that is smooth within `distance` of its centre.
+/// Returns the number of points (1 to kMaxGaussPoints) with which a panel of half length 1 has a relative
+/// error of exp(-exponent), for a field that is smooth within `distance` of its centre.
 int gaussOrder(double distance, double exponent);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The interaction matrix of objects carried by one end-effector: how their view factors answer to its twist.
+// The interaction matrix of objects on one end-effector: how their view factors change with its twist.
 
 #include "engine/radiation/view_factor.h"
 
@@ -8,13 +8,13 @@
 
 namespace bask {
 
-/// An object and where the end-effector holds it.
+/// An object and its mounting on the end-effector.
 struct MountedContour {
     RadiatingContour contour;
     Pose X_EO = Pose::Identity();
 };
 
-/// Which components of the twist [v; w] the robot is free to move in.
+/// The components of the twist [v; w] in which the robot can move.
 using FreedomMask = std::array<bool, 6>;
 inline constexpr FreedomMask kAllFree{true, true, true, true, true, true};
 
@@ -25,8 +25,9 @@ struct InteractionMatrix {
     Eigen::MatrixXd J;
 };
 
-/// At the pose X_SE, for a twist in the axes of R: R_RS turns the source's axes into them (identity: the
-/// twist is in source axes). The matrix of the paper is lambda1_i times row i. Throws as viewFactor does.
+/// Returns the matrix at the pose X_SE, for a twist in the axes of R: R_RS turns the source's axes into them
+/// (identity: the twist is in source axes). The matrix of the paper is lambda1_i times row i. Throws as
+/// viewFactor does.
 InteractionMatrix interactionMatrix(const RadiatingContour& source, std::span<const MountedContour> objects,
                                     const Pose& X_SE, const FreedomMask& free = kAllFree,
                                     const Eigen::Matrix3d& R_RS = Eigen::Matrix3d::Identity(),

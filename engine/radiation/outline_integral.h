@@ -1,13 +1,14 @@
 #pragma once
-// The circulation of the source's potential along the visible part of the object's outline, to a wanted
-// error.
+// Integrates the source's potential along the visible part of the object's outline (the circulation) to a
+// given error.
 //
-// Where the whole outline is visible and the source's outline keeps its distance, one tabulated rule does it:
+// Where the whole outline is visible and far enough from the source's outline, one tabulated rule is enough:
 // the trapezoidal rule on a smooth outline converges like exp(-n b), where b is the half width of the strip
 // of complex parameters in which the integrand is regular (L. N. Trefethen, J. A. C. Weideman, The
-// exponentially convergent trapezoidal rule, SIAM Review 56, 2014); Gauss rules on the edges of a polygon in
-// the same manner. Elsewhere the outline is halved into panels until each is short beside its distance from
-// the source's outline. So the number of points follows from the distance, and the error is known beforehand.
+// exponentially convergent trapezoidal rule, SIAM Review 56, 2014); Gauss rules on the edges of a polygon
+// converge in the same way. Elsewhere the outline is halved into panels until each is short compared with its
+// distance from the source's outline. Therefore the number of points follows from the distance, and the error
+// is known in advance.
 
 #include "engine/radiation/gauss_rule.h"
 #include "engine/radiation/visible_source.h"
@@ -21,7 +22,7 @@
 
 namespace bask {
 
-/// What is wanted of an integral.
+/// The required accuracy of an integral, and its limit.
 struct IntegralGoal {
     double allowed_m2 = 0.0; ///< error of the circulation
     double sourcePerimeter_m = 0.0;
@@ -31,7 +32,7 @@ struct IntegralGoal {
 struct OutlineIntegral {
     double circulation_m2 = 0.0;
     Vector6d moments = Vector6d::Zero(); ///< force (m) and torque about O's origin (m2), S axes
-    double error_m2 = 0.0;               ///< of the circulation, as estimated
+    double error_m2 = 0.0;               ///< estimated error of the circulation
 };
 
 template <bool kMoments, class Source> class OutlineIntegrator {
@@ -41,7 +42,7 @@ public:
         : m_source(source), m_object(object), m_sight(sight), m_goal(goal),
           m_exponent(logAbove(kSafety * goal.sourcePerimeter_m * object.perimeter / goal.allowed_m2)) {}
 
-    /// The whole outline, which lies in front of the source plane.
+    /// Integrates over the whole outline, which must lie in front of the source plane.
     OutlineIntegral whole() {
         const Eigen::Vector3d o = m_sight.X_SO.translation();
         const HeightPlane& height = m_sight.overSource;
@@ -61,7 +62,7 @@ public:
         return over(m_object.allPieces());
     }
 
-    /// Pieces that together are a closed loop in front of the source plane.
+    /// Integrates over pieces that together are a closed loop in front of the source plane.
     OutlineIntegral over(const std::vector<OutlinePiece>& pieces) {
         int left = static_cast<int>(pieces.size());
         for (const OutlinePiece& piece : pieces) {
@@ -73,15 +74,16 @@ public:
     }
 
 private:
-    // Before the exponential: twice from the rule, the rest for the potential's size in the complex.
+    // factor on the error before the exponential: two for the rule, the rest for the potential's size in the
+    // complex plane
     static constexpr double kSafety = 24.0;
     static constexpr double kHalf = 0.7;    // log 2: object and source share the error
-    static constexpr int kNarrow = 40;      // step of a strip that asks for more than a hundred points
-    static constexpr int kMaxForeseen = 64; // points of an outline of many harmonics, without trying
+    static constexpr int kNarrow = 40;      // step of a strip that needs more than a hundred points
+    static constexpr int kMaxForeseen = 64; // points of an outline of many harmonics, without a test
     static constexpr int kMaxDoubled = 512;
     static constexpr double kDense = 3.0; // spacings to the source's outline
 
-    // The logarithm, or up to log 2 more; faster than std::log.
+    // An upper bound of the logarithm, at most log 2 too large; faster than std::log.
     static double logAbove(double x) {
         const int power = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
         return power * std::numbers::ln2;
@@ -129,8 +131,8 @@ private:
         return rule ? Choice{&rule->table, rule->points * b - growth} : Choice{nullptr, 0.0};
     }
 
-    // The bound of an outline of many harmonics is far too careful: there the points are doubled until the
-    // sums agree, provided that they lie too dense for a peak of the field to hide between them.
+    // The bound of an outline of many harmonics is far too pessimistic: there the points are doubled until
+    // the sums agree, provided that they are so dense that no peak of the field can hide between them.
     bool doubled(double fromCentre, double nearest) {
         const Eigen::Vector3d o = m_sight.X_SO.translation();
         int n = std::max(32, static_cast<int>(std::bit_ceil(static_cast<unsigned>(4 * m_object.harmonics))));
@@ -161,7 +163,7 @@ private:
         return false;
     }
 
-    // Least distance of the outline to the source's, from points of it.
+    // Smallest distance of the outline from the source's, from points of it.
     double sampledNearest() const {
         const TrapezoidTable& rule = *m_object.trapezoid(64);
         const kernels::Outline points = rule.table.view();
@@ -171,8 +173,8 @@ private:
         return least - 0.5 * m_object.mostSpeed_m / rule.points;
     }
 
-    // Change of the circulation (m2) between two sums, -1 if it or that of the moments is more than allowed.
-    // Moments are derivatives: they may be a hundred times less sharp.
+    // Change of the circulation (m2) between two sums; -1 if it or the change of the moments is more than
+    // allowed. Moments are derivatives: they may be a hundred times less accurate.
     double agreement(const kernels::Sums& a, const kernels::Sums& b, double allowed) const {
         const double change = std::abs(m_source.circulation(b.value - a.value));
         if (change > allowed)
@@ -204,24 +206,24 @@ private:
         return m_sight.X_SO * Eigen::Vector3d(p.x(), p.y(), 0.0);
     }
 
-    // Half lengths of a panel that fit into its distance from the source's outline.
+    // Distance of a panel from the source's outline, in half lengths of the panel.
     double roomOf(const OutlinePiece& piece, double half, double away) const {
         if (piece.straight)
             return away / (half * (piece.b - piece.a).norm());
         return m_object.strip.radius(away) / half;
     }
 
-    // Halves the piece until each panel is short beside its distance from the source's outline, or agrees
-    // with its halves.
+    // Halves the piece until each panel is short compared with its distance from the source's outline, or
+    // agrees with its halves.
     void panels(const OutlinePiece& piece, int mostLaid) {
         if (piece.straight && piece.a == piece.b)
             return;
         m_source.follow(inS(piece.a), inS(piece.b), piece.onCut); // of a smooth piece a and b are equal
         const double exponent = m_exponent + kHalf;
-        // A panel so short errs by less than its share, whatever the field does.
+        // The error of a panel this short is below its share, whatever the field is.
         const double least_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
         std::vector<Panel> open{piece.straight ? Panel{0.0, 1.0} : Panel{piece.from, piece.to}};
-        // Wide panels come first: when points run out, what is left is short everywhere.
+        // Wide panels come first: when no points are left, all remaining panels are short.
         for (std::size_t next = 0; next < open.size(); ++next) {
             const Panel panel = open[next];
             const OutlinePoint p = m_object.at(piece, panel.middle());
@@ -251,8 +253,8 @@ private:
         flush(piece.onCut);
     }
 
-    // The bound of a bent panel is too careful as well: a panel is tried out if it holds no more waves than
-    // its points resolve and no point between them can be much nearer to the source's outline than they are.
+    // The bound of a curved panel is too pessimistic as well: a panel is tried directly if its points resolve
+    // all its waves and no point between them can be much nearer to the source's outline than they are.
     bool mayTry(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
         const double waves = piece.straight ? 0.0 : panel.width() * m_object.harmonics;
         const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.mostSpeed_m;
@@ -260,7 +262,7 @@ private:
                (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, length, away));
     }
 
-    // Beside an outline that it follows, a panel may be long for its distance.
+    // Along an outline that it follows, a panel may be long compared with its distance.
     bool runsAlong(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
         constexpr int kMaxSamples = 64;
         const int samples = static_cast<int>(std::min(std::ceil(length / away), 1e3));
@@ -280,8 +282,8 @@ private:
         return true;
     }
 
-    // Sixteen points against two times sixteen, which are far better; taken when they agree to the panel's
-    // share of the error.
+    // Compares sixteen points with two times sixteen, which are far more accurate; the result is used if they
+    // agree to the panel's share of the error.
     bool tried(const OutlinePiece& piece, const Panel& panel, double length, const Eigen::Vector3d& middle_S,
                double away) {
         flush(piece.onCut);
@@ -303,7 +305,7 @@ private:
         return true;
     }
 
-    // Points are collected, for the kernels like long rows, and summed when the buffer is full.
+    // Points are collected, because the kernels are fast on long rows, and summed when the buffer is full.
     void lay(const OutlinePiece& piece, const Panel& panel, int order) {
         if (m_buffer.count + kMaxGaussPoints > Buffer::kSize)
             flush(piece.onCut);
@@ -316,7 +318,8 @@ private:
         m_laid += order;
     }
 
-    // The source made ready for the points that wait, all near the middle of one panel. Returns the exponent.
+    // Prepares the source for the waiting points, all near the middle of one panel. Returns the exponent
+    // reached.
     double prepareForLaid(const Eigen::Vector3d& middle_S, double away) {
         double radius = 0.0;
         for (int i = 0; i < m_buffer.count && !m_source.closedForm(); ++i)

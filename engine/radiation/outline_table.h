@@ -1,6 +1,6 @@
 #pragma once
-// A radiating outline made ready: tables of points and steps, evaluation anywhere, pieces in front of a
-// plane, distance from a point.
+// A radiating outline prepared for integration: tables of points and steps, evaluation anywhere, pieces in
+// front of a plane, distance from a point.
 
 #include "engine/radiation/kernels/kernels.h"
 #include "engine/radiation/view_factor.h"
@@ -15,7 +15,7 @@ namespace bask {
 /// The height of one face's points over the other's plane: z0 + kx x + ky y (m).
 struct HeightPlane {
     double z0, kx, ky;
-    double slope; ///< of the steepest way
+    double slope; ///< along the steepest direction
 
     HeightPlane(double z, double x, double y) : z0(z), kx(x), ky(y), slope(std::sqrt(x * x + y * y)) {}
     double at(double x, double y) const { return z0 + kx * x + ky * y; }
@@ -26,12 +26,12 @@ struct OutlinePoint {
     double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
 };
 
-/// Points of an outline with weighted steps, as the kernels take them.
+/// Points of an outline with weighted steps, in the layout of the kernels.
 class OutlineTable {
 public:
     void add(double x, double y, double dx, double dy);
     void clear();
-    /// Fills up to the kernels' padding with zero steps; before view().
+    /// Pads the table with zero steps for the kernels; call before view().
     void seal();
     kernels::Outline view() const;
 
@@ -39,7 +39,7 @@ private:
     std::vector<double> m_x, m_y, m_dx, m_dy;
 };
 
-/// A smooth stretch of an outline (parameter from..to) or a straight one (from point a to b).
+/// A smooth part of an outline (parameter from..to) or a straight one (from point a to b).
 struct OutlinePiece {
     bool straight = false;
     bool onCut = false; ///< lies on the line where the object's plane meets the source plane
@@ -50,11 +50,11 @@ struct OutlinePiece {
 /// Squared distance (m2) of a point to an edge.
 double squaredDistance(const kernels::Edge& edge, const Eigen::Vector3d& p);
 
-/// Where an outline lies with respect to the source plane.
+/// The side of the source plane on which an outline lies.
 enum class PlaneSide { Front, Behind, Across };
 
-/// How far a smooth outline's parameter may be made complex before a point of the outline meets a singularity
-/// of the field: that decides how fast quadrature rules converge. Tabulated over the half width b (rad) of
+/// How far a smooth outline's parameter may become complex before a point of the outline meets a singularity
+/// of the field; this determines how fast quadrature rules converge. Tabulated over the half width b (rad) of
 /// the strip.
 class AnalyticStrip {
 public:
@@ -64,16 +64,18 @@ public:
     /// `coefficients` for j = -harmonics .. harmonics.
     AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics, double perimeter_m);
 
-    /// Widest step whose strip is free of a singularity at `distance_m` from O's origin; -1 when none is.
+    /// Returns the widest step whose strip is free of a singularity at `distance_m` from O's origin; -1 if
+    /// there is none.
     int fromCentre(double distance_m) const { return widest(m_reach, distance_m); }
-    /// The same at `distance_m` from the outline.
+    /// Returns the widest step for a singularity at `distance_m` from the outline; -1 if there is none.
     int fromOutline(double distance_m) const { return widest(m_shift, distance_m); }
-    /// Complex distance (of phi) from one point of the outline within which a singularity at `distance_m`
-    /// from that point is not met.
+    /// Returns the complex distance (of phi) from one point of the outline within which no singularity at
+    /// `distance_m` from that point is met.
     double radius(double distance_m) const;
 
     static double width(int step); ///< b, rad
-    /// log of the greatest |dp/dphi| in the strip over the perimeter: what a wide strip costs.
+    /// Returns the log of the largest |dp/dphi| in the strip divided by the perimeter: the cost of a wide
+    /// strip.
     double growth(int step) const { return m_growth[static_cast<std::size_t>(step)]; }
 
 private:
@@ -83,15 +85,15 @@ private:
     Table m_reach{}, m_shift{}, m_growth{};
 };
 
-/// Trapezoidal rule on a smooth outline, and for powers of two the same rule half a step on: the mean of the
-/// two is the rule of twice as many points.
+/// A trapezoidal rule on a smooth outline. For powers of two it also has the same rule moved by half a step:
+/// the mean of the two is the rule with twice as many points.
 struct TrapezoidTable {
     int points = 0;
     OutlineTable table;
     OutlineTable shifted;
 };
 
-inline constexpr double kTableExponent = 36.0; ///< tabulated Gauss rules err by exp(-this): rounding
+inline constexpr double kTableExponent = 36.0; ///< error of the tabulated Gauss rules is exp(-this): rounding
 
 /// Gauss rules on the edges of a polygon, fine enough for singularities at `distance_m`.
 struct GaussTable {
@@ -99,43 +101,43 @@ struct GaussTable {
     OutlineTable table;
 };
 
-/// The tables of an outline, and those of the holes in it, which are outlines themselves.
+/// The tables of an outline, and those of its holes, which are outlines themselves.
 struct RadiatingContour::Impl {
     explicit Impl(const Shape& outline);
 
-    /// Point and derivative of a smooth outline at `phi` in [0, 1].
+    /// Returns the point and derivative of a smooth outline at `phi` in [0, 1].
     OutlinePoint at(double phi) const;
-    /// Point of a piece at its own parameter: phi, or 0 to 1 from a to b.
+    /// Returns the point of a piece at its own parameter: phi, or 0 to 1 from a to b.
     OutlinePoint at(const OutlinePiece& piece, double t) const;
 
-    /// Trapezoidal rule (smooth outline) of at least `points` points, weights included; null when none is so
-    /// fine.
+    /// Returns a trapezoidal rule (smooth outline) of at least `points` points, weights included; null if no
+    /// rule has as many.
     const TrapezoidTable* trapezoid(double points) const;
-    /// Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding; null
-    /// when none does.
+    /// Returns Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding;
+    /// null if none do.
     const GaussTable* gauss(double distance_m) const;
 
     PlaneSide side(const HeightPlane& height) const;
-    /// The part with positive height as a closed loop, straight pieces on the cut line included. Empty if
+    /// Returns the part with positive height as a closed loop, with straight pieces on the cut line. Empty if
     /// there is none.
     std::vector<OutlinePiece> piecesInFront(const HeightPlane& height) const;
-    /// The whole outline as pieces.
+    /// Returns the whole outline as pieces.
     std::vector<OutlinePiece> allPieces() const;
 
-    /// Lower bound of the distance (m) of a point of O to a smooth outline, within a third of it.
+    /// Returns a lower bound of the distance (m) of a point of O to a smooth outline, within a third of it.
     double curveDistance_m(const Eigen::Vector3d& p) const;
 
     Shape shape;
-    double netArea = 0.0; ///< m2, holes counted off
+    double netArea = 0.0; ///< m2, without the holes
     std::vector<Impl> holes;
 
-    double area = 0.0;        ///< m2, of the outline alone, as all that follows
-    double reach = 0.0;       ///< m, no point is farther from O
-    double mostSpeed_m = 0.0; ///< of a smooth outline, per unit of phi
-    double perimeter = 0.0;   ///< m, about
+    double area = 0.0;        ///< m2, of the outline without holes, like all that follows
+    double reach = 0.0;       ///< m, largest distance of a point from O
+    double mostSpeed_m = 0.0; ///< largest speed of a smooth outline, per unit of phi
+    double perimeter = 0.0;   ///< m, approximate
     int harmonics = 1;        ///< of a smooth outline
     bool isPolygon = false;
-    const Disk* disk = nullptr;       ///< when it is one
+    const Disk* disk = nullptr;       ///< null if it is not a disk
     AnalyticStrip strip;              ///< of a smooth outline
     std::vector<kernels::Edge> edges; ///< of a polygon
 
@@ -147,8 +149,8 @@ private:
     std::vector<OutlinePiece> polygonPieces(const HeightPlane& height) const;
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
-    std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, counts rising
-    std::vector<GaussTable> m_gauss;                  // of a polygon, distances falling
+    std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, in ascending order of points
+    std::vector<GaussTable> m_gauss;                  // of a polygon, in descending order of distance
     std::vector<OutlinePoint> m_scan; // smooth outlines: evenly spaced, in order, for finding crossings
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// The numerical methods of the paper as they are: what Bask's solver is measured against and tested with.
+// The numerical methods of the paper, unchanged: references for measuring and testing Bask's solver.
 
 #include "engine/base/pose.h"
 #include "engine/shape/shape.h"
@@ -12,11 +12,11 @@ namespace bask {
 /// an outline of squares is a staircase.
 double discreteSurfaceIntegral(const Shape& source, const Shape& object, const Pose& X_SO, int elements);
 
-/// F21 by the double contour integral, composite Simpson with `points` (even) subintervals on either contour.
-/// Disks and Fourier contours without holes, as in the paper. Of the visibility cuts it knows the one that it
-/// treats: a disk source cut by the object's plane, with `points` subintervals on the arc and on the chord.
-/// Throws std::invalid_argument on polygons and holes, an odd number, and another source that is cut. An
-/// object that dips below the source plane is taken as if it did not, which is wrong.
+/// Returns F21 by the double contour integral, composite Simpson with `points` (even) subintervals on each
+/// contour. Supports disks and Fourier contours without holes, as in the paper, and the one visibility cut of
+/// the paper: a disk source cut by the object's plane, with `points` subintervals on the arc and on the
+/// chord. Throws std::invalid_argument for polygons and holes, an odd number, and any other source that is
+/// cut. An object that is partly below the source plane is treated as if it were not, which is wrong.
 double simpsonViewFactor(const Shape& source, const Shape& object, const Pose& X_SO, int points);
 
 /// A value with its derivatives by the six pose coordinates of the object (1/m, 1/rad; see
@@ -26,7 +26,7 @@ struct SimpsonGradient {
     Vector6d gradient = Vector6d::Zero();
 };
 
-/// Forward differences of simpsonViewFactor by `step_m` and `step_rad`: seven evaluations.
+/// Returns forward differences of simpsonViewFactor with `step_m` and `step_rad`: seven evaluations.
 SimpsonGradient simpsonGradient(const Shape& source, const Shape& object, const Vector6d& coordinates,
                                 int points, double step_m = 1e-5, double step_rad = 1e-4);
 

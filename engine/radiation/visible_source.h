@@ -1,7 +1,7 @@
 #pragma once
-// The part of the source in front of the object's plane, one class a kind of source: distance to its outline
-// and the sums of its field over points of the object's outline. All three offer the same functions to the
-// integrator (outline_integral.h).
+// The part of the source in front of the object's plane, one class for each kind of source: distance to its
+// outline and sums of its field over points of the object's outline. All three have the same functions for
+// the integrator (outline_integral.h).
 
 #include "engine/radiation/outline_table.h"
 
@@ -11,8 +11,8 @@
 
 namespace bask {
 
-/// Where the two planes stand: O in S, and the height of the source's points in front of the object's plane
-/// as a plane over S.
+/// The positions of the two planes: O in S, and the height of the source's points in front of the object's
+/// plane as a plane over S.
 struct Sight {
     const Pose& X_SO;
     HeightPlane overObject; ///< of points of the source's plane, S
@@ -28,17 +28,17 @@ class WholeDiskSource {
 public:
     WholeDiskSource(double radius_m, const Sight& sight);
 
-    /// Lower bound of the distance (m) of a point of S to the visible outline, without the edges that are
-    /// followed.
+    /// Returns a lower bound of the distance (m) of a point of S to the visible outline, without the edges
+    /// that are followed.
     double distance_m(const Eigen::Vector3d& p_S) const {
         const double aside = std::sqrt(p_S.x() * p_S.x() + p_S.y() * p_S.y()) - m_radius;
         return std::sqrt(aside * aside + p_S.z() * p_S.z());
     }
-    /// The next points lie on the line through a and b (S; on none when they are equal), `onCut`: where the
-    /// planes meet. Edges on that line are followed: the potential along them is regular.
+    /// Declares that the next points lie on the line through a and b (S; on none if they are equal); `onCut`:
+    /// this is where the planes meet. Edges on that line are followed: the potential along them is regular.
     void follow(const Eigen::Vector3d& /*a*/, const Eigen::Vector3d& /*b*/, bool /*onCut*/) {}
-    /// Makes ready for points within `radius_m` of `centre_S` that keep `nearest_m` from the outline, to a
-    /// relative error exp(-exponent). Returns the exponent reached.
+    /// Prepares for points within `radius_m` of `centre_S` at a distance of at least `nearest_m` from the
+    /// outline, to a relative error exp(-exponent). Returns the exponent reached.
     double prepare(const Eigen::Vector3d& /*centre_S*/, double /*radius_m*/, double /*nearest_m*/,
                    double exponent) {
         return exponent;
@@ -52,8 +52,8 @@ public:
     }
     double circulation(double value) const { return m_factor * value; } ///< m2
     Vector6d moments(const double* raw) const;                          ///< force (m), torque about O (m2), S
-    /// The field of the source's outline that lies on the line of a straight piece from a to b (S) of the
-    /// object's: moments as above.
+    /// Returns the field of the source's outline on the line of a straight piece from a to b (S) of the
+    /// object: moments as above.
     Vector6d alongCut(const Eigen::Vector3d& /*a*/, const Eigen::Vector3d& /*b*/) const {
         return Vector6d::Zero();
     }
@@ -92,7 +92,7 @@ private:
     bool m_chordFollowed = false;
 };
 
-/// Fourier contour or polygon, whole or cut: nodes on what is smooth, closed form on what is straight.
+/// Fourier contour or polygon, whole or cut: nodes on smooth parts, closed form on straight parts.
 class LoopSource {
 public:
     /// `cut`: the object's plane crosses the outline.

@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// What an object is made of; the lumped mass is thickness x area.
+/// The material of an object; the lumped mass is thickness x area.
 struct Material {
     std::string name;
     double emittance = 0.9;   ///< eps2, (0, 1]
@@ -17,19 +17,19 @@ struct Material {
     double thickness_m = 0.001;
     double infill = 1.0; ///< fraction of the volume that is solid, (0, 1]
 
-    /// m c / A, J/(m2 K)
+    /// Returns m c / A, J/(m2 K).
     double arealHeatCapacity_J_m2K() const {
         return specificHeat_J_kgK * density_kg_m3 * thickness_m * infill;
     }
     bool operator==(const Material&) const = default;
 };
 
-/// Radiosity of the source: gray with reflection (J = sigma eps1 (T1^4 - T3^4)) or the paper's J1 = E1
-/// (J = sigma (eps1 T1^4 - T3^4)), which leaves the reflection out.
+/// Radiosity of the source: gray with reflection (J = sigma eps1 (T1^4 - T3^4)) or the paper's J1 = E1 (J =
+/// sigma (eps1 T1^4 - T3^4)), which neglects the reflection.
 enum class SourceModel { Gray, Paper };
 
-/// Net power J (W/m2) that a black surface seeing only the source takes more than one seeing only the
-/// environment. Not positive when the source cannot heat.
+/// Returns the net power J (W/m2) that a black surface seeing only the source absorbs, minus that of one
+/// seeing only the environment. Not positive if the source cannot heat.
 double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double sourceEmittance,
                            double environment_K);
 
@@ -39,19 +39,19 @@ struct HeatRates {
     double lambda2 = 0.0;
     double lambda3 = 0.0;
 
-    /// dT/dt (K/s) at view factor F and temperature T (K).
+    /// Returns dT/dt (K/s) at view factor F and temperature T (K).
     double rate_K_s(double F, double T_K) const;
-    /// Temperature (K) at which the rate at F is zero.
+    /// Returns the temperature (K) at which the rate at F is zero.
     double steadyTemperature_K(double F) const;
-    /// View factor whose steady temperature is T; may lie outside [0, 1].
+    /// Returns the view factor whose steady temperature is T; it may lie outside [0, 1].
     double steadyViewFactor(double T_K) const;
-    /// 1 / (4 lambda2 T^3), s
+    /// Returns 1 / (4 lambda2 T^3), s.
     double timeConstant_s(double T_K) const;
 
     bool operator==(const HeatRates&) const = default;
 };
 
-/// Rates of a material under net source power J (W/m2) and environment T3 (K).
+/// Returns the rates of a material under net source power J (W/m2) and environment T3 (K).
 HeatRates heatRates(const Material& material, double netSourcePower_W_m2, double environment_K);
 
 } // namespace bask

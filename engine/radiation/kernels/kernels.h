@@ -1,10 +1,11 @@
 #pragma once
-// The inner loops of the view factor: sums over the points of an outline, made for three kinds of processor
-// and chosen once at start.
+// The inner loops of the view factor: sums over the points of an outline, compiled for three kinds of
+// processor; one is selected at the start.
 
 namespace bask::kernels {
 
-inline constexpr int kPadding = 8; ///< outlines have a multiple of so many points, with zero steps at the end
+/// The number of points of an outline is a multiple of this, with zero steps at the end.
+inline constexpr int kPadding = 8;
 
 /// Points of an outline in O (m) with the weighted steps along it, as separate arrays of `count`, a multiple
 /// of kPadding.
@@ -23,8 +24,8 @@ struct WholeDisk {
     double k[3] = {};
 };
 
-/// The segment of a disk that the object's plane leaves, in axes e1 (in the source plane, towards the
-/// kept side), e2 (along the chord), e3 (the disk's normal): arc |theta| < beta and the chord. Lengths in
+/// The segment of a disk in front of the object's plane, in axes e1 (in the source plane, towards the visible
+/// side), e2 (along the chord), e3 (the disk's normal): arc |theta| < beta and the chord. Lengths are in
 /// radii.
 struct Segment {
     double inverseRadius = 1.0;
@@ -34,14 +35,14 @@ struct Segment {
     double beta = 0.0, sinBeta = 0.0, cosBeta = 0.0;
 };
 
-/// Straight edge of a source contour from a in the direction t, in S.
+/// A straight edge of a source contour from a in the direction t, in S.
 struct Edge {
     double a1 = 0.0, a2 = 0.0, t1 = 0.0, t2 = 0.0, length = 0.0;
     bool operator==(const Edge&) const = default;
 };
 
-/// A closed source contour in S, S's z being the source's normal: nodes of its smooth parts, straight edges,
-/// and edges on the line where the two planes meet.
+/// A closed source contour in S, where z of S is the source's normal: nodes of its smooth parts, straight
+/// edges, and edges on the line where the two planes meet.
 struct Loop {
     Outline nodes;
     const Edge* edges = nullptr;
@@ -56,14 +57,15 @@ struct Placement {
     double origin[3] = {};
 };
 
-/// G.dp, and force and torque about O's origin; units and axes as the terms of each kind of source say.
+/// G.dp, and force and torque about O's origin; units and axes depend on the kind of source, see its terms.
 struct Sums {
     double value = 0.0;
     double moments[6] = {};
 };
 
-/// One processor's set. "Value" leaves the moments out. `onCut`: all points lie on the line where the two
-/// planes meet, and the field of what lies on that line is left to the caller.
+/// The functions for one kind of processor. "Value" functions do not compute the moments. `onCut`: all points
+/// are on the line where the two planes meet, and the caller adds the field of the source's parts on that
+/// line.
 struct Kernels {
     const char* name;
     double (*diskValue)(const WholeDisk&, const Outline&);
@@ -80,16 +82,16 @@ extern const Kernels kAvx2Kernels;   ///< AVX2 and FMA
 extern const Kernels kAvx512Kernels; ///< AVX-512 F, DQ, VL, BW
 #endif
 
-/// Those that this processor can run, simplest first.
+/// The functions that this processor can run, simplest first.
 struct KernelList {
     const Kernels* sets[3] = {};
     int count = 0;
 };
 KernelList runnableKernels();
 
-/// The set in use: the last of runnableKernels() unless another was chosen.
+/// Returns the functions in use: the last of runnableKernels(), unless another one was selected.
 const Kernels& kernels();
-/// For tests and measurements; not to be called while another thread computes.
+/// Selects functions, for tests and measurements; do not call it while another thread computes.
 void useKernels(const Kernels& set);
 
 } // namespace bask::kernels

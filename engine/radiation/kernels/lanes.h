@@ -1,7 +1,7 @@
 #pragma once
-// Elementary functions on a vector of doubles of the width that the including file is compiled for. Only for
-// the kernel files: no standard header, everything inlined, so that no code compiled for a newer processor
-// can be shared with the rest of the program by the linker.
+// Elementary functions on a vector of doubles of the width for which the including file is compiled. Only for
+// the kernel files: they include no standard header and everything is inlined, so that the linker cannot
+// share code compiled for a newer processor with the rest of the program.
 
 namespace bask::kernels {
 
@@ -50,8 +50,8 @@ BASK_INLINE Lanes laneMax(Lanes a, Lanes b) {
     return select(a > b, a, b);
 }
 
-/// atan2(y, x) to two or three units in the last place; atan2(0, 0) = 0. Reduction and polynomial as in
-/// Sun's fdlibm, without branches.
+/// Returns atan2(y, x) to two or three units in the last place; atan2(0, 0) = 0. Reduction and polynomial are
+/// those of Sun's fdlibm, without branches.
 BASK_INLINE Lanes laneAtan2(Lanes y, Lanes x) {
     constexpr double kPi = 3.14159265358979323846;
     const Lanes ax = laneAbs(x);
@@ -80,19 +80,19 @@ BASK_INLINE Lanes laneAtan2(Lanes y, Lanes x) {
     return select(y < 0.0, -angle, angle);
 }
 
-/// ln(b/a) of positive normal numbers with the difference b - a given (it is more exact than the two): the
-/// logarithm is 2 q p where `comparable` holds, q = difference/(a + b).
+/// ln(b/a) of positive normal numbers, where the difference b - a is given because it is more accurate than
+/// the two numbers: the logarithm is 2 q p where `comparable` is set, q = difference/(a + b).
 struct LogRatio {
     Lanes log;
     Lanes p;             ///< atanh(q)/q
     Lanes inverse;       ///< 1/(a + b) where comparable
-    LaneMask comparable; ///< b/a between 1/sqrt(2) and sqrt(2) or so
+    LaneMask comparable; ///< b/a between about 1/sqrt(2) and sqrt(2)
 };
 
 BASK_INLINE LogRatio logRatio(Lanes a, Lanes b, Lanes difference) {
     constexpr unsigned long long kExponent = 0x7ff0000000000000ull;
     constexpr unsigned long long kOne = 0x0010000000000000ull; // one step of the exponent
-    // The power of two between them, still in the place of the exponent; wraps round below zero.
+    // The power of two between them, still in the position of the exponent; wraps around below zero.
     LaneBits shift = (bitsOf(b) & kExponent) - (bitsOf(a) & kExponent);
     Lanes scaled = fromBits(bitsOf(b) - shift);
     const auto high = scaled > 1.41421356237309505 * a;

@@ -1,5 +1,5 @@
 #pragma once
-// The loops over an outline; included once by the file of each processor, which defines BASK_KERNEL_WIDTH
+// The loops over an outline. The file of each processor includes this once and defines BASK_KERNEL_WIDTH
 // (bytes of a vector).
 
 #include "engine/radiation/kernels/terms.h"

@@ -1,12 +1,12 @@
 #pragma once
-// What points of the object's outline add to the integrals of MODEL section 2, for each kind of source,
-// for vectors (lanes.h).
+// The contribution of points of the object's outline to the integrals of MODEL section 2, for each kind of
+// source, in vectors (lanes.h).
 //
-// All of them give a potential G with the same circulation around the object as W. Integration by parts of
-// W = oint ln|r| ds, r = p - s, over the closed contour of the source leaves
+// All of them give a potential G with the same circulation around the object as W. Integrating W = oint ln|r|
+// ds, r = p - s, by parts over the closed contour of the source gives
 //     G(p) = - oint r (r . ds)/r^2,
-// which needs one division where W needs a logarithm; the parts of a closed contour (arc and chord, edges)
-// may be summed, not taken alone. B = oint r x ds / r^2.
+// which needs one division where W needs a logarithm. The parts of a closed contour (arc and chord, edges)
+// may be summed, but not used separately. B = oint r x ds / r^2.
 
 #include "engine/radiation/kernels/kernels.h"
 #include "engine/radiation/kernels/lanes.h"
@@ -69,8 +69,8 @@ BASK_INLINE void addWholeDisk(const WholeDisk& disk, Lanes x, Lanes y, Lanes dx,
     }
 }
 
-/// Moments in segment axes; value is over the radius. `onChordLine`: the point lies on the chord's own line,
-/// whose part of B is left to the caller.
+/// Moments are in segment axes; the value is divided by the radius. `onChordLine`: the point is on the
+/// chord's own line, and the caller adds that part of B.
 template <bool kMoments>
 BASK_INLINE void addSegment(const Segment& g, Lanes x, Lanes y, Lanes dx, Lanes dy, Term& sum,
                             bool onChordLine) {
@@ -116,7 +116,7 @@ BASK_INLINE void addSegment(const Segment& g, Lanes x, Lanes y, Lanes dx, Lanes 
     const Lanes swing = laneAtan2(kappa * numerator, denominator);
     const Lanes perKappa = swing * (0.5 * perRho) * (a + root);
 
-    // Distance to the chord within the object's plane, and the angle under which the chord is seen.
+    // Distance from the chord within the object's plane, and the angle that the chord subtends.
     const Lanes away = laneMax(g.sinTilt * z - g.normal3 * across, Lanes{});
     const Lanes angle = laneAtan2(away * (2.0 * sb), away * away + near0 * near1);
 
@@ -138,7 +138,7 @@ BASK_INLINE void addSegment(const Segment& g, Lanes x, Lanes y, Lanes dx, Lanes 
     }
 }
 
-/// Node of a smooth source contour in S: point and weighted step. `z` is the object point's height.
+/// A node of a smooth source contour in S: point and weighted step. `z` is the object point's height.
 struct NodeSums {
     Lanes g1{}, g2{};
     Lanes b3{}, across1{}, across2{};
@@ -160,7 +160,7 @@ BASK_INLINE void addNode(Lanes p1, Lanes p2, Lanes z2, double s1, double s2, dou
     }
 }
 
-/// `skipField`: the object's point lies on the edge's own line, and its part of B is left to the caller.
+/// `skipField`: the object's point is on the edge's own line, and the caller adds that part of B.
 template <bool kMoments>
 BASK_INLINE void addEdge(const Edge& e, Lanes p1, Lanes p2, Lanes z, Lanes& g1, Lanes& g2, Lanes& b1,
                          Lanes& b2, Lanes& b3, bool skipField) {
