@@ -1,5 +1,5 @@
 #pragma once
-// Calibration boards in pictures: where their corners are, and whether the board is the one that was set.
+// Finds calibration boards in pictures: the positions of their corners, and whether it is the expected board.
 
 #include "engine/base/result.h"
 #include "engine/calibration/board.h"
@@ -11,23 +11,24 @@
 
 namespace bask {
 
-/// Corners of a board in a picture, between the pixels (pixel centres at whole numbers).
+/// Corners of a board in a picture, subpixel (pixel centres are at whole numbers).
 struct BoardView {
-    std::vector<int> corners; ///< as cornerOf numbers them; a chessboard's are all there
+    std::vector<int> corners; ///< numbers as in cornerOf; a chessboard has all of them
     std::vector<Eigen::Vector2d> corners_px;
 };
 
-/// The board in a picture. A chessboard must be seen whole (and is the same board with columns and rows
-/// exchanged); of a ChArUco board six corners that are not in one line will do, each between two seen
-/// markers. Errors: BoardNotSeen, BoardCornersFew.
+/// Finds the board in a picture. A chessboard must be completely visible (and is the same board with columns
+/// and rows exchanged). Of a ChArUco board, six corners that are not on one line are enough, each between two
+/// visible markers. Errors: BoardNotSeen, BoardCornersFew.
 Result<BoardView> findBoard(const GreyPicture& picture, const Board& board, const std::string& where);
 
-/// The board that a picture shows, as far as it tells: a chessboard's counts; a ChArUco board's dictionary,
-/// columns, pattern and how large its markers are in their squares. Equal to `board` when that fits. One
-/// picture may be misread: mostSeen asks several. No picture tells how large a square is.
+/// Returns the board that a picture shows, as far as it can be determined: the counts of a chessboard; the
+/// dictionary, columns, pattern and relative marker size of a ChArUco board. Equal to `board` if that fits.
+/// One picture may be misread; mostSeen uses several. The size of a square cannot be determined.
 std::optional<Board> boardSeen(const GreyPicture& picture, const Board& board);
 
-/// The board that most pictures show: `board` unless at least two show another, and more than show this.
+/// Returns the board that most pictures show: `board`, unless at least two pictures show another one, and
+/// more than show `board`.
 Board mostSeen(std::span<const Board> seen, const Board& board);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Which markers are on the source, the end-effector and the robot's base, and where on them.
+// Which markers are on the source, the end-effector and the robot's base, and their poses there.
 
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
@@ -21,20 +21,21 @@ struct PlacedMarker {
     double side_m = 0.0;          ///< with the black border, as measured on the print
     Pose X_PM = Pose::Identity(); ///< in the frame of its part: S, E or R
 
-    /// In P, clockwise from the upper left, as FoundMarker has them.
+    /// Returns the corners in P, clockwise from the upper left, in the order of FoundMarker.
     std::array<Eigen::Vector3d, 4> corners() const;
 };
 
-/// Ids are unique: one dictionary for all parts.
+/// Ids are unique: all parts use one dictionary.
 struct MarkerLayout {
     MarkerDictionary dictionary;
     std::vector<PlacedMarker> markers;
 };
 
-/// Errors, `where` as "markers[1].id": MarkerListedTwice, ValueOutOfRange (id, side), NumbersUnusable (pose).
+/// Checks a layout. Errors, with `where` as "markers[1].id": MarkerListedTwice, ValueOutOfRange (id, side),
+/// NumbersUnusable (pose).
 Result<void> checkLayout(const MarkerLayout& layout);
 
-/// "1, 2, 5"
+/// Returns "1, 2, 5".
 std::string idsText(std::span<const int> ids);
 
 } // namespace bask

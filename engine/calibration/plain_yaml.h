@@ -1,7 +1,7 @@
 #pragma once
-// The part of YAML that camera and dictionary files are written in, by OpenCV and by ROS: mappings by
-// indentation, plain and quoted scalars, flow and block lists of scalars. OpenCV's own reader wants a header
-// that ROS does not write.
+// The subset of YAML that OpenCV and ROS use for camera and dictionary files: mappings by indentation, plain
+// and quoted scalars, flow and block lists of scalars. OpenCV's own reader needs a header that ROS does not
+// write.
 
 #include "engine/base/result.h"
 
@@ -12,20 +12,20 @@
 
 namespace bask {
 
-/// Scalars by their path, as "camera_matrix/data"; a scalar is a list of one. Keeps what it understands and
-/// steps over the rest: who asks for a key tells what is missing.
+/// Scalars by their path, such as "camera_matrix/data"; a scalar is a list of one. Stores what it understands
+/// and skips the rest; reading a missing key reports the error.
 class PlainYaml {
 public:
-    /// Never fails; hostile text gives an empty one, or wrong scalars that number() refuses.
+    /// Never fails; malformed text gives an empty object, or wrong scalars that number() refuses.
     explicit PlainYaml(std::string_view text);
 
     bool has(const std::string& path) const { return m_scalars.contains(path); }
-    /// A scalar of the list there, empty when there is none.
+    /// Returns a scalar of the list at `path`; empty if there is none.
     std::string text(const std::string& path, std::size_t index = 0) const;
-    /// The list of finite numbers there. Errors: JsonMissingKey, NumbersUnusable.
+    /// Returns the list of finite numbers at `path`. Errors: JsonMissingKey, NumbersUnusable.
     Result<std::vector<double>> numbers(const std::string& path, const std::string& where) const;
-    /// The one whole number there, between the limits. Errors: JsonMissingKey, NumbersUnusable,
-    /// ValueOutOfRange.
+    /// Returns the single whole number at `path`, between the limits. Errors: JsonMissingKey,
+    /// NumbersUnusable, ValueOutOfRange.
     Result<int> whole(const std::string& path, int least, int most, const std::string& where) const;
 
 private:

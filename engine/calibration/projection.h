@@ -1,5 +1,5 @@
 #pragma once
-// Where a camera shows a point, for any kind of number: the formula of camera_model.h.
+// Projection of a point into the picture for any kind of number: the formula of camera_model.h.
 
 #include "engine/calibration/camera_model.h"
 
@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// A CameraModel's numbers without its words.
+/// The numbers of a CameraModel.
 struct Lens {
     double fx, fy, cx, cy;
     std::array<double, 8> k{};
@@ -20,7 +20,7 @@ struct Lens {
     }
 };
 
-/// Pixels, of a point in camera axes in front of it.
+/// Returns the pixels of a point in camera axes, in front of the camera.
 template <class T> Eigen::Matrix<T, 2, 1> shownAt(const Lens& lens, const Eigen::Matrix<T, 3, 1>& p_C) {
     const T x = p_C.x() / p_C.z(), y = p_C.y() / p_C.z(), r2 = x * x + y * y;
     const auto& k = lens.k;
@@ -29,7 +29,7 @@ template <class T> Eigen::Matrix<T, 2, 1> shownAt(const Lens& lens, const Eigen:
             lens.fy * (g * y + k[2] * (r2 + 2.0 * y * y) + 2.0 * k[3] * x * y) + lens.cy};
 }
 
-/// In front of the camera and, where the size of its pictures is known, within them.
+/// Returns whether the point is in front of the camera and, if the picture size is known, inside the picture.
 inline bool isInPicture(const CameraModel& camera, const Eigen::Vector3d& p_C) {
     if (p_C.z() <= 0.0)
         return false;

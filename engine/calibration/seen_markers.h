@@ -1,5 +1,5 @@
 #pragma once
-// The markers of a part in pictures of things that keep still: mean corners, and how much they scatter.
+// The markers of a part in pictures of a scene at rest: mean corners, and their scatter.
 
 #include "engine/base/result.h"
 #include "engine/calibration/marker_layout.h"
@@ -8,25 +8,25 @@
 
 namespace bask {
 
-/// What one picture showed.
+/// The markers of one picture.
 using MarkerFrame = std::vector<FoundMarker>;
 
 struct SeenMarker {
     PlacedMarker marker;
     std::array<Eigen::Vector2d, 4> corners_px; ///< mean over `frames`
     int frames = 0;
-    int outliers = 0;         ///< frames that showed it elsewhere, left out
-    double squares_px2 = 0.0; ///< of the eight coordinates' differences from their means
+    int outliers = 0;         ///< number of frames that showed it elsewhere and were left out
+    double squares_px2 = 0.0; ///< sum of squares of the eight coordinates' differences from their means
 };
 
-/// Corners far from the median of their kind are left out frame by frame; so is an id that one frame has
-/// twice. Errors: MarkersNotSeen (none of the part's), MarkerMoved (with six frames or more: the first third
-/// and the last differ by over 0.5 px and more than they scatter).
+/// Corners far from the median of the same corner are left out frame by frame, and so is an id that a frame
+/// has twice. Errors: MarkersNotSeen (none of the part's), MarkerMoved (with six frames or more: the first
+/// third and the last differ by over 0.5 px and by more than their scatter).
 Result<std::vector<SeenMarker>> seenMarkers(std::span<const MarkerFrame> frames, const MarkerLayout& layout,
                                             Part part);
 
-/// Standard deviation of a corner's coordinate in one frame by the scatter over frames; nothing when they
-/// are too few to tell.
+/// Returns the standard deviation of a corner's coordinate in one frame, from the scatter over frames; empty
+/// if there are too few frames.
 std::optional<double> scatterOf(std::span<const SeenMarker> markers);
 
 } // namespace bask

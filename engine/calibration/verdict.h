@@ -1,5 +1,5 @@
 #pragma once
-// What a calibration's outcome is worth to the operator.
+// How good a calibration's result is, for the operator.
 
 #include "engine/base/message.h"
 

@@ -1,5 +1,5 @@
 #pragma once
-// Which looks at a board become views of a calibration, and what they do not cover yet.
+// Decides which pictures of a board become calibration views, and what they do not cover yet.
 
 #include "engine/calibration/camera_calibration.h"
 
@@ -10,35 +10,36 @@
 
 namespace bask {
 
-/// How a view shows its board, without a camera being known.
+/// How a view shows its board, computed without a camera model.
 struct ViewPlace {
-    /// Of the box of the seen corners and a square around them: 0 at the left or upper edge of the picture,
-    /// 1 at the other.
+    /// Position of the box around the visible corners and one square around them: 0 at the left or upper edge
+    /// of the picture, 1 at the other edge.
     double x = 0.0, y = 0.0;
-    /// Square root of what all inner corners would take of the picture's area, seen as near as those are.
+    /// Square root of the fraction of the picture's area that all inner corners would cover, at the scale of
+    /// the visible ones.
     double size = 0.0;
-    /// Angle (rad) between board and picture by its foreshortening, towards the side of the picture that is
-    /// farther away (x right, y down). A lens's distortion looks like a tilt near the edges: 12 degrees for
-    /// k1 = -0.1.
+    /// Angle (rad) between board and picture from its foreshortening, towards the side of the picture that is
+    /// farther away (x right, y down). Lens distortion looks like a tilt near the edges: 12 degrees for k1 =
+    /// -0.1.
     Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
 };
 
-/// Nothing for corners that tell no place, such as those in one line.
+/// Returns the place; empty if the corners do not determine it, for example if they are on one line.
 std::optional<ViewPlace> placeOf(const BoardView& view, const Board& board, int width, int height);
 
-/// How much of what a calibration needs its views have, each 0..1; what 1 is follows camera_calibration of
-/// ROS, whose skew is the tilt here.
+/// How much of the required variety the views have, each 0..1; the value 1 is defined as in
+/// camera_calibration of ROS, whose skew is the tilt here.
 struct Coverage {
     static constexpr std::size_t kEnoughViews = 15;
 
     double x = 0.0, y = 0.0, size = 0.0, tilt = 0.0;
     std::size_t views = 0;
-    /// What to do: CoverageLeft to CoverageTiltUpDown, CoverageViews last. Empty: it is enough.
+    /// What to do next: CoverageLeft to CoverageTiltUpDown, CoverageViews last. Empty if there is enough.
     std::vector<Message> missing;
 };
 Coverage coverageOf(std::span<const ViewPlace> places);
 
-/// Corners of all views, counted in fields of the picture, row by row.
+/// Number of corners of all views in each field of the picture, row by row.
 struct HeatMap {
     static constexpr int kColumns = 16, kRows = 9;
     std::array<int, std::size_t{kColumns} * kRows> corners{};
@@ -49,25 +50,25 @@ struct HeatMap {
 struct KeptView {
     CalibrationView view;
     ViewPlace place;
-    bool isUsed = true; ///< not left out by somebody
+    bool isUsed = true; ///< false if a person left it out
 };
 
-/// Takes still views that differ from those there are. Of one board in pictures of one size.
+/// Collects still views that differ from the ones it has, of one board in pictures of one size.
 class ViewCollector {
 public:
-    /// Kept: as view number views().size() - 1. Useless: too few of its corners, or they tell no place.
+    /// Kept: it is view number views().size() - 1. Useless: too few corners, or they determine no place.
     enum class Look { Useless, Moving, Known, Kept };
 
     ViewCollector(Board board, int width, int height);
 
-    /// The board in the next picture. Still is: moved by less than 0.5 px from look to look (mean over the
-    /// corners), for 0.3 s. Before the next view it has to move.
+    /// Adds the board of the next picture. A board is still if it moved by less than 0.5 px between pictures
+    /// (mean over the corners) for 0.3 s. It must move before the next view is taken.
     Look look(const BoardView& view, double time_s);
-    /// The next picture does not show it.
+    /// Call if the board is not found in the next picture.
     void lookedInVain() { m_last.reset(); }
-    /// Takes a view still or not, new or not; not a useless one.
+    /// Adds a view without checking that it is still or new; refuses a useless one.
     bool keep(const BoardView& view);
-    /// One that is left out counts for nothing here, and another may be taken in its place.
+    /// Uses a view or leaves it out. A view that is left out is ignored here, and another one may replace it.
     void setUsed(std::size_t view, bool isUsed) { m_views.at(view).isUsed = isUsed; }
 
     const std::vector<KeptView>& views() const { return m_views; }
@@ -78,9 +79,9 @@ public:
     int width() const { return m_width; }
     int height() const { return m_height; }
 
-    /// boardSeen's answer for a picture.
+    /// Records the result of boardSeen for a picture.
     void saw(const Board& board);
-    /// The board that the last pictures show, when that is another.
+    /// Returns the board that the last pictures show, if it is a different one.
     std::optional<Board> otherBoard() const;
 
 private:
@@ -89,8 +90,8 @@ private:
 
     struct LastLook {
         BoardView view;
-        double still_s = 0.0; ///< since when
-        bool isTaken = false; ///< since then
+        double still_s = 0.0; ///< start of the time at rest
+        bool isTaken = false; ///< whether a view was taken since then
     };
 
     Board m_board;

@@ -1,5 +1,5 @@
 #pragma once
-// The source's pose by a camera that stands still and sees its markers.
+// Measures the source's pose with a fixed camera that sees its markers.
 
 #include "engine/base/clock.h"
 #include "engine/devices/source_tracker.h"
@@ -7,28 +7,28 @@
 
 namespace bask {
 
-/// A source followed in C, as a reading in R at `time_s`; invalid where it is not followed, and where the
-/// mirrored pose may be the true one: the robot would be led by a guess.
+/// Converts a tracked source in C to a reading in R at `time_s`. Invalid if the source is not tracked, and if
+/// the mirrored pose may be the true one: the robot would move on a guess.
 PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, const Pose& X_RC,
                       double time_s, double latency_s);
 
-/// One thread. The pose of the camera in R and its calibration are taken as exact.
+/// Not thread-safe. The pose of the camera in R and its calibration are assumed exact.
 class CameraSourceTracker final : public SourceTracker {
 public:
-    /// `clock`: the engine's, on which the frames' time_s is.
+    /// `clock` is the engine's clock, which the frames' time_s uses.
     CameraSourceTracker(Camera& camera, const Clock& clock, const MarkerLayout& layout,
                         const CameraModel& model, const Pose& X_RC);
 
-    /// The newest frame, if there is one that was not looked at. The pose is followed best when this is
-    /// called as often as the camera has frames. Errors: those of the camera; CameraSizeOther.
+    /// Processes the newest frame, if it is new. Tracking is best if this is called as often as the camera
+    /// delivers frames. Errors: those of the camera; CameraSizeOther.
     Result<void> look();
-    /// Looks, and carries the pose on to now.
+    /// Looks at the newest frame, and extrapolates the pose to now.
     Result<PoseReading> read() override;
 
-    /// X_CS now.
+    /// Returns X_CS now.
     std::optional<TrackedPose> tracked() const { return m_tracker.at(m_clock.now_s()); }
     const TrackStep& lastStep() const { return m_step; }
-    /// From the light of the last frame that was looked at to its pose known; 0 before the first.
+    /// Returns the time from the exposure of the last frame to its known pose; 0 before the first.
     double latency_s() const { return m_latency_s; }
 
 private:
@@ -38,7 +38,7 @@ private:
     Pose m_X_RC;
     PartTracker m_tracker;
     TrackStep m_step;
-    std::shared_ptr<const CameraFrame> m_frame; ///< looked at last
+    std::shared_ptr<const CameraFrame> m_frame; ///< the last frame that was processed
     double m_latency_s = 0.0;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// A part's pose and velocity by the corners of its markers, frame after frame: extended Kalman filter with
-// constant velocity, wrong corners left out.
+// Filters a part's pose and velocity from the corners of its markers, frame by frame: an extended Kalman
+// filter with constant velocity that leaves out wrong corners.
 
 #include "engine/calibration/corner_fit.h"
 
@@ -9,7 +9,7 @@
 
 namespace bask {
 
-/// Displacements and rates as in pose_covariance.h: C axes, rotation about the part's origin.
+/// Displacements and rates in the convention of pose_covariance.h: C axes, rotation about the part's origin.
 struct MotionState {
     double time_s = 0.0;
     Pose X_CP = Pose::Identity();
@@ -17,29 +17,33 @@ struct MotionState {
     Matrix12d covariance = Matrix12d::Zero(); ///< of [displacement of X_CP; error of the velocity]
 };
 
-/// What one frame did to the filter.
+/// The effect of one frame on the filter.
 struct FilterStep {
-    bool believed = false;             ///< otherwise the filter is as it was
+    bool believed = false;             ///< whether the frame was accepted; if not, the filter is unchanged
     std::vector<std::size_t> left_out; ///< indices of corners that do not fit the others and the prediction
-    double chiSquare = 0.0;            ///< of the kept corners and the prediction; two degrees a kept corner
+    /// Of the accepted corners and the prediction; two degrees of freedom for each corner.
+    double chiSquare = 0.0;
 };
 
-/// The corners themselves are the measurement, not a pose that they give: the prediction then chooses among
-/// the poses that one marker allows, and directions that the corners tell badly are held by it.
+/// The measurement is the corners themselves, not a pose computed from them: the prediction then selects one
+/// of the poses that one marker allows, and stabilises directions that the corners determine poorly.
 ///
-/// Motion is by white acceleration: what a steady hand does (kCalm) or, where the corners do not agree with
-/// that and do with more, a brisk one. Corners' noise is kUsualCorner_px or, where two markers or more leave
-/// more than that (badly placed markers, a blurred picture), the average of what they leave. Errors that stay
-/// the same from frame to frame, as those of the camera's calibration, are not in the covariance.
+/// The motion model is white acceleration: that of a steady hand (kCalm) or, if the corners contradict that
+/// but agree with more, of a brisk one. The noise of the corners is kUsualCorner_px or, if two or more
+/// markers have larger residuals (wrong marker positions, a blurred picture), the average of the residuals.
+/// The covariance does not include errors that are constant from frame to frame, such as those of the
+/// camera's calibration.
 class PoseFilter {
 public:
-    /// At rest for all that is known. `covariance` of X_CP; `corner_px`: a corner coordinate's deviation.
+    /// Starts at rest. `covariance` is that of X_CP; `corner_px` is the standard deviation of a corner's
+    /// coordinate.
     PoseFilter(double time_s, const Pose& X_CP, const Matrix6d& covariance, double corner_px);
 
-    /// Corners seen at `time_s`, which is not before the last, four of each marker; p_PQ in the part's frame,
-    /// weights not used. Believed when more than half of them, and three at least, fit.
+    /// Takes the corners seen at `time_s`, which must not be before the last time: four for each marker, with
+    /// p_PQ in the part's frame; weights are not used. The frame is accepted if more than half of the
+    /// corners, and at least three, fit.
     FilterStep take(double time_s, std::span<const SeenCorner> corners, const CameraModel& camera);
-    /// Carried on (or back) to a moment, by a steady hand.
+    /// Returns the state extrapolated (forwards or backwards) to a time, with the motion of a steady hand.
     MotionState at(double time_s) const;
     double corner_px() const;
 

@@ -1,6 +1,6 @@
 #pragma once
-// A camera looked at on a thread of its own: the source followed for the control loop, pictures with what is
-// in them for the window.
+// Processes a camera on its own thread: tracks the source for the control loop, and provides pictures with
+// their markers for the window.
 
 #include "engine/base/clock.h"
 #include "engine/devices/camera.h"
@@ -14,36 +14,36 @@
 
 namespace bask {
 
-/// What is looked for.
+/// What the thread does.
 struct VisionTask {
     MarkerLayout layout;
-    std::optional<CameraModel> camera; ///< as calibrated
-    std::optional<Pose> X_RC;          ///< where it stands, as calibrated
-    bool follow = false;               ///< the source, which takes both
-    bool show = false;                 ///< pictures with all markers, for the window
-    std::optional<Board> board;        ///< looked for in pictures that are shown
+    std::optional<CameraModel> camera; ///< the calibrated camera
+    std::optional<Pose> X_RC;          ///< the camera's calibrated pose
+    bool follow = false;               ///< track the source, which needs both
+    bool show = false;                 ///< provide pictures with all markers, for the window
+    std::optional<Board> board;        ///< board to search in these pictures
 };
 
-/// Camera and clock are borrowed. setTask(), newest() and read() never wait for a picture to be looked at.
-/// Without a task the camera is left alone.
+/// Camera and clock must outlive it. setTask(), newest() and read() never wait for a picture to be processed.
+/// Without a task the camera is not used.
 class VisionThread final : public SourceTracker {
 public:
-    /// Pictures shown have all markers looked for at most so often, which takes longer than following.
+    /// Smallest time between searches for all markers in shown pictures, which take longer than tracking.
     static constexpr double kShow_s = 0.07;
     static constexpr double kCompare_s = 1.0;
-    static constexpr double kMaxLead_s = 0.4; ///< of PartTracker::kPredicted_s
+    static constexpr double kMaxLead_s = 0.4; ///< part of PartTracker::kPredicted_s
 
     VisionThread(Camera& camera, std::string cameraName, const Clock& clock);
-    ~VisionThread() override; ///< waits for the picture that is being looked at
+    ~VisionThread() override; ///< waits until the present picture is processed
 
     void setTask(const VisionTask& task);
-    /// The newest look by the last task; null until there is one, and while nothing is shown. A camera that
-    /// is lost leaves its last picture.
+    /// Returns the newest result of the last task; null until there is one, and while nothing is shown. If
+    /// the camera is lost, its last picture remains.
     std::shared_ptr<const VisionView> newest() const;
-    /// The source as followed, carried on to now.
+    /// Returns the tracked source, extrapolated to now.
     Result<PoseReading> read() override;
-    /// How far a clock that runs faster than the computer's may go before it waits for pictures to be looked
-    /// at; negative when it is too far already, infinite where the source is not followed.
+    /// Returns how far a clock that runs faster than the computer's may advance before it must wait for
+    /// pictures to be processed. Negative if it is already too far, infinite if the source is not tracked.
     double lead_s() const;
 
 private:
@@ -53,32 +53,32 @@ private:
     void follow(PartTracker& tracker);
     void show(const VisionTask& task, const std::optional<PartTracker>& tracker);
     void publish(VisionView view);
-    bool isCurrent() const { return m_number == m_taskNumber; } ///< m_mutex is held
+    bool isCurrent() const { return m_number == m_taskNumber; } ///< m_mutex must be locked
 
     Camera& m_camera;
     std::string m_name;
     const Clock& m_clock;
 
-    mutable std::mutex m_mutex; ///< over the next eight
+    mutable std::mutex m_mutex; ///< protects the next eight members
     std::condition_variable_any m_changed;
     VisionTask m_task;
     std::uint64_t m_taskNumber = 0;
     std::shared_ptr<const VisionView> m_newest;
-    std::optional<PartTracker> m_tracker; ///< as after the last picture
+    std::optional<PartTracker> m_tracker; ///< state after the last picture
     TrackState m_trackState = TrackState::Searching;
     double m_latency_s = 0.0;
-    double m_looked_s = -1e300; ///< light of the picture that was followed in last
+    double m_looked_s = -1e300; ///< exposure time of the last picture used for tracking
 
-    // The thread's own.
-    std::uint64_t m_number = 0;                 ///< of the task that is done
-    std::shared_ptr<const CameraFrame> m_frame; ///< looked at last for this task
-    double m_compared_s = -1e300;               ///< when a board that was found was compared last
-    double m_shown_s = -1e300;                  ///< when one was shown last, SteadyClock
-    double m_period_s = 0.0;                    ///< between pictures that were looked at, smoothed
+    // Used only by the thread.
+    std::uint64_t m_number = 0;                 ///< number of the task in progress
+    std::shared_ptr<const CameraFrame> m_frame; ///< the last frame processed for this task
+    double m_compared_s = -1e300;               ///< time of the last comparison of a detected board
+    double m_shown_s = -1e300;                  ///< time of the last shown picture, SteadyClock
+    double m_period_s = 0.0;                    ///< time between processed pictures, smoothed
     double m_last_s = -1e300;
     std::optional<TrackState> m_followed;
 
-    std::jthread m_thread; ///< last: it uses the rest
+    std::jthread m_thread; ///< declared last, because it uses the other members
 };
 
 } // namespace bask
