@@ -1,5 +1,5 @@
 #pragma once
-// The file that keeps alarms over a restart.
+// The file that stores alarms between program starts.
 
 #include "engine/model/alarm.h"
 
@@ -8,9 +8,10 @@
 
 namespace bask {
 
-/// As written last; none where there is no file. Errors: a file that is damaged or of a newer version.
+/// Reads the alarms as last written; none if there is no file. Errors: a file that is damaged or of a newer
+/// version.
 Result<std::vector<Alarm>> readAlarms(const std::string& path);
-/// Whole or not at all.
+/// Writes all alarms or leaves the old file.
 Result<void> writeAlarms(const std::vector<Alarm>& alarms, const std::string& path);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// An experiment as JSON: docs/experiment-format.md.
+// An experiment as JSON, see docs/experiment-format.md.
 
 #include "engine/model/experiment.h"
 
@@ -7,15 +7,16 @@
 
 namespace bask {
 
-/// Reads an experiment file, resolving contours given as files relative to it; refuses unknown keys and wrong
-/// types.
+/// Reads an experiment file. Contours given as files are searched relative to it. Refuses unknown keys and
+/// wrong types.
 Result<Experiment> readExperiment(const std::string& path);
-/// Same from text; `where` names it in errors, `folder` is where relative contour files are looked for.
+/// Like readExperiment, from text; `where` names it in errors, and relative contour files are searched in
+/// `folder`.
 Result<Experiment> experimentFromJson(const std::string& text, const std::string& where,
                                       const std::string& folder);
-/// Self-contained, indented JSON: raw outlines and coefficients are embedded.
+/// Returns self-contained, indented JSON with embedded outlines and coefficients.
 std::string experimentToJson(const Experiment& experiment);
-/// Writes it, whole or not at all.
+/// Writes the whole experiment or leaves the old file.
 Result<void> writeExperiment(const Experiment& experiment, const std::string& path);
 
 } // namespace bask

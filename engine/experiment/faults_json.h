@@ -6,7 +6,7 @@
 
 namespace bask {
 
-/// An array under `key`.
+/// Reads an array under `key`.
 void readFaults(Fields& parent, const std::string& key, std::vector<ScriptedFault>& out);
 nlohmann::ordered_json faultsJson(const std::vector<ScriptedFault>& faults);
 

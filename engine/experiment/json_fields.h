@@ -1,5 +1,5 @@
 #pragma once
-// One JSON object while it is read: typed access by key, the first failure kept, unknown keys refused.
+// Reads one JSON object: typed access by key, stores the first failure, refuses unknown keys.
 
 #include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
@@ -20,12 +20,12 @@
 namespace bask {
 
 /// Kind of a value in words: "a number".
-const char* typeName(const nlohmann::json& j);
+const char* typeName(const nlohmann::json& j); ///< Returns the kind of a value in words: "a number".
 
-/// The first failure met; everything after it is skipped.
+/// The first failure; everything after it is skipped.
 using Failure = std::optional<Error>;
 
-/// Keys that nobody asked for are refused by close().
+/// Fields of an object; close() refuses keys that were not read.
 class Fields {
 public:
     Fields(const nlohmann::json& j, std::string path, Failure& failure);
@@ -33,7 +33,7 @@ public:
     std::string pathOf(const std::string& key) const { return m_path.empty() ? key : m_path + '.' + key; }
     Failure& failure() const { return m_failure; }
 
-    /// The value of a key, or null after noting that a required one is missing.
+    /// Returns the value of a key; null if it is missing, which is a failure if it is required.
     const nlohmann::json* find(const std::string& key, bool required = false);
 
     void read(const std::string& key, double& out, bool required = false);
@@ -41,12 +41,12 @@ public:
     void read(const std::string& key, std::uint64_t& out);
     void read(const std::string& key, bool& out);
     void read(const std::string& key, std::string& out, bool required = false);
-    /// An array of numbers.
+    /// Reads an array of numbers.
     void read(const std::string& key, std::vector<double>& out);
-    /// A quantity in either of its two spellings, into SI.
+    /// Reads a quantity in either of its two spellings and converts it to SI.
     void read(const std::string& name, EdgeUnit unit, double& out, bool required = false);
 
-    /// A word out of a table; `table` maps what is written to what is meant.
+    /// Reads a word of a table; `table` maps words to values.
     template <class T>
     void readWord(const std::string& key, const std::map<std::string, T>& table, T& out,
                   bool required = false) {
@@ -60,7 +60,8 @@ public:
             fail(MessageCode::ValueUnknown, pathOf(key), {plainWords(word), joined(table)});
     }
 
-    /// Ends the reading of this object: unknown keys first, since a misspelt key is also a missing one.
+    /// Ends the reading of this object. Unknown keys are reported first, because a misspelt key is also a
+    /// missing one.
     void close();
 
     void fail(MessageCode code, const std::string& path, std::vector<MessageArg> args = {}) const {
@@ -85,13 +86,13 @@ private:
     std::string m_missing;
 };
 
-/// Calls read(json, path) with the object under `key`, if there is one.
+/// Calls read(json, path) with the object under `key`, if it exists.
 template <class Read> void readPart(Fields& parent, const std::string& key, bool required, Read read) {
     if (const nlohmann::json* j = parent.find(key, required); j != nullptr && !parent.failure())
         read(*j, parent.pathOf(key));
 }
 
-/// The six pose coordinates; those left out stay.
+/// Reads the six pose coordinates; missing ones are unchanged.
 void readCoordinateFields(Fields& fields, Vector6d& out);
 void readCoordinates(const nlohmann::json& j, const std::string& path, Failure& failure, Vector6d& out);
 

@@ -8,9 +8,9 @@
 
 namespace bask {
 
-/// In the readable unit where that gives back the very same number, else in SI.
+/// Writes the readable unit if it gives back exactly the same number, else SI.
 void putQuantity(nlohmann::ordered_json& j, std::string_view name, EdgeUnit unit, double si);
-/// All six.
+/// Returns all six coordinates.
 nlohmann::ordered_json coordinatesJson(const Vector6d& q);
 
 } // namespace bask

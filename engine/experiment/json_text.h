@@ -1,5 +1,5 @@
 #pragma once
-// A look at a JSON text before a tree is built of it.
+// Checks a JSON text before it is parsed.
 
 #include "engine/base/result.h"
 
@@ -8,8 +8,8 @@
 
 namespace bask {
 
-/// What is wrong with a text as JSON: syntax, numbers out of reach, repeated keys, nesting deeper than 32.
-/// Empty: nothing.
+/// Returns the first error of a JSON text: syntax, numbers out of range, repeated keys, nesting deeper
+/// than 32. Empty if it has none.
 std::optional<Message> checkJsonText(const std::string& text);
 
 } // namespace bask

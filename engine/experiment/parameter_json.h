@@ -9,11 +9,12 @@
 
 namespace bask {
 
-/// One that is left out stays, unless it is required.
+/// Reads a parameter; a missing one is empty, which is a failure if it is required.
 std::optional<double> readParameter(Fields& fields, const ParameterFacts& facts, bool isWhole);
 void putParameter(nlohmann::ordered_json& j, const ParameterFacts& facts, double si, bool isWhole);
 
-/// Those that are left out stay as they are, unless they are required; errors go to `fields`.
+/// Reads all parameters of a table; missing ones are unchanged, and required ones that are missing are
+/// failures of `fields`.
 template <class Spec> void readParameters(Fields& fields, ParameterTable<Spec> table, Spec& out) {
     for (const Parameter<Spec>& parameter : table)
         if (const auto si = readParameter(fields, parameter, parameter.isWhole()))
@@ -27,14 +28,14 @@ void readParameters(const nlohmann::json& j, const std::string& path, Failure& f
     fields.close();
 }
 
-/// Optional ones that are not set are left out.
+/// Writes all parameters of a table, except optional ones that are not set.
 template <class Spec>
 void putParameters(nlohmann::ordered_json& j, ParameterTable<Spec> table, const Spec& spec) {
     for (const Parameter<Spec>& parameter : table)
         if (const auto si = parameter.get(spec))
             putParameter(j, parameter, *si, parameter.isWhole());
 }
-/// And those that are as by default.
+/// Also leaves out parameters that have their default.
 template <class Spec>
 void putChangedParameters(nlohmann::ordered_json& j, ParameterTable<Spec> table, const Spec& spec) {
     for (const Parameter<Spec>& parameter : table)

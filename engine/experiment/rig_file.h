@@ -10,12 +10,12 @@ namespace bask {
 
 inline constexpr int kRigFormat = 1; ///< version written to and accepted from rig files
 
-/// Whether a file says that it is one, sound or not.
+/// Returns whether a file declares that it is a rig file, valid or not.
 bool isRigFile(const std::string& path);
-/// Refuses unknown keys, wrong types and other formats; what depends on an experiment, such as the channels,
-/// is checked where the rig is used.
+/// Reads a rig file. Refuses unknown keys, wrong types and other formats; what depends on an experiment, such
+/// as the channels, is checked where the rig is used.
 Result<RigSpec> readRigFile(const std::string& path);
-/// Writes it, whole or not at all.
+/// Writes the whole rig or leaves the old file.
 Result<void> writeRigFile(const RigSpec& rig, const std::string& path);
 
 } // namespace bask

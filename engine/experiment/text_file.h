@@ -1,5 +1,5 @@
 #pragma once
-// Writes a text file whole or not at all.
+// Writes a text file completely or not at all.
 
 #include "engine/base/result.h"
 
@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// Until the new file is whole, the one of before stays. Errors: FileUnwritable.
+/// The old file remains until the new one is complete. Errors: FileUnwritable.
 Result<void> writeTextFile(const std::string& path, const std::string& text);
 
 } // namespace bask

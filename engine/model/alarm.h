@@ -1,5 +1,5 @@
 #pragma once
-// An alarm as people see it: what is wrong, whether it still is, whether somebody has seen it.
+// An alarm as people see it: what is wrong, whether it is still active, and whether somebody acknowledged it.
 
 #include "engine/base/result.h"
 
@@ -9,27 +9,28 @@
 
 namespace bask {
 
-/// Gone from the list once it is both over and acknowledged.
+/// An alarm is removed from the list when it is both over and acknowledged.
 struct Alarm {
-    std::uint64_t id = 0; ///< acknowledged by this
-    std::string key;      ///< the same for the same condition of the same object
-    Message message;      ///< as raised last, with the values
+    std::uint64_t id = 0; ///< identifies it when it is acknowledged
+    std::string key;      ///< equal for the same condition of the same object
+    Message message;      ///< of the last time it was raised, with its values
     int priority = 1;     ///< 1 the highest .. 3
     bool isActive = true;
     bool isAcknowledged = false;
-    bool isFirst = false;      ///< the first of those that came together: likely their cause
-    bool isLive = false;       ///< of a real rig, not of the simulated one
-    bool isFromBefore = false; ///< active when Bask was last left
-    int count = 1;             ///< raised so often since it was last acknowledged
-    double raised_s = 0.0;     ///< last, UTC seconds since 1970
-    double cleared_s = 0.0;    ///< last; 0: never
-    /// Key of the alarm in the list that it follows from: it is listed under that one, does not count as an
-    /// alarm of its own, and is acknowledged with it. Empty: it is a cause itself.
+    /// Whether it was the first of several that came together: probably their cause.
+    bool isFirst = false;
+    bool isLive = false;       ///< true on a real rig, false on the simulated one
+    bool isFromBefore = false; ///< whether it was active when Bask was last closed
+    int count = 1;             ///< how often it was raised since the last acknowledgement
+    double raised_s = 0.0;     ///< last time, UTC seconds since 1970
+    double cleared_s = 0.0;    ///< last time; 0: never
+    /// Key of the alarm in the list that caused this one. It is then listed under its cause, does not count
+    /// as an alarm of its own, and is acknowledged with it. Empty if it is itself a cause.
     std::string cause{};
-    /// Put aside by a person until then, UTC seconds since 1970: counts as acknowledged, and comes back by
-    /// itself where it still is so. 0: not shelved.
+    /// Time until which a person shelved it, UTC seconds since 1970. It counts as acknowledged until then,
+    /// and returns by itself if it is still active. 0 if it is not shelved.
     double shelvedUntil_s = 0.0;
-    std::string shelfReason{}; ///< as that person said it
+    std::string shelfReason{}; ///< reason given by that person
     bool operator==(const Alarm&) const = default;
 };
 

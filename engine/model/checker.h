@@ -1,5 +1,5 @@
 #pragma once
-// The first complaint about an experiment's values.
+// Finds the first invalid value of an experiment.
 
 #include "engine/base/message_code.h"
 #include "engine/base/parameter.h"
@@ -12,7 +12,7 @@
 
 namespace bask {
 
-/// Collects the first complaint; later checks are skipped.
+/// Stores the first error; later checks are skipped.
 class Checker {
 public:
     bool failed() const { return m_error.has_value(); }
@@ -22,16 +22,16 @@ public:
     void fail(MessageCode code, const std::string& where, std::vector<MessageArg> args = {});
     void take(const Result<void>& result);
 
-    /// Refuses what is not within [min, max]; NaN is never within.
+    /// Refuses a value outside [min, max], and NaN.
     void range(const std::string& where, double value, double min, double max, std::string_view unit = {});
-    /// (0, max]
+    /// Refuses a value outside (0, max].
     void positive(const std::string& where, double value, double max, std::string_view unit = {});
-    /// A quantity given in SI, checked and reported as people write it.
+    /// Checks a quantity given in SI and reports it in the units of the file.
     void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double min,
                   double max);
-    /// `path` ends with a dot.
+    /// Checks a parameter; `path` ends with a dot.
     void parameter(const std::string& path, const ParameterFacts& facts, double si);
-    /// Optional ones that are not set are valid.
+    /// Checks all parameters of a table; optional ones that are not set are valid.
     template <class Spec>
     void parameters(const std::string& path, ParameterTable<Spec> table, const Spec& spec) {
         for (const Parameter<Spec>& each : table)

@@ -19,44 +19,44 @@
 
 namespace bask {
 
-/// Targets and source temperatures that are taken.
+/// Valid range of targets and source temperatures.
 inline constexpr double kMinTemperature_degC = -50.0;
 inline constexpr double kMaxTemperature_degC = 2000.0;
 
-/// Where a shape came from, kept so that it can be fitted again with other harmonics.
+/// Where a shape came from, stored so that it can be fitted again with another number of harmonics.
 struct ContourOrigin {
-    std::string file;  ///< as given; informative once the outline is embedded
-    Contour outline;   ///< raw outline, centred as imported; empty for a disk or plain coefficients
-    int harmonics = 0; ///< of the fit in use; 0: none
-    std::vector<Contour> holes{}; ///< in the raw outline, in its coordinates
+    std::string file;             ///< as given; only informative once the outline is embedded
+    Contour outline;              ///< imported outline, centred; empty for a disk or for plain coefficients
+    int harmonics = 0;            ///< number of harmonics of the present fit; 0: none
+    std::vector<Contour> holes{}; ///< in the imported outline, in its coordinates
     bool operator==(const ContourOrigin&) const = default;
 };
 
-/// A shape and what it was made of.
+/// A shape and the outline it was made from.
 struct OriginalShape {
     Shape shape;
     ContourOrigin origin; ///< without a file
 };
 
-/// The fit of so many harmonics (0: the polygon itself) of an outline with holes, as imported or as an origin
-/// has them, centred; ready to be fitted again. Errors: fitFourier's, and checkHoles' with "holes[k]" as
-/// place, where the fit cuts a hole: more harmonics help.
+/// Fits an outline with holes, as imported or as stored in an origin, with this number of harmonics (0: the
+/// polygon itself), centred; it can be fitted again later. Errors: those of fitFourier, and those of
+/// checkHoles with "holes[k]" as place if the fit cuts a hole: use more harmonics.
 Result<OriginalShape> shapeFromOutline(const Contour& outline, const std::vector<Contour>& holes,
                                        int harmonics);
 
 /// Heat source: a shape about S's origin, emitting along +z.
 struct SourceSpec {
     Shape shape = Disk{0.10};
-    /// Set point, and what believed rates and verdicts stand for; control uses the measured one.
+    /// Set point, also used for estimated rates and verdicts; control uses the measured temperature.
     double temperature_K = 473.15;
     double emittance = 0.25;
     SourceModel model = SourceModel::Gray;
     ContourOrigin origin{};
     Vector6d pose = Vector6d::Zero(); ///< coordinates of X_RS, S in the robot's base R (m, rad)
-    /// Set point by run time, K; empty: temperature_K throughout.
+    /// Set point by run time, K; if empty, temperature_K is used throughout.
     TimeTable<double> temperatureProfile{};
-    /// Its pose is measured during the run, and the controllers use it: by the camera where it has markers
-    /// (VisionSpec::followsSource), else by a tracker that gives poses.
+    /// Whether the pose is measured during the run and used by the controllers: with the camera if the source
+    /// has markers (VisionSpec::followsSource), else with a tracker that gives poses.
     bool tracked = false;
     bool operator==(const SourceSpec&) const = default;
 };
@@ -65,15 +65,15 @@ struct ObjectSpec {
     std::string name;
     Shape shape;
     ContourOrigin origin;
-    Material material; ///< as believed
+    Material material; ///< as assumed for control
     Vector6d mounting =
         Vector6d::Zero(); ///< coordinates of O in E (m, rad): X_EO = poseFromCoordinates(mounting)
     double target_K = 313.15;
-    /// Where a controller starts, at the source's set temperature; empty: from the material.
+    /// Start values of a controller, at the source's set temperature; if empty, computed from the material.
     std::optional<HeatRates> believedRates;
-    /// What the simulated object truly is; empty: as believed.
+    /// True material of the simulated object; if empty, the assumed one.
     std::optional<Material> simulatedMaterial;
-    /// What it bears; empty: as all objects (SafetySpec).
+    /// The object's own limit; if empty, that of all objects (SafetySpec).
     std::optional<double> warning_K{};
     std::optional<double> trip_K{};
     bool operator==(const ObjectSpec&) const = default;
@@ -81,12 +81,12 @@ struct ObjectSpec {
 
 struct SamplingSpec {
     double period_s = 1.0;
-    int window = 10; ///< samples of the rate estimator
+    int window = 10; ///< number of samples of the rate estimator
     int order = 3;   ///< of its polynomial
     bool operator==(const SamplingSpec&) const = default;
 };
 
-/// The simulated rig and the run's length.
+/// Settings of the simulated rig and the length of the run.
 struct SimulationSpec {
     std::uint64_t seed = 1;
     double sensorNoise_K = 0.02;
@@ -96,17 +96,17 @@ struct SimulationSpec {
     double convection_W_m2K = 0.0;
     double robotStep_m = 0.0001; ///< position resolution; 0: none
     double robotStep_rad = 0.0005;
-    double durationLimit_s = 1800.0; ///< a run without --duration ends here at the latest
+    double durationLimit_s = 1800.0; ///< latest end of a run without --duration
     double sensorLag_s = 0.0;        ///< time constant, first order
     double sensorDropout = 0.0;      ///< probability that a channel gives no reading
-    double robotLatency_s = 0.0;     ///< a command takes effect this late
-    double trackingNoise_m = 0.0;    ///< standard deviation of the tracked source's pose, each axis
+    double robotLatency_s = 0.0;     ///< delay until a command takes effect
+    double trackingNoise_m = 0.0;    ///< standard deviation of the tracked source's pose, for each axis
     double trackingNoise_rad = 0.0;
     double trackingDelay_s = 0.0;
-    /// Coordinates of X_RS by run time, linear in between; empty: the source lies still.
+    /// Coordinates of X_RS by run time, linear between the points; if empty, the source does not move.
     TimeTable<Vector6d> sourceMotion{};
-    std::optional<double> sourceEmittance{}; ///< what the source truly has; empty: as believed
-    std::optional<Vector6d> sourcePose{};    ///< where it truly lies at first; empty: as believed
+    std::optional<double> sourceEmittance{}; ///< true emittance of the source; if empty, the assumed one
+    std::optional<Vector6d> sourcePose{};    ///< true pose at the start; if empty, the assumed one
     SimulatedCameraSpec camera{};
     std::vector<ScriptedFault> faults{};
     bool operator==(const SimulationSpec&) const = default;
@@ -123,7 +123,7 @@ struct Experiment {
     SamplingSpec sampling;
     SimulationSpec simulation;
     VisionSpec vision;
-    std::optional<RigSpec> rig; ///< the real devices; empty: it runs on the simulated rig
+    std::optional<RigSpec> rig; ///< the real devices; if empty, the experiment runs on the simulated rig
     SafetySpec safety;
 
     bool operator==(const Experiment&) const = default;
@@ -131,27 +131,28 @@ struct Experiment {
 
 inline constexpr double kMaxObjectRadius_m = 1.0; ///< about the outline's centroid
 inline constexpr int kExperimentFormat = 1;       ///< version written to and accepted from JSON
-inline constexpr std::size_t kMaxCorners = 5000;  ///< of a polygon: more would make a run slower than life
+/// Of a polygon: with more corners a run would be slower than real time.
+inline constexpr std::size_t kMaxCorners = 5000;
 
-/// Set point of the source at a run time, K.
+/// Returns the set point of the source at a run time, K.
 double sourceSetPoint_K(const SourceSpec& source, double time_s);
 
-/// Of the whole run, K.
+/// Returns the highest set point of the whole run, K.
 double highestSetPoint_K(const SourceSpec& source);
 
-/// What is watched, K: the object's own limit or that of all.
+/// Returns the warning limit of an object, K: its own limit or that of all objects.
 double warningLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double tripLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double sourceTripLimit_K(const Experiment& experiment);
-/// Refuses a target above its object's warning limit, where every run would hold.
+/// Refuses a target above its object's warning limit, because every run would pause there.
 Result<void> checkTargets(const Experiment& experiment);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
-/// workspace and clear of the source, a source that can heat. The error's `where` is a JSON path such as
+/// workspace and away from the source, a source that can heat. The error's `where` is a JSON path such as
 /// "objects[1].target_degC".
 Result<void> validate(const Experiment& experiment);
 
-/// One number a reader of the file can type: replaces all targets. Refuses a wrong count.
+/// Replaces all targets. Refuses a wrong number of them.
 Result<void> setTargets(Experiment& experiment, const std::vector<double>& targets_K);
 
 } // namespace bask

@@ -9,12 +9,12 @@ namespace bask {
 inline constexpr double kMaxRunTime_s = 1e7;
 
 ParameterTable<SafetySpec> safetyParameters();
-/// An object's own limits.
+/// Returns an object's own limits.
 ParameterTable<ObjectSpec> objectLimitParameters();
 ParameterTable<Material> materialParameters();
 ParameterTable<HeatRates> heatRateParameters();
 ParameterTable<RobotLimits> robotParameters();
-/// What all controllers have; their gains are in their catalogue.
+/// Returns the parameters that all controllers have; their gains are in the catalogue.
 ParameterTable<ControllerSettings> controllerParameters();
 ParameterTable<SamplingSpec> samplingParameters();
 ParameterTable<SimulationSpec> simulationParameters();

@@ -1,5 +1,5 @@
 #pragma once
-// The geometry of an experiment: its source, its objects as mounted and its robot, ready for view factors.
+// The geometry of an experiment: its source, its mounted objects and its robot, for view factors.
 
 #include "engine/control/rig_geometry.h"
 #include "engine/model/experiment.h"
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// Of an experiment that validates.
+/// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
 
 } // namespace bask

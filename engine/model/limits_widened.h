@@ -1,5 +1,5 @@
 #pragma once
-// What an experiment allows more than another: what a person is asked about first on a real rig.
+// Which limits an experiment loosens compared with another: a person must confirm them first on a real rig.
 
 #include "engine/model/experiment.h"
 
@@ -8,24 +8,25 @@
 
 namespace bask {
 
-/// Every limit of the robot, an object (a new one's against those without limits of their own) or the source
-/// that is wider in `after`, every watch that is slower or blunter, and heat without a watchdog: a
-/// LimitLooser each. Limits that are automatic count as what they amount to. None: it allows nothing more.
+/// Returns one LimitLooser for every limit of the robot, an object (a new object is compared with those
+/// without limits of their own) or the source that is wider in `after`, for every check that is slower or
+/// less sensitive, and for heat without a watchdog. Automatic limits count with their actual values. Empty if
+/// nothing is loosened.
 std::vector<Message> widenedLimits(const Experiment& before, const Experiment& after);
-/// The same against what is set where nothing is said. Workspace and free axes are the rig's own and left
-/// out.
+/// Like widenedLimits, compared with the defaults. Workspace and free axes belong to the rig and are not
+/// compared.
 std::vector<Message> widenedFromUsual(const Experiment& experiment);
 
-/// What `next` allows a real rig more than is set now; where that is the simulated rig, whose limits nobody
-/// was asked about, more than the usual, and in workspace and free axes more than `real`, the robot of the
-/// real rig that was there before. None where `next` is for the simulated rig.
+/// Returns what `next` loosens on a real rig compared with the present experiment. If the present one is for
+/// the simulated rig, whose limits nobody confirmed, compares with the defaults, and for workspace and free
+/// axes with `real`, the robot of the previous real rig. Empty if `next` is for the simulated rig.
 std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& next,
                                       const std::optional<RobotLimits>& real = {});
 
-/// In one sentence, LimitsLoosened; None without any.
+/// Returns them as one sentence, LimitsLoosened; None if there are none.
 Message limitsLoosened(const std::vector<Message>& widened);
 
-/// True if there is any of widenedLimits.
+/// Returns whether widenedLimits has any.
 bool widensLimits(const Experiment& before, const Experiment& after);
 
 } // namespace bask

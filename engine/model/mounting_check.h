@@ -1,5 +1,5 @@
 #pragma once
-// What an arrangement of objects on the end-effector means, in words, before anything is heated.
+// Remarks about an arrangement of objects on the end-effector, before anything is heated.
 
 #include "engine/model/experiment.h"
 
@@ -7,22 +7,23 @@ namespace bask {
 
 struct MountingRemark {
     Message message;
-    std::vector<int> objects; ///< whom it is about
+    std::vector<int> objects; ///< the objects it is about
 };
 
-/// Of an experiment that validates. Objects that overlap as seen along E's z axis (they shade one another,
-/// which the view factors leave out; one in the hole of another does not), objects farther from E than
-/// RobotLimits::maxMountingRadius_m, and three objects in a line, which cannot be held at like temperatures:
-/// a line meets a convex surface of equal view factor twice at most (docs/model.md, section 7). Then what the
-/// free axes can do with them: objects whose view factors they cannot change independently
-/// (engine/control/dependent_objects.h) and, where there are none, that as many objects as free axes leave no
-/// freedom over. Takes 1 ms for three objects, 4 ms at worst.
+/// Returns remarks on an experiment that validates. Objects that overlap when seen along E's z axis: they
+/// shade one another, which the view factors ignore; one inside the hole of another does not. Objects farther
+/// from E than RobotLimits::maxMountingRadius_m. Three objects on a line, which cannot be at similar
+/// temperatures: a line meets a convex surface of equal view factor at most twice (docs/model.md, section 7).
+/// Then what the free axes can do: objects whose view factors they cannot change independently
+/// (engine/control/dependent_objects.h) and, if there are none, that as many objects as free axes leave no
+/// redundancy. Takes 1 ms for three objects, at most 4 ms.
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment);
 
-/// The shape as drawings and remarks need it: a polygon of many points within 0.2 mm, others as they are.
+/// Returns the shape for drawings and remarks: a polygon of many points simplified to 0.2 mm, others
+/// unchanged.
 Shape thinned(const Shape& shape);
 
-/// Outline (m) of an object as mounted, projected on the xy-plane of E, followed by its holes.
+/// Returns the outline (m) of a mounted object, projected on the xy-plane of E, followed by its holes.
 std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A real rig: its devices, and what of them fits together.
+// A real rig: its devices, and whether they fit together.
 
 #include "engine/base/result.h"
 #include "engine/drivers/device_spec.h"
@@ -10,25 +10,26 @@
 
 namespace bask {
 
-/// A rig without one of the first three cannot be run.
+/// A rig cannot be run if one of the first three is missing.
 struct RigSpec {
     std::string name;
     std::optional<RobotDeviceSpec> robot;
     std::optional<ThermometerDeviceSpec> thermometer;
     std::optional<HeatSourceDeviceSpec> source;
-    std::string camera; ///< as VideoCamera has it; empty: none
+    std::string camera; ///< as in VideoCamera; empty: none
     bool operator==(const RigSpec&) const = default;
 };
 
-/// A person keeps it hot, and nothing can be switched from here.
+/// Returns whether a person heats the source; nothing can be switched by the program.
 bool isKeptByHand(const HeatSourceDeviceSpec& source);
 
-/// The thermometer is on the heater's line, and so goes through its guard.
+/// Returns whether the thermometer is on the heater's line, so that it must use the heater's guard.
 bool hasOneLine(const RigSpec& rig);
 
-/// For so many objects and these free coordinates: ranges, every free coordinate driven by an axis, a channel
-/// an object, a source that goes off when the engine dies or may stay hot, no port used twice but by Modbus
-/// devices on one line. The error's `where` begins inside the rig: "thermometer.channels[1]".
+/// Checks a rig for this number of objects and these free coordinates: ranges, an axis for every free
+/// coordinate, a channel for every object, a source that switches off if the engine dies or is allowed to
+/// stay hot, and no port used twice except by Modbus devices on one line. The error's `where` is a path
+/// inside the rig: "thermometer.channels[1]".
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates);
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// What an experiment says of its own safety: limits that the engine watches in every state, and faults that
-// the simulated rig is to have.
+// The safety settings of an experiment: limits that the engine monitors in every state, and faults of the
+// simulated rig.
 
 #include "engine/base/units.h"
 
@@ -11,72 +11,74 @@
 
 namespace bask {
 
-/// An object's limits are absolute, since they are what it, its paint and its sensor bear: limits that
-/// followed the target would follow a mistyped one up, and would trip when a target is lowered. The source's
-/// limit, left out, lies over its own set point: that one is what its maker's limits and the plate are for.
+/// An object's limits are absolute, because they are what the object, its paint and its sensor tolerate:
+/// limits relative to the target would follow a mistyped target up, and would trip when a target is lowered.
+/// If the source's limit is empty, it is a margin above its own set point, for which the plate and its
+/// maker's limits are made.
 struct SafetySpec {
-    double warning_K = kelvinFromCelsius(120.0); ///< of an object without one of its own
+    double warning_K = kelvinFromCelsius(120.0); ///< for an object without its own limit
     double trip_K = kelvinFromCelsius(150.0);
-    std::optional<double> sourceTrip_K{}; ///< empty: kSourceOver_K above its highest set point
-    double stalePeriods = 3.0;            ///< a reading is used for so many periods
-    double heldLimit_s = 15.0;            ///< a lost sensor or source holds so long, then retreat
-    /// Faster changes of a reading are no heat; empty: three times what the source can do to the object,
-    /// kMinRate_K_s at least.
+    std::optional<double> sourceTrip_K{}; ///< if empty, kSourceOver_K above the highest set point
+    double stalePeriods = 3.0;            ///< number of periods for which a reading is valid
+    double heldLimit_s = 15.0;            ///< pause after a lost sensor or source; then a retreat
+    /// A faster change of a reading is not caused by heat. If empty: three times the rate at which the source
+    /// can heat the object, but at least kMinRate_K_s.
     std::optional<double> largestRate_K_s{};
-    int jumps = 3;                  ///< readings in a row that are too fast: a sensor fault
-    double frozen_s = 30.0;         ///< the very same value for so long, though it must have changed
-    double warming_K = 2.0;         ///< change that must have come before none is an alarm
-    double crossCheck_K = 5.0;      ///< sensors that far apart in a rig that is cold
-    double sourceHeating_s = 120.0; ///< the source gains kSourceGain_K in this time while it is too cold
-    double sourceBand_K = 10.0;     ///< and is not too cold within this of its set point
-    double sourceUnasked_K = 10.0;  ///< more warming with its heat off is an alarm
-    double leastDisk_MB = 100.0;    ///< free where a recording goes; below it none is begun
+    int jumps = 3; ///< number of such readings in a row that mean a sensor fault
+    /// Longest time with exactly the same value, although it must have changed.
+    double frozen_s = 30.0;
+    double warming_K = 2.0;         ///< expected change after which a missing one is an alarm
+    double crossCheck_K = 5.0;      ///< largest difference of sensors in a cold rig
+    double sourceHeating_s = 120.0; ///< the source must gain kSourceGain_K in this time while it is too cold
+    double sourceBand_K = 10.0;     ///< within this of its set point the source is not too cold
+    double sourceUnasked_K = 10.0;  ///< more warming with the heat off is an alarm
+    double leastDisk_MB = 100.0;    ///< free space for a recording; with less none is started
 
     static constexpr double kSourceOver_K = 50.0;
-    static constexpr double kMinRate_K_s = 2.0; ///< a hand on the object
+    static constexpr double kMinRate_K_s = 2.0; ///< a person touching the object
     static constexpr double kSourceGain_K = 2.0;
     bool operator==(const SafetySpec&) const = default;
 };
 
-/// What the simulated rig can be made to do: what the alarm table is about.
+/// Faults of the simulated rig, which the alarm table covers.
 enum class SimulatedFault {
     None,
-    // Of one object
+    // Faults of one object
     SensorLost,    ///< gives no value
-    SensorOpen,    ///< and says so
-    SensorShort,   ///< and says so
-    SensorFrozen,  ///< gives its last value
-    SensorJumping, ///< by 30 K, to and fro
-    SensorOff,     ///< came off its object: reads the room
-    ObjectHot,     ///< heated by something else, 2 K/s
-    // Of the rig
+    SensorOpen,    ///< gives no value and reports it
+    SensorShort,   ///< gives no value and reports it
+    SensorFrozen,  ///< repeats its last value
+    SensorJumping, ///< jumps by 30 K, up and down
+    SensorOff,     ///< has come off its object: measures the room
+    ObjectHot,     ///< is heated by something else, 2 K/s
+    // Faults of the rig
     RobotLost,
     RobotAlarm,
-    RobotRestarted, ///< stands, and is not sure of its place
-    RobotSlow,      ///< tells nothing new, and obeys 5 s late
+    RobotRestarted, ///< stands, and is not sure of its position
+    RobotSlow,      ///< reports nothing new, and obeys 5 s late
     SourceLost,
-    SourceSilent,     ///< tells no temperature
-    SourceNotHeating, ///< takes orders, and cools
-    SourceHeatsAlone, ///< 1 K/s with its heat off
-    SourceOverheats,  ///< 2 K/s, whatever its set point
-    SourceLimited,    ///< to 20 K below its set point, and says so
-    SourceKeepsHeat,  ///< takes no order to switch off
+    SourceSilent,     ///< reports no temperature
+    SourceNotHeating, ///< accepts commands, and cools
+    SourceHeatsAlone, ///< warms by 1 K/s with its heat off
+    SourceOverheats,  ///< warms by 2 K/s, at any set point
+    SourceLimited,    ///< limits itself to 20 K below its set point, and reports it
+    SourceKeepsHeat,  ///< does not obey the command to switch off
     SourceCovered,
     CameraLost
 };
 inline constexpr int kSimulatedFaults = static_cast<int>(SimulatedFault::CameraLost) + 1;
 
 /// "sensor-lost"; of None "none".
-const char* simulatedFaultName(SimulatedFault fault);
-/// That of one object's sensor or of the object itself.
+const char* simulatedFaultName(SimulatedFault fault); ///< Returns the name, "sensor-lost"; for None "none".
+/// Returns whether it is a fault of one object or its sensor.
 bool isOfObject(SimulatedFault fault);
 
-/// Raised at a run time, and over again.
+/// A fault that starts at one run time and ends at another.
 struct ScriptedFault {
     double time_s = 0.0;
     SimulatedFault fault = SimulatedFault::None;
     std::size_t object = 0;
-    std::optional<double> until_s{}; ///< empty: to the end
+    std::optional<double> until_s{}; ///< empty: until the end of the run
     bool operator==(const ScriptedFault&) const = default;
 };
 

@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// Something that happened.
+/// An event of a run.
 struct TraceEvent {
     double time_s = 0.0;
     Message message;
@@ -24,8 +24,8 @@ struct TraceNote {
 /// Temperature band about the target that counts as settled, K (MODEL section 8).
 inline constexpr double kSettledBand_K = 0.5;
 
-/// Time from which object `i` stays within +-band of its target until the end, judged on the plant's true
-/// temperature where there is one, else on the estimate. Empty when it is outside at the end.
+/// Returns the time from which object `i` stays within +-band of its target until the end, judged on the
+/// plant's true temperature if it is known, else on the estimate. Empty if it is outside at the end.
 std::optional<double> settlingTime_s(const std::vector<TraceSample>& samples, std::size_t i,
                                      double band_K = kSettledBand_K);
 

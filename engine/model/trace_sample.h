@@ -1,6 +1,6 @@
 #pragma once
-// One row of a run, and the tables of its values. Whoever records, shows or exports samples walks the tables:
-// a new value is a member and a line here, besides whoever measures it.
+// One row of a run, and the tables of its values. Code that records, shows or exports samples uses the
+// tables: a new value needs a member and a line here, and code that measures it.
 
 #include "engine/base/pose.h"
 #include "engine/base/translated.h"
@@ -18,7 +18,7 @@
 
 namespace bask {
 
-/// One object at one sample. A value that is not known yet or not valid is NaN (NULL in the file).
+/// One object at one sample. A value that is unknown or invalid is NaN (NULL in the file).
 struct ObjectSample {
     double measured_K = 0.0;
     double estimated_K = 0.0;
@@ -31,7 +31,8 @@ struct ObjectSample {
     bool valid = false;   ///< measured_K is a fresh, plausible reading
 };
 
-/// As an object's outcome is judged: the plant's own temperature where there is one, else the estimate.
+/// Returns the temperature for judging a result: the plant's own temperature if it is known, else the
+/// estimate.
 inline double judgedTemperature_K(const ObjectSample& object) {
     return std::isfinite(object.true_K) ? object.true_K : object.estimated_K;
 }
@@ -43,12 +44,13 @@ struct TraceSample {
     Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
     Vector6d twist = Vector6d::Zero();       ///< commanded, R axes, m/s and rad/s
     double source_K = 0.0;                   ///< measured
-    Vector6d source = Vector6d::Zero();      ///< coordinates of X_RS as the controllers take them, m and rad
+    Vector6d source = Vector6d::Zero();      ///< coordinates of X_RS that the controllers use, m and rad
     double smallestSingularValue = 0.0;      ///< of the interaction matrix, rotation scaled
-    ActiveLimits limits;                     ///< that held the command back
+    ActiveLimits limits;                     ///< limits that restricted the command
 };
 
-/// What plots show against time, in the order of a session file's overview: a new one goes to the end.
+/// Quantities that plots show against time, in the order of a session file's overview: add a new one at the
+/// end.
 enum class Quantity : std::uint8_t {
     Temperature, ///< measured, with target and tolerance band
     Error,       ///< measured minus target
@@ -58,21 +60,22 @@ enum class Quantity : std::uint8_t {
     Speed,    ///< commanded; of the run, two series: translation and rotation
 };
 
-/// How people see a value: temperatures and their differences in the unit that they chose.
+/// How a value is displayed: temperatures and their differences are in the unit that the person chose.
 enum class ShownAs : std::uint8_t { Number, Temperature, Difference, RatePerMinute };
 
-/// How a value is read from a row and put into it, in SI. A flag is 1 or 0, NaN is no flag.
+/// How a value is read from a row and written into it, in SI. A flag is 1 or 0; NaN is an unknown flag.
 template <class Row> struct ColumnValue {
     double (*get)(const Row&) = nullptr;
-    void (*set)(Row&, double) = nullptr; ///< null: it follows from other columns
+    void (*set)(Row&, double) = nullptr; ///< null if it follows from other columns
 };
 
-/// Where a value stands in the session file.
+/// The position of a value in the session file.
 struct StoredAs {
-    int place = 0;              ///< in a row, from 1: files have it there, so it stays; the next one is last
+    /// Position in a row, from 1. Files depend on it, so it never changes; a new one is last.
+    int place = 0;
     const char* view = nullptr; ///< table for people that shows it
-    const char* name = nullptr; ///< of its column there, where that is not the key
-    bool isLater = false;       ///< files of before 0.2 lack it
+    const char* name = nullptr; ///< name of its column there, if it is not the key
+    bool isLater = false;       ///< whether files from before version 0.2 lack it
 };
 
 /// A log of the NeXus file: its path below the group of the object or the instrument, and its description.
@@ -86,23 +89,24 @@ template <class Row> struct SampleColumn {
     Unit unit;
     ColumnValue<Row> value;
     StoredAs stored{};         ///< place 0: not stored
-    const char* csv = nullptr; ///< in traces.csv, without its unit
+    const char* csv = nullptr; ///< name in traces.csv, without its unit
     std::optional<NexusLog> nexus{};
-    const char* vtk = nullptr;      ///< name of the point data of trajectories
+    const char* vtk = nullptr;      ///< name in the point data of trajectories
     std::optional<Quantity> plot{}; ///< the plot that shows it
-    const char* label = "";         ///< of its axis, English, context "Column"
-    const char* title = "";         ///< of the plot, likewise
-    const char* caption = nullptr;  ///< of its figure in the report, likewise; null: it has none
+    const char* label = "";         ///< label of its axis, English, context "Column"
+    const char* title = "";         ///< title of the plot, in the same context
+    /// Caption of its figure in the report, in the same context; null if it has none.
+    const char* caption = nullptr;
     ShownAs shownAs = ShownAs::Number;
-    int decimals = -1;      ///< on a screen, of a number; -1: three significant digits
-    bool isWhole = false;   ///< a flag or bits
-    bool isOfPlant = false; ///< there is one on a simulated rig only
-    bool isReading = false; ///< unknown where the sensor's reading is not valid
+    int decimals = -1;      ///< decimals of a number on a screen; -1: three significant digits
+    bool isWhole = false;   ///< whether it is a flag or bits
+    bool isOfPlant = false; ///< whether only a simulated rig has it
+    bool isReading = false; ///< whether it is unknown if the sensor's reading is invalid
 
     const char* nameInView() const { return stored.name != nullptr ? stored.name : key; }
 };
 
-/// Views that stored columns name, each once.
+/// Returns the views that stored columns name, each once.
 template <class Columns> std::vector<std::string> storedViews(const Columns& columns) {
     std::vector<std::string> out;
     for (const auto& column : columns)
@@ -114,7 +118,7 @@ template <class Columns> std::vector<std::string> storedViews(const Columns& col
 using ObjectColumn = SampleColumn<ObjectSample>;
 using RunColumn = SampleColumn<TraceSample>;
 
-/// A number that is no set of limits is none.
+/// Returns the limits of these bits; no limits if the number is not a valid set.
 inline ActiveLimits limitsOfBits(double bits) {
     return {bits >= 0.0 && bits < 4096.0 ? static_cast<unsigned>(bits) : 0U};
 }
@@ -136,7 +140,7 @@ template <int Part>
 inline constexpr ColumnValue<TraceSample> kTwist{[](const TraceSample& s) { return s.twist[Part]; },
                                                  [](TraceSample& s, double value) { s.twist[Part] = value; }};
 
-/// Of each object.
+/// Columns of each object.
 inline constexpr std::array kObjectColumns{
     ObjectColumn{.key = "measured_K",
                  .unit = unit::kCelsius,
@@ -237,7 +241,7 @@ inline constexpr std::array kObjectColumns{
 
 inline constexpr const char* kCommanded = "commanded, axes of the robot's base";
 
-/// Of the run; its time and the two poses are code where they are written.
+/// Columns of the run. Its time and the two poses are handled by code where they are written.
 inline constexpr std::array kRunColumns{
     RunColumn{.key = "vx_m_s",
               .unit = unit::kCentimetresPerSecond,

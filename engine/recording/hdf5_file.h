@@ -1,6 +1,6 @@
 #pragma once
-// An HDF5 file being made: groups, numbers with units, texts, attributes, links. It grows in memory, so that
-// a full disk never leaves half of one.
+// Builds an HDF5 file: groups, numbers with units, texts, attributes, links. It is built in memory, so that a
+// full disk never leaves an incomplete file.
 
 #include "engine/base/result.h"
 
@@ -11,29 +11,30 @@
 
 namespace bask {
 
-/// Paths are absolute, "/entry/title"; a group comes before what is in it. The library's first failure is
-/// kept and told by image(). One at a time: the library is not made for threads; others wait for this one's
-/// end.
+/// Paths are absolute, "/entry/title"; create a group before its contents. The first failure of the library
+/// is stored and returned by image(). Only one exists at a time, because the library is not thread-safe;
+/// others wait until it is destroyed.
 class Hdf5File {
 public:
     Hdf5File();
     ~Hdf5File();
 
-    /// A group with its NX_class.
+    /// Creates a group with its NX_class.
     void group(const std::string& path, const std::string& nxClass);
-    /// On a group or a data set.
+    /// Adds an attribute to a group or a data set.
     void attribute(const std::string& path, const std::string& name, const std::string& text);
     void attribute(const std::string& path, const std::string& name, const std::vector<std::string>& texts);
     void text(const std::string& path, const std::string& text);
     void texts(const std::string& path, const std::vector<std::string>& texts);
-    /// `units` as in SI, "1" of what has none.
+    /// Adds a number; `units` are in SI, "1" for a number without a unit.
     void number(const std::string& path, double value, const std::string& units);
     void numbers(const std::string& path, std::span<const double> values, const std::string& units);
     void wholeNumbers(const std::string& path, std::span<const int> values, const std::string& units);
-    /// Another name of something that is there.
+    /// Adds another name for something that exists.
     void link(const std::string& there, const std::string& path);
 
-    /// The finished file's bytes. Error: FileUnwritable at `where`, when the library refused something.
+    /// Returns the bytes of the finished file. Error: FileUnwritable at `where`, if the library reported a
+    /// failure.
     Result<std::string> image(const std::string& where);
 
     Hdf5File(const Hdf5File&) = delete;

@@ -7,9 +7,9 @@
 
 namespace bask {
 
-/// Writes the record whole or not at all: to `folder` under the session's name with the ending ".nxs";
-/// returns the file. Values that are not known are NaN. Errors: FileUnwritable; OutputForeign where another's
-/// file of that name is in the way.
+/// Writes the whole record or nothing to `folder`, under the session's name with the ending ".nxs"; returns
+/// the path. Unknown values are NaN. Errors: FileUnwritable; OutputForeign if a file of another program has
+/// that name.
 Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// What a run was worth in numbers: of each object and of the robot, every one by its written definition.
+// Results of a run as numbers, for each object and for the robot, each with its definition.
 
 #include "engine/recording/session_file.h"
 
@@ -11,54 +11,56 @@
 
 namespace bask {
 
-/// Of one object, judged on the plant's true temperature T where there is one, else on the estimate, from the
-/// last change of its target (or Start) until Stop. The step is the target minus T at the first sample then.
-/// An empty number is not known or not defined.
+/// Results of one object, from the last change of its target (or Start) until Stop, judged on the plant's
+/// true temperature T if it is known, else on the estimate. The step is the target minus T at the first
+/// sample of this time. An empty number is unknown or undefined.
 struct ObjectMetrics {
     double target_K = 0.0; ///< the last one; NaN without a sample
     double from_s = 0.0;   ///< run time at which that target was set
-    bool isTrue = false;   ///< T is the plant's own temperature
+    bool isTrue = false;   ///< whether T is the plant's own temperature
     std::optional<double> step_K;
     std::optional<double> final_K; ///< T at the last sample
-    /// From from_s until T stays within +-band of the target up to the last sample; empty when it is outside
-    /// there.
+    /// Time from from_s until T stays within +-band of the target up to the last sample; empty if it is
+    /// outside there.
     std::optional<double> settling_s;
-    std::optional<double> settledFrom_s; ///< run time from which on it stays within the band; empty as that
-    /// Between T's first crossings of 10 % and of 90 % of the step, linear between samples; empty when it
-    /// gets not so far, or when the step is less than twice the band.
+    /// Run time from which it stays within the band; empty in the same case.
+    std::optional<double> settledFrom_s;
+    /// Time between T's first crossings of 10 % and 90 % of the step, linear between samples; empty if it
+    /// does not reach them, or if the step is less than twice the band.
     std::optional<double> rise_s;
-    /// How far T went beyond the target in the step's direction, K, 0 when it did not; empty for such small
+    /// How far T went beyond the target in the step's direction, K, 0 if it did not; empty for such small
     /// steps.
     std::optional<double> overshoot_K;
-    /// Mean of T minus target over the last kSteadyWindow_s, or since it settled where that is less; empty
-    /// when not settled. And the standard deviation of T there, empty with fewer than two samples.
+    /// Mean of T minus target over the last kSteadyWindow_s, or since it settled if that is shorter; empty if
+    /// it is not settled. The second value is the standard deviation of T there, empty with fewer than two
+    /// samples.
     std::optional<double> steadyError_K;
     std::optional<double> steadyDeviation_K;
     double pathLength_m = 0.0; ///< of the object's centre in R, over all samples until Stop
 
-    /// Overshoot as a share of the step's size.
+    /// Returns the overshoot as a fraction of the step's size.
     std::optional<double> overshootShare() const;
 };
 
-/// Of the run, from Start until Stop. A sample's command counts until the next sample.
+/// Results of the run, from Start until Stop. A sample's command counts until the next sample.
 struct RunMetrics {
     double band_K = kSettledBand_K;
     double duration_s = 0.0;
     std::size_t samples = 0;
     std::vector<ObjectMetrics> objects; ///< in the experiment's order
     double pathLength_m = 0.0;          ///< of the end-effector's origin
-    double turned_rad = 0.0;            ///< sum of the angles that it was turned by between samples
-    double heldBack_s = 0.0;            ///< some limit held the command back
-    /// Held back by that limit, by Limit; workspace: any of its bounds. Files of the first versions name
-    /// none.
+    double turned_rad = 0.0;            ///< sum of the angles between samples
+    double heldBack_s = 0.0;            ///< time during which a limit restricted the command
+    /// The same for each Limit; workspace counts any of its bounds. Files of the first versions do not
+    /// contain this.
     std::array<double, 6> atLimit_s{};
     double atVelocityLimit_s = 0.0; ///< speed, rotation or both
-    TraceSample last;               ///< until Stop; without objects: there is none
+    TraceSample last;               ///< last sample until Stop; without objects if there is none
 };
 
 inline constexpr double kSteadyWindow_s = 60.0;
 
-/// Counts them from a run's samples, one by one in their order; keeps no more of a day than of some minutes.
+/// Computes them from a run's samples, one by one in order; memory is limited even for a day.
 class RunMetricsCount {
 public:
     explicit RunMetricsCount(const SessionRecord& facts, double band_K = kSettledBand_K);
@@ -66,7 +68,7 @@ public:
     RunMetricsCount(const RunMetricsCount&) = delete;
     RunMetricsCount& operator=(const RunMetricsCount&) = delete;
 
-    void add(const TraceSample& sample); ///< after Stop: is left out
+    void add(const TraceSample& sample); ///< ignored after Stop
     RunMetrics metrics() const;          ///< of the samples so far
 
 private:
@@ -74,7 +76,7 @@ private:
     void addMotion(const TraceSample& sample);
 
     double m_until_s;
-    std::deque<std::pair<double, double>> m_holds_s; ///< from, until; those over are left out
+    std::deque<std::pair<double, double>> m_holds_s; ///< start and end of each pause; past ones are removed
     RunMetrics m_metrics;
     std::vector<ObjectCount> m_objects;
 };

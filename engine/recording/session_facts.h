@@ -1,5 +1,5 @@
 #pragma once
-// Pieces of reading a session file, shared by the ways to read one.
+// Parts of reading a session file, shared by the readers.
 
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_store.h"
@@ -10,16 +10,16 @@
 
 namespace bask {
 
-/// Header, experiment, events, notes and commands; no samples.
+/// Reads header, experiment, events, notes and commands, but no samples.
 Result<SessionRecord> readFacts(const SessionStore& store, const std::string& path);
 
 /// Refuses a file whose structure is damaged; reads all of it.
 Result<void> checkIntegrity(const SessionStore& store, const std::string& path);
 
-/// Samples of version 1, whose tables have one row a sample, or one a sample and object.
+/// Reads samples of version 1, whose tables have one row for each sample, or for each sample and object.
 Result<void> readFirstVersion(const SessionStore& store, SessionRecord& record);
 
-/// Calls `take` for the samples with these numbers, from 1, until it is asked to stop; refuses a gap.
+/// Calls `take` for the samples with these numbers, from 1, until `stop` is requested; refuses a gap.
 Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
                        std::size_t first, std::size_t last,
                        const std::function<void(const TraceSample&)>& take, const std::stop_token& stop = {});

@@ -1,6 +1,6 @@
 #pragma once
-// A recorded run in one SQLite file (*.bask): the experiment and every sample, command, event and note as it
-// happened.
+// A recorded run in one SQLite file (*.bask): the experiment and every sample, command, event and note in
+// order of time.
 
 #include "engine/model/experiment.h"
 #include "engine/model/trace.h"
@@ -14,16 +14,17 @@ namespace bask {
 inline constexpr int kSessionApplicationId = 0x4261736b; ///< "Bask"
 inline constexpr int kSessionVersion = 2;                ///< PRAGMA user_version
 
-/// Which commands were sent, as text: one row a command ("targets", "gains", "hold" ...), value as JSON.
+/// The commands that were sent, as text: one row for each ("targets", "gains", "hold" ...), with its value as
+/// JSON.
 struct CommandRow {
     double time_s = 0.0;
     std::string name;
     std::string value;
 };
 
-/// Writes a run as it happens (WAL, synchronous=FULL). Rows are committed at the latest commitInterval_s of
-/// wall time after they were added, so that a killed process loses at most that. One thread only, the one
-/// that opened it.
+/// Writes a run while it happens (WAL, synchronous=FULL). Rows are committed within commitInterval_s of wall
+/// time after they were added, so a killed process loses at most that. Use it only on the thread that opened
+/// it.
 class SessionWriter {
 public:
     static Result<std::unique_ptr<SessionWriter>> create(const std::string& path,
@@ -40,7 +41,7 @@ public:
                                                      ///< "stopped", "fault")
 
     const std::string& path() const;
-    std::size_t rows() const; ///< samples added so far
+    std::size_t rows() const; ///< number of samples added so far
 
     SessionWriter(const SessionWriter&) = delete;
     SessionWriter& operator=(const SessionWriter&) = delete;
@@ -65,19 +66,20 @@ struct SessionRecord {
     std::vector<CommandRow> commands;
 
     bool interrupted() const { return outcome.empty(); }
-    /// Samples until Stop or STOP; what comes after is the retreat and cool-down. All of them when there was
-    /// none.
+    /// Returns the samples until Stop or STOP; the later ones are the retreat and cool-down. All samples if
+    /// there was none.
     std::vector<TraceSample> controlledSamples() const;
 };
 
-/// Reads a session; refuses what is not one, is damaged, or comes from a newer version. Never changes the
-/// file's data.
+/// Reads a session; refuses a file that is not one, is damaged, or comes from a newer version. Never changes
+/// the file's data.
 Result<SessionRecord> readSession(const std::string& path);
 
-/// Copies a session, also one being written, whole or not at all.
+/// Copies a whole session, even one that is being written, or nothing.
 Result<void> copySession(const std::string& from, const std::string& to);
 
-/// One CSV per table into an existing or new folder, units in the headers. Returns the files written.
+/// Writes one CSV for each table into an existing or new folder, with units in the headers. Returns the files
+/// written.
 Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder);
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// What a recorded run says of itself in a list of many, read without its samples, and what may be changed in
-// a finished file: its tags, and an end that was never written.
+// What a list of recorded runs shows of each, read without its samples, and what may be changed in a finished
+// file: its tags, and a missing end.
 
 #include "engine/base/result.h"
 
@@ -12,7 +12,7 @@
 namespace bask {
 
 inline constexpr const char* kOutcomeInterrupted = "interrupted"; ///< closed by closeInterrupted()
-/// Of an interrupted recording at most this is missing, s: SessionWriter's commitInterval_s.
+/// At most this part of an interrupted recording is missing, s: commitInterval_s of SessionWriter.
 inline constexpr double kMaxLost_s = 0.5;
 
 /// One file of a list.
@@ -24,27 +24,26 @@ struct SessionHeader {
     bool simulated = false;
     std::string outcome; ///< empty: interrupted, or still being recorded
     std::uint64_t samples = 0;
-    double end_s = 0.0; ///< of the last sample since Start; 0 without one
+    double end_s = 0.0; ///< time of the last sample since Start; 0 without one
     std::vector<std::string> notes;
     std::vector<std::string> tags;
-    std::optional<Error> error; ///< why it cannot be read; all but the path is empty then
+    std::optional<Error> error; ///< why it cannot be read; all other members except the path are then empty
 };
 
-/// Some milliseconds, however long the run. A damage in the midst of the samples is found by readSession()
-/// only.
+/// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession().
 SessionHeader readSessionHeader(const std::string& path);
 
-/// The *.bask files of a folder, without those in its folders, in no order. A folder that is not there has
-/// none.
+/// Returns the *.bask files of a folder, without subfolders, in no particular order. None if the folder does
+/// not exist.
 std::vector<std::string> sessionFiles(const std::string& folder);
 
-/// Replaces the tags in one transaction that touches no sample. Refuses a session that has no end yet: a run
-/// may be being recorded into it.
+/// Replaces the tags in one transaction that does not touch samples. Refuses a session without an end,
+/// because it may still be recorded.
 Result<void> writeSessionTags(const std::string& path, const std::vector<std::string>& tags);
 
-/// Gives an interrupted recording its end: all of it is read first, the log is folded in, and the outcome
-/// "interrupted" is put down in one transaction. Whatever fails, what was recorded stays as it was. Refuses a
-/// file that is damaged or being recorded into; one that has its end is left alone.
+/// Writes the missing end of an interrupted recording: reads all of it, merges the log, and stores the
+/// outcome "interrupted" in one transaction. On failure the recorded data is unchanged. Refuses a file that
+/// is damaged or being recorded; a file with an end is not changed.
 Result<void> closeInterrupted(const std::string& path);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Heat rates of every object of a recorded run.
+// Identifies the heat rates of every object of a recorded run.
 
 #include "engine/recording/session_file.h"
 #include "engine/thermal/identification.h"
@@ -8,25 +8,26 @@
 
 namespace bask {
 
-/// Which terms are fitted besides lambda1 and lambda2.
+/// The terms that are fitted in addition to lambda1 and lambda2.
 struct SessionIdentification {
-    bool freeAmbient = false; ///< lambda3, otherwise tied to lambda2 by the room's temperature
+    bool freeAmbient = false; ///< fit lambda3; otherwise it follows from lambda2 and the room's temperature
     bool convection = false;
 };
 
-/// What the fits need of a run, gathered sample by sample until Stop, since the heat is off afterwards
-/// whatever the source's temperature. Of a run of more than kMax samples it keeps every second one, of a
-/// longer one every fourth, and so on: the fits rest on windows of a sixteenth of the run.
+/// The data of a run for the fits, collected sample by sample until Stop, because the heat is off afterwards
+/// at any source temperature. Of a run with more than kMax samples it uses every second one, of a longer run
+/// every fourth, and so on: the fits use windows of a sixteenth of the run.
 class HeatRecords {
 public:
     static constexpr std::size_t kMax = 1 << 17; // 3.6 h at 10 Hz
 
     explicit HeatRecords(const SessionRecord& facts);
     void add(const TraceSample& sample);
-    std::size_t size() const { return m_records.empty() ? 0 : m_records.front().size(); } ///< kept
+    /// Number of samples kept.
+    std::size_t size() const { return m_records.empty() ? 0 : m_records.front().size(); }
 
-    /// Rates in the experiment's order, lambda1 at the source's set temperature; the room's temperature is
-    /// that of the sensors' zeroing, where it was recorded.
+    /// Returns the rates in the experiment's order, with lambda1 at the source's set temperature. The room's
+    /// temperature is that of the sensors' zeroing, if it was recorded.
     std::vector<IdentifiedRates> identify(const SessionIdentification& wanted = {}) const;
 
 private:
@@ -36,8 +37,8 @@ private:
     double m_until_s;
     SourceSpec m_source;
     IdentificationOptions m_options;
-    std::vector<double> m_absorptanceOverEmittance; ///< an object
-    std::vector<std::vector<HeatSample>> m_records; ///< an object
+    std::vector<double> m_absorptanceOverEmittance; ///< one for each object
+    std::vector<std::vector<HeatSample>> m_records; ///< one for each object
     std::size_t m_every = 1, m_seen = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// One SQLite connection to a session file, in plain values: opening for writing or reading, statements, rows.
+// One SQLite connection to a session file with plain values: opening for writing or reading, statements,
+// rows.
 
 #include "engine/base/result.h"
 
@@ -14,48 +15,48 @@
 
 namespace bask {
 
-/// Bytes as they are.
+/// Unchanged bytes.
 struct SqlBlob {
     std::string bytes;
 };
 /// NULL, number, whole number, text or bytes.
 using SqlValue = std::variant<std::monostate, double, std::int64_t, std::string, SqlBlob>;
 
-/// A number as stored: NaN is NULL.
+/// Returns a number as stored: NaN becomes NULL.
 SqlValue sqlNumber(double value);
-/// The number of a column: NULL is NaN.
+/// Returns the number of a column: NULL becomes NaN.
 double numberOf(const SqlValue& value);
-/// The text of a column; empty when it is not text.
+/// Returns the text of a column; empty if it is not text.
 std::string textOf(const SqlValue& value);
 
-/// A text as SQL writes it.
+/// Returns a text as an SQL literal.
 std::string sqlText(const std::string& text);
 
-/// Belongs to the thread that opened it.
+/// Use it only on the thread that opened it.
 class SessionStore {
 public:
-    /// Opens a file that is new or empty, for writing.
+    /// Opens a new or empty file for writing.
     static Result<std::unique_ptr<SessionStore>> create(const std::string& path);
-    /// Opens an existing session for reading only: one that is being written, one left by a killed process,
-    /// one in a folder that cannot be written. Refuses what is no session, is cut short, is newer than this
-    /// program, or computes something when it is read.
+    /// Opens an existing session only for reading, even one that is being written, one left by a killed
+    /// process, or one in a read-only folder. Refuses a file that is not a session, is cut short, is newer
+    /// than this program, or computes something when it is read.
     static Result<std::unique_ptr<SessionStore>> open(const std::string& path);
     ~SessionStore();
 
     Result<void> execute(const std::string& sql);
-    /// Prepares a statement once; the number is for run().
+    /// Prepares a statement once; returns its number for run().
     Result<std::size_t> prepare(const std::string& sql);
     Result<void> run(std::size_t statement, std::span<const SqlValue> values);
 
     using Row = std::span<const SqlValue>;
-    /// Calls `row` for each row of a query, until it is asked to stop.
+    /// Calls `row` for each row of a query, until `stop` is requested.
     Result<void> select(const std::string& sql, const std::function<void(Row)>& row,
                         const std::stop_token& stop = {}) const;
-    /// Names of the columns of a table.
+    /// Returns the column names of a table.
     Result<std::vector<std::string>> columns(const std::string& table) const;
-    /// The file's own version.
+    /// Returns the version of the file.
     int version() const;
-    /// Names of the tables and views that are for people and scripts, in the order in which they were made.
+    /// Returns the names of the tables and views that are for people and scripts, in the order of creation.
     Result<std::vector<std::string>> tables() const;
 
     SessionStore(const SessionStore&) = delete;
@@ -67,12 +68,12 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// May a session take the place of what is at `path`: nothing, an empty file or an older session. Refuses
-/// anything else, and a folder that is not there.
+/// Checks that a session may replace what is at `path`: nothing, an empty file or an older session. Refuses
+/// anything else, and a folder that does not exist.
 Result<void> checkReplaceable(const std::string& path);
 
-/// Folds the log of the session at `path` into it and removes it; refuses while a run is being recorded into
-/// it.
+/// Merges the log of the session at `path` into it and removes the log; refuses while a run is being
+/// recorded.
 Result<void> removeLog(const std::string& path);
 
 } // namespace bask

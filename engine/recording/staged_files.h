@@ -1,5 +1,5 @@
 #pragma once
-// Several files that come into a folder together or not at all.
+// Writes several files into a folder together or not at all.
 
 #include "engine/base/result.h"
 
@@ -8,35 +8,35 @@
 
 namespace bask {
 
-/// Files are written into a hidden folder beside their places and moved there by commit(). Whatever was not
-/// moved goes when this ends.
+/// Files are written into a hidden folder beside the target and moved there by commit(). Files that were not
+/// moved are deleted by the destructor.
 class StagedFiles {
 public:
-    /// Makes the folder where it is not there. Error: FileUnwritable.
+    /// Creates the folder if it does not exist. Error: FileUnwritable.
     static Result<StagedFiles> into(const std::string& folder);
     StagedFiles(StagedFiles&& other) noexcept;
     StagedFiles& operator=(StagedFiles&&) = delete;
     ~StagedFiles();
 
-    /// Where to write a file that will be `name` ("outlines/0001.vtp") in the folder, in the order of
-    /// commit().
+    /// Returns the path to write a file that will be `name` ("outlines/0001.vtp") in the folder; commit()
+    /// uses the same order.
     Result<std::string> place(const std::string& name);
-    /// Writes one with these contents.
+    /// Writes a file with these contents.
     Result<void> write(const std::string& name, const std::string& contents);
-    /// Its path when all is done.
+    /// Returns the final path of a file.
     std::string target(const std::string& name) const;
-    /// Moves all; their paths. Error: FileUnwritable; then all is as it was.
+    /// Moves all files and returns their paths. Error: FileUnwritable; then nothing has changed.
     Result<std::vector<std::string>> commit();
 
 private:
     StagedFiles(std::string folder, std::string stage, bool isNew);
 
-    std::string m_folder, m_stage; ///< m_stage empty: moved from
-    bool m_isNew = false;          ///< the folder was made here
+    std::string m_folder, m_stage; ///< m_stage is empty after a move
+    bool m_isNew = false;          ///< whether the folder was created here
     std::vector<std::string> m_names;
 };
 
-/// Letters, digits, '-' and '_' as they are, "_" for the rest: part of a file's name.
+/// Returns letters, digits, '-' and '_' unchanged and "_" for other characters: a part of a file name.
 std::string plainFileName(const std::string& name);
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// What a trace plot shows of a run, as least and greatest values over short stretches: the picture of a day
-// without its samples.
+// The data of a trace plot as minimum and maximum values over short stretches (intervals): it shows a day
+// without reading its samples.
 
 #include "engine/model/trace.h"
 
@@ -12,22 +12,23 @@
 
 namespace bask {
 
-/// The column of objects that a quantity shows; null: it is of the run.
+/// Returns the column of objects that a quantity shows; null if it is a quantity of the run.
 const ObjectColumn* plottedColumn(Quantity quantity);
-/// The same of the run's columns; null for the speed, which has two lines made from six.
+/// Returns the column of the run; null for the speed, whose two lines are computed from six columns.
 const RunColumn* plottedRunColumn(Quantity quantity);
-/// All quantities.
+/// Returns the number of quantities.
 std::size_t quantityCount();
-/// Lines that a quantity has: one an object, one of the run, or two for the speed.
+/// Returns the number of lines of a quantity: one for each object, one for the run, or two for the speed.
 std::size_t seriesCount(Quantity quantity, std::size_t objects);
-/// Lines of all quantities together, or of the first ones.
+/// Returns the number of lines of all quantities together, or of the first ones.
 std::size_t lineCount(std::size_t objects, std::size_t quantities = quantityCount());
-/// Index of a line among all.
+/// Returns the index of a line among all.
 std::size_t lineIndex(Quantity quantity, std::size_t series, std::size_t objects);
-/// Value of a line in SI (K, K/s, 1, m/s and rad/s); NaN where it is unknown or the reading was invalid.
+/// Returns the value of a line in SI (K, K/s, 1, m/s and rad/s); NaN if it is unknown or the reading was
+/// invalid.
 double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t series);
 
-/// Both NaN when there is no value.
+/// Minimum and maximum; both are NaN if there is no value.
 struct Extremes {
     float least = std::numeric_limits<float>::quiet_NaN();
     float greatest = std::numeric_limits<float>::quiet_NaN();
@@ -36,8 +37,8 @@ struct Extremes {
     void include(const Extremes& other);
 };
 
-/// Extremes of every line over each kStretch samples; a stretch is the longer the longer the run is, where
-/// `most` says how many are kept.
+/// Extremes of every line over stretches (intervals) of kStretch samples. If the number of stretches is
+/// limited, they become longer as the run becomes longer.
 class TraceOverview {
 public:
     static constexpr std::size_t kStretch = 16;
@@ -45,25 +46,25 @@ public:
 
     explicit TraceOverview(std::size_t objects = 0, std::size_t most = kUnlimited);
 
-    /// Samples in the order of time; objects that are missing have no values.
+    /// Adds a sample; samples must be in order of time. Missing objects have no values.
     void add(const TraceSample& sample);
 
     std::size_t objects() const { return m_objects; }
     std::size_t samples() const { return m_samples; }
     std::size_t samplesPerStretch() const { return m_perStretch; }
-    /// The last one may not be full yet.
+    /// Returns the number of stretches; the last one may be incomplete.
     std::size_t stretches() const { return m_spans.size(); }
-    double from_s(std::size_t stretch) const { return m_spans[stretch].from_s; } ///< of its first sample
-    double to_s(std::size_t stretch) const { return m_spans[stretch].to_s; }     ///< of its last
+    double from_s(std::size_t stretch) const { return m_spans[stretch].from_s; } ///< time of its first sample
+    double to_s(std::size_t stretch) const { return m_spans[stretch].to_s; }     ///< time of its last sample
     double lastTime_s() const { return m_spans.empty() ? 0.0 : m_spans.back().to_s; }
-    /// The last stretch that begins at or before a time; 0 when none does.
+    /// Returns the last stretch that begins at or before a time; 0 if there is none.
     std::size_t stretchAt(double time_s) const;
     const Extremes& extremes(Quantity quantity, std::size_t series, std::size_t stretch) const;
-    bool hasValues(Quantity quantity) const; ///< any line, ever
+    bool hasValues(Quantity quantity) const; ///< whether any line ever has a value
 
-    /// Full stretches as bytes, and back: as docs/session-format.md says. Bytes of before the last quantities
-    /// came have the first ones only. False for bytes that are no whole stretches, or after one that is not
-    /// full.
+    /// Returns the complete stretches as bytes, and reads them back, in the format of docs/session-format.md.
+    /// Bytes from before the last quantities were added have only the first ones. Reading returns false if
+    /// the bytes are not complete stretches, or if the last stretch is incomplete.
     std::string bytes() const;
     bool addBytes(std::string_view bytes, std::size_t quantities = quantityCount());
 
@@ -79,7 +80,7 @@ private:
     std::size_t m_samples = 0;
     std::size_t m_perStretch = kStretch;
     std::vector<Span> m_spans;
-    std::vector<Extremes> m_extremes; ///< lines() a stretch
+    std::vector<Extremes> m_extremes; ///< lines() for each stretch
 };
 
 } // namespace bask
