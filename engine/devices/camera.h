@@ -1,5 +1,5 @@
 #pragma once
-// A camera: the newest frame, with its age.
+// The interface of a camera: the newest frame, with its age.
 
 #include "engine/base/result.h"
 #include "engine/shape/marker.h"
@@ -9,21 +9,23 @@
 
 namespace bask {
 
-/// Immutable once published.
+/// Immutable once it is published.
 struct CameraFrame {
-    double time_s = 0.0;      ///< when its light was caught, on the engine's clock
-    double caught_s = 0.0;    ///< the same on the computer's SteadyClock: pose time minus this is the latency
-    std::uint64_t number = 0; ///< grows with every frame of a camera
+    double time_s = 0.0; ///< exposure time, on the engine's clock
+    /// The same on the computer's SteadyClock: the time of the pose minus this is the latency.
+    double caught_s = 0.0;
+    std::uint64_t number = 0; ///< increases with every frame of a camera
     GreyPicture picture;
 };
 
-/// Captures by itself; newest() may be called from any one thread and never waits.
+/// Captures in the background; newest() may be called from any one thread and never waits.
 class Camera {
 public:
     virtual ~Camera() = default;
-    /// The newest frame, the same again while there is no newer one. Errors: CameraOpening before the first;
-    /// CameraNotOpened when it cannot be had; CameraLost when none came for a second; both with the reason as
-    /// far as the system told it, and it is sought again meanwhile.
+    /// Returns the newest frame, the same one again until there is a newer one. Errors: CameraOpening before
+    /// the first frame; CameraNotOpened if the camera cannot be opened; CameraLost if no frame came for a
+    /// second. The last two contain the reason given by the system; the camera is opened again in the
+    /// background.
     virtual Result<std::shared_ptr<const CameraFrame>> newest() = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// What every driver of a real device has in common: it is given time to work, and tells how it is.
+// What all drivers of real devices have in common: regular time to work, and a status.
 
 #include "engine/base/message.h"
 
@@ -11,51 +11,51 @@ namespace bask {
 enum class DeviceRole { Robot, Thermometer, HeatSource, Camera };
 
 enum class LinkState {
-    Closed,  ///< not asked for
-    Opening, ///< opened, but the device has not answered yet; or opened again and again
+    Closed,  ///< not to be opened
+    Opening, ///< opened, but the device has not answered yet; or opened repeatedly
     Live,    ///< answers
-    Lost     ///< did answer, and does not any more
+    Lost     ///< answered before, but does not any more
 };
 
-/// Whether a source heats, as far as the device itself tells.
+/// Whether a source heats, as far as the device itself reports.
 enum class HeatState {
-    Off,    ///< the device has confirmed it
-    On,     ///< asked for, or not yet confirmed to be off again
-    Unknown ///< it does not answer, has told nothing yet, or does not confirm the order to switch off
+    Off,    ///< confirmed by the device
+    On,     ///< requested, or not yet confirmed to be off again
+    Unknown ///< it does not answer, has reported nothing yet, or does not confirm the command to switch off
 };
 
-/// A device at one moment.
+/// The state of a device at one time.
 struct DeviceStatus {
     LinkState link = LinkState::Closed;
-    Message problem;             ///< why it is not live; code None: nothing
-    double lastReply_s = -1e300; ///< when it answered last as it should, on the engine's clock
-    double replyTime_s = 0.0;    ///< from the newest request to its answer; 0: not known
-    double rate_Hz = 0.0;        ///< of answers
-    int discarded = 0;           ///< replies so far that nobody can read or that were not asked for
-    std::string identity;        ///< as the device tells, "Grbl 1.1h"; empty: it does not
-    /// What tells it from others of its kind, as it tells; "": it has nothing; empty: not told yet.
+    Message problem;             ///< why it is not live; code None if it is
+    double lastReply_s = -1e300; ///< time of its last valid answer, on the engine's clock
+    double replyTime_s = 0.0;    ///< from the newest request to its answer; 0: unknown
+    double rate_Hz = 0.0;        ///< rate of answers
+    int discarded = 0;           ///< number of replies so far that could not be read or were not requested
+    std::string identity;        ///< as the device reports it, "Grbl 1.1h"; empty: it does not
+    /// Distinguishes it from others of its kind, as it reports it. "": it has none; empty: not reported yet.
     std::optional<std::string> signature{};
 };
 
-/// Used on the engine thread only.
+/// Use it only on the engine thread.
 class Device {
 public:
     virtual ~Device() = default;
-    /// Takes what has come and sends what is due; never waits. Called every few milliseconds.
+    /// Reads what has arrived and sends what is due; never waits. Called every few milliseconds.
     virtual void work() = 0;
     virtual DeviceStatus status() const = 0;
-    /// By its signature, the device that is meant; without this the first one that is met since the link was
-    /// made. Of another one nothing but its name is asked, it is not live (DeviceExchanged), and what it is
-    /// told is refused.
+    /// Sets the expected device by its signature; without this the first device found on the link is
+    /// expected. A different device is only asked for its name, is not live (DeviceExchanged), and all
+    /// commands to it are refused.
     virtual void expect(const std::string&) {}
 };
 
-/// A device of a real rig, as it is now.
+/// The present state of a device of a real rig.
 struct RigDeviceState {
     DeviceRole role = DeviceRole::Robot;
     std::string port;
     DeviceStatus status;
-    double age_s = 0.0; ///< of what it told last
+    double age_s = 0.0; ///< age of its last answer
 };
 
 } // namespace bask

@@ -1,39 +1,39 @@
 #pragma once
-// A robot that carries the objects: where it is, and a velocity that expires by itself.
+// A robot that carries the objects: its position, and a velocity that expires by itself.
 
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 
 namespace bask {
 
-/// State at one moment.
+/// State at one time.
 struct RobotState {
-    double time_s = 0.0;                     ///< of the reading, on the engine's clock
+    double time_s = 0.0;                     ///< time of the reading, on the engine's clock
     Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
     bool moving = false;
-    /// False where the controller may not know its own place: restarted, stopped in motion, not homed.
+    /// False if the controller may not know its own position: restarted, stopped in motion, not homed.
     bool isPlaceSure = true;
-    Message alarm = {}; ///< what keeps it from moving until somebody has seen to it; None: nothing
+    Message alarm = {}; ///< what prevents it from moving until a person has checked it; None if nothing does
 };
 
-/// Used on the engine thread only. A call that finds the link down answers an Error and leaves the robot
-/// standing.
+/// Use it only on the engine thread. A call returns an Error if the link is down; the robot then stands
+/// still.
 class Robot {
 public:
     virtual ~Robot() = default;
     virtual Result<RobotState> state() = 0;
-    /// End-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s: an engine that
-    /// dies stops the robot.
+    /// Sets the end-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s, so the
+    /// robot stops if the engine dies.
     virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
-    /// While it takes the objects away from the heat a place that is not sure does not keep it from moving.
+    /// While it retreats with the objects from the heat, an unsure position does not prevent it from moving.
     virtual void setRetreating(bool isRetreating) { (void)isRetreating; }
-    /// The quickest that it may move and turn, whatever it is asked, where its controller can be told so.
+    /// Sets the largest speed and rotation for any command, if its controller supports this.
     virtual void limitSpeed(double max_m_s, double max_rad_s) { (void)max_m_s, (void)max_rad_s; }
-    /// Zero velocity now.
+    /// Sets zero velocity at once.
     virtual Result<void> halt() = 0;
-    /// Finds its place anew by its switches; moves. Refused where it cannot.
+    /// Finds its position again by its switches; moves. Refused if it cannot.
     virtual Result<void> home() = 0;
-    /// Clears an alarm or a hold of its controller after a person has seen to it; never moves.
+    /// Clears an alarm or a pause of its controller after a person has checked it; never moves.
     virtual Result<void> clearAlarm() = 0;
 };
 

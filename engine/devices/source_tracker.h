@@ -1,29 +1,29 @@
 #pragma once
-// Where the source is, measured while it is moved.
+// The source's pose, measured while it is moved.
 
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 
 namespace bask {
 
-/// One reading of a pose; one that was not seen is invalid, never a pose.
+/// One reading of a pose; if the source was not seen, it is invalid and contains no pose.
 struct PoseReading {
-    double time_s =
-        0.0; ///< what the pose stands for, on the engine's clock: now where it is carried on to now
+    double time_s = 0.0; ///< time of the pose, on the engine's clock; the present time if it is extrapolated
     Pose X_RS = Pose::Identity();
     bool valid = false;
-    /// When the source was last seen, on the same clock: how old the reading is.
+    /// When the source was last seen, on the same clock: gives the age of the reading.
     double seen_s = 0.0;
-    double latency_s = 0.0; ///< from the light of the newest frame to its pose known; 0: not told
-    bool predicted = false; ///< the newest frame did not show it
-    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations in the worst direction; 0: not told
+    /// From the exposure of the newest frame to its known pose; 0: unknown.
+    double latency_s = 0.0;
+    bool predicted = false;                   ///< whether the newest frame did not show it
+    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations in the worst direction; 0: unknown
 };
 
-/// Used on the engine thread only.
+/// Use it only on the engine thread.
 class SourceTracker {
 public:
     virtual ~SourceTracker() = default;
-    /// Newest reading, or an Error when the device does not answer.
+    /// Returns the newest reading, or an Error if the device does not answer.
     virtual Result<PoseReading> read() = 0;
 };
 

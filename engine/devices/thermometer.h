@@ -7,25 +7,27 @@
 
 namespace bask {
 
-/// What a device says of a sensor that gives no temperature.
+/// What a device reports about a sensor that gives no temperature.
 enum class SensorFault { None, Open, Short, OutOfRange, Other };
 
-/// One channel's newest reading; an open, shorted or implausible sensor is invalid, never a number.
+/// The newest reading of one channel; with an open, shorted or implausible sensor it is invalid, never a
+/// number.
 struct Reading {
-    double time_s = 0.0; ///< when it was measured, on the engine's clock
+    double time_s = 0.0; ///< time of the measurement, on the engine's clock
     double value_K = 0.0;
     bool valid = false;
-    SensorFault fault = SensorFault::None; ///< of one that is not valid, where the device tells
+    SensorFault fault = SensorFault::None; ///< fault of an invalid reading, if the device reports it
 };
 
-/// Used on the engine thread only.
+/// Use it only on the engine thread.
 class Thermometer {
 public:
     virtual ~Thermometer() = default;
     virtual int channels() const = 0;
-    /// So often readings are wanted, s. One that is asked is asked so often, where it can be.
+    /// Sets the wanted time between readings, s. A thermometer that is polled is polled at this period, if it
+    /// is fast enough.
     virtual void setPeriod(double period_s) { (void)period_s; }
-    /// Newest reading of every channel, or an Error when the device does not answer.
+    /// Returns the newest reading of every channel, or an Error if the device does not answer.
     virtual Result<std::vector<Reading>> read() = 0;
 };
 

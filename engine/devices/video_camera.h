@@ -1,5 +1,5 @@
 #pragma once
-// A camera by OpenCV, captured on a thread of its own: a device, a stream, a video file or a folder.
+// A camera with OpenCV, captured on its own thread: a device, a stream, a video file or a folder.
 
 #include "engine/base/clock.h"
 #include "engine/devices/camera.h"
@@ -10,32 +10,32 @@
 
 namespace bask {
 
-/// Two pictures of a live camera are never the same: one that comes again counts as none. A capture that
-/// hangs is left to itself and another one begun; at most kMaxHanging in the process, then it is waited for.
+/// Two pictures of a live camera are never equal, so a repeated picture is ignored. A capture that hangs is
+/// abandoned and another one is started, at most kMaxHanging in the process; after that it waits.
 class VideoCamera final : public Camera {
 public:
     static constexpr double kLost_s = 1.0;
-    static constexpr double kOpening_s = 5.0; ///< so long CameraOpening is told when there is no answer
-    static constexpr double kHanging_s = 3.0; ///< without an answer of the system
+    static constexpr double kOpening_s = 5.0; ///< CameraOpening is returned for this long without an answer
+    static constexpr double kHanging_s = 3.0; ///< longest time without an answer of the system
     static constexpr double kFarewell_s = 0.5;
     static constexpr int kMaxHanging = 8;
 
     using Opener =
         std::function<Result<std::unique_ptr<FrameSource>>(const std::function<bool()>& isStopped)>;
 
-    /// `name` as of openFrameSource; opened on the capture thread. `clock`, which is asked by newest() only,
-    /// must outlive the camera.
+    /// `name` as in openFrameSource; opened on the capture thread. `clock` is read only by newest() and must
+    /// outlive the camera.
     VideoCamera(std::string name, const Clock& clock);
-    /// With another way of opening, for tests.
+    /// Uses another function for opening, for tests.
     VideoCamera(std::string name, const Clock& clock, Opener opener);
-    /// Waits for kFarewell_s at most.
+    /// Waits for at most kFarewell_s.
     ~VideoCamera() override;
     VideoCamera(const VideoCamera&) = delete;
     VideoCamera& operator=(const VideoCamera&) = delete;
 
     Result<std::shared_ptr<const CameraFrame>> newest() override;
 
-    static int hanging(); ///< captures left to themselves that have not come back
+    static int hanging(); ///< number of abandoned captures that have not returned
 
 private:
     class Capture;

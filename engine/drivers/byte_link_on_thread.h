@@ -1,5 +1,5 @@
 #pragma once
-// A link of bytes on a thread of its own. Its calls never wait, whatever the link does.
+// A link of bytes on its own thread. Its calls never wait, whatever the link does.
 
 #include "engine/drivers/byte_link.h"
 #include "engine/drivers/link_thread.h"
@@ -12,11 +12,12 @@ namespace bask {
 
 class ByteLinkOnThread final : public ByteLink {
 public:
-    /// `make` is called there; the link that it gives is used there only. `name` is what it is called.
+    /// `make` is called on that thread, and the link that it returns is used only there. `name` is the link's
+    /// name.
     ByteLinkOnThread(std::string name, std::function<std::unique_ptr<ByteLink>()> make);
     ~ByteLinkOnThread() override;
 
-    /// One that is being opened stays so.
+    /// No effect if it is being opened.
     void open() override;
     void close() override;
     bool isOpen() const override;
@@ -28,7 +29,7 @@ public:
     std::string portId() const override;
 
 private:
-    static constexpr std::size_t kMaxUnread = 65536; ///< more stays with the link
+    static constexpr std::size_t kMaxUnread = 65536; ///< more bytes stay in the link
 
     void turn();
     void drop();
@@ -36,20 +37,20 @@ private:
 
     const std::string m_name;
     mutable std::mutex m_mutex;
-    // Under the mutex
-    int m_wanted = 0; ///< counts open() and close(): what belongs to an earlier one is void
+    // Protected by the mutex
+    int m_wanted = 0; ///< counts open() and close(); data from before the last one is invalid
     bool m_isOpen = false, m_isOpening = false;
     Message m_problem;
     std::string m_portId;
     std::string m_unread;
     double m_unreadEmptyAt_s = 0.0,
-           m_readEmptyAt_s = 0.0; ///< before the first of m_unread; of the last read()
+           m_readEmptyAt_s = 0.0; ///< before the first byte of m_unread; for the last read()
     std::size_t m_unwritten = 0;
-    // There only
+    // Used only on that thread
     int m_done = 0;
-    double m_looked_s = 0.0; ///< for bytes, of which none were left then
+    double m_looked_s = 0.0; ///< when it was last read until no bytes were left
     std::unique_ptr<ByteLink> m_link;
-    LinkThread m_thread; ///< last: it ends first
+    LinkThread m_thread; ///< declared last, so that it ends first
 };
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The devices of a real rig as values: which driver, on which port, with what settings.
+// The devices of a real rig as values: driver, port and settings.
 
 #include "engine/base/named_values.h"
 #include "engine/protocols/axis_map.h"
@@ -12,12 +12,12 @@
 
 namespace bask {
 
-/// What every device has.
+/// Settings of every device.
 struct DeviceSpec {
-    std::string driver; ///< its key in the catalogue of drivers, as in files
-    std::string port;   ///< a serial port's path, or a host's name
+    std::string driver; ///< its key in the driver catalogue, as in files
+    std::string port;   ///< path of a serial port, or name of a host
     SerialSettings serial{};
-    NamedValues own; ///< of the parameters that the driver alone has
+    NamedValues own; ///< parameters that only this driver has
     bool operator==(const DeviceSpec&) const = default;
 };
 
@@ -25,30 +25,32 @@ struct RobotDeviceSpec : DeviceSpec {
     RobotDeviceSpec() { driver = "grbl"; }
     std::vector<AxisSpec> axes{
         {'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 3, false, 0.0}};
-    /// Its place is not sure before it has been homed; empty: if its controller can home.
+    /// Whether its position is unsure until it has been homed; if empty, this is so if its controller can
+    /// home.
     std::optional<bool> mustHome;
     bool operator==(const RobotDeviceSpec&) const = default;
 };
 
 struct ThermometerDeviceSpec : DeviceSpec {
     ThermometerDeviceSpec() { driver = "modbus"; }
-    int unit = 1;              ///< Modbus
-    ModbusProfile profile{};   ///< Modbus
-    std::vector<int> channels; ///< of each object, counted from 0
+    int unit = 1;              ///< Modbus only
+    ModbusProfile profile{};   ///< Modbus only
+    std::vector<int> channels; ///< channel of each object, counted from 0
     bool operator==(const ThermometerDeviceSpec&) const = default;
 };
 
 struct HeatSourceDeviceSpec : DeviceSpec {
     HeatSourceDeviceSpec() { driver = "by_hand"; }
-    int unit = 1;                   ///< Modbus
-    ModbusProfile profile{};        ///< Modbus
-    double watchdog_s = 30.0;       ///< of the device, where it has one
-    bool isProbeUsed = false;       ///< its external probe, where it has one, is at the surface
-    bool mayHeatUnattended = false; ///< also without a watchdog, so that it stays hot when the engine dies
+    int unit = 1;             ///< Modbus only
+    ModbusProfile profile{};  ///< Modbus only
+    double watchdog_s = 30.0; ///< watchdog time of the device, if it has one
+    bool isProbeUsed = false; ///< whether the external probe, if it has one, is at the surface
+    /// Allowed even without a watchdog, so that it stays hot if the engine dies.
+    bool mayHeatUnattended = false;
     bool operator==(const HeatSourceDeviceSpec&) const = default;
 };
 
-/// What has a range; which of them a driver's devices have is in the catalogue of drivers.
+/// Parameters with a range; the driver catalogue says which of them a driver's devices have.
 ParameterTable<SerialSettings> serialParameters();
 ParameterTable<ThermometerDeviceSpec> thermometerParameters();
 ParameterTable<HeatSourceDeviceSpec> heatSourceParameters();

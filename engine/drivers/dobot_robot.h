@@ -1,10 +1,10 @@
 #pragma once
 // A four-axis Dobot arm (MG400, M1 Pro) as a Robot: bounded straight moves, one at a time.
 //
-// Its speed is a whole percentage of its own, not a number: each step is a short move, up to twice as quick
-// as wanted, then it waits until the step's time is over. No move is quicker than it was limited to: its
-// overall speed factor is set to that, and what it tells of its place is compared. Its encoders are absolute;
-// it needs no homing.
+// The arm's speed is a whole percentage of its own maximum, not a number. Therefore each step is a short
+// move, up to twice as fast as requested, followed by a pause until the step's time is over. No move is
+// faster than the limit: the overall speed factor is set to it, and the reported positions are checked. The
+// encoders are absolute, so no homing is needed.
 
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
@@ -24,38 +24,38 @@ struct RobotDriver;
 
 class DobotRobot final : public Robot, public Device {
 public:
-    static constexpr double kElsewhere = 0.5; ///< mm, degrees; as GrblRobot's
+    static constexpr double kElsewhere = 0.5; ///< mm, degrees; as in GrblRobot
     static constexpr int kAcceleration_percent = 20;
-    static constexpr double kFullSpeed_mm_s = 500.0; ///< where nobody has told it
-    static constexpr double kLargest_mm_s = 20.0;    ///< until limitSpeed(); degrees a second too
+    static constexpr double kFullSpeed_mm_s = 500.0; ///< default if it is not given
+    static constexpr double kLargest_mm_s = 20.0;    ///< until limitSpeed(); also in degrees per second
 
     /// Links to its ports 29999, 30003 and 30004, and the clock, must outlive it. Axes are X, Y, Z and R;
-    /// those that the map does not have are kept where they are found. Full speed: of its playback settings.
+    /// those that are not in the map stay where they are. Full speed is that of its playback settings.
     DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock, AxisMap map,
                MotionGuard guard, double fullSpeed_mm_s = kFullSpeed_mm_s);
 
-    /// The quickest that it may move and turn, as MovL counts: no quicker whatever it is asked.
+    /// Sets the largest speed and rotation, as MovL counts them: no command is faster.
     void limitSpeed(double max_m_s, double max_rad_s) override;
 
     void work() override;
     DeviceStatus status() const override;
 
     Result<RobotState> state() override;
-    /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
-    /// not finite.
+    /// Returns an Error also while something prevents it from moving. Throws std::invalid_argument for
+    /// numbers that are not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     void setRetreating(bool isRetreating) override;
     Result<void> halt() override;
-    Result<void> home() override; ///< RobotCannotHome
-    /// Clears what state() shows as its alarm; ends an alarm or a pause, and enables it.
+    Result<void> home() override; ///< always RobotCannotHome
+    /// Clears the alarm that state() shows: ends an alarm or a pause, and enables the arm.
     Result<void> clearAlarm() override;
 
-    /// Replies that did not fit what was asked or could not be read.
+    /// Returns the number of replies that did not fit the request or could not be read.
     int discarded() const { return m_discarded; }
 
 private:
     struct Asked {
-        std::string command; ///< in small letters
+        std::string command; ///< in lower case
         double sent_s;
     };
     struct Step {
@@ -89,7 +89,7 @@ private:
     void stopMove();
     void failStep(const char* words);
     bool isMoving() const;
-    /// A move that came after the last reset waits in its queue, though the queue may be stopped.
+    /// Returns whether a move after the last reset waits in its queue, although the queue may be stopped.
     bool isResetDue() const { return m_reset_s < std::max(m_halted_s, m_answered_s); }
     Message alarm() const;
     Message keepsFromTwist() const;
@@ -111,41 +111,42 @@ private:
     LineSplitter m_dashboardReplies{";"}, m_motionReplies{";"};
     DobotFeedbackReader m_packets;
 
-    std::deque<std::string> m_toAsk; ///< of the dashboard, one after the other
+    std::deque<std::string> m_toAsk; ///< commands for the dashboard, one after the other
     std::optional<Asked> m_asked;
-    std::optional<double> m_move_s; ///< a move that is not acknowledged
+    std::optional<double> m_move_s; ///< time of a move that is not acknowledged
     std::optional<Step> m_step;
-    /// Its speed and frames were taken since it was reset or enabled last.
+    /// Whether its speed and frames were accepted since the last reset or enabling.
     bool m_isSetUp = false;
     bool m_mustReset = false, m_mustContinue = false; ///< its queue was stopped by an error
     bool m_isHalting = false, m_isIdleSeen = false;
     double m_halted_s = 0.0, m_answered_s = 0.0, m_reset_s = -1e300;
-    double m_quietUntil_s = 0.0; ///< the modes that it goes through when reset or enabled are no alarms
+    /// Until then its modes are no alarms, because a reset or enabling causes them.
+    double m_quietUntil_s = 0.0;
     double m_askErrors_s = -1e300;
 
     DobotMode m_mode = DobotMode::Starting;
-    DobotPosition m_position{}, m_still{}; ///< as told; where axes without a coordinate stay
+    DobotPosition m_position{}, m_still{}; ///< as reported; positions of axes without a coordinate
     std::vector<double> m_at;
     double m_at_s = 0.0;
-    DobotPosition m_pacedAt{}; ///< some packets before
+    DobotPosition m_pacedAt{}; ///< position some packets before
     std::uint64_t m_paced_ms = 0;
-    double m_offset_s = 0.0; ///< of the engine's clock to the controller's
+    double m_offset_s = 0.0; ///< from the engine's clock to the controller's
     std::uint64_t m_time_ms = 0;
     std::optional<double> m_otherFrame_s; ///< since when its frames are not 0
     double m_setUp_s = 0.0;
     std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
     bool m_isPlaceToCheck = false;
 
-    std::optional<int> m_alarm; ///< 0: number not told
+    std::optional<int> m_alarm; ///< 0: number not reported
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
     bool m_isRetreating = false;
-    std::string m_failure; ///< seen from here, its controller does not tell it
+    std::string m_failure; ///< detected here; its controller does not report it
     std::string m_held;
     bool m_isDisabled = false, m_isSlow = false;
 };
 
-/// Its entry in the catalogue of drivers.
+/// Returns its entry in the driver catalogue.
 RobotDriver dobotDriver();
 
 } // namespace bask

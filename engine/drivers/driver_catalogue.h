@@ -1,6 +1,6 @@
 #pragma once
-// All drivers of real devices: their keys in files, names, links and parameters, and how each is made. Files,
-// checks, forms and the rig walk this.
+// All drivers of real devices: keys in files, names, links and parameters, and how each is made. Files,
+// checks, forms and the rig use this list.
 
 #include "engine/devices/device.h"
 #include "engine/drivers/device_spec.h"
@@ -19,15 +19,15 @@ class Thermometer;
 template <class Role> struct MadeDevice;
 
 enum class DriverLink {
-    None,   ///< nothing is connected: a person does it
-    Serial, ///< its port is a path, with the settings of the line
-    Network ///< its port is a host's name or address
+    None,   ///< nothing is connected: a person operates it
+    Serial, ///< the port is a path, with the settings of the line
+    Network ///< the port is a host's name or address
 };
 
-/// Where a form asks for a parameter.
+/// The step of a form in which a parameter is asked for.
 enum class SetupStep { Connection, Use };
 
-/// A parameter of a driver's devices, wherever their spec keeps it.
+/// A parameter of a driver's devices, and where their spec stores it.
 template <class Spec> struct DeviceParameter {
     const ParameterFacts* facts;
     SetupStep step;
@@ -37,52 +37,53 @@ template <class Spec> struct DeviceParameter {
     std::function<bool(const Spec&)> applies = [](const Spec&) { return true; };
 };
 
-/// What is known of a driver without its device.
+/// Facts about a driver that do not need its device.
 struct DriverFacts {
     const char* key = "";  ///< in files: "stream"
-    const char* name = ""; ///< English, context "bask::Device"
+    const char* name = ""; ///< English, translation context "bask::Device"
     DriverLink link = DriverLink::Serial;
-    SerialSettings serial{}; ///< as its devices leave the factory, mostly
-    /// Its devices have a unit and a profile, and share a line with others of the kind.
+    SerialSettings serial{}; ///< usual factory settings of its devices
+    /// Whether its devices have a unit and a profile, and share a line with others of this kind.
     bool isModbus = false;
 };
 
 struct RobotDriver : DriverFacts {
     std::vector<DeviceParameter<RobotDeviceSpec>> parameters;
     std::vector<AxisSpec> usualAxes;
-    bool canHome = false; ///< so it can be set whether it must
-    /// `mayGo` approves each place before the robot is sent there.
+    bool canHome = false; ///< if true, the spec may say whether it must be homed
+    /// `mayGo` approves each position before the robot is sent there.
     MadeDevice<Robot> (*make)(DriverLinks& links, const RobotDeviceSpec& spec, const AxisMap& axes,
                               std::function<bool(const Vector6d&)> mayGo) = nullptr;
 };
 
 struct ThermometerDriver : DriverFacts {
     std::vector<DeviceParameter<ThermometerDeviceSpec>> parameters;
-    int maxChannels = 64; ///< where no profile tells
-    /// One channel an object; all of the device where the spec has none.
+    int maxChannels = 64; ///< if no profile gives the number
+    /// Makes the device with one channel for each object, or with all channels of the device if the spec
+    /// lists none.
     MadeDevice<Thermometer> (*make)(DriverLinks& links, const ThermometerDeviceSpec& spec) = nullptr;
 };
 
 struct HeatSourceDriver : DriverFacts {
     std::vector<DeviceParameter<HeatSourceDeviceSpec>> parameters;
-    bool hasProbe = false; ///< an external one, which may be at the surface
-    /// Of one on a serial line it tells besides how to switch it off.
+    bool hasProbe = false; ///< whether it has an external probe, which may be at the surface
+    /// Makes the device. A heater on a serial line also provides the program that switches it off.
     MadeDevice<HeatSource> (*make)(DriverLinks& links, const HeatSourceDeviceSpec& spec) = nullptr;
 };
 
-/// In the order in which they are offered.
+/// Return the drivers in the order in which they are offered.
 const std::vector<RobotDriver>& robotDrivers();
 const std::vector<ThermometerDriver>& thermometerDrivers();
 const std::vector<HeatSourceDriver>& heatSourceDrivers();
-/// Of a role; a camera has none.
+/// Returns the drivers of a role; a camera has none.
 std::vector<const DriverFacts*> driversOf(DeviceRole role);
 
-/// Throw std::invalid_argument for a key that is not in the catalogue.
+/// Return the driver of a spec. Throw std::invalid_argument for a key that is not in the catalogue.
 const RobotDriver& driverOf(const RobotDeviceSpec& spec);
 const ThermometerDriver& driverOf(const ThermometerDeviceSpec& spec);
 const HeatSourceDriver& driverOf(const HeatSourceDeviceSpec& spec);
 
-/// The line of that name in a table of values that the spec has.
+/// Returns the line with that name in a table of values that the spec has.
 template <class Spec>
 DeviceParameter<Spec> deviceParameter(ParameterTable<Spec> table, const std::string& name, SetupStep step) {
     for (const Parameter<Spec>& p : table)
@@ -92,7 +93,7 @@ DeviceParameter<Spec> deviceParameter(ParameterTable<Spec> table, const std::str
     throw std::invalid_argument("a parameter that is not in the table: " + name);
 }
 
-/// The lines of a driver's own table; `settingsFrom` makes its struct of the spec's `own` again.
+/// Returns the lines of a driver's own table; `settingsFrom` converts the spec's `own` back to its struct.
 template <class Spec, class Settings>
 std::vector<DeviceParameter<Spec>> ownParameters(ParameterTable<Settings> table, SetupStep step) {
     std::vector<DeviceParameter<Spec>> out;

@@ -1,5 +1,5 @@
 #pragma once
-// What a driver is made with, and as what it is handed over.
+// What a driver needs to be made, and the type in which it is returned.
 
 #include "engine/base/clock.h"
 #include "engine/base/result.h"
@@ -15,31 +15,32 @@
 
 namespace bask {
 
-/// The links of one device, as its port and line are set. They and the clock outlive it.
+/// The links of one device, with its port and line settings. The links and the clock outlive the device.
 class DriverLinks {
 public:
     virtual ~DriverLinks() = default;
     virtual const Clock& clock() const = 0;
     virtual ByteLink& serial() = 0;
-    /// Other devices may use it, too.
+    /// Returns a link that other devices may use, too.
     virtual ModbusLink& modbus() = 0;
     virtual ByteLink& tcp(int port) = 0;
 };
 
-/// A device that plays a role.
+/// A device with the role that it has.
 template <class Role> struct MadeDevice {
     template <class Driver>
     MadeDevice(std::unique_ptr<Driver> driver, std::function<guard::OffProgram()> off = {})
         : device(driver.get()), role(std::move(driver)), offProgram(std::move(off)) {}
-    /// One role around the device.
+    /// Combines a device with an object for its role.
     MadeDevice(Device& behind, std::unique_ptr<Role> front) : device(&behind), role(std::move(front)) {}
 
-    Device* device; ///< belongs to `role`
+    Device* device; ///< owned by `role`
     std::unique_ptr<Role> role;
-    std::function<guard::OffProgram()> offProgram; ///< what switches a heater off as it is now
+    /// Returns what switches the heater off in its present state.
+    std::function<guard::OffProgram()> offProgram;
 };
 
-/// Of a spec that checkRig lets pass; of another one it throws std::invalid_argument.
+/// Returns the driver for a spec that checkRig accepts; throws std::invalid_argument for any other.
 template <class Driver> std::unique_ptr<Driver> made(Result<std::unique_ptr<Driver>> driver) {
     if (!driver)
         throw std::invalid_argument(describe(driver.error()));

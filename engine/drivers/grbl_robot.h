@@ -1,8 +1,9 @@
 #pragma once
-// A robot under Grbl 1.1 or grblHAL as a Robot: bounded jogs, one at a time.
+// A robot with Grbl 1.1 or grblHAL as a Robot: bounded jogs, one at a time.
 //
-// At most one step is under way: `$J` to an absolute machine position that the guard approved, sent only to
-// a controller that is idle and owes no answer. A dead engine stops the robot at the end of that step.
+// Only one step is in progress at a time: `$J` to an absolute machine position that the motion guard
+// approved, sent only to a controller that is idle and has answered everything. If the engine dies, the robot
+// stops at the end of that step.
 
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
@@ -20,13 +21,13 @@ struct RobotDriver;
 
 class GrblRobot final : public Robot, public Device {
 public:
-    /// A robot that ends a step, or is found again, farther from its place than this may have lost it; mm,
-    /// degrees.
+    /// If a robot ends a step, or is found again, farther from its position than this, it may have lost its
+    /// position; mm, degrees.
     static constexpr double kElsewhere = 0.5;
 
-    /// Its place is not sure before it has been homed or a person has confirmed it: a controller that was
-    /// just started says zero wherever it stands. `mustHome`: homed it must be; empty: it must where its
-    /// controller says that it can ($22). Link and clock must outlive it.
+    /// Its position is unsure until it has been homed or a person has confirmed it, because a controller that
+    /// was just started reports zero at any position. `mustHome`: it must be homed; if empty, this is so if
+    /// its controller can home ($22). Link and clock must outlive it.
     GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard,
               std::optional<bool> mustHome);
 
@@ -35,31 +36,32 @@ public:
     void expect(const std::string& signature) override { m_expected = signature; }
 
     Result<RobotState> state() override;
-    /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
-    /// not finite.
+    /// Returns an Error also while something prevents it from moving. Throws std::invalid_argument for
+    /// numbers that are not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     void setRetreating(bool isRetreating) override;
     Result<void> halt() override;
     Result<void> home() override;
-    /// Clears what state() shows as its alarm, and nothing behind it: after a limit switch the controller
-    /// first, and called again the doubt about its place.
+    /// Clears only the alarm that state() shows: after a limit switch, the first call clears the controller,
+    /// and the second one the doubt about its position.
     Result<void> clearAlarm() override;
 
-    /// Answers that did not fit what was asked, and lines that could not be read.
+    /// Returns the number of answers that did not fit the request, and of lines that could not be read.
     int discarded() const { return m_discarded; }
 
 private:
-    static constexpr double kSettle_s = 0.2; ///< what was under way when the link was opened is not heard
-    static constexpr int kNotTold = -1;      ///< the number of an alarm
+    /// Answers within this time after opening the link are ignored, because they may be old.
+    static constexpr double kSettle_s = 0.2;
+    static constexpr int kNotTold = -1; ///< the alarm's number was not reported
 
     enum class Kind { Settings, Version, Jog, Unlock, Home };
-    /// The line that is not acknowledged.
+    /// A line that is not acknowledged yet.
     struct Pending {
         Kind kind;
         double sent_s;
-        bool hasReport = false; ///< something that only this line asks for has come
-        bool hasUnits = false;  ///< $13 among it
-        std::string version{};  ///< what `$I` has told so far
+        bool hasReport = false; ///< a report that only this line requests has arrived
+        bool hasUnits = false;  ///< including $13
+        std::string version{};  ///< what `$I` has reported so far
     };
     static constexpr double kStepMargin_s = 0.01;
     struct Step {
@@ -75,7 +77,7 @@ private:
     void lose(const Message& why, double now_s);
     void watch(double now_s);
     void ask(double now_s);
-    // What it says
+    // Input
     void listen(double now_s);
     void take(const GrblLine& line, double now_s);
     void takeAnswer(int error, double now_s);
@@ -87,11 +89,11 @@ private:
     void takeBanner(const GrblBanner& banner, double now_s);
     void takeReport(const std::string& text, double now_s);
     void takeSetting(const GrblSetting& setting);
-    /// Of its axes in the map's order; empty where it does not tell all of them.
+    /// Returns the positions of its axes in the map's order; empty if not all are reported.
     std::vector<double> positionsIn(const GrblStatus& status);
     void checkPlace();
     void discard(const std::string& words, double now_s);
-    // What it is told
+    // Output
     void act(double now_s);
     bool maySend(double now_s) const;
     void send(Kind kind, const std::string& line, double now_s);
@@ -110,7 +112,7 @@ private:
     bool isMoving() const;
     bool isPlaceSure() const;
     bool isHomingDue() const { return m_mustHome.value_or(m_canHome.value_or(false)) && !m_isHomed; }
-    bool isResting() const; ///< Idle or Alarm, where it reads its `$` lines
+    bool isResting() const; ///< Idle or Alarm, in which it reads `$` lines
     Message keepsFromMoving() const;
     Message keepsFromTwist() const { return m_isRetreating ? keepsFromMoving() : alarm(); }
     Message alarm() const;
@@ -128,40 +130,41 @@ private:
 
     LinkState m_linkState = LinkState::Closed;
     Message m_problem;
-    Message m_note; ///< told for a while though it works
+    Message m_note; ///< shown for a while although it works
     double m_noteUntil_s = -1e300;
     bool m_wasLive = false;
-    double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
+    double m_heard_s = -1e300; ///< last sign that it is alive: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;
-    std::string m_signature;               ///< by its `$I` since the link was opened; empty: not told yet
-    std::optional<std::string> m_expected; ///< of the one that is meant
+    std::string m_signature;               ///< from `$I` since the link was opened; empty: not reported yet
+    std::optional<std::string> m_expected; ///< signature of the expected device
     int m_discarded = 0;
     LineSplitter m_splitter;
 
-    std::optional<double> m_asked_s; ///< `?` that is not answered
+    std::optional<double> m_asked_s; ///< time of a `?` that is not answered
     double m_lastAsk_s = -1e300;
     std::optional<Pending> m_line;
-    std::optional<double> m_fence_s; ///< a `$G` whose report tells that all before it is settled
-    double m_linesFrom_s = 0.0;      ///< late answers are waited for until then
-    std::optional<double> m_reset_s; ///< 0x18 whose banner has not come
-    std::optional<Kind> m_next;      ///< Unlock or Home, as soon as a line may be sent
+    /// Time of a `$G` whose report shows that everything before it is answered.
+    std::optional<double> m_fence_s;
+    double m_linesFrom_s = 0.0;      ///< until then late answers may arrive
+    std::optional<double> m_reset_s; ///< time of a 0x18 without its banner
+    std::optional<Kind> m_next;      ///< Unlock or Home, to be sent as soon as possible
     double m_nextFrom_s = 0.0;
     bool m_isHalting = false;
-    std::optional<double>
-        m_homeStop_s; ///< when homing was to end; over when the robot has shown that it took it
-    std::optional<double> m_runStop_s; ///< when what runs was to be held
+    /// When homing was to be stopped; empty when the robot has shown that it accepted this.
+    std::optional<double> m_homeStop_s;
+    std::optional<double> m_runStop_s; ///< when motion was to be paused
     bool m_wasRunReset = false;
-    double m_stopAgain_s = -1e300; ///< the byte for either of them was sent last
+    double m_stopAgain_s = -1e300; ///< when the byte for either of them was last sent
     bool m_isIdleSeen = false;     ///< since the last line was acknowledged
     bool m_isSetUp = false, m_tellsInches = false;
-    std::optional<bool> m_canHome; ///< as it tells
+    std::optional<bool> m_canHome; ///< as it reports
     double m_setUpFrom_s = 0.0;
 
     std::optional<Step> m_step;
     GrblStatus m_status;
     std::vector<double> m_offset; ///< WCO
-    std::vector<double> m_at;     ///< axes, as told last
+    std::vector<double> m_at;     ///< axes, as last reported
     double m_at_s = 0.0;
     std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
     bool m_isPlaceToCheck = false;
@@ -175,7 +178,7 @@ private:
     bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
 };
 
-/// Its entry in the catalogue of drivers.
+/// Returns its entry in the driver catalogue.
 RobotDriver grblDriver();
 
 } // namespace bask

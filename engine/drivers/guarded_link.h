@@ -1,5 +1,5 @@
 #pragma once
-// A heater's port as a link of bytes: through its guard while there is one, else by itself.
+// A heater's port as a link of bytes: through its guard while there is one, otherwise directly.
 
 #include "engine/drivers/byte_link.h"
 #include "engine/drivers/heater_guard.h"
@@ -9,14 +9,14 @@
 
 namespace bask {
 
-/// A guard that ends is a link that is lost; opened again, it is the port itself. A new guard then gets the
-/// port without a loss.
+/// If the guard ends, the link is lost; opened again, it is the port itself. A new guard then takes the port
+/// without losing the link.
 class GuardedLink final : public ByteLink {
 public:
-    /// `direct` makes a link to the same port. `guard` and `clock` outlive it.
+    /// `direct` makes a link to the same port. `guard` and `clock` must outlive it.
     GuardedLink(HeaterGuard& guard, std::function<std::unique_ptr<ByteLink>()> direct, const Clock& clock);
 
-    /// One that is being opened stays so. While the guard switches off there is nothing to open.
+    /// No effect if it is being opened, or while the guard switches off.
     void open() override;
     void close() override;
     bool isOpen() const override;
@@ -37,7 +37,7 @@ private:
     const Clock& m_clock;
     std::unique_ptr<ByteLink> m_direct; ///< made when it is needed
     Way m_way = Way::Guard;
-    double m_since_s = 0.0; ///< on its way to the guard
+    double m_since_s = 0.0; ///< since when it has been passed to the guard
 };
 
 } // namespace bask

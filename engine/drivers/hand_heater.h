@@ -1,5 +1,5 @@
 #pragma once
-// A heat source that a person keeps hot: the temperature is typed, and nothing can be switched from here.
+// A heat source that a person heats: the temperature is typed, and the program cannot switch it.
 
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
@@ -9,7 +9,7 @@ namespace bask {
 
 struct HeatSourceDriver;
 
-/// The reading's time is that of the typing, so that its age is told.
+/// The reading has the time at which the temperature was typed, so that its age is known.
 class HandHeater final : public HeatSource, public Device {
 public:
     static constexpr double kLowest_K = 223.15, kHighest_K = 1773.15;
@@ -21,9 +21,9 @@ public:
 
     Result<Reading> read() override;
     Result<void> keepHeating(double, double) override;
-    /// Done as far as it can be: the caller asks isByHand() and tells the person.
+    /// Always succeeds; the caller checks isByHand() and asks the person to switch it off.
     Result<void> heatOff() override { return {}; }
-    /// While its temperature is known.
+    /// True while its temperature is known.
     bool heating() const override { return m_typed.valid; }
     HeatState heatState() const override { return m_typed.valid ? HeatState::On : HeatState::Unknown; }
     bool isByHand() const override { return true; }
@@ -35,7 +35,7 @@ private:
     Reading m_typed;
 };
 
-/// Its entry in the catalogue of drivers.
+/// Returns its entry in the driver catalogue.
 HeatSourceDriver handHeaterDriver();
 
 } // namespace bask

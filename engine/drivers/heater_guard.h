@@ -1,6 +1,6 @@
 #pragma once
-// The process that has a heater's port in Bask's place, as the engine sees it: started, kept alive by beats,
-// and told apart from one that has taken over or is gone.
+// The guard process that owns a heater's port instead of Bask, as the engine sees it: starts it, sends it
+// heartbeats, and detects whether it has taken over or ended.
 
 #include "engine/base/clock.h"
 #include "engine/base/message.h"
@@ -16,46 +16,48 @@
 
 namespace bask {
 
-/// Engine thread only: a beat says that this thread is alive. Nothing here waits but handOver().
+/// Use it only on the engine thread, because a heartbeat means that this thread is alive. Only handOver()
+/// waits.
 class HeaterGuard {
 public:
     enum class State {
         None,     ///< never started, or it could not be
-        Starting, ///< and has not said a word yet
+        Starting, ///< started, but it has not answered yet
         Guarding,
-        TookOver, ///< switches off by itself, and lets nothing through
-        Ended     ///< it had the heater and is gone: the port is free again
+        TookOver, ///< it switches the heater off by itself, and passes nothing on
+        Ended     ///< it had the heater and has ended: the port is free again
     };
-    static constexpr double kSilent_s = 0.7; ///< without an answer to its beats it is taken for dead
+    /// Without an answer to its heartbeats for this long it counts as dead.
+    static constexpr double kSilent_s = 0.7;
 
-    /// `logFile`: the guard appends to it what it does; empty: to none. `clock` outlives it.
-    /// `portId`: the port's own name; empty: it has none, or is not known, and the first one counts. It is a
-    /// link to the port in `idFolder`.
+    /// `logFile`: the guard appends its actions to it; empty: to no file. `clock` must outlive it. `portId`:
+    /// the port's own name, which is a link to the port in `idFolder`; empty: it has none or it is unknown,
+    /// and the first one found is used.
     HeaterGuard(std::string port, const SerialSettings& settings, std::string logFile, const Clock& clock,
                 std::string portId = {}, std::string idFolder = kPortIds);
-    /// One that is armed takes over.
+    /// An armed guard takes over.
     ~HeaterGuard();
     HeaterGuard(const HeaterGuard&) = delete;
     HeaterGuard& operator=(const HeaterGuard&) = delete;
 
-    /// A new one, by that program; only without one. It is started elsewhere, since a disk may hang;
-    /// problem() tells later why it could not be.
+    /// Starts a new guard with that program; only if there is none. It is started on another thread, because
+    /// a disk may hang; problem() reports later why it could not be started.
     void start(const std::string& program);
-    /// Takes what it says, and beats.
+    /// Reads its answers, and sends a heartbeat.
     void work();
     State state() const { return m_state; }
-    /// HeaterGuardMissing, HeaterGuardTookOver or HeaterGuardLost; None: it guards, or begins to.
+    /// Returns HeaterGuardMissing, HeaterGuardTookOver or HeaterGuardLost; None if it guards, or starts.
     const Message& problem() const { return m_problem; }
 
-    /// From here on heat may be on, and `off` switches it off.
+    /// Arms the guard: heat may be on from now, and `off` switches it off.
     void arm(const guard::OffProgram& off);
-    /// Heat is known to be off.
+    /// Disarms the guard: the heat is known to be off.
     void disarm();
     bool isArmed() const { return m_isArmed; }
-    /// Lets one that is armed take over, and waits until it says so; false: it did not within that time.
+    /// Lets an armed guard take over, and waits for its confirmation; false if none came within that time.
     bool handOver(double within_s);
 
-    // Its port. What a link of bytes is asked.
+    // Its port: the functions that a link of bytes needs.
     void openPort();
     void closePort();
     bool isPortOpen() const { return m_isPortOpen && m_state == State::Guarding; }
@@ -64,17 +66,17 @@ public:
     std::string read();
     void write(std::string_view bytes);
     const std::string& port() const { return m_port; }
-    /// Its own name, as expected or as it was first; another one is not opened.
+    /// Returns the port's name, as expected or as first found; a port with another name is not opened.
     const std::string& portId() const { return m_portId; }
 
-    std::optional<int> processId() const; ///< empty: none, or not yet
+    std::optional<int> processId() const; ///< empty: there is none, or not yet
 
 private:
     struct Process;
 
     void receive();
     void take(guard::Told kind, std::string_view bytes);
-    bool tell(guard::Order order, std::string_view bytes = {}); ///< false: it does not take it
+    bool tell(guard::Order order, std::string_view bytes = {}); ///< false if the guard does not accept it
     void losePort(Message problem);
     void hangUp();
     void end(); ///< of the process: its port is free
@@ -87,15 +89,15 @@ private:
     Message m_problem, m_portProblem;
     int m_socket = -1;
     std::shared_ptr<Process> m_process;
-    double m_hungUp_s = 0.0; ///< its end is waited for since
-    std::string m_off;       ///< as it was told last
+    double m_hungUp_s = 0.0; ///< since when its end is awaited
+    std::string m_off;       ///< the last program that it was given
     bool m_isArmed = false, m_isPortOpen = false, m_isPortOpening = false;
     std::string m_unread;
     double m_beat_s = -1e300, m_answered_s = 0.0, m_worked_s = -1e300;
 };
 
-/// The guard's executable: beside this program, in ../libexec/bask, or where this build has put it. Empty:
-/// there is none. Looked for once.
+/// Returns the guard's executable: beside this program, in ../libexec/bask, or in this build's folder. Empty
+/// if there is none. Searched once.
 const std::string& guardProgram();
 
 } // namespace bask

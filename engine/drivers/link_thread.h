@@ -1,9 +1,9 @@
 #pragma once
-// A thread of its own for one link: what a terminal of the system holds up, it holds up there.
+// A thread for one link, so that a terminal of the system delays only this thread.
 //
-// Asking a terminal whether bytes have come may take a tenth of a second on a busy machine: the kernel hands
-// them over in a worker of its own, and the one who asks waits for it (Linux: n_tty_poll, flush_work). The
-// engine's thread must not.
+// Asking a terminal whether bytes have arrived may take a tenth of a second on a busy machine: the kernel
+// passes them on in its own worker, and the caller waits for it (Linux: n_tty_poll, flush_work). The engine's
+// thread must not wait.
 
 #include <functional>
 #include <memory>
@@ -12,15 +12,15 @@ namespace bask {
 
 class LinkThread {
 public:
-    /// `turn` is done there every few milliseconds between start() and stop().
+    /// `turn` is called on the thread every few milliseconds between start() and stop().
     explicit LinkThread(std::function<void()> turn);
     ~LinkThread();
 
-    /// Done there, one after the other; returns at once.
+    /// Queues a task for the thread; returns at once.
     void post(std::function<void()> task);
-    void start(); ///< there only
-    void stop();  ///< there only; also in a turn
-    /// Waits for all that was posted, and for `last`. Nothing may be posted after it.
+    void start(); ///< call on the thread only
+    void stop();  ///< call on the thread only; also in a turn
+    /// Waits for all queued tasks, and for `last`. Nothing may be queued after it.
     void finish(const std::function<void()>& last);
 
 private:

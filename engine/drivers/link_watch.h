@@ -1,5 +1,5 @@
 #pragma once
-// Keeps a link open, and tells whether the device at its end is alive: by its own answers only.
+// Keeps a link open, and reports whether the device at its end is alive, judged only by its own answers.
 
 #include "engine/base/clock.h"
 #include "engine/base/result.h"
@@ -9,34 +9,34 @@
 
 namespace bask {
 
-/// Both must outlive it.
+/// Link and clock must outlive it.
 class LinkWatch {
 public:
-    static constexpr double kTold_s = 2.0; ///< so long a discarded answer is told of
+    static constexpr double kTold_s = 2.0; ///< how long a discarded answer is reported
 
-    /// A device that has not answered for silence_s is lost, whatever the link says, and the link is opened
-    /// anew.
+    /// A device that has not answered for silence_s is lost, whatever the link says; the link is then opened
+    /// again.
     LinkWatch(ByteLink& link, const Clock& clock, double silence_s);
 
     enum class Turn {
-        Closed, ///< nothing can be said
-        Opened, ///< just now: all that went before is void
+        Closed, ///< nothing can be sent
+        Opened, ///< just now: everything from before is invalid
         Open
     };
     Turn work();
 
-    /// The device answered as it should.
+    /// Call when the device has given a valid answer.
     void answered(double replyTime_s = 0.0);
-    /// It said something that was not asked or that nobody can read.
+    /// Call when it sent something that was not requested or cannot be read.
     void discarded(std::string_view line);
-    /// Told as a discarded answer is.
+    /// Reports words in the same way as a discarded answer.
     void complain(const std::string& words);
-    /// How many so far.
+    /// Returns their number so far.
     int discards() const { return m_discards; }
 
     bool isLive() const;
     DeviceStatus status() const;
-    /// Of a device that is not live.
+    /// Returns the error of a device that is not live.
     Error error() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Whether a Modbus unit is the one that is meant, by the registers that its profile names for that.
+// Whether a Modbus unit is the expected one, from the registers that its profile names for this.
 
 #include "engine/base/message_code.h"
 #include "engine/devices/device.h"
@@ -17,12 +17,12 @@ public:
     explicit ModbusIdentity(const std::optional<IdentitySpec>& spec) : m_spec(spec) {}
 
     void expect(const std::string& signature) { m_expected = signature; }
-    /// To be read with each poll; empty: it has none.
+    /// Returns the registers to read with each poll; empty if it has none.
     std::optional<RegisterRange> range() const {
         return m_spec ? std::optional(RegisterRange{m_spec->function, m_spec->address, m_spec->count})
                       : std::nullopt;
     }
-    /// As read; the first one is the one that is meant, unless another was named.
+    /// Takes the registers as read. The first unit found is the expected one, unless another one was given.
     void take(const RegisterImage& image) {
         if (!m_spec)
             return;
@@ -30,14 +30,14 @@ public:
         if (!m_expected)
             m_expected = m_signature;
     }
-    /// It is away: what comes back may be another one.
+    /// Call when the unit is lost: what returns may be a different one.
     void forget() { m_signature.reset(); }
     bool isKnown() const { return !m_spec || (m_signature && m_signature == m_expected); }
     bool isOther() const { return m_spec && m_signature && m_signature != m_expected; }
     Message exchanged(const std::string& port) const {
         return {MessageCode::DeviceExchanged, {port, m_expected.value_or(""), m_signature.value_or("")}};
     }
-    /// A status, with what is known here.
+    /// Returns a status with what is known here.
     DeviceStatus told(DeviceStatus status, const std::string& port) const {
         status.signature = m_spec ? m_signature : std::optional<std::string>("");
         if (isOther()) {

@@ -20,37 +20,41 @@ struct ModbusRequest {
     bool reads() const { return function == 3 || function == 4; }
 };
 
-/// Registers as read: as many as were asked for, never fewer; none of a write. Errors: DeviceSilent,
-/// DeviceException, DeviceAnswersWrong.
+/// The registers read: exactly as many as requested; none for a write. Errors: DeviceSilent, DeviceException,
+/// DeviceAnswersWrong.
 using ModbusReply = Result<std::vector<std::uint16_t>>;
 
-/// Nothing here waits. Used on the engine thread only.
+/// No function here waits. Use it only on the engine thread.
 class ModbusLink {
 public:
     virtual ~ModbusLink() = default;
     virtual void open() = 0;
     virtual void close() = 0;
     virtual bool isOpen() const = 0;
-    /// Why it could not be opened, or was lost since; code None: neither. A lost link is closed.
+    /// Returns why it could not be opened, or was lost later; code None if neither. A lost link is closed.
     virtual Message problem() const = 0;
-    /// False: one is under way, the line is kept silent after a timeout, or the link is closed.
+    /// False while a request is in progress, while the line stays silent after a timeout, or if the link is
+    /// closed.
     virtual bool isFree() const = 0;
-    /// Only when free. Answers the request's number.
+    /// Call it only if isFree(). Returns the request's number.
     virtual int send(const ModbusRequest& request) = 0;
-    /// Whether a request may go before what is under way now: that is given up, since an off is not to wait
-    /// for an answer that may not come. False while it, or its answer, is on the line.
+    /// Returns whether a request may replace the one in progress, which is then abandoned: a command to
+    /// switch off must not wait for an answer that may never arrive. False while that request, or its answer,
+    /// is on the line.
     virtual bool mayOvertake() const { return isFree(); }
-    /// Only then. As send(); who asked before is told that there was no answer.
+    /// Call it only if mayOvertake(). Like send(); the sender of the abandoned request is told that there was
+    /// no answer.
     virtual int overtake(const ModbusRequest& request) { return send(request); }
-    /// Of that request, once; empty until it is there. Each request gets one, in time.
+    /// Returns the reply to that request, once; empty until it arrives. Every request gets one eventually.
     virtual std::optional<ModbusReply> takeReply(int number) = 0;
     virtual std::string name() const = 0;
-    /// The port's own name, when it was opened last; empty: it has none.
+    /// Returns the port's own name from the last time it was opened; empty if it has none.
     virtual std::string portId() const { return {}; }
 
 protected:
-    static constexpr int kMaxSilent = 10;          ///< requests in a row; then the port is opened anew
-    static constexpr std::size_t kMaxReplies = 16; ///< that nobody has taken
+    /// Unanswered requests in a row after which the port is opened again.
+    static constexpr int kMaxSilent = 10;
+    static constexpr std::size_t kMaxReplies = 16; ///< limit of replies that nobody has taken
 };
 
 } // namespace bask

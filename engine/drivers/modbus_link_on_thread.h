@@ -1,5 +1,5 @@
 #pragma once
-// A line of Modbus on a thread of its own. Its calls never wait, whatever the line does.
+// A Modbus line on its own thread. Its calls never wait, whatever the line does.
 
 #include "engine/drivers/link_thread.h"
 #include "engine/drivers/modbus_link.h"
@@ -13,11 +13,12 @@ namespace bask {
 
 class ModbusLinkOnThread final : public ModbusLink {
 public:
-    /// `make` is called there; the link that it gives is used there only. `name` is what it is called.
+    /// `make` is called on that thread, and the link that it returns is used only there. `name` is the link's
+    /// name.
     ModbusLinkOnThread(std::string name, std::function<std::unique_ptr<ModbusLink>()> make);
     ~ModbusLinkOnThread() override;
 
-    /// One that is open, or being opened, stays so.
+    /// No effect if it is open or being opened.
     void open() override;
     void close() override;
     bool isOpen() const override;
@@ -35,20 +36,20 @@ private:
 
     const std::string m_name;
     mutable std::mutex m_mutex;
-    // Under the mutex
-    int m_wanted = 0; ///< counts open() and close(): what belongs to an earlier one is void
+    // Protected by the mutex
+    int m_wanted = 0; ///< counts open() and close(); data from before the last one is invalid
     bool m_isOpen = false, m_isOpening = false, m_isFree = false;
     Message m_problem;
     std::string m_portId;
     int m_lastNumber = 0;
-    std::optional<int> m_asked; ///< number that has no reply yet
+    std::optional<int> m_asked; ///< number of the request without a reply
     std::map<int, ModbusReply> m_replies;
-    // There only
+    // Used only on that thread
     int m_done = 0;
-    std::optional<ModbusRequest> m_toSend; ///< as soon as the line is free
-    std::optional<int> m_sent;             ///< as the line numbers it
+    std::optional<ModbusRequest> m_toSend; ///< to be sent as soon as the line is free
+    std::optional<int> m_sent;             ///< its number on the line
     std::unique_ptr<ModbusLink> m_link;
-    LinkThread m_thread; ///< last: it ends first
+    LinkThread m_thread; ///< declared last, so that it ends first
 };
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #pragma once
-// Thermometer modules over Modbus, by profile: every channel in as few requests as possible.
+// Thermometer modules over Modbus, described by a profile: reads every channel in as few requests as
+// possible.
 
 #include "engine/devices/thermometer.h"
 #include "engine/drivers/modbus_exchange.h"
@@ -16,9 +17,9 @@ struct ThermometerDriver;
 struct ModbusThermometerSettings {
     int unit = 1;
     ModbusProfile profile{};
-    std::vector<int> channels;  ///< of the device, in the order in which they are read out
-    double period_s = 0.1;      ///< of polls
-    double silentAfter_s = 1.0; ///< without a fitting reply it is lost
+    std::vector<int> channels;  ///< channels of the device, in the order of the readings
+    double period_s = 0.1;      ///< period of polls
+    double silentAfter_s = 1.0; ///< without a valid reply for this long it is lost
 };
 
 class ModbusThermometer final : public Thermometer, public Device {
@@ -33,7 +34,7 @@ public:
     void expect(const std::string& signature) override { m_identity.expect(signature); }
     void setPeriod(double period_s) override;
     int channels() const override { return static_cast<int>(m_settings.channels.size()); }
-    /// Each with the time at which its register was asked for.
+    /// Returns the readings, each with the time at which its register was requested.
     Result<std::vector<Reading>> read() override;
 
 private:
@@ -50,14 +51,14 @@ private:
     RegisterRange m_values;              ///< of all channels
     std::vector<RegisterRange> m_ranges; ///< requests of a poll
     RegisterImage m_image;
-    std::size_t m_next = 0;   ///< of m_ranges
-    bool m_isRefused = false; ///< the newest request
+    std::size_t m_next = 0;   ///< index in m_ranges
+    bool m_isRefused = false; ///< the newest request was refused
     double m_due_s = -1e300;
-    double m_measured_s = 0.0; ///< when m_values were asked for
+    double m_measured_s = 0.0; ///< when m_values were requested
     std::vector<Reading> m_readings;
 };
 
-/// Its entry in the catalogue of drivers.
+/// Returns its entry in the driver catalogue.
 ThermometerDriver modbusThermometerDriver();
 
 } // namespace bask

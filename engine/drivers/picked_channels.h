@@ -1,5 +1,5 @@
 #pragma once
-// Some channels of a thermometer that reads all of its own.
+// Selected channels of a thermometer that reads all of its own.
 
 #include "engine/devices/thermometer.h"
 

@@ -1,12 +1,12 @@
 #pragma once
-// A device that several programs of this computer could talk to at once is talked to by one.
+// Makes sure that only one program of this computer uses a device.
 
 #include <string>
 
 namespace bask {
 
-/// Holds a name that no other process of this computer can hold meanwhile, however this one ends. It touches
-/// no file.
+/// Claims a name that no other process of this computer can claim at the same time, even if this process is
+/// killed. Uses no file.
 class PortClaim {
 public:
     PortClaim() = default;
@@ -14,8 +14,8 @@ public:
     PortClaim(const PortClaim&) = delete;
     PortClaim& operator=(const PortClaim&) = delete;
 
-    /// Lets go of the one before. Returns false when somebody holds it; true also where the system has no
-    /// such names.
+    /// Claims a name and releases the previous one. Returns false if another process has it; true also if the
+    /// system does not support such names.
     bool take(const std::string& name);
     void release();
 

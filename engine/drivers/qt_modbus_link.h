@@ -1,6 +1,6 @@
 #pragma once
-// Modbus RTU over a serial port, by Qt's client, with what that leaves open: a deadline of its own, replies
-// that are too short or late, and a port that is unplugged.
+// Modbus RTU over a serial port with Qt's client, and what that lacks: a deadline, the treatment of replies
+// that are too short or late, and of a port that is unplugged.
 
 #include "engine/base/clock.h"
 #include "engine/drivers/modbus_link.h"
@@ -12,22 +12,22 @@
 
 namespace bask {
 
-/// Needs a thread with Qt's event loop, and is made and used there only.
+/// Needs a thread with Qt's event loop; make and use it only there.
 ///
-/// A reply tells its unit and function but not what was asked, so one that comes late fits the next request.
-/// After a request without a fitting reply the line is therefore kept silent for the time that a reply may
-/// take, and longer while bytes still come. The next reply of that unit is used only if the same was asked
-/// again; then the line is silent once more, for what else may be late.
+/// A reply contains its unit and function but not the request, so a late reply also fits the next request.
+/// Therefore the line stays silent after a request without a valid reply for the time that a reply may take,
+/// and longer while bytes still arrive. The next reply of that unit is used only if the same request was
+/// repeated; then the line is silent once more, because another reply may be late.
 class QtModbusLink final : public ModbusLink {
 public:
     static constexpr double kReply_s = 0.3;
 
-    /// `path` as of a serial link; replyTime_s is what the slowest device takes to begin its answer.
+    /// `path` as in a serial link; replyTime_s is the time until the slowest device starts its answer.
     QtModbusLink(std::string path, const SerialSettings& settings, const Clock& clock,
                  double replyTime_s = kReply_s, PortCheck check = PortCheck());
     ~QtModbusLink() override;
 
-    /// A link that is open stays as it is.
+    /// No effect if the link is open.
     void open() override;
     void close() override;
     bool isOpen() const override;
@@ -38,7 +38,7 @@ public:
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override;
     std::string portId() const override;
-    /// Replies that came and were not used.
+    /// Returns the number of replies that arrived and were not used.
     int discarded() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// How often a device answers, by its newest answers.
+// The rate of a device's answers, from its newest answers.
 
 #include <deque>
 
@@ -13,7 +13,7 @@ public:
             m_replies_s.pop_front();
     }
     void clear() { m_replies_s.clear(); }
-    /// 0: not known.
+    /// Returns the rate; 0 if it is unknown.
     double rate_Hz() const {
         const double over_s = m_replies_s.empty() ? 0.0 : m_replies_s.back() - m_replies_s.front();
         return over_s > 0.0 ? static_cast<double>(m_replies_s.size() - 1) / over_s : 0.0;

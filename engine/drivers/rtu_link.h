@@ -10,17 +10,17 @@
 
 namespace bask {
 
-/// Keeps to the rules of QtModbusLink: a reply that may answer an earlier question is not used, and the line
-/// is kept silent after a request without a fitting reply.
+/// Follows the rules of QtModbusLink: a reply that may answer an earlier request is not used, and the line
+/// stays silent after a request without a valid reply.
 class RtuLink final : public ModbusLink {
 public:
-    /// `settings`: of the line, for the time that bytes take; replyTime_s as of QtModbusLink. `clock`
-    /// outlives it.
+    /// `settings` are those of the line, for the time that bytes take; replyTime_s as in QtModbusLink.
+    /// `clock` must outlive it.
     RtuLink(std::unique_ptr<ByteLink> line, const SerialSettings& settings, const Clock& clock,
             double replyTime_s = 0.3);
     ~RtuLink() override;
 
-    /// A link that is open stays as it is.
+    /// No effect if the link is open.
     void open() override;
     void close() override;
     bool isOpen() const override;
@@ -28,15 +28,15 @@ public:
     bool isFree() const override;
     /// Throws std::logic_error unless it is free.
     int send(const ModbusRequest& request) override;
-    /// Once what is under way has had kOvertake_s beyond its bytes' time on the line.
+    /// True once the request in progress has had kOvertake_s in addition to its bytes' time on the line.
     bool mayOvertake() const override;
-    /// Throws std::logic_error unless it may.
+    /// Throws std::logic_error unless mayOvertake().
     int overtake(const ModbusRequest& request) override;
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override;
     std::string portId() const override;
-    static constexpr double kOvertake_s = 0.1; ///< most devices have begun to answer by then
-    /// Replies that came and were not used.
+    static constexpr double kOvertake_s = 0.1; ///< most devices have started their answer by then
+    /// Returns the number of replies that arrived and were not used.
     int discarded() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// A profile's word for what is wrong with a sensor, as thermometers tell it.
+// Converts a profile's word for a sensor's fault to that of thermometers.
 
 #include "engine/devices/thermometer.h"
 

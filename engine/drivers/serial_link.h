@@ -1,5 +1,5 @@
 #pragma once
-// A serial port as a link of bytes, that costs nothing when it is unplugged.
+// A serial port as a link of bytes; needs no processor time while it is unplugged.
 
 #include "engine/drivers/byte_link.h"
 #include "engine/drivers/serial_port.h"
@@ -9,7 +9,7 @@
 
 namespace bask {
 
-/// Needs a thread with Qt's event loop, and is made and used there only.
+/// Needs a thread with Qt's event loop; make and use it only there.
 class SerialLink final : public ByteLink {
 public:
     /// `path`: "/dev/ttyUSB0", "/dev/serial/by-id/...", or any link to a terminal.

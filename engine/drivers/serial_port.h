@@ -1,5 +1,5 @@
 #pragma once
-// What the system tells of a serial port beside Qt.
+// What the system reports about a serial port in addition to Qt.
 
 #include "engine/base/message.h"
 #include "engine/protocols/serial_settings.h"
@@ -9,34 +9,36 @@
 
 namespace bask {
 
-/// What the terminal has for us; hung up when the cable or its adapter is out. Asked here because Qt tells it
-/// too often (up to 6.7) or not at all (since: its event loop then turns without a pause until the port is
-/// closed, so a link is to be asked every few milliseconds, as LinkThread does).
+/// The state of the terminal; HungUp if the cable or its adapter is unplugged. It is checked here because Qt
+/// reports it too often (up to 6.7) or not at all (later versions: the event loop then turns without a pause
+/// until the port is closed, so a link must be checked every few milliseconds, as LinkThread does).
 enum class SerialPortState { Nothing, Bytes, HungUp };
 SerialPortState serialPortState(int descriptor);
 
-/// What the port is to be set to: a pseudo-terminal has no line, and refuses bits and parity that it cannot
-/// have ("Invalid argument") where nothing else is changed with them, as when it is opened again.
+/// Returns the settings that the port accepts: a pseudo-terminal has no line, and refuses bits and parity
+/// that it does not support ("Invalid argument") if nothing else is changed with them, for example when it is
+/// opened again.
 SerialSettings settableOf(const std::string& path, SerialSettings wanted);
 
-/// Keeps other programs out that ask, as the guard and Bask do; the system's own lock does not hold for root.
-/// False: one has it.
+/// Locks the port against other programs that check this lock, as the guard and Bask do; the system's own
+/// lock does not stop root. Returns false if another program has it.
 bool lockPort(int descriptor);
 inline constexpr const char* kPortIds = "/dev/serial/by-id";
-/// The port's own name, as its adapter has it ("usb-FTDI_FT232R_USB_UART_A1-if00-port0"), whatever number the
-/// system gave it; empty: it has none.
+/// Returns the port's own name given by its adapter ("usb-FTDI_FT232R_USB_UART_A1-if00-port0"), which does
+/// not depend on the system's number; empty if it has none.
 std::string portIdOf(const std::string& path, const std::string& folder = kPortIds);
 
-/// Keeps a link to the port that it had first, or was told: the same path may be another one's later.
+/// Makes sure that a link uses the expected port, or else the first one found: the same path may belong to
+/// another port later.
 class PortCheck {
 public:
     using IdOf = std::function<std::string(const std::string& path)>;
 
-    /// `expected`: its own name; empty: it has none, or is not known.
+    /// `expected` is the port's own name; empty if it has none, or it is unknown.
     explicit PortCheck(
         std::string expected = {}, IdOf idOf = [](const std::string& path) { return portIdOf(path); });
 
-    /// Before it is opened: why it is not to be, DeviceExchanged; None: it may.
+    /// Call before it is opened. Returns why it must not be opened, DeviceExchanged; None if it may.
     Message look(const std::string& path);
     const std::string& found() const { return m_found; }
 
@@ -45,9 +47,9 @@ private:
     IdOf m_idOf;
 };
 
-/// Why a port could not be opened, in words that say what to do; `otherwise` where the system does not tell.
+/// Returns why a port could not be opened, with advice what to do; `otherwise` if the system gives no reason.
 std::string whyNotOpened(const std::string& path, bool isTaken, const std::string& otherwise);
-/// The same of an errno, without a look at the system.
+/// The same for an errno, without asking the system.
 std::string whyNotOpened(int problem);
 
 } // namespace bask

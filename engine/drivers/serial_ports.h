@@ -1,5 +1,5 @@
 #pragma once
-// The serial ports of this computer, as a person tells them apart.
+// The serial ports of this computer, described for people.
 
 #include <string>
 #include <vector>
@@ -7,12 +7,12 @@
 namespace bask {
 
 struct SerialPort {
-    std::string path;        ///< by-id where there is one, which stays the same after replugging
+    std::string path;        ///< by-id if it exists, because that does not change after replugging
     std::string description; ///< "FTDI FT232R USB UART, ttyUSB0"
     bool operator==(const SerialPort&) const = default;
 };
 
-/// Those with a device behind them; pseudo-terminals are not listed.
+/// Returns the ports with a device behind them; pseudo-terminals are not listed.
 std::vector<SerialPort> serialPorts();
 
 } // namespace bask

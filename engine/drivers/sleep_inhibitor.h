@@ -1,27 +1,27 @@
 #pragma once
-// Keeps this computer from going to sleep, where its system has logind.
+// Prevents this computer from going to sleep, if its system has logind.
 
 #include <memory>
 #include <string>
 
 namespace bask {
 
-/// Asks on a thread of its own: no call here waits for the system.
+/// Uses its own thread, so no call here waits for the system.
 class SleepInhibitor {
 public:
-    /// `bus`: the address of the D-Bus that logind is on; empty: the system's.
+    /// `bus` is the address of logind's D-Bus; empty: the system's bus.
     explicit SleepInhibitor(std::string bus = {});
-    ~SleepInhibitor(); ///< it may sleep again
+    ~SleepInhibitor(); ///< the computer may sleep again
 
-    /// Whether it is to stay awake ("sleep:idle" blocked).
+    /// Sets whether the computer must stay awake ("sleep:idle" blocked).
     void keepAwake(bool isWanted);
     bool isKept() const;
-    /// Why it could not be kept awake when that was asked last; empty: it could, or is asked still.
+    /// Returns why the last request to stay awake failed; empty if it succeeded, or is in progress.
     std::string problem() const;
 
 private:
     struct Lock;
-    std::shared_ptr<Lock> m_lock; ///< the thread that asks has it too
+    std::shared_ptr<Lock> m_lock; ///< shared with the thread that makes the request
     bool m_isWanted = false;
     std::string m_bus;
 };

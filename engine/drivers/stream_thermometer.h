@@ -1,5 +1,5 @@
 #pragma once
-// A thermometer that prints its temperatures by itself, as an Arduino with MAX31865 does.
+// A thermometer that prints its temperatures unasked, as an Arduino with MAX31865 does.
 
 #include "engine/devices/thermometer.h"
 #include "engine/drivers/link_watch.h"
@@ -9,12 +9,13 @@ namespace bask {
 
 struct ThermometerDriver;
 
-/// Readings carry the last moment at which the line was seen empty before they came: never newer than they
-/// are, however late the engine looks, or the link.
+/// A reading has the last time at which the line was seen empty before it arrived: a reading is never older
+/// than its time says, however late the engine or the link looks.
 class StreamThermometer final : public Thermometer, public Device {
 public:
-    static constexpr double kSilence_s = 3.0; ///< a device that is reset by being opened takes two to begin
-    static constexpr double kSettle_s = 0.05; ///< without another line: a temperature is certain
+    /// A device that is reset when it is opened needs two seconds to start.
+    static constexpr double kSilence_s = 3.0;
+    static constexpr double kSettle_s = 0.05; ///< without another line for this long a temperature is final
 
     /// `link` and `clock` must outlive it.
     StreamThermometer(ByteLink& link, const Clock& clock, int channels);
@@ -23,10 +24,10 @@ public:
     DeviceStatus status() const override { return m_watch.status(); }
 
     int channels() const override { return static_cast<int>(m_readings.size()); }
-    /// A channel that has told nothing yet is invalid and infinitely old.
+    /// A channel without any value so far is invalid and infinitely old.
     Result<std::vector<Reading>> read() override;
 
-    /// Lines that could not be read so far.
+    /// Returns the number of lines so far that could not be read.
     int discards() const { return m_watch.discards(); }
 
 private:
@@ -40,7 +41,7 @@ private:
     double m_lookedAt_s = 0.0, m_cameAt_s = 0.0;
 };
 
-/// Its entry in the catalogue of drivers.
+/// Returns its entry in the driver catalogue.
 ThermometerDriver streamThermometerDriver();
 
 } // namespace bask

@@ -7,8 +7,8 @@
 
 namespace bask {
 
-/// Needs a thread with Qt's event loop, and is made and used there only. open() while it is being opened
-/// leaves it at that for kOpening_s.
+/// Needs a thread with Qt's event loop; make and use it only there. open() has no effect while it is being
+/// opened, for up to kOpening_s.
 class TcpLink final : public ByteLink {
 public:
     static constexpr double kOpening_s = 2.0;

@@ -1,5 +1,5 @@
 #pragma once
-// A robot's axes and the end-effector's coordinates: which drives which, in which direction, from where.
+// The mapping between a robot's axes and the end-effector's coordinates: which axis, direction and origin.
 
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
@@ -9,23 +9,23 @@
 
 namespace bask {
 
-/// One axis as its controller has it: millimetres where it drives x, y or z, degrees where it turns.
+/// One axis of the robot's controller: in millimetres if it drives x, y or z, in degrees if it turns.
 struct AxisSpec {
     char letter = 'X';
-    int coordinate = 0;    ///< of (x, y, z, theta_x, theta_y, theta_z) in R that it drives
-    bool reversed = false; ///< it counts the other way
-    double origin = 0.0;   ///< that coordinate (m, rad) where the axis reads zero
+    int coordinate = 0;    ///< the coordinate (x, y, z, theta_x, theta_y, theta_z) in R that it drives
+    bool reversed = false; ///< whether it counts in the opposite direction
+    double origin = 0.0;   ///< value of that coordinate (m, rad) where the axis reads zero
     bool operator==(const AxisSpec&) const = default;
 };
 
-/// Coordinates without an axis keep the values of `fixed`.
+/// Coordinates without an axis have the values of `fixed`.
 class AxisMap {
 public:
-    /// Throws std::invalid_argument on what checkAxes refuses.
+    /// Throws std::invalid_argument for what checkAxes refuses.
     AxisMap(std::vector<AxisSpec> axes, const Vector6d& fixed);
 
     const std::vector<AxisSpec>& axes() const { return m_axes; }
-    /// mm and degrees, in the order of the axes.
+    /// Returns the axis positions, mm and degrees, in the order of the axes.
     std::vector<double> positions(const Vector6d& coordinates) const;
     Vector6d coordinates(const std::vector<double>& positions) const;
 
@@ -34,7 +34,8 @@ private:
     Vector6d m_fixed;
 };
 
-/// Refuses no axis, a letter or a coordinate twice, and letters that are no axis (X Y Z A B C, R).
+/// Refuses an empty list, a letter or a coordinate that appears twice, and letters that are not an axis (X Y
+/// Z A B C, R).
 Result<void> checkAxes(const std::vector<AxisSpec>& axes);
 
 } // namespace bask

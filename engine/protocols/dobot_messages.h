@@ -1,6 +1,6 @@
 #pragma once
-// The language of Dobot's four-axis arms (MG400, M1 Pro) over TCP: replies of its dashboard (29999) and
-// motion (30003) ports, packets of its feedback port (30004), the move. Source: Dobot-Arm/
+// The protocol of Dobot's four-axis arms (MG400, M1 Pro) over TCP: replies of its dashboard (29999) and
+// motion (30003) ports, packets of its feedback port (30004), and the move command. Source: Dobot-Arm/
 // TCP-IP-Protocol-4AXis, README-EN.md and "TCP_IP Remote Control Interface Guide (4axis)", 2024-04-19.
 
 #include "engine/base/result.h"
@@ -18,7 +18,7 @@ namespace bask {
 using DobotPosition = std::array<double, 4>;
 inline constexpr std::string_view kDobotLetters = "XYZR";
 
-/// RobotMode; other numbers are possible.
+/// RobotMode of the protocol; other numbers are possible.
 enum class DobotMode : std::uint64_t {
     Starting = 1,
     BrakeOpen = 2,
@@ -34,44 +34,46 @@ enum class DobotMode : std::uint64_t {
 
 /// `0,{5},RobotMode();`
 struct DobotReply {
-    int error = 0;       ///< 0: taken
-    std::string values;  ///< between the braces
-    std::string command; ///< its name in small letters: case does not count
+    int error = 0;       ///< 0: accepted
+    std::string values;  ///< text between the braces
+    std::string command; ///< its name in lower case, because case does not matter
     bool operator==(const DobotReply&) const = default;
 };
 
-/// One reply without its semicolon, with or without ends of lines in it; empty where it is damaged or none.
+/// Parses one reply without its semicolon; it may contain line ends. Empty if it is damaged or not a reply.
 std::optional<DobotReply> parseDobotReply(std::string_view text);
 
-/// What a negative ErrorID of a reply means; empty for one that is not known.
+/// Returns the meaning of a negative ErrorID of a reply; empty if it is unknown.
 std::string dobotErrorWords(int error);
 
-/// Numbers in the reply to GetErrorID: of the controller first, then of each motor.
+/// Returns the numbers in the reply to GetErrorID: those of the controller first, then of each motor.
 std::vector<int> dobotErrorIds(std::string_view values);
 
-/// `MovL(1.000,2.000,3.000,4.000,SpeedL=5,AccL=20)`: straight, speed and acceleration in percent of the
-/// arm's own. Refuses (ValueOutOfRange) positions that are not within 10 m or 10,000 degrees.
+/// Returns `MovL(1.000,2.000,3.000,4.000,SpeedL=5,AccL=20)`: a straight move, with speed and acceleration in
+/// percent of the arm's own. Refuses (ValueOutOfRange) positions outside 10 m or 10,000 degrees.
 Result<std::string> dobotMove(const DobotPosition& to, int speed_percent, int acceleration_percent);
 
-/// What is used of a packet.
+/// The parts of a packet that are used.
 struct DobotFeedback {
     DobotMode mode = DobotMode::Starting;
     DobotPosition position{};  ///< ToolVectorActual, in the frames below
-    int user = 0, tool = 0;    ///< index of the global user and tool frame
+    int user = 0, tool = 0;    ///< number of the global user and tool frame
     std::uint64_t time_ms = 0; ///< on the controller's clock
     bool operator==(const DobotFeedback&) const = default;
 };
 
-/// Packets out of a stream of bytes that comes in any pieces; out of step, it finds the next one.
+/// Finds packets in a stream of bytes that arrives in pieces of any size; if it is out of step, it finds the
+/// next packet.
 class DobotFeedbackReader {
 public:
     static constexpr std::size_t kPacketBytes = 1440;
 
     void add(std::string_view bytes) { m_bytes += bytes; }
-    /// The next whole packet; empty: none yet. One whose numbers are not finite is left out.
+    /// Returns the next complete packet; empty if there is none yet. A packet with numbers that are not
+    /// finite is skipped.
     std::optional<DobotFeedback> next();
     void clear() { m_bytes.clear(); }
-    /// Bytes that belonged to no packet.
+    /// Returns the number of bytes that belonged to no packet.
     std::size_t discarded() const { return m_discarded; }
 
 private:

@@ -1,7 +1,7 @@
 #pragma once
-// The line language of Grbl 1.1 and grblHAL: what one line of the controller says, and the lines and bytes
-// that move it. Source: gnea/grbl, doc/markdown/interface.md, commands.md, jogging.md and doc/csv; grblHAL
-// core, errors.h and alarms.c.
+// The line protocol of Grbl 1.1 and grblHAL: the meaning of a line from the controller, and the lines and
+// bytes that move it. Source: gnea/grbl, doc/markdown/interface.md, commands.md, jogging.md and doc/csv;
+// grblHAL core, errors.h and alarms.c.
 
 #include "engine/base/result.h"
 
@@ -13,7 +13,7 @@
 
 namespace bask {
 
-/// Bytes that are taken out of the stream at once, wherever they stand; `0x` of Grbl's documents.
+/// Bytes that the controller processes at once, at any place in the stream; `0x` of Grbl's documents.
 namespace grbl {
 inline constexpr char kStatus = '?';
 inline constexpr char kHold = '!';
@@ -21,7 +21,7 @@ inline constexpr char kResume = '~';
 inline constexpr char kReset = '\x18';
 inline constexpr char kDoor = '\x84';
 inline constexpr char kJogCancel = '\x85';
-/// In the order in which positions are told.
+/// The order in which positions are reported.
 inline constexpr std::string_view kLetters = "XYZABC";
 } // namespace grbl
 
@@ -31,15 +31,15 @@ enum class GrblState { Idle, Run, Hold, Jog, Alarm, Door, Check, Home, Sleep, To
 struct GrblStatus {
     GrblState state = GrblState::Idle;
     std::optional<int> part;           ///< of Hold (0 stopped, 1 slowing down), Door (0 closed) and Alarm
-    std::string word;                  ///< state and part as told: "Hold:0"
-    std::vector<double> machine;       ///< MPos; empty: not told
-    std::vector<double> work;          ///< WPos = MPos - WCO; empty: not told
-    std::vector<double> offset;        ///< WCO, told now and then; empty: not told
+    std::string word;                  ///< state and part as reported: "Hold:0"
+    std::vector<double> machine;       ///< MPos; empty: not reported
+    std::vector<double> work;          ///< WPos = MPos - WCO; empty: not reported
+    std::vector<double> offset;        ///< WCO, reported from time to time; empty: not reported
     std::optional<int> freeBlocks;     ///< Bf
     std::optional<int> freeBytes;      ///< Bf
     std::optional<bool> isHomed;       ///< H, grblHAL
     std::optional<unsigned> homedAxes; ///< H's mask, bit 0 X
-    std::string pins;                  ///< Pn, inputs that are active
+    std::string pins;                  ///< Pn, active inputs
     bool operator==(const GrblStatus&) const = default;
 };
 
@@ -54,12 +54,12 @@ struct GrblAlarm {
     int number = 0;
     bool operator==(const GrblAlarm&) const = default;
 };
-/// The controller has just started: every line before it is lost.
+/// The controller has just started: all earlier lines are lost.
 struct GrblBanner {
     std::string identity; ///< "Grbl 1.1h"
     bool operator==(const GrblBanner&) const = default;
 };
-/// `[MSG:...]`, and every other report in brackets as "VER:1.1h...".
+/// `[MSG:...]`, and every other report in brackets, as "VER:1.1h...".
 struct GrblReport {
     std::string text;
     bool operator==(const GrblReport&) const = default;
@@ -67,8 +67,8 @@ struct GrblReport {
 /// `[OPT:VNM,15,128]`.
 struct GrblOptions {
     std::string letters;
-    int blocks = 0; ///< of the motion queue
-    int bytes = 0;  ///< of the line buffer
+    int blocks = 0; ///< size of the motion queue
+    int bytes = 0;  ///< size of the line buffer
     bool operator==(const GrblOptions&) const = default;
 };
 /// `$10=1`.
@@ -80,7 +80,7 @@ struct GrblSetting {
 struct GrblBlank {
     bool operator==(const GrblBlank&) const = default;
 };
-/// Anything else, cut to what can be shown.
+/// Anything else, shortened for display.
 struct GrblGarbage {
     std::string text;
     bool operator==(const GrblGarbage&) const = default;
@@ -89,15 +89,16 @@ struct GrblGarbage {
 using GrblLine = std::variant<GrblBlank, GrblOk, GrblError, GrblAlarm, GrblStatus, GrblBanner, GrblReport,
                               GrblOptions, GrblSetting, GrblGarbage>;
 
-/// One line without its end. A line that is damaged anywhere is garbage as a whole; only a banner is seen
-/// wherever it stands, since a controller may restart in the middle of a line.
+/// Parses one line without its end. A line that is damaged anywhere is garbage as a whole. Only a banner is
+/// found at any place, because a controller may restart in the middle of a line.
 GrblLine parseGrblLine(std::string_view line);
 
-/// What an alarm or an error means; empty for a number that is not known.
+/// Returns the meaning of an alarm or an error; empty if the number is unknown.
 std::string grblAlarmWords(int number);
 std::string grblErrorWords(int number);
 
-/// True where the controller stands where it says after that alarm; false after an unknown one.
+/// Returns whether the controller's reported position is still true after that alarm; false for an unknown
+/// one.
 bool isPlaceKept(int alarm);
 
 /// One axis of a move, mm or degrees.
@@ -107,12 +108,12 @@ struct GrblTarget {
     double to = 0.0;
 };
 
-/// As the jog line tells it: rounded to a thousandth.
+/// Returns the position as the jog line contains it: rounded to a thousandth.
 double grblRounded(double position);
 
-/// `$J=G21G90G53X1.000F60.0\n`: to an absolute machine position within about `time_s`. The feed counts
-/// degrees as millimetres, F = 60 sqrt(sum of squares) / time_s. Refuses (ValueOutOfRange) positions that
-/// are not within 10 m or 10,000 degrees, and times that are not positive.
+/// Returns `$J=G21G90G53X1.000F60.0\n`: a jog to an absolute machine position within about `time_s`. The feed
+/// counts degrees as millimetres, F = 60 sqrt(sum of squares) / time_s. Refuses (ValueOutOfRange) positions
+/// outside 10 m or 10,000 degrees, and times that are not positive.
 Result<std::string> grblJogLine(const std::vector<GrblTarget>& targets, double time_s);
 
 } // namespace bask

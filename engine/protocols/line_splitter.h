@@ -1,5 +1,5 @@
 #pragma once
-// Lines out of a stream of bytes that comes in any pieces.
+// Splits a stream of bytes, which arrives in pieces of any size, into lines.
 
 #include <optional>
 #include <string>
@@ -12,12 +12,12 @@ class LineSplitter {
 public:
     static constexpr std::size_t kLongest = 512;
 
-    /// Each of `ends` ends a line.
+    /// Each character of `ends` ends a line.
     explicit LineSplitter(std::string ends = "\r\n") : m_ends(std::move(ends)) {}
 
     void add(std::string_view bytes) { m_bytes += bytes; }
-    /// The next whole line without its end; blank ones are left out. What grows longer than kLongest without
-    /// an end is given as a line. Empty: none yet.
+    /// Returns the next complete line without its end; blank lines are skipped. Bytes longer than kLongest
+    /// without an end are returned as a line. Empty if there is no line yet.
     std::optional<std::string> next();
     void clear() { m_bytes.clear(); }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Modbus RTU as a device at the line sees it: requests out of bytes, and replies.
+// Modbus RTU on the device's side: finds requests in bytes, and makes replies.
 
 #include <cstdint>
 #include <optional>
@@ -9,32 +9,33 @@
 
 namespace bask {
 
-/// As asked of a device: reading by function 3 or 4, writing by 6 or 16.
+/// A request to a device: reading by function 3 or 4, writing by 6 or 16.
 struct ModbusQuery {
     int unit = 0;
     int function = 0;
     int address = 0;
-    int count = 0;                     ///< of registers
-    std::vector<std::uint16_t> values; ///< to be written
+    int count = 0;                     ///< number of registers
+    std::vector<std::uint16_t> values; ///< values to write
     bool isKnown = true;               ///< false: another function, or counts that contradict each other
 };
 
-/// Of silence between two frames, in the time of bytes.
+/// Silence between two frames, as a number of bytes.
 inline constexpr double kModbusGapBytes = 3.5;
 
 /// CRC-16 of the Modbus serial line specification; sent low byte first.
 std::uint16_t modbusCrc(std::string_view bytes);
 
-/// Unit, function and data with their CRC.
+/// Returns unit, function and data with their CRC.
 std::string modbusFrame(int unit, std::string_view functionAndData);
 
-/// A request for `count` registers, or with `values` to write them; with its CRC.
+/// Returns a request for `count` registers, or one that writes `values`; with its CRC.
 std::string modbusRequest(const ModbusQuery& query);
 
-/// Takes the first whole request out of the bytes, skipping what is none. Empty: none is complete yet.
+/// Removes the first complete request from the bytes and skips what is not one. Empty if none is complete
+/// yet.
 std::optional<ModbusQuery> takeModbusQuery(std::string& bytes);
 
-/// Frames that answer.
+/// Return reply frames.
 std::string modbusReadReply(int unit, int function, const std::vector<std::uint16_t>& values);
 std::string modbusWriteReply(const ModbusQuery& query);
 std::string modbusException(int unit, int function, int exception);

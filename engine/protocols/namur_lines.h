@@ -1,6 +1,6 @@
 #pragma once
 // The NAMUR lines of laboratory hotplates (IKA), as in IKA's manuals, chapter "Interfaces and outputs":
-// capitals, ended by blank CR LF; the device never speaks unasked and says nothing to what it does not know.
+// capitals, ended by blank CR LF. The device never sends unasked and does not answer unknown commands.
 
 #include <optional>
 #include <string>
@@ -15,26 +15,27 @@ inline constexpr const char* kPlate = "IN_PV_2";    ///< degC of the plate, chan
 inline constexpr const char* kSetPoint = "IN_SP_1"; ///< degC, channel 1
 inline constexpr const char* kStart = "START_1";
 inline constexpr const char* kStop = "STOP_1";
-inline constexpr double kHighest_degC = 310.0; ///< of OUT_SP_1, from 0
+inline constexpr double kHighest_degC = 310.0; ///< largest value of OUT_SP_1; the smallest is 0
 inline constexpr double kShortestWatchdog_s = 20.0, kLongestWatchdog_s = 1500.0;
 } // namespace namur
 
-/// "IN_PV_2" as it is sent.
+/// Returns the line to send for a command such as "IN_PV_2".
 std::string namurLine(const std::string& command);
-/// "OUT_SP_1 80.0"; the device says nothing to it.
+/// Returns "OUT_SP_1 80.0"; the device does not answer it.
 std::string namurSetPoint(double setPoint_degC);
-/// "OUT_WD1@30": heating goes off unless this is sent again within that time. The device says the time back.
+/// Returns "OUT_WD1@30": the heating goes off unless this is sent again within that time. The device answers
+/// with the time.
 std::string namurWatchdog(double time_s);
 
-/// What a reading is answered with, "80.0 2".
+/// The answer to a reading, "80.0 2".
 struct NamurValue {
     double value = 0.0;
     int channel = 0;
 };
-/// Nothing of a line that is anything else.
+/// Parses such an answer; empty for any other line.
 std::optional<NamurValue> namurValue(std::string_view line);
 bool isWatchdogEcho(std::string_view line, double time_s);
-/// Words that can be a device's name, and not a value or an echo of a command.
+/// Returns whether the line can be a device's name, and not a value or an echo of a command.
 bool isNamurName(std::string_view line);
 
 } // namespace bask

@@ -6,9 +6,10 @@
 
 namespace bask {
 
-/// The text between its first and last that is no blank.
+/// Returns the text without blanks at both ends.
 std::string_view withoutBlanks(std::string_view text);
-/// The whole text as a number with a decimal point, "-12.5", "+3e2"; no "nan", no "inf", nothing besides.
+/// Parses the whole text as a number with a decimal point, "-12.5", "+3e2"; refuses "nan", "inf" and anything
+/// else.
 std::optional<double> plainNumber(std::string_view text);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Which registers are read together, and what was read.
+// Which registers are read together, and the values read.
 
 #include <cstdint>
 #include <map>
@@ -20,19 +20,19 @@ struct RegisterRange {
     bool operator==(const RegisterRange&) const = default;
 };
 
-/// Most registers that one request may read.
+/// Maximum number of registers that one request may read.
 inline constexpr int kMaxRegisters = 125;
 
-/// As few requests as cover them without reading a register that is in none: the device may have none there.
-/// In the order of function and address.
+/// Joins ranges into as few requests as possible without reading a register that is in none of them, because
+/// the device may have none there. Sorted by function and address.
 std::vector<RegisterRange> joinedRanges(std::vector<RegisterRange> ranges);
 
-/// The registers of a device as they were read last.
+/// The last values read from the registers of a device.
 class RegisterImage {
 public:
     /// Throws std::invalid_argument unless there are range.count values.
     void store(const RegisterRange& range, const std::vector<std::uint16_t>& values);
-    /// Throws std::out_of_range for one that has not been read.
+    /// Throws std::out_of_range for a register that has not been read.
     std::vector<std::uint16_t> registers(const RegisterRange& range) const;
     void clear() { m_registers.clear(); }
 

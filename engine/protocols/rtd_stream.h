@@ -1,6 +1,6 @@
 #pragma once
-// Temperatures that a device prints by itself, line after line, as sketches for the MAX31865 do:
-//   Temperature = 15.09      one channel; "Ratio = ...", "RTD value: ..." and other words are passed over
+// Temperatures that a device prints unasked, line by line, as sketches for the MAX31865 do:
+//   Temperature = 15.09      one channel; "Ratio = ...", "RTD value: ..." and other words are ignored
 //   T2 = 23.4                channel 2, counted from 1
 //   23.4,25.1,30.0           all channels, with commas, semicolons or blanks between
 //   Fault 0x40, T2 Fault 0x40   the fault register, of all channels or of one
@@ -14,37 +14,38 @@ namespace bask {
 
 enum class RtdFault { None, Open, Short, OutOfRange, Other };
 
-/// What one channel told.
+/// A value of one channel.
 struct RtdValue {
     int channel = 0;       ///< from 0
     double value_degC = 0; ///< 0 if there is a fault
     RtdFault fault = RtdFault::None;
-    double stamp = 0.0; ///< that came with its line
+    double stamp = 0.0; ///< the stamp of its line
 };
 
-/// A sketch prints a temperature though the sensor is at fault, and tells the fault before or after it. So a
-/// temperature waits for what comes next, and a fault spoils the one before it and the next one.
+/// A sketch prints a temperature even if the sensor has a fault, and reports the fault before or after it.
+/// Therefore a temperature waits for the next line, and a fault invalidates the temperature before it and the
+/// next one.
 class RtdStream {
 public:
     explicit RtdStream(int channels);
 
-    /// What has come; `stamp` goes with it.
+    /// Adds received bytes; `stamp` is stored with their values.
     void add(std::string_view bytes, double stamp);
-    /// Nothing came for a while: what waits is certain.
+    /// Call after a time without data: the waiting values become final.
     void settle();
     bool isWaiting() const;
-    /// Those certain since.
+    /// Returns and removes the values that became final.
     std::vector<RtdValue> take();
-    /// Lines that could not be read, since; never an unknown word.
+    /// Returns and removes the lines that could not be read; unknown words are not counted.
     std::vector<std::string> takeDiscarded();
-    /// The line was opened anew: of the first line a part may be missing.
+    /// Call when the line was opened again: the first line may be incomplete.
     void clear();
 
 private:
     struct Channel {
         bool isWaiting = false;
         RtdValue value;
-        RtdFault next = RtdFault::None; ///< spoils the next temperature
+        RtdFault next = RtdFault::None; ///< invalidates the next temperature
     };
     bool readLine(std::string_view line, double stamp);
     bool readFault(std::string_view line);

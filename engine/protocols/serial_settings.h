@@ -1,5 +1,5 @@
 #pragma once
-// How a serial line is set.
+// The settings of a serial line.
 
 namespace bask {
 
@@ -11,7 +11,7 @@ struct SerialSettings {
     bool operator==(const SerialSettings&) const = default;
 };
 
-/// What bytes take on the line, s.
+/// Returns the time that bytes take on the line, s.
 inline double onTheLine_s(const SerialSettings& line, double bytes) {
     return bytes * (line.dataBits + 3) / line.baud;
 }
