@@ -1,5 +1,5 @@
 #pragma once
-// What stands in a rig for a device that it has not got: every call answers that it is missing.
+// Stands for a device that a rig does not have: every call returns that it is missing.
 
 #include "engine/base/message_code.h"
 #include "engine/devices/heat_source.h"

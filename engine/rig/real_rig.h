@@ -16,55 +16,57 @@
 
 namespace bask {
 
-/// Engine thread, with Qt's event loop. A device that is missing or dead says so by its calls and states.
+/// Use it on the engine thread, with Qt's event loop. A device that is missing or dead reports this in its
+/// results and states.
 class RealRig {
 public:
-    /// Whether the robot may be sent from one place to another (coordinates in R).
+    /// Returns whether the robot may be sent from one position to another (coordinates in R).
     using StepGuard = std::function<bool(const Vector6d& from, const Vector6d& to)>;
 
-    /// Opens the links; `clock` outlives it. Until setGuard the robot is not moved. The heater's guard
-    /// appends to `guardLog` what it does; empty: to no file. Devices that `memory` has are to be those
-    /// again: to another one nothing is written but what asks for its name.
+    /// Opens the links; `clock` must outlive it. The robot does not move before setGuard(). The heater's
+    /// guard appends its actions to `guardLog`; empty: to no file. Devices in `memory` are expected again: a
+    /// different device receives only the request for its name.
     RealRig(const Experiment& experiment, const Clock& clock, const std::string& guardLog = {},
             const DeviceMemory& memory = {});
-    /// The same of one device alone, to try it: nothing is moved or heated.
+    /// Opens only one device, to test it: nothing is moved or heated.
     RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory = {});
     ~RealRig();
 
-    /// Whether every device is the one that this experiment would have made.
+    /// Returns whether every device is the one that this experiment would make.
     bool isFor(const Experiment& experiment) const;
-    /// Makes it the rig of this experiment. Devices that are the same stay, with their links as they are: a
-    /// port that is opened anew may reset what is behind it. The others are closed before new ones are made;
-    /// nobody may still have them.
+    /// Makes it the rig of this experiment. Devices that are the same stay, and their links stay open:
+    /// opening a port again may reset the device. The others are closed before new ones are made, so nobody
+    /// may still use them.
     void change(const Experiment& experiment, const DeviceMemory& memory);
-    /// What was remembered of it; by the next change() it is made anew.
+    /// Removes a device from the memory; the next change() makes it again.
     void forget(DeviceRole role, DeviceMemory& memory);
-    /// What is known of the devices that are live.
+    /// Returns what is known of the devices that are live.
     DeviceMemory met() const;
 
-    /// Works on until the heat is seen off and all has been sent, for a bounded time in which Qt's events are
-    /// processed: what was asked of the devices last. False: the heat is not known to be off; its guard has
-    /// taken over.
+    /// Continues to work until the heat is confirmed off and everything has been sent, for a limited time in
+    /// which Qt's events are processed: the last commands to the devices. Returns false if the heat is not
+    /// known to be off; its guard has then taken over.
     bool sayLastWords();
 
-    /// Lets the devices take what has come and send what is due.
+    /// Lets the devices read what has arrived and send what is due.
     void work();
 
     Robot& robot();
-    /// One channel an object, in their order; when tried, all channels of the device.
+    /// Returns one channel for each object, in their order; for a test, all channels of the device.
     Thermometer& thermometer();
     HeatSource& heatSource();
-    Camera* camera(); ///< null: none
-    /// Hands it over to be closed elsewhere, which takes half a second where its driver hangs.
+    Camera* camera(); ///< null if there is none
+    /// Returns the camera so that it can be closed elsewhere, which takes half a second if its driver hangs.
     std::unique_ptr<Camera> takeCamera();
-    /// Whether another thread may destroy it: a network link belongs to this one, and closes at once.
+    /// Returns whether another thread may destroy it: a network link belongs to this thread, and closes at
+    /// once.
     bool mayEndElsewhere() const;
     void setGuard(StepGuard guard);
-    /// So often the thermometer is read.
+    /// Sets the period of the thermometer's readings.
     void setPeriod(double period_s);
-    /// The quickest that the robot may move, also where it does not do as it is told.
+    /// Sets the largest speed of the robot, which also applies if it does not follow its commands.
     void limitSpeed(const RobotLimits& limits);
-    /// Refused where no person keeps the source hot.
+    /// Sets the typed temperature. Refused unless a person heats the source.
     Result<void> typeSourceTemperature(double temperature_K);
 
     std::vector<RigDeviceState> devices() const;

@@ -1,6 +1,6 @@
 #pragma once
-// Whether the engine's alarms are true: many runs at random on the simulated rig, healthy and with faults,
-// each alarm against what the plant truly does.
+// Checks whether the engine's alarms are true: many random runs on the simulated rig, healthy and with
+// faults, in which each alarm is compared with the true state of the plant.
 
 #include "engine/base/result.h"
 #include "engine/studies/alarm_draw.h"
@@ -18,74 +18,76 @@ struct AlarmStudy {
     AlarmDraw draw = AlarmDraw::Healthy;
     int count = 200;
     std::uint64_t seed = 1;
-    int first = 1; ///< draw that is run first, from 1 on
+    int first = 1; ///< first draw to run, counted from 1
 };
 
-/// A sensor that froze or came off shows itself when its object is farther than this from what it reads.
-/// Nearer, nobody who believes the rates within kAlarmBelief only can know.
+/// A sensor that froze or came off is visible when its object is farther than this from the reading. Below
+/// this it cannot be detected with rates that are known only within kAlarmBelief.
 inline constexpr double kAlarmShown_K = 10.0;
-/// And one that came off only where its object has this view factor: without heat the object cools as its
-/// sensor says, by itself or in moving air.
+/// A sensor that came off is visible only if its object has at least this view factor: without heat the
+/// object cools as its sensor says, by itself or in moving air.
 inline constexpr double kAlarmHeated = 0.01;
 
-/// An alarm that began.
+/// An alarm that was raised.
 struct RaisedAlarm {
     double time_s = 0.0; ///< since the first Start
     int priority = 1;
-    std::string name; ///< of its message
+    std::string name; ///< name of its message
     std::string sentence;
-    bool isConsequence = false; ///< it follows from another, and is listed under that one
-    bool isFalse = false;       ///< it states what is not so; told of healthy draws only
+    bool isConsequence = false; ///< it follows from another alarm, and is listed under that one
+    bool isFalse = false;       ///< what it states is not true; only for healthy draws
 };
 
-/// One run's outcome.
+/// The result of one run.
 struct AlarmStudyRow {
     AlarmCase drawn;
     double simulated_s = 0.0;
     std::vector<RaisedAlarm> alarms;
-    bool isTripped = false;          ///< the run was held or ended by the engine
-    double overTrip_K = -1e9;        ///< hottest true temperature over its object's trip limit
-    double overTarget_K = -1e9;      ///< and over its target
-    std::optional<double> shown_s{}; ///< when the fault showed itself, since its beginning
-    std::optional<double> told_s{};  ///< when the first alarm was of it, since then too
-    std::optional<double> acted_s{}; ///< when an alarm told it and the run was held or ended
-    double unseen_K = 0.0;           ///< farthest that the faulty sensor was from its object until then
-    std::string refusal;             ///< a run that could not be begun, in words
+    bool isTripped = false;          ///< the engine paused or ended the run
+    double overTrip_K = -1e9;        ///< highest true temperature above its object's trip limit
+    double overTarget_K = -1e9;      ///< and above its target
+    std::optional<double> shown_s{}; ///< when the fault became visible, since its start
+    std::optional<double> told_s{};  ///< when the first alarm of it was raised, since its start
+    std::optional<double> acted_s{}; ///< when an alarm of it was raised and the run was paused or ended
+    double unseen_K = 0.0;           ///< largest distance of the faulty sensor from its object until then
+    std::string refusal;             ///< why a run could not be started, in words
 };
 
-/// Runs all draws on `threads` threads (0: one a core); the rows do not depend on them. `progress` is called
-/// on the calling thread with the number of runs done; may be empty. Errors: rigs that nothing can be drawn
-/// from.
+/// Runs all draws on `threads` threads (0: one for each core); the rows do not depend on their number.
+/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors: rigs
+/// from which nothing can be drawn.
 Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int threads,
                                                  const std::function<void(int done)>& progress);
 
-/// Of one fault's draws.
+/// Results of one fault's draws.
 struct FaultSummary {
     SimulatedFault fault = SimulatedFault::None;
     int draws = 0;
-    int shown = 0; ///< those that showed themselves, or were found
-    int found = 0; ///< told and acted on; of a frozen sensor told, since a rest gives no more to know
-    int acted = 0; ///< runs that were held or ended by it
-    double median_s = 0.0, worst_s = 0.0; ///< of those found, since they showed themselves
-    double unseen_K = 0.0;                ///< worst, of those that were not found
+    int shown = 0; ///< faults that became visible, or were found
+    /// Faults with an alarm and a reaction; for a frozen sensor only the alarm, because nothing more can be
+    /// known at rest.
+    int found = 0;
+    int acted = 0;                        ///< runs that were paused or ended by it
+    double median_s = 0.0, worst_s = 0.0; ///< of those found, since they became visible
+    double unseen_K = 0.0;                ///< worst of those that were not found
     double overTrip_K = -1e9;
 };
 
 struct AlarmSummary {
     double hours = 0.0; ///< simulated
     int falseTrips = 0, falseWords = 0;
-    std::array<int, 3> alarms{}; ///< causes of priority 1, 2, 3
+    std::array<int, 3> alarms{}; ///< number of alarms of priority 1, 2, 3 that are causes
     std::array<double, 3> per10min{};
     std::array<double, 3>
-        shares{};        ///< of the priorities where each fault is as often as alarmFaultFrequency()
-    int mostIn10min = 0; ///< of all runs, consequences counted
+        shares{};        ///< shares of the priorities if each fault is as frequent as alarmFaultFrequency()
+    int mostIn10min = 0; ///< of all runs, with consequences
     double overTrip_K = -1e9;
     int refused = 0;
     std::vector<FaultSummary> faults;
 };
 AlarmSummary summarize(const std::vector<AlarmStudyRow>& rows);
 
-/// The table as CSV, with definitions in comment lines before the header.
+/// Returns the table as CSV, with definitions in comment lines before the header.
 std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmStudyRow>& rows);
 
 } // namespace bask

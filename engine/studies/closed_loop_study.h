@@ -1,6 +1,6 @@
 #pragma once
-// How well a controller reaches targets that can be held: many runs at random on the simulated rig, each
-// against the least time that physics needs.
+// How well a controller reaches targets that are feasible: many random runs on the simulated rig, each
+// compared with the physical minimum time.
 
 #include "engine/base/result.h"
 #include "engine/model/experiment.h"
@@ -13,36 +13,37 @@
 
 namespace bask {
 
-/// What is studied.
+/// The settings of the study.
 struct ClosedLoopStudy {
-    /// Rig, sensors, controller and factor of its wrong beliefs. Targets, start and seed are drawn anew for
-    /// each run. The rig must have poses that hold every object kStudyRise_K above its environment.
+    /// Rig, sensors, controller and the error factor of its estimated rates. Targets, start and seed are
+    /// drawn for each run. The rig must have poses that keep every object kStudyRise_K above its environment.
     Experiment rig;
-    bool randomMountings = false; ///< the objects' places on the end-effector are drawn too
+    bool randomMountings = false; ///< draw the objects' positions on the end-effector, too
     int count = 200;
     std::uint64_t seed = 1;
 };
 
-inline constexpr double kStudyRise_K = 2.0;            ///< least height of a target above the environment
+/// Smallest distance of a target above the environment.
+inline constexpr double kStudyRise_K = 2.0;
 inline constexpr double kStudyMountingRadius_m = 0.06; ///< random mountings: of the centroids about E
-inline constexpr double kStudyBounds = 3.0;            ///< a run lasts this many bounds
-inline constexpr double kStudyMinDuration_s = 400.0;   ///< and this besides
+inline constexpr double kStudyBounds = 3.0;            ///< a run lasts this many times the bound
+inline constexpr double kStudyMinDuration_s = 400.0;   ///< plus this
 
-/// Times below which no controller brings an experiment's objects from the environment's temperature and its
-/// start to their targets; infinite for a target that no view factor holds.
+/// Minimum times for any controller to bring an experiment's objects from the environment's temperature and
+/// its start to their targets; infinite for a target that no view factor reaches.
 struct SettlingBound {
-    /// Until the slowest object is within the settled band, at F = 1 from the first moment (F = 0 where it
-    /// must cool).
+    /// Until the slowest object is within the settled band, with F = 1 from the start (F = 0 if it must
+    /// cool).
     double radiation_s = 0.0;
-    /// The same with the largest (least) view factor that any pose within the robot's reach by then offers,
-    /// and 1 (0) from when the best of all is within reach: travel at full speed included.
+    /// The same with the largest (smallest) view factor of any pose that the robot can reach by then, and 1
+    /// (0) once the best pose of all can be reached: includes travel at full speed.
     double bound_s = 0.0;
 };
 SettlingBound settlingBound(const Experiment& experiment);
 
-/// One draw: targets that the pose `goal` holds, and the times below which nobody can be.
+/// One draw: targets that are steady at the pose `goal`, and the minimum times.
 struct ClosedLoopCase {
-    std::uint64_t seed = 0; ///< of noise, sensor offsets and wrong beliefs
+    std::uint64_t seed = 0; ///< seed of noise, sensor offsets and wrong estimates
     std::vector<Vector6d> mountings;
     Vector6d start = Vector6d::Zero(); ///< end-effector's coordinates in S
     Vector6d goal = Vector6d::Zero();
@@ -53,36 +54,38 @@ struct ClosedLoopCase {
     double duration_s() const { return kStudyBounds * bound_s + kStudyMinDuration_s; }
 };
 
-/// Draw number `index` (from 0): of the study's seed and the index alone, whatever the controller. Throws
-/// std::invalid_argument on a rig without such poses.
+/// Returns draw number `index` (from 0), which depends only on the study's seed and the index, not on the
+/// controller. Throws std::invalid_argument for a rig without such poses.
 ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index);
-/// The experiment of one draw.
+/// Returns the experiment of one draw.
 Experiment closedLoopExperiment(const ClosedLoopStudy& study, const ClosedLoopCase& drawn);
 
-/// One run's outcome, judged on true temperatures.
+/// The result of one run, judged on true temperatures.
 struct ClosedLoopRow {
     ClosedLoopCase drawn;
-    std::optional<double> settling_s; ///< of the last object to settle; empty: failed
-    double overshoot_K = 0.0; ///< farthest past a target, seen from the start's temperature; at least 0
+    std::optional<double> settling_s; ///< of the last object to settle; empty: not settled
+    /// Farthest past a target, seen from the start's temperature; not negative.
+    double overshoot_K = 0.0;
     std::vector<double> final_K;
-    bool toldCompromise = false; ///< the controller said that the targets cannot be held together
-    std::string failure;         ///< why not settled, in words; empty: settled
+    bool toldCompromise = false; ///< the controller reported that the targets cannot be reached together
+    std::string failure;         ///< why it did not settle, in words; empty if it settled
 };
 
-/// Runs all draws on `threads` threads (0: one a core); the rows do not depend on them. `progress` is called
-/// on the calling thread with the number of runs done; may be empty. Errors: a rig that does not validate.
+/// Runs all draws on `threads` threads (0: one for each core); the rows do not depend on their number.
+/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors: a
+/// rig that does not validate.
 Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& study, int threads,
                                                       const std::function<void(int done)>& progress);
 
 struct ClosedLoopSummary {
     double successRate = 0.0; ///< 0 to 1
-    // Of the settled runs; empty when there are none.
+    // Of the settled runs; empty if there are none.
     std::optional<double> medianOverBound, medianOverRadiation, tenthOverBound; ///< tenth: 90th percentile
     double worstOvershoot_K = 0.0;                                              ///< of all runs
 };
 ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows);
 
-/// The table as CSV, with definitions in comment lines before the header.
+/// Returns the table as CSV, with definitions in comment lines before the header.
 std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<ClosedLoopRow>& rows);
 
 } // namespace bask

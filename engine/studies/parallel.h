@@ -1,12 +1,12 @@
 #pragma once
-// Cases of a study, beside each other.
+// Runs the cases of a study in parallel.
 
 #include <functional>
 
 namespace bask {
 
-/// Calls work(0) ... work(count - 1) on so many threads (0: one each processor), and after each of its own,
-/// on the caller's thread, progress(done), which may be empty.
+/// Calls work(0) ... work(count - 1) on `threads` threads (0: one for each processor). After each of its own
+/// calls the caller's thread calls progress(done), which may be empty.
 void runInParallel(int count, int threads, const std::function<void(int index)>& work,
                    const std::function<void(int done)>& progress);
 
