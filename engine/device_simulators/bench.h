@@ -1,5 +1,6 @@
 #pragma once
-// A whole rig at the far end of byte links: robot, thermometer and heater around one thermal plant.
+// A complete simulated rig at the far end of byte links: robot, thermometer and heater with one thermal
+// plant.
 
 #include "engine/device_simulators/grbl_simulator.h"
 #include "engine/device_simulators/modbus_simulator.h"
@@ -16,14 +17,14 @@
 
 namespace bask {
 
-/// What the devices are; ports and speeds are the server's.
+/// The kinds of devices; ports and speeds belong to the server.
 struct BenchDevices {
-    std::vector<AxisSpec> axes; ///< of a Grbl
-    /// A Modbus module with this profile; empty: one that prints its temperatures.
+    std::vector<AxisSpec> axes; ///< axes of a Grbl controller
+    /// A Modbus module with this profile; if empty, a device that prints its temperatures.
     std::optional<ModbusProfile> thermometer;
     int thermometerUnit = 1;
-    std::vector<int> channels; ///< of each object
-    /// A Modbus controller with this profile; empty: a NAMUR hotplate.
+    std::vector<int> channels; ///< channel of each object
+    /// A Modbus controller with this profile; if empty, a NAMUR hotplate.
     std::optional<ModbusProfile> heater;
     int heaterUnit = 2;
     double heating_s = 60.0, cooling_s = 600.0; ///< time constants of the plate
@@ -34,14 +35,14 @@ class Bench {
 public:
     static constexpr double kStep_s = 0.05;
 
-    /// Throws std::invalid_argument on axes or profiles that cannot be.
+    /// Throws std::invalid_argument for impossible axes or profiles.
     Bench(const SimulatedRigConfig& rig, const BenchDevices& devices);
 
     ByteDevice& robot() { return m_robot; }
     ByteDevice& thermometer();
     ByteDevice& heater();
 
-    /// Lets the plant come to this time, after the devices have come to it.
+    /// Advances the plant to this time; call it after the devices have been advanced to it.
     void advance(double now_s);
 
     std::vector<double> temperatures_K() const;
@@ -51,7 +52,7 @@ public:
     Vector6d coordinates() const { return m_axes.coordinates(m_robot.positions()); }
 
 private:
-    void show(); ///< the temperatures to the thermometer
+    void show(); ///< sets the temperatures of the thermometer
 
     SimulatedRigConfig m_config;
     BenchDevices m_devices;

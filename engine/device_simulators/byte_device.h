@@ -1,5 +1,5 @@
 #pragma once
-// A simulated device at the far end of a byte link: bytes in, bytes out, as the real one has them.
+// A simulated device at the far end of a byte link: bytes in and bytes out, as the real one has them.
 
 #include "engine/base/result.h"
 
@@ -9,18 +9,18 @@
 
 namespace bask {
 
-/// Time is the owner's, s, and does not go back.
+/// Time is given by the caller, s, and must not decrease.
 class ByteDevice {
 public:
     virtual ~ByteDevice() = default;
-    /// Its port was opened by a host.
+    /// Call when a host has opened the port.
     virtual void opened(double) {}
     virtual void receive(std::string_view bytes, double now_s) = 0;
-    /// What it has to say until now, delays included.
+    /// Returns the bytes that it sends until now, after its delays.
     virtual std::string transmit(double now_s) = 0;
-    /// Names that setFault knows; "none" is one.
+    /// Returns the names that setFault accepts; one of them is "none".
     virtual std::vector<std::string> faults() const = 0;
-    /// Begins a fault, alone. Refused with ValueUnknown for another name.
+    /// Starts a fault and ends any other. Refuses an unknown name with ValueUnknown.
     virtual Result<void> setFault(const std::string& name) = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Bytes between a simulated device and a descriptor that does not block.
+// Moves bytes between a simulated device and a non-blocking descriptor.
 
 #include "engine/device_simulators/byte_device.h"
 
@@ -10,11 +10,11 @@ public:
     /// `device` must outlive it.
     explicit BytePump(ByteDevice& device) : m_device(device) {}
 
-    /// Moves what there is, both ways. False: the other end is gone.
+    /// Moves the available bytes in both directions. Returns false if the other end is closed.
     bool work(int descriptor, double now_s);
-    /// A host is there, which was not before.
+    /// Call when a new host has connected.
     void opened(double now_s) { m_device.opened(now_s); }
-    /// Nobody listens: what the device says is lost, as on a line that hangs loose.
+    /// Nobody listens: bytes from the device are lost, as on an unconnected line.
     void discard(double now_s);
 
 private:
@@ -22,7 +22,7 @@ private:
     bool give(int descriptor);
 
     ByteDevice& m_device;
-    std::string m_pending; ///< said, and not yet taken by the other end
+    std::string m_pending; ///< sent, but not yet accepted by the other end
 };
 
 } // namespace bask

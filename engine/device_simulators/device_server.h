@@ -10,12 +10,12 @@ namespace bask {
 class DeviceServer {
 public:
     virtual ~DeviceServer() = default;
-    /// Moves bytes both ways and never waits. Clients may come and go.
+    /// Moves bytes in both directions and never waits. Clients may connect and disconnect.
     virtual void work(double now_s) = 0;
 };
 
-/// `isThere`: on the terminal that is at `path` already; else on a new one that is linked there. `device`
-/// must outlive it. Errors: those of TerminalServer::open and PtyServer::create.
+/// Serves the device. With `isThere` it uses the existing terminal at `path`; otherwise a new one that is
+/// linked there. `device` must outlive it. Errors: those of TerminalServer::open and PtyServer::create.
 Result<std::unique_ptr<DeviceServer>> serveAt(const std::string& path, ByteDevice& device, bool isThere);
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// A simulated four-axis Dobot arm: its dashboard, motion and feedback ports, a queue of straight moves and
-// frames that an alarm stops and only Continue() starts again.
+// A simulated four-axis Dobot arm: its dashboard, motion and feedback ports, and a queue of straight moves
+// and frames that an alarm stops and only Continue() starts again.
 
 #include "engine/device_simulators/byte_device.h"
 #include "engine/protocols/dobot_messages.h"
@@ -12,14 +12,14 @@ namespace bask {
 struct DobotSimulatorConfig {
     DobotPosition start{200.0, 0.0, 50.0, 0.0};
     double fullSpeed_mm_s = 500.0; ///< at 100 %, degrees counted as millimetres
-    double reach_mm = 440.0;       ///< a move beyond ends in an alarm
+    double reach_mm = 440.0;       ///< a move beyond this ends in an alarm
     bool startsDisabled = false;
-    int user = 0, tool = 0;    ///< frames that were chosen before; told only, its places are those of 0
-    double speedFactor = 1.0;  ///< that was set before
-    double moveDelay_s = 0.02; ///< before a command on the motion port is taken
+    int user = 0, tool = 0;    ///< frames selected earlier; only reported, positions are those of frame 0
+    double speedFactor = 1.0;  ///< speed factor set earlier
+    double moveDelay_s = 0.02; ///< before a command on the motion port is processed
 };
 
-/// Not a ByteDevice itself: it has three, one a port. Its faults can be begun at any of them.
+/// Not a ByteDevice itself: it has three, one for each port. A fault can be started at any of them.
 class DobotSimulator {
 public:
     explicit DobotSimulator(const DobotSimulatorConfig& config = {});
@@ -28,13 +28,13 @@ public:
     ByteDevice& motion() { return m_motion; }       ///< 30003
     ByteDevice& feedback() { return m_feedback; }   ///< 30004
 
-    /// "none", "silent", "alarm", "disabled", "paused", "slow-reply", "lost-steps" (it says that moves ended,
-    /// and stands), "garbage".
+    /// Returns "none", "silent", "alarm", "disabled", "paused", "slow-reply", "lost-steps" (it reports that
+    /// moves ended, but stands still), "garbage".
     std::vector<std::string> faults() const;
     Result<void> setFault(const std::string& name);
 
     const DobotPosition& position() const { return m_position; }
-    /// Moves that are begun or wait.
+    /// Returns the number of moves that are in progress or waiting.
     std::size_t queued() const;
     DobotMode mode() const { return m_mode; }
 
@@ -56,11 +56,11 @@ private:
         double time_s;
         std::string text;
     };
-    /// A move, or a frame to choose.
+    /// A move, or a frame to select.
     struct Queued {
         DobotPosition to{};
         double speed = 1.0;
-        double lost = 0.0; ///< way that was not made
+        double lost = 0.0; ///< part of the way that was not moved
         int* frame = nullptr;
         int index = 0;
     };
@@ -83,7 +83,7 @@ private:
     bool m_isQueueStopped = false;
     int m_user = 0, m_tool = 0;
     double m_speedFactor = 1.0;
-    std::deque<Command> m_commands; ///< of the motion port, on their way
+    std::deque<Command> m_commands; ///< received on the motion port, not yet processed
     int m_error = 0;
     std::string m_fault = "none";
     int m_spoilt = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Refuses a fault that a simulated device does not have.
+// Refuses a fault that a simulated device does not support.
 
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"

@@ -1,6 +1,6 @@
 #pragma once
-// A simulated robot under Grbl 1.1 or grblHAL: the very bytes, motors that ramp, switches, and the traps that
-// were found with real ones.
+// A simulated robot with Grbl 1.1 or grblHAL: the exact bytes, motors that ramp, switches, and the pitfalls
+// that were found with real controllers.
 
 #include "engine/device_simulators/byte_device.h"
 
@@ -11,25 +11,28 @@
 
 namespace bask {
 
-/// Millimetres and degrees, one number an axis, in the order of X Y Z A B C.
+/// Millimetres and degrees, one number for each axis, in the order of X Y Z A B C.
 struct GrblSimulatorConfig {
-    bool isHal = false; ///< grblHAL's manners: 0x85 drops what is unread, `?` is answered while homing
-    std::vector<double> start{0.0, 0.0, 0.0, 0.0}; ///< where it stands, and what it reads there
-    std::vector<double> home{0.0, 0.0, 0.0, 0.0};  ///< where the homing switches are
-    std::vector<double> lower{-1000.0, -1000.0, -1000.0, -360.0}; ///< travel: limit switches, soft limits
+    /// Behaves as grblHAL: 0x85 discards unread bytes, `?` is answered while homing.
+    bool isHal = false;
+    /// Position at the start, and what it reports there.
+    std::vector<double> start{0.0, 0.0, 0.0, 0.0};
+    std::vector<double> home{0.0, 0.0, 0.0, 0.0}; ///< positions of the homing switches
+    /// Ends of travel: limit switches, soft limits.
+    std::vector<double> lower{-1000.0, -1000.0, -1000.0, -360.0};
     std::vector<double> upper{1000.0, 1000.0, 1000.0, 360.0};
     double maxRate_mm_min = 6000.0;    ///< of each axis
-    double acceleration_mm_s2 = 500.0; ///< 0: at full speed at once
+    double acceleration_mm_s2 = 500.0; ///< 0: full speed at once
     double homingRate_mm_min = 3000.0;
     bool canHome = true;           ///< $22
-    bool hasSoftLimits = false;    ///< $20; they hold only once it is homed
-    bool resetsWhenOpened = false; ///< an Arduino: the host's DTR is its reset
-    bool startsLocked = false;     ///< in alarm until homed or unlocked
-    bool tellsWork = false;        ///< WPos in place of MPos, $10
+    bool hasSoftLimits = false;    ///< $20; they apply only after homing
+    bool resetsWhenOpened = false; ///< like an Arduino: the host's DTR resets it
+    bool startsLocked = false;     ///< starts in an alarm until it is homed or unlocked
+    bool tellsWork = false;        ///< reports WPos instead of MPos, $10
     bool tellsInches = false;      ///< $13
     std::vector<double> workOffset{0.0, 0.0, 0.0, 0.0};
-    std::string name = "";     ///< that its `$I` tells
-    double lineTime_s = 0.001; ///< before a line that has come is taken
+    std::string name = "";     ///< name that its `$I` reports
+    double lineTime_s = 0.001; ///< before a received line is processed
 };
 
 class GrblSimulator final : public ByteDevice {
@@ -39,19 +42,19 @@ public:
     void opened(double now_s) override;
     void receive(std::string_view bytes, double now_s) override;
     std::string transmit(double now_s) override;
-    /// "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an encoder that
-    /// tells that the motors stand), "garbage".
+    /// Returns "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an
+    /// encoder reports that the motors stand), "garbage".
     std::vector<std::string> faults() const override;
     Result<void> setFault(const std::string& name) override;
 
-    /// Power off and on: the banner, all lines lost, zero wherever it stands.
+    /// Power off and on: sends the banner, loses all lines, and reports zero at any position.
     void restart();
-    /// Where the axes truly are; it may think otherwise after a restart.
+    /// Returns the true positions of the axes; it may report others after a restart.
     const std::vector<double>& positions() const { return m_true; }
-    /// Moves that are begun or wait.
+    /// Returns the number of moves that are in progress or waiting.
     std::size_t queued() const { return m_blocks.size(); }
     bool isMoving() const { return m_speed > 0.0 || !m_homing.empty(); }
-    /// "Idle", "Hold:0" ...
+    /// Returns "Idle", "Hold:0" ...
     std::string state() const;
 
 private:
@@ -61,11 +64,11 @@ private:
 
     enum class State { Idle, Run, Hold, Jog, Alarm, Door, Home };
     struct Line {
-        double time_s; ///< when it is taken
+        double time_s; ///< when it is processed
         std::string text;
     };
     struct Block {
-        std::vector<double> to; ///< as it reads
+        std::vector<double> to; ///< in reported positions
         double feed_mm_s;
     };
     struct Words {
@@ -87,7 +90,7 @@ private:
     int takeJog(const std::string& text);
     int takeCode(const std::string& text);
     Words readWords(const std::string& text) const;
-    /// Error number, 0: queued.
+    /// Returns the error number; 0 if the move was queued.
     int queue(const Words& words, bool isRelative, bool isInches, double feed_mm_s, bool isJog);
     int takeSetting(const std::string& line);
     void home();
@@ -110,14 +113,14 @@ private:
     std::map<int, std::string> m_settings;
     double m_now_s = 0.0;
     State m_state = State::Idle;
-    bool m_needsReset = false; ///< an alarm that only 0x18 ends
+    bool m_needsReset = false; ///< an alarm that only 0x18 clears
     bool m_isHomed = false;
     bool m_isDoorOpen = false;
-    bool m_isStopping = false; ///< slows down: hold, door or a cancelled jog
+    bool m_isStopping = false; ///< slows down because of a hold, a door or a cancelled jog
     std::vector<double> m_true, m_reads;
     std::deque<Block> m_blocks;
     double m_speed = 0.0;         ///< along the first block, mm/s
-    std::vector<double> m_homing; ///< where to; empty: does not home
+    std::vector<double> m_homing; ///< target of homing; empty: it does not home
     double m_dwellUntil_s = -1.0;
     bool m_isDwelling = false;
     std::string m_partial;

@@ -1,6 +1,6 @@
 #pragma once
-// Modbus units at the far end of one serial line: thermometer modules and temperature controllers, by
-// profile.
+// Modbus units at the far end of one serial line: thermometer modules and temperature controllers, described
+// by profiles.
 
 #include "engine/device_simulators/byte_device.h"
 #include "engine/protocols/modbus_frame.h"
@@ -12,39 +12,40 @@
 
 namespace bask {
 
-/// The heated plate of a simulated controller: it nears its set point while it heats and the ambient
-/// temperature while it does not, each exponentially.
+/// The heated plate of a simulated controller: it approaches its set point while it heats and the ambient
+/// temperature while it does not, both exponentially.
 struct SimulatedPlate {
     double ambient_K = 296.15;
     double heating_s = 60.0; ///< time constants
     double cooling_s = 300.0;
 };
 
-/// Faults, of all units: "silent"; "open" and "short", as the profile has such sensors; "frozen": registers
-/// keep what they hold; "jumping": thermometers show 30 K more every other half second; "rising": 2 K/s more;
-/// "wrong-unit", "short-reply", "late-reply", "exception" and "bad-crc" answers.
+/// Faults, of all units: "silent"; "open" and "short", as the profile reports such sensors; "frozen":
+/// registers do not change; "jumping": thermometers show 30 K more every other half second; "rising": 2 K/s
+/// more; "wrong-unit", "short-reply", "late-reply", "exception" and "bad-crc" answers.
 class ModbusSimulator final : public ByteDevice {
 public:
     static constexpr double kReplyTime_s = 0.005;
     static constexpr double kLateReply_s = 0.75;
 
-    /// Every channel begins at `t_K`. Throws std::invalid_argument for a profile without channels.
+    /// Every channel starts at `t_K`. Throws std::invalid_argument for a profile without channels.
     void addThermometer(int unit, const ModbusProfile& profile, double t_K);
     /// Throws std::invalid_argument for a profile without a process value.
     void addController(int unit, const ModbusProfile& profile, const SimulatedPlate& plate = {});
 
-    /// Beyond what the registers can hold they hold their end. Throws std::out_of_range for another unit.
+    /// A temperature beyond the range of the registers sets them to the end of the range. Throws
+    /// std::out_of_range for an unknown unit.
     void setTemperature(int unit, int channel, double t_K);
     double plate_K(int unit) const { return m_units.at(unit).plate_K; }
     void setPlate(int unit, double t_K) { m_units.at(unit).plate_K = t_K; }
-    /// As the last client set it.
+    /// Returns the set point from the last client.
     double setPoint_K(int unit) const;
-    /// Whether the controller heats towards its set point; one without a run register always does.
+    /// Returns whether the controller heats towards its set point; one without a run register always does.
     bool isOn(int unit) const;
-    /// What a client finds there.
+    /// Returns what a client reads there.
     std::uint16_t registerAt(int unit, int function, int address) const;
     void setRegister(int unit, int function, int address, std::uint16_t value);
-    /// Registers written by clients so far.
+    /// Returns the number of registers written by clients so far.
     int writes() const { return m_writes; }
 
     void receive(std::string_view bytes, double now_s) override;
@@ -59,7 +60,8 @@ private:
         double plate_K = 0.0;
         std::vector<double> channels_K;
         std::map<std::pair<int, int>, std::uint16_t> registers; ///< by function and address
-        double asked_s = 0.0;                                   ///< newest, for the watchdog
+        /// Time of the newest request, for the watchdog.
+        double asked_s = 0.0;
     };
 
     void advance(double now_s);
@@ -80,9 +82,9 @@ private:
     std::map<int, Unit> m_units;
     std::string m_received, m_fault = "none";
     double m_now_s = 0.0, m_heard_s = 0.0;
-    double m_fault_s = 0.0; ///< when it began
+    double m_fault_s = 0.0; ///< start of the fault
     bool m_hasTime = false;
-    std::deque<std::pair<double, std::string>> m_answers; ///< and when they are sent
+    std::deque<std::pair<double, std::string>> m_answers; ///< with the times at which they are sent
     int m_writes = 0;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// A simulated NAMUR hotplate (IKA): lines, plate, and a watchdog that really switches it off.
+// A simulated NAMUR hotplate (IKA): lines, plate, and a watchdog that switches it off.
 
 #include "engine/device_simulators/byte_device.h"
 #include "engine/protocols/line_splitter.h"
@@ -12,12 +12,13 @@ struct NamurSimulatorConfig {
     double ambient_K = 293.15;
     double heating_s = 60.0;  ///< time constant towards the set point
     double cooling_s = 600.0; ///< towards ambient, or down to the set point
-    double delay_s = 0.02;    ///< of an answer
+    double delay_s = 0.02;    ///< delay of an answer
     std::string name = "IKA simulated";
 };
 
-/// Faults: "silent" hears and says nothing, "garbage" answers noise, "wrong-channel" answers of another
-/// sensor, "stuck-on" heats though off, "no-heat" does not though on, "setpoint-zero" keeps none.
+/// Faults: "silent" receives but sends nothing, "garbage" sends noise, "wrong-channel" answers for another
+/// sensor, "stuck-on" heats although it is off, "no-heat" does not heat although it is on, "setpoint-zero"
+/// stores no set point.
 class NamurSimulator final : public ByteDevice {
 public:
     explicit NamurSimulator(const NamurSimulatorConfig& config = {});
@@ -28,11 +29,11 @@ public:
     Result<void> setFault(const std::string& name) override;
 
     double temperature_K() const { return m_temperature_K; }
-    /// Whether it is switched on; heat may be stuck on besides.
+    /// Returns whether it is switched on; heat may also be stuck on.
     bool isOn() const { return m_isOn; }
     double setPoint_K() const { return m_setPoint_K; }
-    /// The watchdog has switched it off ("Er 2"). Of a real one the manuals do not tell whether START_1 is
-    /// heard then; this one hears it.
+    /// Returns whether the watchdog has switched it off ("Er 2"). The manuals do not say whether a real one
+    /// accepts START_1 then; this one does.
     bool isTripped() const { return m_isTripped; }
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// A simulated device on a pseudo-terminal: any program opens it as it opens a serial port.
+// A simulated device on a pseudo-terminal: any program opens it like a serial port.
 
 #include "engine/device_simulators/byte_pump.h"
 #include "engine/device_simulators/device_server.h"
@@ -8,16 +8,15 @@ namespace bask {
 
 class PtyServer final : public DeviceServer {
 public:
-    /// `linkPath` becomes a symbolic link to the new terminal and is removed at the end; a link that is there
-    /// already is replaced in one step. `device` must outlive it. Errors: SimulatedPortTaken,
-    /// FileUnwritable.
+    /// Makes `linkPath` a symbolic link to the new terminal, which is removed at the end; an existing link is
+    /// replaced in one step. `device` must outlive it. Errors: SimulatedPortTaken, FileUnwritable.
     static Result<std::unique_ptr<PtyServer>> create(ByteDevice& device, const std::string& linkPath);
     ~PtyServer() override;
     PtyServer(const PtyServer&) = delete;
     PtyServer& operator=(const PtyServer&) = delete;
 
     void work(double now_s) override;
-    /// Of the terminal itself, "/dev/pts/5".
+    /// Returns the path of the terminal itself, "/dev/pts/5".
     std::string path() const { return m_terminal.path; }
 
 private:

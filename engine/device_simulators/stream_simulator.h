@@ -1,5 +1,5 @@
 #pragma once
-// A simulated thermometer that prints its temperatures by itself, as sketches for the MAX31865 do.
+// A simulated thermometer that prints its temperatures unasked, as sketches for the MAX31865 do.
 
 #include "engine/device_simulators/byte_device.h"
 
@@ -21,20 +21,20 @@ struct StreamSimulatorConfig {
     std::uint64_t seed = 1;
 };
 
-/// Faults, of the first channel: "open" and "short" as the converter tells them; of all: "silent", "frozen"
-/// (the same values over and over), "garbage".
+/// Faults of the first channel: "open" and "short" as the converter reports them. Faults of all channels:
+/// "silent", "frozen" (the same values again and again), "garbage".
 class StreamSimulator final : public ByteDevice {
 public:
-    /// Throws std::invalid_argument on no channel, or a sketch with several.
+    /// Throws std::invalid_argument for no channel, or a sketch with several.
     explicit StreamSimulator(const StreamSimulatorConfig& config = {});
 
-    /// It does not listen.
+    /// Ignores what it receives.
     void receive(std::string_view, double) override {}
     std::string transmit(double now_s) override;
     std::vector<std::string> faults() const override;
     Result<void> setFault(const std::string& name) override;
 
-    /// The true ones, one a channel; 25 degC before that.
+    /// Sets the true temperatures, one for each channel; they are 25 degC before that.
     void setTemperatures(const std::vector<double>& temperatures_K) { m_true_K = temperatures_K; }
 
 private:

@@ -9,13 +9,13 @@ namespace bask {
 
 class TcpServer {
 public:
-    /// Listens on 127.0.0.1; port 0: any that is free. `device` must outlive it. Errors: LinkNotOpened.
+    /// Listens on 127.0.0.1; port 0: any free port. `device` must outlive it. Errors: LinkNotOpened.
     static Result<std::unique_ptr<TcpServer>> create(ByteDevice& device, int port = 0);
     ~TcpServer();
     TcpServer(const TcpServer&) = delete;
     TcpServer& operator=(const TcpServer&) = delete;
 
-    /// Moves bytes both ways and never waits. One client at a time; another is turned away.
+    /// Moves bytes in both directions and never waits. Accepts one client at a time; another is rejected.
     void work(double now_s);
     int port() const { return m_port; }
 

@@ -1,20 +1,20 @@
 #pragma once
-// A simulated device on a terminal that is there already: a null-modem cable's, or socat's.
+// A simulated device on an existing terminal: of a null-modem cable, or socat's.
 
 #include "engine/device_simulators/byte_pump.h"
 #include "engine/device_simulators/device_server.h"
 
 namespace bask {
 
-/// Opens it raw, as a device has it: no echo, no line editing, no waiting; its speed is left as it is. -1,
-/// and errno set, where it cannot be opened.
+/// Opens a terminal raw, as a device has it: no echo, no line editing, no waiting; its speed is not changed.
+/// Returns -1 and sets errno if it cannot be opened.
 int openRawTerminal(const std::string& path);
 
 class TerminalServer final : public DeviceServer {
 public:
-    static constexpr double kReopen_s = 0.5; ///< a terminal that has gone is looked for so often
+    static constexpr double kReopen_s = 0.5; ///< how often a terminal that has disappeared is tried again
 
-    /// `device` must outlive it. Errors: FileUnwritable where there is no terminal.
+    /// `device` must outlive it. Errors: FileUnwritable if there is no terminal.
     static Result<std::unique_ptr<TerminalServer>> open(ByteDevice& device, const std::string& path);
     ~TerminalServer() override;
     TerminalServer(const TerminalServer&) = delete;
@@ -26,7 +26,7 @@ private:
     TerminalServer(ByteDevice& device, int terminal, std::string path);
 
     BytePump m_pump;
-    int m_terminal; ///< -1: it has gone
+    int m_terminal; ///< -1: it has disappeared
     std::string m_path;
     double m_nextOpen_s = 0.0;
 };

@@ -12,11 +12,11 @@ namespace bask {
 
 inline constexpr int kMaxFourthAxisSamples = 1000;
 
-/// What can be known before the sampling: refuses a file that is there and was not written by writeField,
-/// since it would be lost (an empty one may go), and a fourth axis of too many samples.
+/// Checks before sampling: refuses an existing file that was not written by writeField, because it would be
+/// lost (an empty one may be replaced), and a fourth axis with too many samples.
 Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis>& axes);
 
-/// Writes the field, whole or not at all, without a copy of its samples. `title` says in words what it is.
+/// Writes the whole field or nothing, without copying its samples. `title` describes it in words.
 ///
 /// The first three axes are the image's x, y and z, origin and spacing in m and rad. Point data: the samples
 /// as "view_factor", or as quantity and unit, "steady_temperature_K"; with the gradient also
@@ -28,21 +28,21 @@ Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis
 /// Errors: FileUnwritable, and those of checkFieldFile.
 Result<void> writeField(const Field& field, const std::string& path, const std::string& title);
 
-/// Surfaces of one field of view factors in one file.
+/// Surfaces of one field of view factors, for one file.
 struct SurfaceSet {
     std::vector<Isosurface> surfaces; ///< of `field`
-    /// Of each surface, K; empty: not said.
+    /// For each surface, K; empty: not given.
     std::vector<double> steadyTemperatures_K = {};
-    std::string title; ///< says in words what they are
+    std::string title; ///< describes them in words
 };
 
-/// Refuses a file that is there and was not written by writeSurfaces (an empty one may go).
+/// Refuses an existing file that was not written by writeSurfaces (an empty one may be replaced).
 Result<void> checkSurfaceFile(const std::string& path);
 
-/// Writes the surfaces as one VTK poly data, whole or not at all. Points in m and rad by the field's axes;
-/// point data "Normals" (unit vectors to where the view factor falls), "view_factor" and, where they are
-/// given, "steady_temperature_K". Field data as of writeField, and "values", the surfaces' view factors.
-/// Errors: FileUnwritable, and those of checkSurfaceFile.
+/// Writes the surfaces as one VTK poly data, completely or not at all. Points are in m and rad by the field's
+/// axes; point data: "Normals" (unit vectors in the direction in which the view factor decreases),
+/// "view_factor" and, if given, "steady_temperature_K". Field data as in writeField, and "values", the
+/// surfaces' view factors. Errors: FileUnwritable, and those of checkSurfaceFile.
 Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A map of reachable pairs as a CSV table: what `bask feasibility --reachable` and the Targets page write.
+// A map of reachable pairs as a CSV table, written by `bask feasibility --reachable` and the Targets page.
 
 #include "engine/control/reachable_pairs.h"
 
@@ -8,14 +8,14 @@
 
 namespace bask {
 
-/// First line of every such table.
+/// The first line of every such table.
 inline constexpr const char* kReachableMark = "# Pairs of steady temperatures within the workspace";
 
-/// "reachable-1-2": of the objects by number from 1; the table's ending is ".csv".
+/// Returns "reachable-1-2": the numbers of the objects, from 1; the table's ending is ".csv".
 std::string reachableFileStem(int first, int second);
 
-/// A row a cell (degC, share of the poses, 0 or 1), with names, target and definitions in comment lines.
-/// `names` of all objects.
+/// Returns one row for each cell (degC, share of the poses, 0 or 1), with names, target and definitions in
+/// comment lines. `names` are those of all objects.
 std::string reachableCsv(const std::vector<std::string>& names, const ReachableMap& map);
 
 } // namespace bask

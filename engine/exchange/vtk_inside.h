@@ -1,6 +1,6 @@
 #pragma once
-// What the writers of VTK files share: field data that explains a file, writing it whole, refusing others'
-// files. For this folder's .cpp files alone.
+// Shared by the writers of VTK files: field data that describes a file, writing it completely, refusing files
+// of other programs. Only for the .cpp files of this folder.
 
 #include "engine/base/result.h"
 
@@ -14,13 +14,13 @@ namespace bask::vtkfile {
 
 void addWords(vtkDataSet* data, const char* name, const std::vector<std::string>& words);
 void addNumbers(vtkDataSet* data, const char* name, const std::vector<double>& numbers);
-/// "made_by", the mark of Bask's own files, and "title".
+/// Adds "made_by", the mark of Bask's own files, and "title".
 void addOrigin(vtkDataSet* data, const std::string& title);
 
-/// Through a temporary beside it, where a link leads.
+/// Writes a temporary file beside the target first; follows links.
 Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path);
 
-/// Refuses a file that is there, not empty and not of Bask's own of VTK's type; `kind` is that in words.
+/// Refuses an existing, not empty file that is not Bask's own of this VTK type; `kind` is that type in words.
 Result<void> checkOwn(const std::string& path, const std::string& type, const char* kind);
 
 } // namespace bask::vtkfile

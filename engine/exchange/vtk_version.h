@@ -1,5 +1,5 @@
 #pragma once
-// Which VTK writes the files.
+// The version of VTK that writes the files.
 
 #include <string>
 

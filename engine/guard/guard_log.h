@@ -1,17 +1,17 @@
 #pragma once
-// The guard's log: to the system's and to a file, by a thread of its own. A disk that hangs does not hang the
-// guard.
+// The guard's log, written to the system's log and to a file by its own thread, so that a disk that hangs
+// does not block the guard.
 
 namespace bask::guard {
 
 class GuardLog {
 public:
-    /// `file`: lines are appended to it; empty: to none. `port` is named in each line.
+    /// `file`: lines are appended to it; empty: to none. Each line names `port`.
     GuardLog(const char* file, const char* port);
 
-    /// One line, formatted as by printf; lost where a thousand wait.
+    /// Logs one line, formatted as by printf; it is lost if a thousand lines are waiting.
     [[gnu::format(printf, 2, 3)]] void say(const char* format, ...);
-    /// Waits for what was said, a second at most.
+    /// Waits until everything is written, at most a second.
     void finish();
 
 private:

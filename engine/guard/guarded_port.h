@@ -1,7 +1,7 @@
 #pragma once
-// The heater's serial port as the guard has it: never waited for. A look whether a terminal has bytes waits
-// for the system's own work on them, half a second on a busy computer, and so may its opening: both are done
-// by a thread, whose events are read. Bytes are written at once.
+// The heater's serial port in the guard, which never waits for it. Checking a terminal for bytes waits for
+// the system's own work on them, half a second on a busy computer, and opening may wait, too. Therefore a
+// thread does both and its events are read here. Bytes are written directly.
 
 #include "engine/guard/serial_line.h"
 
@@ -9,45 +9,45 @@
 
 namespace bask::guard {
 
-/// Nothing is allocated after the start.
+/// Allocates no memory after the start.
 class GuardedPort {
 public:
     enum class Event { None, Opened, Failed, Bytes, Dropped, Lost };
 
     explicit GuardedPort(const PortSettings& settings);
 
-    /// Its thread could be started; else nothing works.
+    /// Returns whether its thread could be started; otherwise nothing works.
     bool isWorking() const { return m_isWorking; }
-    /// Opened or Failed is told later.
+    /// Starts to open the port; Opened or Failed is reported later.
     void open();
     bool isOpening() const { return m_isOpening; }
-    /// After Opened, until close().
+    /// True after Opened, until close().
     bool isOpen() const { return m_isOpen; }
     void close();
 
-    /// To be polled for reading; always the same.
+    /// Returns the descriptor to poll for reading; it never changes.
     int descriptor() const { return m_events[0]; }
-    /// The next event, if there is one; of Bytes up to kMaxBytes.
+    /// Returns the next event, if there is one; Bytes has up to kMaxBytes.
     Event take(void* bytes, std::size_t& count);
     static constexpr std::size_t kMaxBytes = 1024;
     int problem() const { return m_problem; }      ///< of Failed: errno, or SerialLine::kExchanged
     const char* id() const { return m_line.id(); } ///< after Opened or Failed
 
-    /// Queues; false: so much is queued that the device does not read.
+    /// Queues bytes. Returns false if so many are queued that the device does not seem to read.
     bool write(const void* bytes, std::size_t count);
-    /// Gives what is queued as far as the port takes it; false: it is gone.
+    /// Writes as many queued bytes as the port accepts. Returns false if the port has disappeared.
     bool flush();
     bool isFlushed() const { return m_queued == 0; }
-    static constexpr int kFlush_ms = 2; ///< until the next flush() where one was not enough
-    /// Forgets what is queued, and what the system holds of it; and drop().
+    static constexpr int kFlush_ms = 2; ///< time until the next flush() if one was not enough
+    /// Discards queued bytes, also those in the system, and calls drop().
     void forget();
-    /// Forgets what has come, wherever it is on its way. What comes after Dropped is new.
+    /// Discards received bytes, wherever they are. Bytes after the event Dropped are new.
     void drop();
 
 private:
     struct Command {
         enum class Kind { Open, Close, Drop };
-        std::uint32_t number; ///< of what is told from here on
+        std::uint32_t number; ///< number of the following messages
         Kind kind;
     };
     struct Packet {
@@ -62,9 +62,9 @@ private:
     bool order(Command::Kind kind);
     void tell(Event event, std::size_t count = 0);
 
-    SerialLine m_line;     ///< the thread's, but for its descriptor between Opened and close()
-    Packet m_told{};       ///< the thread's
-    bool m_isLost = false; ///< the thread's
+    SerialLine m_line;     ///< used by the thread, except its descriptor between Opened and close()
+    Packet m_told{};       ///< used by the thread
+    bool m_isLost = false; ///< used by the thread
     Packet m_taken{};
     int m_commands[2] = {-1, -1}, m_events[2] = {-1, -1};
     unsigned long m_thread = 0;

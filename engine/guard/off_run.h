@@ -1,6 +1,6 @@
 #pragma once
-// Switching off, by the steps that the heater's driver has left: over and over until the device says that it
-// is off.
+// Switches off, with the steps that the heater's driver has given: again and again until the device confirms
+// that it is off.
 
 #include "engine/guard/guard_log.h"
 #include "engine/guard/guard_messages.h"
@@ -8,7 +8,7 @@
 
 namespace bask::guard {
 
-/// Whether what came back is what a step wants.
+/// Returns whether the answer is the expected one of a step.
 bool fits(const OffStep& step, const unsigned char* bytes, std::size_t count);
 
 class OffRun {
@@ -16,14 +16,15 @@ public:
     OffRun(GuardedPort& port, const OffProgram& program, GuardLog& log)
         : m_port(port), m_program(program), m_log(log) {}
 
-    /// Waits until it is confirmed, for ever if need be; opens the port where it is not, or gone.
+    /// Repeats until it is confirmed, without end if necessary; opens the port if it is not open, or has
+    /// disappeared.
     void untilConfirmed();
 
 private:
     bool isOpen();
     bool pass();
     bool take(const OffStep& step);
-    /// Reads on for so long; empty `step`: whatever comes is dropped.
+    /// Reads for this time; with an empty `step` all bytes are discarded.
     bool hear(const OffStep* step, int ms);
     void dropOld();
     void lose();
@@ -35,7 +36,7 @@ private:
     GuardLog& m_log;
     int m_passes = 0;
     std::size_t m_heard = 0;
-    unsigned char m_bytes[GuardedPort::kMaxBytes] = {}; ///< since the step was sent
+    unsigned char m_bytes[GuardedPort::kMaxBytes] = {}; ///< bytes since the step was sent
 };
 
 } // namespace bask::guard

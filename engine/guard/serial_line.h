@@ -1,6 +1,6 @@
 #pragma once
-// The heater's serial line itself: alone, raw. Calls may wait for the system, which works through what came
-// first; see GuardedPort.
+// The heater's serial line itself, exclusive and raw. Calls may wait for the system, which processes earlier
+// work first; see GuardedPort.
 
 #include <cstddef>
 
@@ -12,26 +12,26 @@ struct PortSettings {
     int dataBits = 8;
     char parity = 'N';
     int stopBits = 1;
-    const char* id = "";       ///< its own name; empty: it has none, or is not known
-    const char* idFolder = ""; ///< where the system has links by that to the ports
+    const char* id = "";       ///< its own name; empty: it has none, or it is unknown
+    const char* idFolder = ""; ///< folder in which the system has links to the ports by that name
 };
 
-/// Nothing is allocated.
+/// Allocates no memory.
 class SerialLine {
 public:
     static constexpr int kExchanged = -1;
 
     explicit SerialLine(const PortSettings& settings);
 
-    /// 0; errno: EBUSY where another program has it; or kExchanged where it is not the one it was first, or
-    /// is to be. What was unread before is forgotten.
+    /// Opens the port. Returns 0; an errno, EBUSY if another program has it; or kExchanged if it is not the
+    /// expected port, or the first one. Discards unread bytes from before.
     int open();
-    /// The port's own name when it was opened, or was to be; empty: it has none.
+    /// Returns the port's own name from when it was opened, or the expected one; empty: it has none.
     const char* id() const { return m_id; }
-    /// Gives the last bytes a moment.
+    /// Closes the port, after a short time for the last bytes.
     void close();
     int descriptor() const { return m_descriptor; } ///< -1: not open
-    /// -1: it is gone; 0: nothing there.
+    /// Returns -1 if the port has disappeared, 0 if there is nothing to read.
     long read(void* bytes, std::size_t most);
 
 private:

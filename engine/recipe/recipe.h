@@ -1,6 +1,6 @@
 #pragma once
-// A recipe: experiments to be run one after another, with waits between them. As one value and as a JSON
-// file: "format": "bask-recipe", "version": 1.
+// A recipe: experiments to run one after another, with waits between them. As one value and as a JSON file:
+// "format": "bask-recipe", "version": 1.
 
 #include "engine/model/experiment.h"
 
@@ -11,22 +11,23 @@
 
 namespace bask {
 
-/// A run of an experiment, or a wait at rest, until a condition holds.
+/// A run of an experiment, or a wait at rest, until a condition is true.
 struct RecipeStep {
     enum class Until {
         Settled, ///< all objects within kSettledBand_K of their targets, for duration_s
         Time,    ///< duration_s have passed
         Above,   ///< the object is at this temperature or hotter
-        Below,   ///< or colder
+        Below,   ///< the object is at this temperature or colder
     };
     std::string experiment; ///< its file, absolute; empty: see `example`
-    std::string example;    ///< one that comes with Bask; both empty: a wait
+    std::string example;    ///< name of an example of Bask; both empty: a wait
     Until until = Until::Settled;
     double duration_s = 30.0;
     std::string object;
     double temperature_K = 303.15;
-    double atMost_s = 1800.0; ///< of Time: its duration
-    bool goesOn = false;      ///< to the next step, where this one fails; else the recipe ends there
+    double atMost_s = 1800.0; ///< longest duration; not used for Time
+    /// Whether to continue with the next step if this one fails; otherwise the recipe ends.
+    bool goesOn = false;
 
     bool isRun() const { return !experiment.empty() || !example.empty(); }
     bool operator==(const RecipeStep&) const = default;
@@ -42,32 +43,36 @@ inline constexpr int kRecipeFormat = 1; ///< version written to and accepted fro
 inline constexpr std::size_t kMaxRecipeSteps = 500;
 inline constexpr double kLongestStep_s = 1e7;
 
-/// What all steps take at the very most, s.
+/// Returns the longest duration of all steps together, s.
 double atMost_s(const Recipe& recipe);
 
-/// Ranges; a wait until all have settled there is not. The error's `where` is such as "steps[1].at_most_s".
+/// Checks ranges; refuses a wait until all have settled. The error's `where` is for example
+/// "steps[1].at_most_s".
 Result<void> validate(const Recipe& recipe);
 
-/// Whether a file says that it is one, sound or not.
+/// Returns whether a file declares that it is a recipe, valid or not.
 bool isRecipeFile(const std::string& path);
-/// Refuses unknown keys and wrong types. The experiments are not looked at.
+/// Reads a recipe; refuses unknown keys and wrong types. The experiments are not checked.
 Result<Recipe> readRecipe(const std::string& path);
-/// Same from text; experiments are looked for in `folder`.
+/// Like readRecipe, from text; experiments are searched in `folder`.
 Result<Recipe> recipeFromJson(const std::string& text, const std::string& folder);
-/// Experiments inside of `folder` are written relative to it.
+/// Returns JSON; experiments inside `folder` are written relative to it.
 std::string recipeToJson(const Recipe& recipe, const std::string& folder);
-/// Writes it, whole or not at all.
+/// Writes the whole recipe or leaves the old file.
 Result<void> writeRecipe(const Recipe& recipe, const std::string& path);
 
 using ExampleReader = std::function<Result<Experiment>(const std::string& name)>;
-/// One a step; that of a wait is the run's before it, or of the first one: whose objects are waited for.
+/// One for each step. For a wait it is the experiment of the run before it, or of the first run, whose
+/// objects it waits for.
 using RecipeExperiments = std::vector<std::shared_ptr<const Experiment>>;
 
-/// All of a recipe's experiments, each read once. Errors: a recipe that does not validate or has no run, what
-/// cannot be read, objects that an experiment does not have, temperatures that never come.
+/// Reads all experiments of a recipe, each once. Errors: a recipe that does not validate or has no run, an
+/// experiment that cannot be read, objects that an experiment does not have, temperatures that can never
+/// occur.
 Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleReader& readExample);
 
-/// A person switches its source, so that no recipe can take the heat off between its steps.
+/// Returns whether a person heats the rig's source, so that no recipe can switch the heat off between its
+/// steps.
 bool isKeptHotByHand(const std::optional<RigSpec>& rig);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A recipe on its way: what to ask of the engine next, by what the engine tells.
+// Runs a recipe: decides the next command to the engine from the engine's snapshots.
 
 #include "engine/recipe/recipe.h"
 #include "engine/runtime/command.h"
@@ -13,68 +13,69 @@
 
 namespace bask {
 
-/// What has become of a step.
+/// The state of a step.
 struct RecipeProgress {
     enum class State {
-        Waiting,    ///< its turn has not come
-        Underway,   ///< from the loading of its experiment to the end of its retreat
-        Done,       ///< its condition holds
-        NotReached, ///< not within at_most_s
-        Failed,     ///< it could not be begun, or a fault or an alarm ended it: `reason`
+        Waiting,    ///< not started yet
+        Underway,   ///< from loading its experiment to the end of its retreat
+        Done,       ///< its condition was reached
+        NotReached, ///< not reached within at_most_s
+        Failed,     ///< it could not be started, or a fault or an alarm ended it: see `reason`
         Stopped,    ///< by a person
-        Held,       ///< by a person: its run is not ended, and not watched any more
+        Held,       ///< paused by a person: its run has not ended, and is not monitored any more
     };
     State state = State::Waiting;
-    double elapsed_s = 0.0; ///< since Start, or of the wait
+    double elapsed_s = 0.0; ///< since Start, or since the beginning of the wait
     Message reason;
     std::string recording; ///< session file of a run; empty: none
 };
 
-/// What has become of the recipe.
+/// How the recipe ended.
 enum class RecipeEnd {
-    None, ///< it is on
+    None, ///< it has not ended
     Done,
-    StepFailed, ///< some step was not reached or failed, all others are done or not begun
-    Stopped,    ///< as asked for by stopNow or stopAfterStep
-    TakenOver,  ///< a person held or stopped the run, or loaded something else
-    Alarm,      ///< that is no notice
+    StepFailed, ///< a step was not reached or failed; all others are done or not started
+    Stopped,    ///< as requested by stopNow or stopAfterStep
+    TakenOver,  ///< a person paused or stopped the run, or loaded something else
+    Alarm,      ///< an alarm that is not a notice
     Fault,
 };
 
-/// Whether a fault's reason only says that a rig was connected just now: whoever looks at it may reset.
+/// Returns whether a fault's reason only says that a rig was just connected: a person may reset it.
 bool isNotThereYet(MessageCode code);
 
-/// Pure: time is the rig's, by snapshots. Every run goes through Arm and Start as by hand and ends by Stop,
-/// with the heat off; waits are at rest. A hold, stop, fault or alarm that it has not asked for ends the
-/// recipe, and it never resets a fault. Commands go to the engine in their order.
+/// Does no input or output; time comes from the rig, with the snapshots. Every run uses Arm and Start, as a
+/// person would, and ends by Stop, with the heat off; waits are at rest. A hold, stop, fault or alarm that
+/// the recipe has not requested ends it, and it never resets a fault. Commands must be sent to the engine in
+/// their order.
 class RecipeRunner {
 public:
-    /// The session file for a step's run; empty: it is not recorded. An error fails the step.
+    /// Returns the session file for a step's run; empty: it is not recorded. An error fails the step.
     using RecordingPath = std::function<Result<std::string>(std::size_t step)>;
 
-    /// A recipe with at least one run, with its experiments (readExperiments).
+    /// Takes a recipe with at least one run, with its experiments (readExperiments).
     RecipeRunner(Recipe recipe, RecipeExperiments experiments, RecordingPath recordingPath);
 
-    /// `now`: the engine's last snapshot.
+    /// Starts the recipe; `now` is the engine's last snapshot.
     std::vector<Command> begin(const Snapshot& now);
     std::vector<Command> take(const Snapshot& snapshot);
     std::vector<Command> stopNow();
-    /// A person stops or holds the rig in this moment: nothing is asked of the engine any more, also not by
-    /// what it told before.
+    /// Call when a person stops or pauses the rig: no further command is sent, not even for snapshots from
+    /// before.
     void takeOver(bool isHold = false);
     void setStopAfterStep(bool isWanted) { m_isLast = isWanted; }
     bool stopsAfterStep() const { return m_isLast; }
-    /// What is open must not be replaced: ends where another experiment would be loaded.
+    /// If set, the open experiment must not be replaced: the recipe ends where another one would be loaded.
     void setKeepsExperiment(bool isKept) { m_keepsExperiment = isKept; }
 
     const Recipe& recipe() const { return m_recipe; }
     const std::vector<RecipeProgress>& progress() const { return m_progress; }
-    std::size_t step() const { return m_step; } ///< under way, or the last that was
+    std::size_t step() const { return m_step; } ///< in progress, or the last one that was
     bool isOver() const { return m_phase == Phase::Over; }
     RecipeEnd end() const { return m_phase == Phase::Over ? m_end : RecipeEnd::None; }
-    const Message& reason() const { return m_reason; } ///< of the end; None: none
+    const Message& reason() const { return m_reason; } ///< reason of the end; None: there is none
 
-    /// `Load` until the rig is ready; `Stop`: heat off, retreat.
+    /// `Load` lasts until the rig is ready; `Stop` means heat off and retreat.
     enum class Phase { Load, Arm, Start, Run, Stop, Wait, Over };
     Phase phase() const { return m_phase; }
 
@@ -112,9 +113,9 @@ private:
     std::size_t m_step = 0;
     std::shared_ptr<const Experiment> m_loaded;
     std::uint64_t m_loadId = 0;
-    bool m_isAnswered = false; ///< the load has been carried out
-    double m_since_s = 0.0;    ///< by the rig's clock: of the phase
-    double m_within_s = 0.0;   ///< all within the band since
+    bool m_isAnswered = false; ///< whether the experiment has been loaded
+    double m_since_s = 0.0;    ///< start of the phase by the rig's clock
+    double m_within_s = 0.0;   ///< since when all objects are within the band
     bool m_isWithin = false;
     std::set<std::pair<std::uint64_t, int>> m_knownAlarms;
     bool m_isLast = false, m_keepsExperiment = false;

@@ -1,5 +1,5 @@
 #pragma once
-// A whole recipe on the simulated rig, as fast as the machine goes.
+// Runs a whole recipe on the simulated rig, as fast as the machine allows.
 
 #include "engine/recipe/recipe_runner.h"
 
@@ -8,11 +8,11 @@
 
 namespace bask {
 
-/// After every sampling period; may be empty.
+/// Called after every sampling period; may be empty.
 using RecipeWatch = std::function<void(const RecipeRunner& runner, const Snapshot& snapshot)>;
 
-/// Runs to the recipe's end. A run is recorded where the runner says, each on a rig of its own at ambient;
-/// waits are on the rig of the run before them. A stop ends it as stopNow does.
+/// Runs to the end of the recipe. A run is recorded where the runner says, each on a new rig at ambient
+/// temperature; waits use the rig of the run before them. A stop request ends it as stopNow does.
 void runSimulated(RecipeRunner& runner, const RecipeWatch& watch = {}, std::stop_token stop = {});
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Polygons painted into a grey picture, each pixel by the exact share of it that they cover.
+// Paints polygons into a grey picture; each pixel gets the exact share that they cover.
 
 #include <Eigen/Core>
 
@@ -16,14 +16,15 @@ struct GreyCanvas {
 
 using Ring = std::vector<Eigen::Vector2d>;
 
-/// Closed rings in pixels (centres at whole numbers), wholly, partly or not at all within the picture. All
-/// outlines go round the same way and holes the other; rings that meet edge to edge show no seam.
+/// Paints closed rings in pixels (centres at whole numbers), which may lie partly or completely outside the
+/// picture. All outlines go round in the same direction and holes in the other; rings with a common edge show
+/// no seam.
 class AreaPainter {
 public:
     void paint(GreyCanvas& canvas, std::span<const Ring> rings, float grey);
 
 private:
-    std::vector<float> m_change; ///< of the share covered, from each pixel to the next of its row
+    std::vector<float> m_change; ///< change of the covered share, from each pixel to the next of its row
 };
 
 } // namespace bask

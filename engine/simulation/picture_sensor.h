@@ -1,5 +1,5 @@
 #pragma once
-// What lens and sensor make of a sharp picture: blur, uneven light, noise, eight bits.
+// The effect of lens and sensor on a sharp picture: blur, uneven light, noise, eight bits.
 
 #include "engine/shape/marker.h"
 #include "engine/simulation/area_paint.h"
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// As a picture's brightness suffers.
+/// How the brightness of a picture is degraded.
 struct PictureQuality {
     double noise_grey = 0.0; ///< standard deviation of a pixel, of 255
     double blur_px = 0.0;    ///< standard deviation of the lens's spot
@@ -16,25 +16,25 @@ struct PictureQuality {
     std::uint64_t seed = 1;
 };
 
-/// One thread.
+/// Not thread-safe.
 class PictureSensor {
 public:
     PictureSensor(const PictureQuality& quality, int width);
 
-    /// `number` chooses the noise: the same again gives the same picture.
+    /// Returns the degraded picture. `number` selects the noise: the same number gives the same picture.
     GreyPicture caught(const GreyCanvas& canvas, std::uint64_t number);
 
 private:
     using Row = std::vector<float>;
 
-    Row& blurredRow(int y); ///< across only; the newest few are kept
+    Row& blurredRow(int y); ///< blurred horizontally only; the newest few are stored
     void blurAcross(const GreyCanvas& canvas, int y);
     void blurDown(int y);
     void finish(int y, int height, std::uint64_t number, std::uint8_t* to) const;
 
     PictureQuality m_quality;
     Row m_spot;  ///< weights of the blur
-    Row m_noise; ///< rows of pictures take pieces of it
+    Row m_noise; ///< rows of pictures use parts of it
     Row m_padded, m_sum;
     std::vector<Row> m_across;
 };

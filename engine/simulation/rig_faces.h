@@ -1,5 +1,5 @@
 #pragma once
-// What a camera sees of the rig, as flat faces: source, objects, markers on cards, a hand, a board.
+// The parts of the rig that a camera sees, as flat faces: source, objects, markers on cards, a hand, a board.
 
 #include "engine/calibration/board.h"
 #include "engine/calibration/marker_layout.h"
@@ -17,11 +17,12 @@ struct PartFace {
     SceneFace face;
 };
 
-/// The source's plate and hot face, the objects, every marker on a card with a light margin of one module.
+/// Returns the source's plate and hot face, the objects, and every marker on a card with a light margin of
+/// one module.
 std::vector<PartFace> rigFaces(const SimulatedCameraConfig& config);
-/// A hand before each of the source's markers.
+/// Returns a hand in front of each of the source's markers.
 std::vector<PartFace> handFaces(const MarkerLayout& markers);
-/// In the frame of heldBoardPose with z turned towards the camera: x right, y up.
+/// Returns the board in the frame of heldBoardPose, with z turned towards the camera: x right, y up.
 SceneFace boardFace(const Board& board);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of flat things on a bench, through a lens with distortion.
+// Pictures of flat objects on a bench, through a lens with distortion.
 
 #include "engine/base/pose.h"
 #include "engine/calibration/camera_model.h"
@@ -10,35 +10,36 @@
 
 namespace bask {
 
-/// A flat thing in the xy-plane of its own frame, in metres; its front looks along +z.
+/// A flat object in the xy-plane of its own frame, in metres; its front is towards +z.
 struct SceneFace {
     std::vector<Ring> rings; ///< outlines counter-clockwise, holes clockwise
     float front = 0.0F, behind = 0.0F;
     std::vector<Ring> marks = {}; ///< painted on the front, as rings
     float markGrey = 0.0F;
-    int layer = 0; ///< the higher covers the lower in the same plane
+    int layer = 0; ///< in the same plane a higher layer covers a lower one
 };
 
-/// Where it is. The face outlives the rendering.
+/// A face with its pose. The face must outlive the rendering.
 struct PlacedFace {
     const SceneFace* face = nullptr;
     Pose X_CF = Pose::Identity();
 };
 
-/// Faces that the camera shows, in an order in which each covers those before it as it should: by which side
-/// of whose plane they are on, so that it is right for all that do not pass through one another.
+/// Returns the faces that the camera shows, sorted so that each one covers the earlier ones correctly. The
+/// order depends on which side of each other's planes they are, and is correct for all faces that do not pass
+/// through one another.
 std::vector<PlacedFace> inPaintingOrder(std::span<const PlacedFace> faces);
 
-/// The bench is the plane z = kBench_m of R. One thread. Throws std::invalid_argument for a camera without
-/// size or focal lengths.
+/// The bench is the plane z = kBench_m of R. Not thread-safe. Throws std::invalid_argument for a camera
+/// without size or focal lengths.
 class SceneRenderer {
 public:
     static constexpr double kBench_m = -0.05;
 
     SceneRenderer(const CameraModel& camera, const Pose& X_RC, const PictureQuality& quality);
 
-    /// `number` chooses the noise: the same again gives the same picture. Faces painted in the order of
-    /// inPaintingOrder, then those `onTop` as they come.
+    /// Renders a picture. `number` selects the noise: the same number gives the same picture. Faces are
+    /// painted in the order of inPaintingOrder, then those of `onTop` in their order.
     GreyPicture render(std::span<const PlacedFace> faces, std::span<const PlacedFace> onTop,
                        std::uint64_t number);
 
@@ -49,7 +50,7 @@ private:
     std::vector<Ring> shown(const std::vector<Ring>& rings, const Pose& X_CF) const;
 
     Lens m_lens;
-    Eigen::AlignedBox2d m_seen; ///< (x, y) / z of all that is in the picture, and a little more
+    Eigen::AlignedBox2d m_seen; ///< (x, y) / z of everything in the picture, with a small margin
     GreyCanvas m_bench, m_canvas;
     AreaPainter m_painter;
     PictureSensor m_sensor;

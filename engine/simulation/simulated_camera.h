@@ -1,5 +1,5 @@
 #pragma once
-// A simulated camera: renders the rig as it truly is, with lens, noise, blur and uneven light.
+// A simulated camera: renders the true rig, with lens, noise, blur and uneven light.
 
 #include "engine/base/clock.h"
 #include "engine/calibration/board.h"
@@ -16,18 +16,19 @@
 
 namespace bask {
 
-/// A camera's axes (x right, y down, z forward) at `eye`, upright, looking at a point; both in R, z up.
+/// Returns the axes of a camera (x right, y down, z forward) at `eye`, upright, that looks at a point; both
+/// are in R, z up.
 Pose lookingAt(const Eigen::Vector3d& eye, const Eigen::Vector3d& at);
 
-/// 1280 x 720, 65 degrees wide, mild barrel distortion.
+/// Returns a camera of 1280 x 720, 65 degrees wide, with mild barrel distortion.
 CameraModel usualCamera();
-/// X_RC of a camera that stands 0.75 m from a source at R's origin and sees it obliquely from above, with
-/// room above it for an end-effector.
+/// Returns X_RC of a camera 0.75 m from a source at R's origin, which sees it obliquely from above, with room
+/// above the source for an end-effector.
 Pose usualCameraPose();
 
-/// As it truly is.
+/// The true rig and camera.
 struct SimulatedCameraConfig {
-    CameraModel camera = usualCamera(); ///< width and height known
+    CameraModel camera = usualCamera(); ///< with known width and height
     Pose X_RC = usualCameraPose();
     MarkerLayout markers;
     Shape source = Disk{0.10};
@@ -36,52 +37,53 @@ struct SimulatedCameraConfig {
         Pose X_EO = Pose::Identity();
     };
     std::vector<Object> objects;
-    double frameRate_Hz = 30.0; ///< of the engine's clock
-    bool isWallLimited = true;  ///< and at most as many a second of the computer's
+    double frameRate_Hz = 30.0; ///< by the engine's clock
+    bool isWallLimited = true;  ///< also limits the frames to this rate by the computer's clock
     double noise_grey = 2.0;    ///< standard deviation of a pixel, of 255
     double blur_px = 0.7;       ///< standard deviation of the lens's spot
     double lightFall = 0.3;     ///< how much darker the darker side is, 0..1
-    double delay_s = 0.03;      ///< from the light caught to the frame handed out, on the engine's clock
+    double delay_s = 0.03;      ///< from the exposure to the delivered frame, by the engine's clock
     std::uint64_t seed = 1;
 };
 
-/// The rig at one moment.
+/// The rig at one time.
 struct SceneMoment {
     double time_s = 0.0;
     Pose X_RE = Pose::Identity();
     Pose X_RS = Pose::Identity();
 };
 
-/// observe() and the setters from one thread (the engine's), newest() from one, which renders.
+/// Call observe() and the setters from one thread (the engine's), and newest() from one thread, which
+/// renders.
 class SimulatedCamera final : public Camera {
 public:
-    /// Throws std::invalid_argument for a camera without size and a layout that checkLayout refuses. What
-    /// takes time is made with the first picture: most runs have none.
+    /// Throws std::invalid_argument for a camera without size and a layout that checkLayout refuses. Slow
+    /// parts are made with the first picture, because most runs have none.
     explicit SimulatedCamera(SimulatedCameraConfig config);
 
-    /// Of the moment that is delay_s older than the newest observed; CameraLost before the first.
+    /// Returns the frame of the time delay_s before the newest observed one; CameraLost before the first.
     Result<std::shared_ptr<const CameraFrame>> newest() override;
 
     void observe(const SceneMoment& moment);
-    /// Other markers on the rig; throws as the constructor.
+    /// Sets other markers on the rig; throws as the constructor.
     void setMarkers(const MarkerLayout& markers);
-    /// A board that is held before the camera, moved by itself from one view that calibrates to the next and
-    /// still for a while at each, as a patient person would; empty: none.
+    /// Shows a board in front of the camera, which moves from one calibration view to the next and is still
+    /// for a while at each, as a patient person would move it; empty: none.
     void setBoard(std::optional<Board> board);
-    /// A hand before the source's markers.
+    /// Shows a hand in front of the source's markers.
     void setCovered(bool covered);
     void setUnplugged(bool unplugged);
 
 private:
     struct Observed {
         SceneMoment moment;
-        double caught_s; ///< the computer's time at that moment
+        double caught_s; ///< the computer's time then
     };
     struct HeldBoard {
         Board board;
         double since_s;
     };
-    /// What is to be seen.
+    /// The content of a picture.
     struct View {
         Observed now;
         std::optional<HeldBoard> board;
@@ -96,7 +98,7 @@ private:
     const SimulatedCameraConfig m_config;
     const SteadyClock m_wall;
 
-    mutable std::mutex m_mutex; // of the next six
+    mutable std::mutex m_mutex; // protects the next six members
     MarkerLayout m_markers;
     bool m_areMarkersNew = true;
     std::deque<Observed> m_observed;
@@ -104,7 +106,7 @@ private:
     bool m_isCovered = false;
     bool m_isUnplugged = false;
 
-    // Of newest()'s thread.
+    // Used by the thread of newest().
     std::vector<PartFace> m_rig, m_hands;
     std::optional<SceneRenderer> m_renderer;
     std::shared_ptr<const CameraFrame> m_frame;

@@ -1,6 +1,6 @@
 #pragma once
-// The simulated rig: plant, robot, thermometers, heat source, its tracker and a camera on one manual clock.
-// Ships in the release.
+// The simulated rig: plant, robot, thermometers, heat source, its tracker and a camera with one manual clock.
+// It is part of the released program.
 
 #include "engine/base/time_table.h"
 #include "engine/radiation/view_factor.h"
@@ -15,7 +15,7 @@
 
 namespace bask {
 
-/// One object as it truly is.
+/// The true properties of one object.
 struct SimulatedObject {
     Shape shape;
     Vector6d mounting = Vector6d::Zero(); ///< coordinates of O in E
@@ -26,9 +26,9 @@ struct SimulatedRigConfig {
     Shape source = Disk{0.10};
     SourceModel sourceModel = SourceModel::Gray;
     double sourceEmittance = 0.25;
-    double sourceTemperature_K = 473.15;    ///< at the beginning
+    double sourceTemperature_K = 473.15;    ///< at the start
     Vector6d sourcePose = Vector6d::Zero(); ///< coordinates of X_RS
-    TimeTable<Vector6d> sourceMotion;       ///< of X_RS since the heat came on; empty: it lies still
+    TimeTable<Vector6d> sourceMotion;       ///< of X_RS since the heat came on; empty: it does not move
     double environment_K = 298.15;
     double convection_W_m2K = 0.0;
     std::vector<SimulatedObject> objects;
@@ -40,12 +40,11 @@ struct SimulatedRigConfig {
 };
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).
-/// Its motion begins when the heat comes on, from the first pose each time; without heat it stays where it
-/// is.
+/// Its motion starts when the heat comes on, each time from the first pose; without heat it does not move.
 class SimulatedRig {
 public:
     explicit SimulatedRig(const SimulatedRigConfig& config);
-    SimulatedRig(const SimulatedRig&) = delete; // its devices refer to its clock
+    SimulatedRig(const SimulatedRig&) = delete; // not copyable: its devices refer to its clock
     SimulatedRig& operator=(const SimulatedRig&) = delete;
 
     const Clock& clock() const { return m_clock; }
@@ -58,9 +57,9 @@ public:
     /// Advances the clock by dt_s in steps of at most kStep_s.
     void advance(double dt_s);
     std::vector<double> trueTemperatures_K() const;
-    const Pose& X_RS() const { return m_X_RS; } ///< where the source truly is
+    const Pose& X_RS() const { return m_X_RS; } ///< true pose of the source
 
-    /// Warmed by something else, kHot_K_s.
+    /// Lets something else warm the object, at kHot_K_s.
     void setHot(std::size_t object, bool hot) { m_isHot.at(object) = hot; }
     double environment_K() const { return m_config.environment_K; }
 
@@ -90,7 +89,7 @@ private:
     SimulatedCamera m_camera;
     RadiatingContour m_sourceContour;
     Pose m_X_RS;
-    bool m_heated = false; ///< in the last step
+    bool m_heated = false; ///< whether it was heated in the last step
     double m_heatedSince_s = 0.0;
     std::vector<bool> m_isHot;
     std::vector<double> m_F; ///< at m_computedAt, the end-effector in S

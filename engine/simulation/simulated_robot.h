@@ -1,6 +1,6 @@
 #pragma once
-// A position-stepping robot: moves in steps of its resolution, keeps its own limits, obeys late, ramps to a
-// new velocity, forgets one that is not renewed.
+// A position-stepping robot: moves in steps of its resolution, respects its own limits, obeys with a delay,
+// ramps to a new velocity, and stops if its velocity is not renewed.
 
 #include "engine/base/clock.h"
 #include "engine/devices/robot.h"
@@ -17,21 +17,21 @@ struct SimulatedRobotConfig {
     Vector6d upper = Vector6d::Zero();
     double maxSpeed_m_s = 0.02;
     double maxRotation_rad_s = 0.1;
-    double maxAcceleration_m_s2 = 0.0; ///< 0: takes up a velocity at once
+    double maxAcceleration_m_s2 = 0.0; ///< 0: takes a velocity at once
     double maxAngularAcceleration_rad_s2 = 0.0;
     double step_m = 0.0; ///< 0: continuous
     double step_rad = 0.0;
     Vector6d start = Vector6d::Zero();
-    double latency_s = 0.0; ///< a command, halt too, takes effect this late
+    double latency_s = 0.0; ///< delay until a command takes effect, also halt
 };
 
-/// What a simulated robot can have.
+/// The faults of a simulated robot.
 enum class RobotTrouble {
     None,
     LinkLost,
     Alarm,
-    Restarted, ///< stands, and is not sure of its place
-    Slow       ///< tells nothing new, and obeys kSlow_s late
+    Restarted, ///< stands, and is not sure of its position
+    Slow       ///< reports nothing new, and obeys kSlow_s late
 };
 
 class SimulatedRobot final : public Robot {
@@ -41,15 +41,15 @@ public:
     Result<RobotState> state() override;
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     Result<void> halt() override;
-    Result<void> home() override; ///< where it stands
+    Result<void> home() override; ///< at its present position
     Result<void> clearAlarm() override;
 
     /// Moves for dt_s of the clock's time.
     void advance(double dt_s);
-    /// Where it stands: the steps that its motors have made.
+    /// Returns its true position: the steps that its motors have made.
     Vector6d coordinates() const;
     void setLinkLost(bool lost) { m_trouble = lost ? RobotTrouble::LinkLost : RobotTrouble::None; }
-    /// An alarm, and a place that is not sure, last until they are cleared or another trouble is set.
+    /// An alarm, and an unsure position, last until they are cleared or another fault is set.
     void setTrouble(RobotTrouble trouble);
 
     static constexpr double kSlow_s = 5.0;
@@ -62,18 +62,18 @@ private:
     };
     void give(const Vector6d& twist, double validFor_s);
     void obey(double now_s);
-    /// Moves for dt_s towards the rates `wanted`, all coordinates ramping together.
+    /// Moves for dt_s towards the rates `wanted`; all coordinates ramp together.
     void ramp(const Vector6d& wanted, double dt_s);
 
     SimulatedRobotConfig m_config;
     const Clock& m_clock;
     Vector6d m_exact;                     ///< continuous position that the steps follow
-    Vector6d m_wanted = Vector6d::Zero(); ///< rates told last
-    Vector6d m_rates = Vector6d::Zero();  ///< rates it has
+    Vector6d m_wanted = Vector6d::Zero(); ///< last commanded rates
+    Vector6d m_rates = Vector6d::Zero();  ///< present rates
     double m_expires_s = 0.0;
-    std::deque<Order> m_orders; ///< on their way
+    std::deque<Order> m_orders; ///< not yet in effect
     RobotTrouble m_trouble = RobotTrouble::None;
-    RobotState m_told; ///< last
+    RobotState m_told; ///< last reported
 };
 
 } // namespace bask

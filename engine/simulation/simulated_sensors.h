@@ -22,18 +22,18 @@ struct SimulatedThermometerConfig {
     double dropout = 0.0; ///< probability that a channel gives no reading
 };
 
-/// What a simulated sensor can have.
+/// The faults of a simulated sensor.
 enum class SensorTrouble {
     None,
     Lost,    ///< gives no value
-    Open,    ///< and says so
-    Short,   ///< and says so
-    Frozen,  ///< gives its last value
-    Jumping, ///< reads kJump_K too much for every other kJumping_s
-    Off      ///< came off its object: goes to the room's temperature by itself, see setOffLag
+    Open,    ///< gives no value and reports it
+    Short,   ///< gives no value and reports it
+    Frozen,  ///< repeats its last value
+    Jumping, ///< reads kJump_K too much in every other kJumping_s
+    Off      ///< has come off its object: approaches the room's temperature, see setOffLag
 };
 
-/// Follows true temperatures that it is given by observe().
+/// Measures the true temperatures that observe() receives.
 class SimulatedThermometer final : public Thermometer {
 public:
     SimulatedThermometer(const SimulatedThermometerConfig& config, const Clock& clock);
@@ -41,14 +41,15 @@ public:
     int channels() const override { return m_config.channels; }
     Result<std::vector<Reading>> read() override;
 
-    /// True temperatures at the clock's time.
+    /// Takes the true temperatures at the clock's time.
     void observe(const std::vector<double>& true_K);
     void setLost(std::size_t channel, bool lost) {
         setTrouble(channel, lost ? SensorTrouble::Lost : SensorTrouble::None);
     }
-    /// `room_K`: what a sensor reads that came off.
+    /// Sets a fault; `room_K` is the reading of a sensor that has come off.
     void setTrouble(std::size_t channel, SensorTrouble trouble, double room_K = 298.15);
-    /// Time constant in still air of sensors that come off, s; 0: they read the room at once.
+    /// Sets the time constant in still air of sensors that come off, s; 0: they read the room's temperature
+    /// at once.
     void setOffLag(double lag_s) { m_offLag_s = lag_s; }
 
     static constexpr double kJump_K = 30.0;
@@ -57,14 +58,14 @@ public:
 private:
     struct Moment {
         double time_s;
-        std::vector<double> felt_K; ///< of the sensor itself, which lags behind its object
+        std::vector<double> felt_K; ///< temperature of the sensor itself, which lags behind its object
     };
     struct Trouble {
         SensorTrouble kind = SensorTrouble::None;
         double since_s = 0.0;
         double room_K = 0.0;
-        double felt_K = 0.0; ///< when it began
-        double last_K = 0.0; ///< given last
+        double felt_K = 0.0; ///< when it started
+        double last_K = 0.0; ///< last reported
     };
     Reading troubled(std::size_t channel, double value_K);
 
@@ -77,20 +78,20 @@ private:
     std::deque<Moment> m_history;
 };
 
-/// What a simulated source can have.
+/// The faults of a simulated source.
 enum class SourceTrouble {
     None,
     LinkLost,
-    Silent,     ///< tells no temperature
-    NotHeating, ///< takes orders, and cools
-    HeatsAlone, ///< kAlone_K_s with its heat off
-    Overheats,  ///< kOverheating_K_s, whatever its set point
-    Limited,    ///< to kLimited_K below its set point
-    KeepsHeat   ///< takes no order to switch off
+    Silent,     ///< reports no temperature
+    NotHeating, ///< accepts commands, and cools
+    HeatsAlone, ///< warms by kAlone_K_s with its heat off
+    Overheats,  ///< warms by kOverheating_K_s, at any set point
+    Limited,    ///< limits itself to kLimited_K below its set point
+    KeepsHeat   ///< does not obey the command to switch off
 };
 
-/// A plate kept at its set temperature behind a shutter: heat on opens the shutter, heat off closes it and
-/// lets the plate cool slowly.
+/// A plate at its set temperature behind a shutter: heat on opens the shutter, heat off closes it and lets
+/// the plate cool slowly.
 class SimulatedHeatSource final : public HeatSource {
 public:
     static constexpr double kCooling_s =

@@ -1,5 +1,5 @@
 #pragma once
-// A simulated tracker of the source's pose: noise, delay, lost from view.
+// A simulated tracker of the source's pose, with noise, delay, and loss of sight.
 
 #include "engine/base/clock.h"
 #include "engine/devices/source_tracker.h"
@@ -17,15 +17,15 @@ struct SimulatedTrackerConfig {
     std::uint64_t seed = 1;
 };
 
-/// Follows the true pose that it is given by observe().
+/// Measures the true pose that observe() receives.
 class SimulatedSourceTracker final : public SourceTracker {
 public:
     SimulatedSourceTracker(const SimulatedTrackerConfig& config, const Clock& clock);
 
-    /// The newest pose that is delay_s old, stamped with its time.
+    /// Returns the newest pose that is at least delay_s old, with its time.
     Result<PoseReading> read() override;
 
-    /// True pose at the clock's time.
+    /// Takes the true pose at the clock's time.
     void observe(const Pose& X_RS);
     void setLost(bool lost) { m_lost = lost; }
 

@@ -1,6 +1,5 @@
 #pragma once
-// True temperatures of the simulated objects: radiation as modelled, and convection that no controller knows
-// of.
+// True temperatures of the simulated objects: radiation as modelled, and convection that no controller knows.
 
 #include "engine/thermal/heat_balance.h"
 
@@ -20,10 +19,10 @@ class ThermalPlant {
 public:
     ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K);
 
-    /// Advances by dt_s, in as many steps as the thinnest object needs, under constant view factors F and net
+    /// Advances by dt_s, in as many steps as the thinnest object needs, with constant view factors F and net
     /// source power J (W/m2).
     void advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2);
-    /// By something else than the source.
+    /// Warms an object by something other than the source.
     void warm(std::size_t i, double by_K) { m_objects[i].temperature_K += by_K; }
     double temperature_K(std::size_t i) const { return m_objects[i].temperature_K; }
     std::size_t size() const { return m_objects.size(); }
