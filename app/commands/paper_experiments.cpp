@@ -8,7 +8,6 @@
 #include "engine/experiment/json_text.h"
 
 #include <QDir>
-#include <QFile>
 
 #include <nlohmann/json.hpp>
 
@@ -19,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::uintmax_t kMaxBytes = 1U << 20;
 constexpr RunEnding kEndings[] = {RunEnding::Settled, RunEnding::NotSettled, RunEnding::Compromise,
                                   RunEnding::Fault};
 
@@ -154,24 +154,20 @@ const char* runEndingName(RunEnding ending) {
 
 Result<std::vector<PaperFigure>> readPaperFigures(const std::string& folder, const std::string& only) {
     const std::string path = folder + "/expected.json";
-    QFile file(QString::fromStdString(path));
-    if (!file.exists())
-        return Error(MessageCode::FileNotFound, path);
-    if (!file.open(QIODevice::ReadOnly))
-        return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
-    const std::string text = file.readAll().toStdString();
-    if (const auto wrong = checkJsonText(text))
-        return Error(wrong->code, path, wrong->args);
+    const auto text = readTextFile(path, kMaxBytes);
+    if (!text)
+        return text.error();
     try {
-        return figuresFrom(json::parse(text), path, folder, only);
+        Result<std::vector<PaperFigure>> figures = Error();
+        const Failure failed = readJsonTree(
+            *text, path, [&](const json& j, Failure&) { figures = figuresFrom(j, path, folder, only); });
+        return failed ? *failed : figures;
     } catch (const UnknownEnding& unknown) {
         std::string known;
         for (const RunEnding ending : kEndings)
             known += std::string(runEndingName(ending)) + ", ";
         known += kAtTheEdge;
         return Error(MessageCode::ValueUnknown, path + ": outcome", {unknown.word, known});
-    } catch (const json::exception& failure) {
-        return Error(MessageCode::JsonSyntax, path, {plainWords(failure.what())});
     }
 }
 

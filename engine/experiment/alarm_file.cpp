@@ -1,12 +1,8 @@
 #include "engine/experiment/alarm_file.h"
+
 #include "engine/base/plain_text.h"
-#include "engine/experiment/text_file.h"
-#include "engine/model/alarm.h"
-
 #include "engine/experiment/json_fields.h"
-
-#include <QFile>
-#include <QString>
+#include "engine/experiment/text_file.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +12,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr qint64 kMaxAlarmBytes = 1 << 20;
+constexpr std::uintmax_t kMaxAlarmBytes = 1 << 20;
 
 Alarm readAlarm(const json& j, const std::string& path, Failure& failure) {
     Alarm alarm;
@@ -65,37 +61,21 @@ nlohmann::ordered_json alarmJson(const Alarm& alarm) {
 } // namespace
 
 Result<std::vector<Alarm>> readAlarms(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    if (!file.exists())
+    const auto text = readTextFile(path, kMaxAlarmBytes);
+    if (!text && text.error().code() == MessageCode::FileNotFound)
         return std::vector<Alarm>();
-    if (!file.open(QIODevice::ReadOnly))
-        return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
-    const std::string text = file.read(kMaxAlarmBytes).toStdString();
-    try {
-        const json j = json::parse(text);
-        Failure failure;
-        std::string format;
-        int version = 0;
-        Fields root(j, "", failure);
-        root.read("format", format, true);
-        root.read("version", version, true);
-        const json* list = root.find("alarms", true);
+    if (!text)
+        return text.error();
+    using Alarms = std::vector<Alarm>;
+    return readJsonText<Alarms>(*text, path, [](const json& j, Failure& failure, Alarms& alarms) {
+        Fields root(j, {}, failure);
+        readHeader(root, "bask-alarms", kVersion);
+        readEach(root, "alarms", true, [&](const json& entry, const std::string& where) {
+            alarms.push_back(readAlarm(entry, where, failure));
+        });
         root.close();
-        if (!failure && (format != "bask-alarms" || !list->is_array()))
-            root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-alarms"});
-        if (!failure && version > kVersion)
-            root.fail(MessageCode::VersionTooNew, "version",
-                      {std::to_string(version), std::to_string(kVersion)});
-        std::vector<Alarm> alarms;
-        for (std::size_t i = 0; !failure && i < list->size(); ++i)
-            alarms.push_back(readAlarm((*list)[i], "alarms[" + std::to_string(i) + ']', failure));
-        if (failure)
-            return Error(failure->message.code, path + ": " + failure->where, failure->message.args);
         std::erase_if(alarms, [](const Alarm& alarm) { return alarm.message.code == MessageCode::None; });
-        return alarms;
-    } catch (const json::exception& exception) {
-        return Error(MessageCode::JsonSyntax, path, {plainWords(exception.what())});
-    }
+    });
 }
 
 Result<void> writeAlarms(const std::vector<Alarm>& alarms, const std::string& path) {

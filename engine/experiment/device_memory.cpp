@@ -5,8 +5,6 @@
 #include "engine/experiment/json_fields.h"
 #include "engine/experiment/text_file.h"
 
-#include <QFile>
-
 #include <nlohmann/json.hpp>
 
 namespace bask {
@@ -34,25 +32,6 @@ void readDevice(const json& j, const std::string& path, Failure& failure, Device
     out[key] = device;
 }
 
-DeviceMemory readDevices(const json& j, Failure& failure) {
-    DeviceMemory memory;
-    std::string format;
-    int version = 0;
-    Fields root(j, {}, failure);
-    root.read("format", format, true);
-    root.read("version", version, true);
-    const json* list = root.find("devices", true);
-    root.close();
-    if (!failure && (format != "bask-devices" || !list->is_array()))
-        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-devices"});
-    if (!failure && version > kMemoryVersion)
-        root.fail(MessageCode::VersionTooNew, "version",
-                  {std::to_string(version), std::to_string(kMemoryVersion)});
-    for (std::size_t i = 0; !failure && i < list->size(); ++i)
-        readDevice((*list)[i], "devices[" + std::to_string(i) + ']', failure, memory);
-    return memory;
-}
-
 } // namespace
 
 std::string memoryKey(const RobotDeviceSpec& robot) {
@@ -68,22 +47,19 @@ std::string memoryKey(const HeatSourceDeviceSpec& source) {
 }
 
 Result<DeviceMemory> readDeviceMemory(const std::string& path) {
-    if (!QFile::exists(QString::fromStdString(path)))
-        return DeviceMemory();
     const auto text = readTextFile(path, kMaxMemoryBytes);
+    if (!text && text.error().code() == MessageCode::FileNotFound)
+        return DeviceMemory();
     if (!text)
         return text.error();
-    if (const auto trouble = checkJsonText(*text))
-        return Error(trouble->code, path, trouble->args);
-    try {
-        Failure failure;
-        DeviceMemory memory = readDevices(json::parse(*text), failure);
-        if (failure)
-            return Error(failure->code(), path + ": " + failure->where, failure->message.args);
-        return memory;
-    } catch (const json::exception& exception) {
-        return Error(MessageCode::JsonSyntax, path, {plainWords(exception.what())});
-    }
+    return readJsonText<DeviceMemory>(*text, path, [](const json& j, Failure& failure, DeviceMemory& memory) {
+        Fields root(j, {}, failure);
+        readHeader(root, "bask-devices", kMemoryVersion);
+        readEach(root, "devices", true, [&](const json& entry, const std::string& where) {
+            readDevice(entry, where, failure, memory);
+        });
+        root.close();
+    });
 }
 
 Result<void> writeDeviceMemory(const DeviceMemory& memory, const std::string& path) {

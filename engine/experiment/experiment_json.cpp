@@ -5,7 +5,6 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/faults_json.h"
 #include "engine/experiment/json_fields.h"
-#include "engine/experiment/json_text.h"
 #include "engine/experiment/parameter_json.h"
 #include "engine/experiment/rig_json.h"
 #include "engine/experiment/vision_json.h"
@@ -160,18 +159,12 @@ void readImport(Fields& fields, const std::string& folder, Shape& shape, Contour
         return;
     const std::filesystem::path file = std::filesystem::path(folder) / origin.file;
     const Result<PickedOutline> picked = readPicked(file.string(), options);
-    if (!picked) {
-        fields.failure() = picked.error();
-        fields.failure()->where = fields.pathOf("file") + ": " + picked.error().where;
-        return;
-    }
+    if (!picked)
+        return void(fields.failure() = located(picked.error(), fields.pathOf("file")));
     const std::string name = origin.file;
     Result<OriginalShape> made = shapeFromOutline(picked->contour, picked->holes, origin.harmonics);
     if (!made)
-        return fields.fail(made.error().code(),
-                           fields.pathOf("harmonics") +
-                               (made.error().where.empty() ? "" : ": " + made.error().where),
-                           made.error().message.args);
+        return void(fields.failure() = located(made.error(), fields.pathOf("harmonics")));
     shape = std::move(made->shape);
     origin = std::move(made->origin);
     origin.file = name;
@@ -182,13 +175,12 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     enum class Form { Disk, Fourier, Polygon, Import };
     Fields fields(j, path, failure);
     Form form = Form::Disk;
-    fields.find("type", true);
     fields.readWord("type",
                     {{"disk", Form::Disk},
                      {"fourier", Form::Fourier},
                      {"polygon", Form::Polygon},
                      {"import", Form::Import}},
-                    form);
+                    form, true);
     if (failure)
         return;
     if (form == Form::Import)
@@ -218,14 +210,8 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
 /// An array of objects of a time and a value, which readValue(fields, value) reads.
 template <class T, class ReadValue>
 void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, ReadValue readValue) {
-    const json* j = parent.find(key);
-    if (j == nullptr)
-        return;
-    const std::string path = parent.pathOf(key);
-    if (!j->is_array())
-        return parent.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
-    for (std::size_t i = 0; i < j->size() && !parent.failure(); ++i) {
-        Fields fields((*j)[i], path + '[' + std::to_string(i) + ']', parent.failure());
+    readEach(parent, key, false, [&](const json& j, const std::string& path) {
+        Fields fields(j, path, parent.failure());
         TimePoint<T> point;
         if constexpr (std::is_same_v<T, Vector6d>)
             point.value.setZero();
@@ -233,7 +219,7 @@ void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, Re
         readValue(fields, point.value);
         fields.close();
         out.push_back(point);
-    }
+    });
 }
 
 void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
@@ -288,16 +274,9 @@ void readSource(const json& j, const std::string& path, const std::string& folde
 }
 
 void readFree(Fields& fields, RobotLimits& out) {
-    const json* j = fields.find("free");
-    if (j == nullptr)
-        return;
-    const std::string path = fields.pathOf("free");
-    if (!j->is_array())
-        return fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
-    out.free.fill(false);
-    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i) {
-        const json& axis = (*j)[i];
-        const std::string where = path + '[' + std::to_string(i) + ']';
+    if (fields.find("free") != nullptr)
+        out.free.fill(false);
+    readEach(fields, "free", false, [&](const json& axis, const std::string& where) {
         if (!axis.is_string())
             return fields.fail(MessageCode::JsonWrongType, where, {"text", typeName(axis)});
         const auto name = axis.get<std::string>();
@@ -309,7 +288,7 @@ void readFree(Fields& fields, RobotLimits& out) {
         if (free)
             return fields.fail(MessageCode::AxisTwice, where, {name});
         free = true;
-    }
+    });
 }
 
 void readRobot(const json& j, const std::string& path, Failure& failure, Experiment& out) {
@@ -362,26 +341,10 @@ void readSimulation(const json& j, const std::string& path, Failure& failure, Si
     fields.close();
 }
 
-/// Format and version come first: a file from a newer version is said to be that, whatever else is in it.
-void readHeader(Fields& root) {
-    std::string format;
-    int version = 0;
-    root.read("format", format, true);
-    root.read("version", version, true);
-    if (!format.empty() && format != "bask-experiment")
-        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-experiment"});
-    else if (version > kExperimentFormat)
-        root.fail(MessageCode::VersionTooNew, "version",
-                  {std::to_string(version), std::to_string(kExperimentFormat)});
-    else if (root.find("version") != nullptr && version < 1)
-        root.fail(MessageCode::ValueOutOfRange, "version",
-                  {std::to_string(version), "1", std::to_string(kExperimentFormat), ""});
-}
-
 Experiment readRoot(const json& j, const std::string& folder, Failure& failure) {
     Experiment e;
     Fields root(j, "", failure);
-    readHeader(root);
+    readHeader(root, "bask-experiment", kExperimentFormat);
     root.read("title", e.title);
     e.title = printable(std::move(e.title));
     const auto part = [&](const std::string& key, bool required, auto read, auto& out) {
@@ -412,46 +375,27 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     const json* objects = root.find("objects", true);
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();
-    if (objects != nullptr && !objects->is_array())
-        root.fail(MessageCode::JsonWrongType, "objects", {"an array", typeName(*objects)});
-    else if (objects != nullptr && objects->size() > 6)
+    if (objects != nullptr && objects->is_array() && objects->size() > 6)
         root.fail(MessageCode::TooManyObjects, "objects",
                   {std::to_string(objects->size()), std::to_string(e.robot.degreesOfFreedom())});
-    for (std::size_t i = 0; objects != nullptr && i < objects->size() && !failure; ++i)
-        e.objects.push_back(readObject((*objects)[i], "objects[" + std::to_string(i) + "]", folder, failure));
+    readEach(root, "objects", true, [&](const json& value, const std::string& where) {
+        e.objects.push_back(readObject(value, where, folder, failure));
+    });
     return e;
-}
-
-Error located(Error error, const std::string& where) {
-    if (!where.empty())
-        error.where = error.where.empty() ? where : where + ": " + error.where;
-    return error;
 }
 
 } // namespace
 
 Result<Experiment> experimentFromJson(const std::string& text, const std::string& where,
                                       const std::string& folder) {
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        return Error(MessageCode::FileEmpty, where);
     if (text.size() > kMaxFileSize)
         return Error(MessageCode::FileTooLarge, where,
                      {std::to_string(text.size() >> 20) + " MiB", "32 MiB"});
-    try {
-        if (const auto trouble = checkJsonText(text))
-            return Error(trouble->code, where, trouble->args);
-        Failure failure;
-        Experiment experiment = readRoot(json::parse(text), folder, failure);
-        if (failure)
-            return located(*failure, where);
-        if (auto valid = validate(experiment); !valid)
-            return located(valid.error(), where);
-        return experiment;
-    } catch (const json::exception& e) {
-        return Error(MessageCode::JsonSyntax, where, {plainWords(e.what())});
-    } catch (const std::bad_alloc&) {
-        return Error(MessageCode::FileUnreadable, where, {"not enough memory"});
-    }
+    return readJsonText<Experiment>(text, where, [&](const json& j, Failure& failure, Experiment& out) {
+        out = readRoot(j, folder, failure);
+        if (!failure)
+            failure = failureOf(validate(out));
+    });
 }
 
 Result<Experiment> readExperiment(const std::string& path) {

@@ -30,14 +30,9 @@ ScriptedFault readFault(const json& j, const std::string& path, Failure& failure
 } // namespace
 
 void readFaults(Fields& parent, const std::string& key, std::vector<ScriptedFault>& out) {
-    const json* j = parent.find(key);
-    if (j == nullptr)
-        return;
-    const std::string path = parent.pathOf(key);
-    if (!j->is_array())
-        return parent.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
-    for (std::size_t i = 0; i < j->size() && !parent.failure(); ++i)
-        out.push_back(readFault((*j)[i], path + '[' + std::to_string(i) + ']', parent.failure()));
+    readEach(parent, key, false, [&](const json& j, const std::string& path) {
+        out.push_back(readFault(j, path, parent.failure()));
+    });
 }
 
 Json faultsJson(const std::vector<ScriptedFault>& faults) {

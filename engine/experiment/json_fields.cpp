@@ -145,6 +145,32 @@ bool Fields::number(const json& j, const std::string& key, double& out) {
     return true;
 }
 
+void readEach(Fields& parent, const std::string& key, bool required,
+              const std::function<void(const json&, const std::string&)>& read) {
+    const json* j = parent.find(key, required);
+    if (j == nullptr || parent.failure())
+        return;
+    const std::string path = parent.pathOf(key);
+    if (!j->is_array())
+        return parent.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    for (std::size_t i = 0; i < j->size() && !parent.failure(); ++i)
+        read((*j)[i], path + '[' + std::to_string(i) + ']');
+}
+
+void readHeader(Fields& root, const std::string& format, int version) {
+    std::string given;
+    int number = 0;
+    root.read("format", given, true);
+    root.read("version", number, true);
+    if (!given.empty() && given != format)
+        root.fail(MessageCode::ValueUnknown, "format", {plainWords(given), format});
+    else if (number > version)
+        root.fail(MessageCode::VersionTooNew, "version", {std::to_string(number), std::to_string(version)});
+    else if (root.find("version") != nullptr && number < 1)
+        root.fail(MessageCode::ValueOutOfRange, "version",
+                  {std::to_string(number), "1", std::to_string(version), ""});
+}
+
 void readCoordinateFields(Fields& fields, Vector6d& out) {
     for (int k = 0; k < 6; ++k)
         fields.read(kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), out[k]);

@@ -11,6 +11,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -19,11 +20,7 @@
 
 namespace bask {
 
-/// Kind of a value in words: "a number".
 const char* typeName(const nlohmann::json& j); ///< Returns the kind of a value in words: "a number".
-
-/// The first failure; everything after it is skipped.
-using Failure = std::optional<Error>;
 
 /// Fields of an object; close() refuses keys that were not read.
 class Fields {
@@ -91,6 +88,14 @@ template <class Read> void readPart(Fields& parent, const std::string& key, bool
     if (const nlohmann::json* j = parent.find(key, required); j != nullptr && !parent.failure())
         read(*j, parent.pathOf(key));
 }
+
+/// Calls read(json, path) with each entry of the array under `key`, if there is one.
+void readEach(Fields& parent, const std::string& key, bool required,
+              const std::function<void(const nlohmann::json&, const std::string&)>& read);
+
+/// Reads what a file says that it is. Comes first: a file of a newer version is refused as that, whatever
+/// else is in it.
+void readHeader(Fields& root, const std::string& format, int version);
 
 /// Reads the six pose coordinates; missing ones are unchanged.
 void readCoordinateFields(Fields& fields, Vector6d& out);

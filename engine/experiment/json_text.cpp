@@ -56,13 +56,37 @@ private:
     std::optional<Message> m_message;
 };
 
-} // namespace
-
-std::optional<Message> checkJsonText(const std::string& text) {
+/// Empty: the text is sound.
+std::optional<Message> complaintAbout(const std::string& text) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        return Message{MessageCode::FileEmpty, {}};
     TextCheck check;
     if (json::sax_parse(text, &check))
         return std::nullopt;
     return check.message().value_or(Message{MessageCode::JsonSyntax, {}});
+}
+
+} // namespace
+
+Error located(Error error, const std::string& place) {
+    if (!place.empty())
+        error.where = error.where.empty() ? place : place + ": " + error.where;
+    return error;
+}
+
+Failure readJsonTree(const std::string& text, const std::string& place,
+                     const std::function<void(const json&, Failure&)>& read) {
+    try {
+        if (const auto complaint = complaintAbout(text))
+            return Error(complaint->code, place, complaint->args);
+        Failure failure;
+        read(json::parse(text), failure);
+        return failure ? located(*failure, place) : failure;
+    } catch (const json::exception& e) {
+        return Error(MessageCode::JsonSyntax, place, {plainWords(e.what())});
+    } catch (const std::bad_alloc&) {
+        return Error(MessageCode::FileUnreadable, place, {"not enough memory"});
+    }
 }
 
 } // namespace bask

@@ -85,15 +85,11 @@ void readAxis(const json& j, const std::string& path, Failure& failure, AxisSpec
 }
 
 void readAxes(Fields& robot, std::vector<AxisSpec>& out) {
-    const json* j = robot.find("axes");
-    if (j == nullptr)
-        return;
-    const std::string path = robot.pathOf("axes");
-    if (!j->is_array())
-        return robot.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
-    out.clear();
-    for (std::size_t i = 0; i < j->size() && !robot.failure(); ++i)
-        readAxis((*j)[i], path + '[' + std::to_string(i) + ']', robot.failure(), out.emplace_back());
+    if (robot.find("axes") != nullptr)
+        out.clear();
+    readEach(robot, "axes", false, [&](const json& j, const std::string& path) {
+        readAxis(j, path, robot.failure(), out.emplace_back());
+    });
 }
 
 /// What every device has.

@@ -60,17 +60,6 @@ MarkerSpec readMarker(const json& j, const std::string& path, Failure& failure) 
     return marker;
 }
 
-void readMarkers(Fields& fields, std::vector<MarkerSpec>& out) {
-    const json* j = fields.find("markers");
-    if (j == nullptr)
-        return;
-    const std::string path = fields.pathOf("markers");
-    if (!j->is_array())
-        return fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
-    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
-        out.push_back(readMarker((*j)[i], path + '[' + std::to_string(i) + ']', fields.failure()));
-}
-
 Json markerJson(const MarkerSpec& marker) {
     Json j;
     for (const auto& [word, part] : kParts)
@@ -102,7 +91,9 @@ Json cameraJson(const VisionSpec& vision) {
 void readVision(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
     Fields fields(j, path, failure);
     fields.read("dictionary", out.dictionary);
-    readMarkers(fields, out.markers);
+    readEach(fields, "markers", false, [&](const json& part, const std::string& where) {
+        out.markers.push_back(readMarker(part, where, failure));
+    });
     readPart(fields, "camera", false,
              [&](const json& part, const std::string& where) { readCamera(part, where, failure, out); });
     readPart(fields, "camera_pose", false, [&](const json& part, const std::string& where) {

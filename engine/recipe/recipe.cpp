@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/experiment/json_text.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
@@ -21,10 +22,6 @@ std::string placeOf(std::size_t step, const char* key) {
 /// Of what the step goes on until, as the file has it.
 std::string untilOf(const RecipeStep& step, std::size_t i, const char* key) {
     return placeOf(i, step.isRun() ? "until." : "wait.") + key;
-}
-
-std::string joined(const std::string& place, const std::string& inner) {
-    return inner.empty() ? place : place + ": " + inner;
 }
 
 Result<void> checkSeconds(double value_s, double least_s, const std::string& place) {
@@ -125,13 +122,10 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
         if (!known) {
             auto experiment =
                 step.example.empty() ? readExperiment(step.experiment) : readExample(step.example);
-            const auto refuse = [&](const Error& why) {
-                return Error(why.code(), joined(place, why.where), why.message.args);
-            };
             if (!experiment)
-                return refuse(experiment.error());
+                return located(experiment.error(), place);
             if (const auto fit = checkTargets(*experiment); !fit) // it would never be ready
-                return refuse(fit.error());
+                return located(fit.error(), place);
             known = std::make_shared<const Experiment>(std::move(*experiment));
         }
         // Nobody is there to agree to it when its turn comes.

@@ -2,7 +2,6 @@
 #include "engine/base/plain_text.h"
 #include "engine/experiment/json_fields.h"
 #include "engine/experiment/json_quantities.h"
-#include "engine/experiment/json_text.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recipe/recipe.h"
 
@@ -65,30 +64,16 @@ void readStep(const json& j, const std::string& path, const std::string& folder,
 Recipe readRoot(const json& j, const std::string& folder, Failure& failure) {
     Recipe recipe;
     Fields root(j, {}, failure);
-    std::string format;
-    int version = 0;
-    root.read("format", format, true);
-    root.read("version", version, true);
-    if (!format.empty() && format != "bask-recipe")
-        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-recipe"});
-    else if (version > kRecipeFormat)
-        root.fail(MessageCode::VersionTooNew, "version",
-                  {std::to_string(version), std::to_string(kRecipeFormat)});
-    else if (root.find("version") != nullptr && version < 1)
-        root.fail(MessageCode::ValueOutOfRange, "version",
-                  {std::to_string(version), "1", std::to_string(kRecipeFormat), ""});
+    readHeader(root, "bask-recipe", kRecipeFormat);
     root.read("name", recipe.name);
     recipe.name = printable(std::move(recipe.name));
-    if (const json* steps = root.find("steps", true); steps != nullptr && !failure) {
-        if (!steps->is_array())
-            root.fail(MessageCode::JsonWrongType, "steps", {"an array", typeName(*steps)});
-        else if (steps->size() > kMaxRecipeSteps)
-            root.fail(MessageCode::ValueOutOfRange, "steps",
-                      {std::to_string(steps->size()), "0", std::to_string(kMaxRecipeSteps), ""});
-        for (std::size_t i = 0; !failure && i < steps->size(); ++i)
-            readStep((*steps)[i], "steps[" + std::to_string(i) + ']', folder, failure,
-                     recipe.steps.emplace_back());
-    }
+    if (const json* steps = root.find("steps");
+        steps != nullptr && steps->is_array() && steps->size() > kMaxRecipeSteps)
+        root.fail(MessageCode::ValueOutOfRange, "steps",
+                  {std::to_string(steps->size()), "0", std::to_string(kMaxRecipeSteps), ""});
+    readEach(root, "steps", true, [&](const json& step, const std::string& place) {
+        readStep(step, place, folder, failure, recipe.steps.emplace_back());
+    });
     root.close();
     return recipe;
 }
@@ -136,33 +121,19 @@ bool isRecipeFile(const std::string& path) {
 }
 
 Result<Recipe> recipeFromJson(const std::string& text, const std::string& folder) {
-    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
-        return Error(MessageCode::FileEmpty, {});
-    if (const auto trouble = checkJsonText(text))
-        return Error(trouble->code, {}, trouble->args);
-    try {
-        Failure failure;
-        Recipe recipe = readRoot(json::parse(text), folder, failure);
-        if (failure)
-            return *failure;
-        if (const auto valid = validate(recipe); !valid)
-            return valid.error();
-        return recipe;
-    } catch (const json::exception& e) {
-        return Error(MessageCode::JsonSyntax, {}, {plainWords(e.what())});
-    }
+    return readJsonText<Recipe>(text, {}, [&](const json& j, Failure& failure, Recipe& out) {
+        out = readRoot(j, folder, failure);
+        if (!failure)
+            failure = failureOf(validate(out));
+    });
 }
 
 Result<Recipe> readRecipe(const std::string& path) {
     const auto text = readTextFile(path, kMaxBytes);
     if (!text)
         return text.error();
-    Result<Recipe> recipe = recipeFromJson(*text, folderOf(path));
-    if (recipe)
-        return recipe;
-    Error error = recipe.error();
-    error.where = error.where.empty() ? path : path + ": " + error.where;
-    return error;
+    const Result<Recipe> recipe = recipeFromJson(*text, folderOf(path));
+    return recipe ? recipe : located(recipe.error(), path);
 }
 
 std::string recipeToJson(const Recipe& recipe, const std::string& folder) {
