@@ -59,7 +59,7 @@ def is_svg_source(path):
 
 def is_json_inside(path):
     """Headers between the readers and writers of JSON."""
-    return path.as_posix() in {"engine/experiment/json_fields.h", "engine/experiment/json_quantities.h", "engine/experiment/json_text.h",
+    return path.as_posix() in {"engine/base/json_fields.h", "engine/experiment/json_quantities.h", "engine/base/json_text.h",
                                "engine/experiment/rig_json.h", "engine/experiment/faults_json.h", "engine/experiment/parameter_json.h", "engine/experiment/vision_json.h"}
 
 

@@ -2,10 +2,10 @@
 
 #include "app/commands/reproduction_plots.h"
 #include "app/commands/study_output.h"
+#include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/experiment/experiment_file.h"
-#include "engine/experiment/json_text.h"
 
 #include <QDir>
 

@@ -1,7 +1,7 @@
 #include "engine/experiment/alarm_file.h"
 
+#include "engine/base/json_fields.h"
 #include "engine/base/plain_text.h"
-#include "engine/experiment/json_fields.h"
 #include "engine/experiment/text_file.h"
 
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
 #include "engine/experiment/device_memory.h"
 
+#include "engine/base/json_fields.h"
 #include "engine/base/plain_text.h"
 #include "engine/drivers/driver_catalogue.h"
-#include "engine/experiment/json_fields.h"
 #include "engine/experiment/text_file.h"
 
 #include <nlohmann/json.hpp>

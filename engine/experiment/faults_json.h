@@ -1,7 +1,7 @@
 #pragma once
 // Scripted faults of the simulated rig in an experiment's file.
 
-#include "engine/experiment/json_fields.h"
+#include "engine/base/json_fields.h"
 #include "engine/model/safety_spec.h"
 
 namespace bask {

@@ -1,8 +1,8 @@
 #pragma once
 // Tables of parameters as the fields of a JSON object.
 
+#include "engine/base/json_fields.h"
 #include "engine/base/parameter.h"
-#include "engine/experiment/json_fields.h"
 #include "engine/experiment/json_quantities.h"
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // The devices of a real rig in an experiment's file, and as a file of their own.
 
-#include "engine/experiment/json_fields.h"
+#include "engine/base/json_fields.h"
 #include "engine/model/rig_spec.h"
 
 namespace bask {

@@ -1,7 +1,7 @@
 #pragma once
 // The camera, its calibration and its markers in an experiment's file.
 
-#include "engine/experiment/json_fields.h"
+#include "engine/base/json_fields.h"
 #include "engine/model/vision_spec.h"
 
 namespace bask {

@@ -1,6 +1,8 @@
 #include "engine/protocols/modbus_profile.h"
 
+#include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
 #include "engine/base/units.h"
 #include "engine/protocols/register_ranges.h"
 #include "engine/protocols/register_values.h"
@@ -10,7 +12,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 #include <stdexcept>
 
 namespace bask {
@@ -24,7 +25,6 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 constexpr int kMaxAddress = 65535;
-constexpr std::size_t kMaxDepth = 8;
 constexpr double kLowestOff_degC = -200.0;
 
 const std::map<std::string, RegisterType> kTypes{{"int16", RegisterType::Int16},
@@ -51,129 +51,33 @@ std::string joined(const auto& words) {
     return out;
 }
 
-/// Printable, on one line, not too long: it may be shown.
-std::string plain(std::string words) {
-    std::replace_if(
-        words.begin(), words.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-    return words.substr(0, 300);
+void readWhole(Fields& fields, const std::string& key, int& out, int min, int max) {
+    fields.read(key, out);
+    if (fields.find(key) != nullptr && (out < min || out > max))
+        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
+                    {std::to_string(out), std::to_string(min), std::to_string(max), ""});
 }
 
-/// What stops the reading; caught where it began.
-[[noreturn]] void refuse(MessageCode code, const std::string& where, std::vector<MessageArg> args = {}) {
-    throw Error(code, where, std::move(args));
-}
-
-/// One JSON object: typed access by key. close() refuses the keys that nobody asked for.
-class Object {
-public:
-    Object(const json& j, std::string path) : m_json(j), m_path(std::move(path)) {
-        if (!j.is_object())
-            wrongType("", "an object", j);
-    }
-
-    const json* find(const std::string& key) {
-        m_asked.insert(key);
-        const auto it = m_json.find(key);
-        return it == m_json.end() ? nullptr : &*it;
-    }
-    std::string pathOf(const std::string& key) const {
-        return m_path.empty() || key.empty() ? m_path + key : m_path + '.' + key;
-    }
-    void require(const std::string& key) {
-        if (find(key) == nullptr && m_missing.empty())
-            m_missing = key;
-    }
-
-    void read(const std::string& key, double& out) {
-        if (const json* j = find(key)) {
-            if (!j->is_number())
-                wrongType(key, "a number", *j);
-            out = j->get<double>();
-        }
-    }
-    void read(const std::string& key, bool& out) {
-        if (const json* j = find(key)) {
-            if (!j->is_boolean())
-                wrongType(key, "true or false", *j);
-            out = j->get<bool>();
-        }
-    }
-    void read(const std::string& key, std::string& out) {
-        if (const json* j = find(key)) {
-            if (!j->is_string())
-                wrongType(key, "text", *j);
-            out = j->get<std::string>();
-        }
-    }
-    void read(const std::string& key, int& out, int least, int most) {
-        if (const json* j = find(key)) {
-            if (!j->is_number_integer())
-                wrongType(key, "a whole number", *j);
-            const auto value = j->get<double>();
-            if (value < least || value > most)
-                refuse(MessageCode::ValueOutOfRange, pathOf(key),
-                       {j->dump(), std::to_string(least), std::to_string(most), ""});
-            out = static_cast<int>(value);
-        }
-    }
-    template <class T> void readWord(const std::string& key, const std::map<std::string, T>& table, T& out) {
-        std::string word;
-        read(key, word);
-        if (find(key) == nullptr)
-            return;
-        const auto it = table.find(word);
-        if (it == table.end()) {
-            std::vector<std::string> known;
-            for (const auto& [name, unused] : table)
-                known.push_back(name);
-            refuse(MessageCode::ValueUnknown, pathOf(key), {plain(word), joined(known)});
-        }
-        out = it->second;
-    }
-    /// Calls with the value and its place, if there is one.
-    template <class Use> void with(const std::string& key, Use use) {
-        if (const json* j = find(key))
-            use(*j, pathOf(key));
-    }
-
-    void close() {
-        for (const auto& item : m_json.items()) {
-            if (!m_asked.contains(item.key()))
-                refuse(MessageCode::JsonUnknownKey, m_path, {plain(item.key()), joined(m_asked)});
-        }
-        if (!m_missing.empty())
-            refuse(MessageCode::JsonMissingKey, m_path, {m_missing});
-    }
-
-private:
-    [[noreturn]] void wrongType(const std::string& key, const char* expected, const json& found) const {
-        refuse(MessageCode::JsonWrongType, pathOf(key), {expected, found.type_name()});
-    }
-
-    const json& m_json;
-    std::string m_path, m_missing;
-    std::set<std::string> m_asked;
-};
-
-void checkFaultWord(const std::string& word, const std::string& where) {
+void checkFaultWord(const Fields& fields, const std::string& word, const std::string& where) {
     const auto& known = sensorFaultWords();
     if (std::find(known.begin(), known.end(), word) == known.end())
-        refuse(MessageCode::ValueUnknown, where, {plain(word), joined(known)});
+        fields.fail(MessageCode::ValueUnknown, where, {plainWords(word), joined(known)});
 }
 
-void readFaults(const json& j, const std::string& path, std::map<double, std::string>& out) {
-    if (!j.is_object())
-        refuse(MessageCode::JsonWrongType, path, {"an object", j.type_name()});
-    for (const auto& [key, word] : j.items()) {
+void readFaults(const json& j, const std::string& path, Failure& failure,
+                std::map<double, std::string>& out) {
+    Fields fields(j, path, failure);
+    for (const auto& item : j.items()) {
+        if (failure)
+            return;
+        const std::string& key = item.key();
         double number = 0.0;
         const char* end = key.data() + key.size();
         const auto [stop, error] = std::from_chars(key.data(), end, number);
         if (error != std::errc() || stop != end)
-            refuse(MessageCode::JsonWrongType, path + '.' + plain(key), {"a number", "text"});
-        if (!word.is_string())
-            refuse(MessageCode::JsonWrongType, path + '.' + key, {"text", word.type_name()});
-        checkFaultWord(word.get<std::string>(), path + '.' + key);
-        out[number] = word.get<std::string>();
+            fields.fail(MessageCode::JsonWrongType, path + '.' + plainWords(key), {"a number", "text"});
+        fields.read(key, out[number]);
+        checkFaultWord(fields, out[number], path + '.' + key);
     }
 }
 
@@ -192,98 +96,93 @@ bool isUnitFor(Use use, RegisterUnit unit) {
     return unit != RegisterUnit::None && (use == Use::Sensor || !isElectrical);
 }
 
-RegisterSpec readRegister(const json& j, const std::string& path, Use use) {
+RegisterSpec readRegister(const json& j, const std::string& path, Failure& failure, Use use) {
     RegisterSpec out;
     const bool isWritten = use == Use::WrittenTemperature || use == Use::WrittenNumber;
     if (use == Use::Number || use == Use::WrittenNumber)
         out.unit = RegisterUnit::None;
-    Object object(j, path);
-    object.require("address");
-    object.read("function", out.function, 3, isWritten ? 3 : 4);
-    object.read("address", out.address, 0, kMaxAddress);
-    object.readWord("type", kTypes, out.type);
-    object.read("low_word_first", out.isLowWordFirst);
-    object.read("scale", out.scale);
-    object.read("offset", out.offset);
-    object.readWord("unit", kUnits, out.unit);
-    object.with("faults",
-                [&](const json& faults, const std::string& where) { readFaults(faults, where, out.faults); });
-    object.close();
+    Fields fields(j, path, failure);
+    fields.find("address", true);
+    readWhole(fields, "function", out.function, 3, isWritten ? 3 : 4);
+    readWhole(fields, "address", out.address, 0, kMaxAddress);
+    fields.readWord("type", kTypes, out.type);
+    fields.read("low_word_first", out.isLowWordFirst);
+    fields.read("scale", out.scale);
+    fields.read("offset", out.offset);
+    fields.readWord("unit", kUnits, out.unit);
+    readPart(fields, "faults", false, [&](const json& faults, const std::string& where) {
+        readFaults(faults, where, failure, out.faults);
+    });
+    fields.close();
     if (out.scale == 0.0)
-        refuse(MessageCode::ValueUnknown, path + ".scale", {"0", "any other number"});
+        fields.fail(MessageCode::ValueUnknown, path + ".scale", {"0", "any other number"});
     if (out.address + registerCount(out.type) - 1 > kMaxAddress)
-        refuse(MessageCode::ValueOutOfRange, path + ".address",
-               {std::to_string(out.address), "0", std::to_string(kMaxAddress - 1), ""});
+        fields.fail(MessageCode::ValueOutOfRange, path + ".address",
+                    {std::to_string(out.address), "0", std::to_string(kMaxAddress - 1), ""});
     if (!isUnitFor(use, out.unit))
-        refuse(MessageCode::ValueUnknown, path + ".unit", {wordOf(kUnits, out.unit), unitsFor(use)});
+        fields.fail(MessageCode::ValueUnknown, path + ".unit", {wordOf(kUnits, out.unit), unitsFor(use)});
     return out;
 }
 
-void readRegister(Object& parent, const std::string& key, Use use, std::optional<RegisterSpec>& out) {
-    parent.with(key, [&](const json& j, const std::string& path) { out = readRegister(j, path, use); });
-}
-
-StatusSpec readStatus(const json& j, const std::string& path, int channels) {
-    StatusSpec out;
-    Object object(j, path);
-    object.require("address");
-    object.read("function", out.function, 3, 4);
-    object.read("address", out.address, 0, kMaxAddress);
-    object.read("first_bit", out.firstBit, 0, 15);
-    object.read("bit_step", out.bitStep, -15, 15);
-    object.read("fault_when_set", out.isFaultWhenSet);
-    object.read("fault", out.fault);
-    object.close();
-    checkFaultWord(out.fault, path + ".fault");
-    const int last = out.firstBit + (channels - 1) * out.bitStep;
-    if (last < 0 || last > 15)
-        refuse(MessageCode::ValueOutOfRange, path + ".first_bit", {std::to_string(last), "0", "15", ""});
-    return out;
-}
-
-void readStatuses(Object& object, ModbusProfile& profile) {
-    object.with("status", [&](const json& j, const std::string& path) {
-        if (!j.is_array())
-            refuse(MessageCode::JsonWrongType, path, {"an array", j.type_name()});
-        for (std::size_t i = 0; i < j.size(); ++i)
-            profile.status.push_back(
-                readStatus(j[i], path + '[' + std::to_string(i) + ']', std::max(1, profile.channels)));
+void readRegister(Fields& parent, const std::string& key, Use use, std::optional<RegisterSpec>& out) {
+    readPart(parent, key, false, [&](const json& j, const std::string& path) {
+        out = readRegister(j, path, parent.failure(), use);
     });
 }
 
-void readThermometer(Object& object, ModbusProfile& profile) {
-    object.require("channels");
-    readRegister(object, "channel", Use::Sensor, profile.channel);
-    object.read("channels", profile.channels, 1, kMaxRegisters);
+StatusSpec readStatus(const json& j, const std::string& path, Failure& failure, int channels) {
+    StatusSpec out;
+    Fields fields(j, path, failure);
+    fields.find("address", true);
+    readWhole(fields, "function", out.function, 3, 4);
+    readWhole(fields, "address", out.address, 0, kMaxAddress);
+    readWhole(fields, "first_bit", out.firstBit, 0, 15);
+    readWhole(fields, "bit_step", out.bitStep, -15, 15);
+    fields.read("fault_when_set", out.isFaultWhenSet);
+    fields.read("fault", out.fault);
+    fields.close();
+    checkFaultWord(fields, out.fault, path + ".fault");
+    const int last = out.firstBit + (channels - 1) * out.bitStep;
+    if (last < 0 || last > 15)
+        fields.fail(MessageCode::ValueOutOfRange, path + ".first_bit", {std::to_string(last), "0", "15", ""});
+    return out;
+}
+
+void readThermometer(Fields& fields, ModbusProfile& profile) {
+    fields.find("channels", true);
+    readRegister(fields, "channel", Use::Sensor, profile.channel);
+    readWhole(fields, "channels", profile.channels, 1, kMaxRegisters);
+    if (fields.failure())
+        return;
     const int size = registerCount(profile.channel->type);
-    object.read("channel_step", profile.channelStep, size, kMaxRegisters);
-    object.read("at_4mA_degC", profile.at4mA_degC);
-    object.read("at_20mA_degC", profile.at20mA_degC);
+    readWhole(fields, "channel_step", profile.channelStep, size, kMaxRegisters);
+    fields.read("at_4mA_degC", profile.at4mA_degC);
+    fields.read("at_20mA_degC", profile.at20mA_degC);
     const int span = (profile.channels - 1) * profile.channelStep + size;
     if (profile.channelStep < size || span > kMaxRegisters ||
         profile.channel->address + span - 1 > kMaxAddress)
-        refuse(
+        fields.fail(
             MessageCode::ValueOutOfRange, "channel_step",
             {std::to_string(profile.channelStep), std::to_string(size), std::to_string(kMaxRegisters), ""});
     if (profile.at4mA_degC == profile.at20mA_degC)
-        refuse(MessageCode::ValueUnknown, "at_20mA_degC",
-               {formatNumber(profile.at20mA_degC), "any other temperature than at 4 mA"});
+        fields.fail(MessageCode::ValueUnknown, "at_20mA_degC",
+                    {formatNumber(profile.at20mA_degC), "any other temperature than at 4 mA"});
 }
 
 /// Read back it is to be what it was.
-void checkHeld(const RegisterSpec& spec, const char* key, double number) {
+void checkHeld(const Fields& fields, const RegisterSpec& spec, const char* key, double number) {
     const auto registers = registersFromQuantity(spec, number);
     if (!registers)
-        refuse(MessageCode::ValueOutOfRange, key, registers.error().message.args);
+        return fields.fail(MessageCode::ValueOutOfRange, key, registers.error().message.args);
     if (std::abs(quantityFromRegisters(spec, *registers) - number) > 1e-6 * std::max(1.0, std::abs(number)))
-        refuse(MessageCode::ValueUnknown, key, {formatNumber(number, 10), "what the register can hold"});
+        fields.fail(MessageCode::ValueUnknown, key, {formatNumber(number, 10), "what the register can hold"});
 }
 
 /// Where off is a set point, it must read back as one.
-void checkOff(const ModbusProfile& profile) {
+void checkOff(const Fields& fields, const ModbusProfile& profile) {
     const double off_degC = profile.setPointOff_degC;
     if (!(off_degC >= kLowestOff_degC && off_degC <= kHighestOff_degC))
-        refuse(
+        fields.fail(
             MessageCode::ValueOutOfRange, "set_point_off_degC",
             {formatNumber(off_degC), formatNumber(kLowestOff_degC), formatNumber(kHighestOff_degC), "degC"});
     if (profile.run || !profile.setPoint)
@@ -291,106 +190,90 @@ void checkOff(const ModbusProfile& profile) {
     const RegisterSpec& spec = profile.setPointWritten ? *profile.setPointWritten : *profile.setPoint;
     const auto registers = registersFromTemperature(profile, spec, kelvinFromCelsius(off_degC));
     if (!registers)
-        refuse(MessageCode::ValueOutOfRange, "set_point_off_degC", registers.error().message.args);
+        return fields.fail(MessageCode::ValueOutOfRange, "set_point_off_degC",
+                           registers.error().message.args);
     const RegisterValue back = temperatureFromRegisters(profile, spec, *registers);
     if (!back.fault.empty() || celsiusFromKelvin(back.value_K) > kHighestOff_degC)
-        refuse(MessageCode::ValueUnknown, "set_point_off_degC",
-               {formatNumber(off_degC), "what the register can hold"});
+        fields.fail(MessageCode::ValueUnknown, "set_point_off_degC",
+                    {formatNumber(off_degC), "what the register can hold"});
 }
 
-void readUnitRegister(Object& object, ModbusProfile& profile) {
-    readRegister(object, "temperature_unit", Use::Number, profile.temperatureUnit);
+void readUnitRegister(Fields& fields, ModbusProfile& profile) {
+    readRegister(fields, "temperature_unit", Use::Number, profile.temperatureUnit);
     if (profile.temperatureUnit) {
-        object.require("temperature_unit_degC");
-        object.require("temperature_unit_degF");
+        fields.find("temperature_unit_degC", true);
+        fields.find("temperature_unit_degF", true);
     }
-    object.read("temperature_unit_degC", profile.unitCelsius);
-    object.read("temperature_unit_degF", profile.unitFahrenheit);
+    fields.read("temperature_unit_degC", profile.unitCelsius);
+    fields.read("temperature_unit_degF", profile.unitFahrenheit);
     if (profile.unitCelsius == profile.unitFahrenheit)
-        refuse(MessageCode::ValueUnknown, "temperature_unit_degF",
-               {formatNumber(profile.unitFahrenheit), "any other than temperature_unit_degC"});
-    if (!profile.temperatureUnit)
+        fields.fail(MessageCode::ValueUnknown, "temperature_unit_degF",
+                    {formatNumber(profile.unitFahrenheit), "any other than temperature_unit_degC"});
+    if (!profile.temperatureUnit || fields.failure())
         return;
-    checkHeld(*profile.temperatureUnit, "temperature_unit_degC", profile.unitCelsius);
-    checkHeld(*profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
+    checkHeld(fields, *profile.temperatureUnit, "temperature_unit_degC", profile.unitCelsius);
+    checkHeld(fields, *profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
 }
 
-void readController(Object& object, ModbusProfile& profile) {
-    object.require("set_point");
-    readRegister(object, "process_value", Use::Temperature, profile.processValue);
-    readRegister(object, "set_point_written", Use::WrittenTemperature, profile.setPointWritten);
-    readRegister(object, "set_point", profile.setPointWritten ? Use::Temperature : Use::WrittenTemperature,
+void readController(Fields& fields, ModbusProfile& profile) {
+    fields.find("set_point", true);
+    readRegister(fields, "process_value", Use::Temperature, profile.processValue);
+    readRegister(fields, "set_point_written", Use::WrittenTemperature, profile.setPointWritten);
+    readRegister(fields, "set_point", profile.setPointWritten ? Use::Temperature : Use::WrittenTemperature,
                  profile.setPoint);
-    readRegister(object, "run", Use::WrittenNumber, profile.run);
-    object.read("run_on", profile.runOn);
-    object.read("run_off", profile.runOff);
-    object.read("set_point_off_degC", profile.setPointOff_degC);
-    readRegister(object, "watchdog", Use::WrittenNumber, profile.watchdog);
-    object.read("watchdog_unit_s", profile.watchdogUnit_s);
-    readRegister(object, "sensor_fault", Use::Number, profile.sensorFault);
-    readUnitRegister(object, profile);
+    readRegister(fields, "run", Use::WrittenNumber, profile.run);
+    fields.read("run_on", profile.runOn);
+    fields.read("run_off", profile.runOff);
+    fields.read("set_point_off_degC", profile.setPointOff_degC);
+    readRegister(fields, "watchdog", Use::WrittenNumber, profile.watchdog);
+    fields.read("watchdog_unit_s", profile.watchdogUnit_s);
+    readRegister(fields, "sensor_fault", Use::Number, profile.sensorFault);
+    readUnitRegister(fields, profile);
+    if (fields.failure())
+        return;
     if (profile.runOn == profile.runOff)
-        refuse(MessageCode::ValueUnknown, "run_off", {formatNumber(profile.runOff), "any other than run_on"});
+        fields.fail(MessageCode::ValueUnknown, "run_off",
+                    {formatNumber(profile.runOff), "any other than run_on"});
     if (profile.run) {
-        checkHeld(*profile.run, "run_on", profile.runOn);
-        checkHeld(*profile.run, "run_off", profile.runOff);
+        checkHeld(fields, *profile.run, "run_on", profile.runOn);
+        checkHeld(fields, *profile.run, "run_off", profile.runOff);
     }
-    checkOff(profile);
+    checkOff(fields, profile);
     if (!(profile.watchdogUnit_s > 0.0))
-        refuse(MessageCode::ValueNotPositive, "watchdog_unit_s", {formatNumber(profile.watchdogUnit_s)});
+        fields.fail(MessageCode::ValueNotPositive, "watchdog_unit_s", {formatNumber(profile.watchdogUnit_s)});
 }
 
-void readIdentity(Object& parent, std::optional<IdentitySpec>& out) {
+IdentitySpec readIdentity(const json& j, const std::string& path, Failure& failure) {
     constexpr int kMaxWords = 16;
-    parent.with("identity", [&](const json& j, const std::string& path) {
-        out.emplace();
-        Object object(j, path);
-        object.require("address");
-        object.read("function", out->function, 3, 4);
-        object.read("address", out->address, 0, kMaxAddress - kMaxWords);
-        object.read("count", out->count, 1, kMaxWords);
-        object.close();
-    });
-}
-
-ModbusProfile readProfile(const json& j) {
-    ModbusProfile out;
-    Object object(j, "");
-    object.require("name");
-    object.read("name", out.name);
-    object.read("title", out.title);
-    object.read("source", out.source);
-    readIdentity(object, out.identity);
-    if (object.find("process_value") != nullptr)
-        readController(object, out);
-    else if (object.find("channel") != nullptr)
-        readThermometer(object, out);
-    else
-        object.require("channel");
-    readStatuses(object, out);
-    object.close();
-    if (out.name.empty())
-        refuse(MessageCode::NameEmpty, "name");
+    IdentitySpec out;
+    Fields fields(j, path, failure);
+    fields.find("address", true);
+    readWhole(fields, "function", out.function, 3, 4);
+    readWhole(fields, "address", out.address, 0, kMaxAddress - kMaxWords);
+    readWhole(fields, "count", out.count, 1, kMaxWords);
+    fields.close();
     return out;
 }
 
-/// Refuses keys given twice and nesting too deep, which the parser would take.
-class TextCheck {
-public:
-    bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-        if (static_cast<std::size_t>(depth) > kMaxDepth)
-            refuse(MessageCode::JsonTooDeep, "", {std::to_string(kMaxDepth)});
-        const auto level = static_cast<std::size_t>(depth);
-        if (event == json::parse_event_t::object_start)
-            m_keys[level + 1].clear();
-        if (event == json::parse_event_t::key && !m_keys[level].insert(parsed.get<std::string>()).second)
-            refuse(MessageCode::JsonDuplicateKey, "", {plain(parsed.get<std::string>())});
-        return true;
-    }
-
-private:
-    std::map<std::size_t, std::set<std::string>> m_keys;
-};
+void readProfile(const json& j, Failure& failure, ModbusProfile& out) {
+    Fields fields(j, {}, failure);
+    fields.read("name", out.name, true);
+    fields.read("title", out.title);
+    fields.read("source", out.source);
+    readPart(fields, "identity", false, [&](const json& part, const std::string& path) {
+        out.identity = readIdentity(part, path, failure);
+    });
+    if (fields.find("process_value") != nullptr)
+        readController(fields, out);
+    else if (fields.find("channel", true) != nullptr)
+        readThermometer(fields, out);
+    readEach(fields, "status", false, [&](const json& part, const std::string& path) {
+        out.status.push_back(readStatus(part, path, failure, std::max(1, out.channels)));
+    });
+    fields.close();
+    if (out.name.empty())
+        fields.fail(MessageCode::NameEmpty, "name");
+}
 
 ordered_json written(const RegisterSpec& spec) {
     ordered_json faults = ordered_json::object();
@@ -453,16 +336,7 @@ ModbusProfile inUnit(ModbusProfile profile, RegisterUnit unit) {
 }
 
 Result<ModbusProfile> modbusProfileFromJson(const std::string& text, const std::string& where) {
-    const auto place = [&where](const std::string& path) {
-        return path.empty() || where.empty() ? where + path : where + ": " + path;
-    };
-    try {
-        return readProfile(json::parse(text, TextCheck()));
-    } catch (const Error& error) {
-        return Error(error.code(), place(error.where), error.message.args);
-    } catch (const json::exception& error) {
-        return Error(MessageCode::JsonSyntax, where, {plain(error.what())});
-    }
+    return readJsonText<ModbusProfile>(text, where, readProfile);
 }
 
 std::string modbusProfileToJson(const ModbusProfile& profile) {

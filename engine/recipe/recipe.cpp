@@ -1,9 +1,9 @@
 #include "engine/recipe/recipe.h"
 
+#include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
-#include "engine/experiment/json_text.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>

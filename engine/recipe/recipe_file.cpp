@@ -1,6 +1,6 @@
+#include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
-#include "engine/experiment/json_fields.h"
 #include "engine/experiment/json_quantities.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recipe/recipe.h"

@@ -1,4 +1,4 @@
-#include "engine/experiment/json_text.h"
+#include "engine/base/json_text.h"
 
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"

@@ -2,11 +2,11 @@
 // Reads one JSON object: typed access by key, stores the first failure, refuses unknown keys.
 
 #include "engine/base/edge_units.h"
+#include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
-#include "engine/experiment/json_text.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -22,7 +22,7 @@ namespace bask {
 
 const char* typeName(const nlohmann::json& j); ///< Returns the kind of a value in words: "a number".
 
-/// Fields of an object; close() refuses keys that were not read.
+/// Fields of an object.
 class Fields {
 public:
     Fields(const nlohmann::json& j, std::string path, Failure& failure);
@@ -57,9 +57,10 @@ public:
             fail(MessageCode::ValueUnknown, pathOf(key), {plainWords(word), joined(table)});
     }
 
+    enum class Unknown { Refused, Ignored };
     /// Ends the reading of this object. Unknown keys are reported first, because a misspelt key is also a
     /// missing one.
-    void close();
+    void close(Unknown keys = Unknown::Refused);
 
     void fail(MessageCode code, const std::string& path, std::vector<MessageArg> args = {}) const {
         if (!m_failure)

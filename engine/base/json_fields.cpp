@@ -1,4 +1,4 @@
-#include "engine/experiment/json_fields.h"
+#include "engine/base/json_fields.h"
 
 #include "engine/base/plain_text.h"
 
@@ -121,11 +121,11 @@ void Fields::read(const std::string& name, EdgeUnit unit, double& out, bool requ
         out = toSi(value, unit);
 }
 
-void Fields::close() {
+void Fields::close(Unknown keys) {
     if (m_json == nullptr || m_failure)
         return;
     for (const auto& item : m_json->items()) {
-        if (m_asked.contains(item.key()))
+        if (keys == Unknown::Ignored || m_asked.contains(item.key()))
             continue;
         std::map<std::string, int> known;
         for (const std::string& key : m_asked)
