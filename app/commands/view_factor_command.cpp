@@ -5,6 +5,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/shape_json.h"
+#include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/radiation/view_factor.h"
@@ -34,7 +35,7 @@ int refuse(const Error& error) {
 }
 
 // Bare words such as NaN and numbers too large for a double are no JSON, yet they spoil one case, not the
-// file: they are put in quotes, and the case that they stand in is then refused with the place and the word.
+// file: they are put in quotes, and the case that they stand in is then refused with their place.
 std::string withOddNumbersQuoted(const std::string& text) {
     std::string result;
     result.reserve(text.size());
@@ -66,57 +67,24 @@ std::string withOddNumbersQuoted(const std::string& text) {
     return result;
 }
 
-Result<json> readCases(const std::string& path) {
-    QFile file(QString::fromStdString(path));
-    if (!file.exists())
-        return Error{MessageCode::FileNotFound, path};
-    if (!file.open(QIODevice::ReadOnly))
-        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    const QByteArray bytes = file.read(kMaxBytes + 1);
-    if (file.error() != QFile::NoError)
-        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    if (bytes.size() > kMaxBytes)
-        return Error{MessageCode::FileTooLarge, path, {"more than 256 MiB", "256 MiB"}};
-    if (bytes.trimmed().isEmpty())
-        return Error{MessageCode::FileEmpty, path};
-    try {
-        json document = json::parse(withOddNumbersQuoted(bytes.toStdString()));
-        const auto cases = memberOf(document, "cases", path);
-        if (!cases)
-            return cases.error();
-        if (!(*cases)->is_array())
-            return Error{MessageCode::JsonWrongType, path + ": cases", {"a list", jsonTypeWords(**cases)}};
-        return json(**cases);
-    } catch (const json::exception& failure) {
-        return Error{MessageCode::JsonSyntax, path, {plainWords(failure.what())}};
-    }
-}
-
 Result<ViewFactor> evaluate(const json& one) {
-    const auto id = memberOf(one, "id", "");
-    if (!id)
-        return id.error();
-    if (!(*id)->is_string() && !(*id)->is_number_integer())
-        return Error{MessageCode::JsonWrongType, "id", {"text", jsonTypeWords(**id)}};
-    const auto sourceJson = memberOf(one, "source", "");
-    if (!sourceJson)
-        return sourceJson.error();
-    const auto objectJson = memberOf(one, "object", "");
-    if (!objectJson)
-        return objectJson.error();
-    const auto poseJson = memberOf(one, "pose", "");
-    if (!poseJson)
-        return poseJson.error();
-    const auto source = shapeFromJson(**sourceJson, "source");
-    if (!source)
-        return source.error();
-    const auto object = shapeFromJson(**objectJson, "object");
-    if (!object)
-        return object.error();
-    const auto pose = poseFromJson(**poseJson, "pose");
-    if (!pose)
-        return pose.error();
-    return viewFactor(RadiatingContour(*source), RadiatingContour(*object), *pose, {.tolerance = 1e-13});
+    Shape source, object;
+    Pose pose;
+    Failure failure;
+    Fields fields(one, {}, failure);
+    if (const json* id = fields.find("id", true); id && !id->is_string() && !id->is_number_integer())
+        fields.fail(MessageCode::JsonWrongType, "id", {"text", typeName(*id)});
+    const auto part = [&](const char* key, auto& out, auto read) {
+        readPart(fields, key, true,
+                 [&](const json& j, const std::string& path) { out = read(j, path, failure); });
+    };
+    part("source", source, readCaseShape);
+    part("object", object, readCaseShape);
+    part("pose", pose, readCasePose);
+    fields.close(Fields::Unknown::Ignored);
+    if (failure)
+        return *failure;
+    return viewFactor(RadiatingContour(source), RadiatingContour(object), pose, {.tolerance = 1e-13});
 }
 
 ordered_json answer(const json& one) {
@@ -142,13 +110,35 @@ ordered_json answer(const json& one) {
 
 // One result a line; the library writes each number with as many digits as it takes to read it back
 // unchanged.
-std::string resultsText(const json& cases) {
+Result<std::string> answersTo(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.exists())
+        return Error{MessageCode::FileNotFound, path};
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
+    const QByteArray bytes = file.read(kMaxBytes + 1);
+    if (file.error() != QFile::NoError)
+        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
+    if (bytes.size() > kMaxBytes)
+        return Error{MessageCode::FileTooLarge, path, {"more than 256 MiB", "256 MiB"}};
+    if (bytes.trimmed().isEmpty())
+        return Error{MessageCode::FileEmpty, path};
     std::string text = "{\"results\": [";
     const char* separator = "\n";
-    for (const json& one : cases) {
-        text += separator + answer(one).dump(-1, ' ', false, json::error_handler_t::replace);
-        separator = ",\n";
+    Failure failure;
+    try {
+        const json document = json::parse(withOddNumbersQuoted(bytes.toStdString()));
+        Fields root(document, {}, failure);
+        readEach(root, "cases", true, [&](const json& one, const std::string&) {
+            text += separator + answer(one).dump(-1, ' ', false, json::error_handler_t::replace);
+            separator = ",\n";
+        });
+        root.close(Fields::Unknown::Ignored);
+    } catch (const json::exception& refused) {
+        failure = Error{MessageCode::JsonSyntax, {}, {plainWords(refused.what())}};
     }
+    if (failure)
+        return located(*failure, path);
     return text + "\n]}\n";
 }
 
@@ -174,14 +164,13 @@ int viewFactorCommand(const QStringList& arguments) {
         outputs = {{parser.value("output").toStdString(), "results", "a list of results written by Bask"}};
     if (const auto place = checkOutputs({path}, outputs); !place)
         return refuse(place.error());
-    const auto cases = readCases(path);
-    if (!cases)
-        return refuse(cases.error());
-    const std::string text = resultsText(*cases);
+    const auto text = answersTo(path);
+    if (!text)
+        return refuse(text.error());
     if (outputs.empty())
-        std::fwrite(text.data(), 1, text.size(), stdout);
+        std::fwrite(text->data(), 1, text->size(), stdout);
     for (const OutputFile& output : outputs)
-        if (const auto written = writeOutput(output.path, text); !written)
+        if (const auto written = writeOutput(output.path, *text); !written)
             return refuse(written.error());
     return kExitDone;
 }

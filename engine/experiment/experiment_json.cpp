@@ -5,6 +5,7 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/faults_json.h"
+#include "engine/experiment/outline_json.h"
 #include "engine/experiment/parameter_json.h"
 #include "engine/experiment/rig_json.h"
 #include "engine/experiment/vision_json.h"
@@ -24,72 +25,6 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxFileSize = 32u << 20; // bytes
 constexpr double kCentredTolerance_m = 1e-9;
-
-/// Array of rows of `width` numbers each.
-std::vector<std::array<double, 3>> readRows(const Fields& fields, const json& j, const std::string& key,
-                                            std::size_t width) {
-    std::vector<std::array<double, 3>> rows;
-    const std::string path = fields.pathOf(key);
-    if (!j.is_array())
-        fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(j)});
-    for (std::size_t i = 0; j.is_array() && i < j.size() && !fields.failure(); ++i) {
-        const json& row = j[i];
-        const bool numbers = row.is_array() && row.size() == width &&
-                             std::ranges::all_of(row, [](const json& v) { return v.is_number(); });
-        if (!numbers) {
-            fields.fail(MessageCode::JsonWrongType, path + '[' + std::to_string(i) + ']',
-                        {"an array of " + std::to_string(width) + " numbers", typeName(row)});
-            break;
-        }
-        rows.push_back({});
-        for (std::size_t k = 0; k < width; ++k)
-            rows.back()[k] = row[k].get<double>();
-    }
-    return rows;
-}
-
-/// A ring of points; `key` names it.
-Contour readRing(const Fields& fields, const json& j, const std::string& key) {
-    std::vector<Eigen::Vector2d> points;
-    for (const auto& row : readRows(fields, j, key, 2))
-        points.emplace_back(row[0], row[1]);
-    if (fields.failure())
-        return {};
-    Result<Contour> contour = makeContour(std::move(points), fields.pathOf(key));
-    if (contour)
-        return *contour;
-    fields.failure() = contour.error();
-    return {};
-}
-
-Contour readPoints(Fields& fields, const std::string& key, bool required) {
-    const json* j = fields.find(key, required);
-    return j != nullptr ? readRing(fields, *j, key) : Contour{};
-}
-
-std::vector<Contour> readHoles(Fields& fields, const std::string& key) {
-    std::vector<Contour> holes;
-    const json* j = fields.find(key);
-    if (j == nullptr)
-        return holes;
-    if (!j->is_array())
-        fields.fail(MessageCode::JsonWrongType, fields.pathOf(key), {"an array", typeName(*j)});
-    else if (j->size() > kMaxHoles)
-        fields.fail(MessageCode::HolesTooMany, fields.pathOf(key),
-                    {std::to_string(j->size()), std::to_string(kMaxHoles)});
-    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
-        holes.push_back(readRing(fields, (*j)[i], key + '[' + std::to_string(i) + ']'));
-    return holes;
-}
-
-/// The input may be clockwise.
-FourierContour counterClockwise(std::vector<std::complex<double>> coefficients) {
-    FourierContour contour(coefficients);
-    if (contour.area() >= 0.0)
-        return contour;
-    std::ranges::reverse(coefficients);
-    return FourierContour(std::move(coefficients));
-}
 
 FourierContour shifted(const FourierContour& contour, const Eigen::Vector2d& by_m) {
     auto coefficients = contour.coefficients();
@@ -114,30 +49,6 @@ template <class Outline> Shape centredShape(const Outline& outline, std::vector<
     for (Contour& hole : holes)
         hole = shifted(hole, -centroid);
     return withHoles(shifted(outline, -centroid), std::move(holes));
-}
-
-FourierContour readCoefficients(Fields& fields) {
-    const std::string key = "coefficients";
-    const json* j = fields.find(key, true);
-    if (j == nullptr)
-        return {};
-    std::map<int, std::complex<double>> given;
-    int harmonics = 1;
-    for (const auto& [order, re, im] : readRows(fields, *j, key, 3)) {
-        if (order != std::floor(order) || std::abs(order) > kMaxHarmonics)
-            fields.fail(MessageCode::HarmonicsOutOfRange, fields.pathOf(key),
-                        {formatNumber(order), std::to_string(-kMaxHarmonics), std::to_string(kMaxHarmonics)});
-        else if (!given.emplace(static_cast<int>(order), std::complex(re, im)).second)
-            fields.fail(MessageCode::JsonDuplicateKey, fields.pathOf(key), {formatNumber(order)});
-        else
-            harmonics = std::max(harmonics, std::abs(static_cast<int>(order)));
-    }
-    if (fields.failure())
-        return {};
-    std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
-    for (const auto& [order, value] : given)
-        coefficients[static_cast<std::size_t>(order + harmonics)] = value;
-    return counterClockwise(std::move(coefficients));
 }
 
 /// An outline in a file beside the experiment, read and fitted now.
@@ -190,19 +101,21 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
         fields.read("radius_m", disk.radius_m, true);
         shape = withHoles(disk, readHoles(fields, "holes_m"));
     } else if (form == Form::Fourier) {
-        const FourierContour series = readCoefficients(fields);
+        fields.find("coefficients", true);
+        const FourierContour series = readCoefficients(fields, "coefficients");
         shape = centredShape(series, readHoles(fields, "holes_m"));
         for (const char* figure :
              {"area_mm2", "net_area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm", "area_error",
               "centre_mm", "unit", "warnings", "outline", "holes"})
             fields.find(figure); // what bask fit-contour says of a fit is no part of the shape
     } else {
-        const Contour polygon = readPoints(fields, "points_m", true);
+        fields.find("points_m", true);
+        const Contour polygon = readPoints(fields, "points_m");
         shape = centredShape(polygon, readHoles(fields, "holes_m"));
     }
     fields.read("file", origin.file);
     fields.read("harmonics", origin.harmonics);
-    origin.outline = readPoints(fields, "outline_m", false);
+    origin.outline = readPoints(fields, "outline_m");
     origin.holes = readHoles(fields, "outline_holes_m");
     fields.close();
 }

@@ -119,7 +119,7 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {withObject(R"({"type":"polygon","points_m":[[0,0],[0.1,0],[0.2,0]]})"), "object.points_m"},
         {withObject(R"({"type":"polygon","points_m":[[0,0],[0.1],[0.2,0]]})"), "object.points_m[1]"},
         {withObject(R"({"type":"polygon","points_m":7})"), "object.points_m"},
-        {withObject(R"({"type":"fourier","coefficients":[]})"), "object.coefficients"},
+        {withObject(R"({"type":"fourier","coefficients":[]})"), "no area"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0,0]]})"), "object"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[1,0.01,0]]})"), "object.coefficients"},
         {withObject(R"({"type":"fourier","coefficients":[[1.5,0.01,0]]})"), "object.coefficients"},
