@@ -2,8 +2,8 @@
 
 #include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
-#include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/model/checker.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
@@ -15,20 +15,36 @@ namespace {
 
 constexpr double kRoomDiffers_K = 10.0; ///< from what the experiment says of it
 
-std::string placeOf(std::size_t step, const char* key) {
+constexpr double kMaxStep_s = 1e7;
+constexpr ValidRange kAnyTemperature{kMinTemperature_degC, kMaxTemperature_degC};
+constexpr bool kRequired = true;
+
+// clang-format off
+constexpr Parameter<RecipeStep> kConditions[]{ // in the order of RecipeStep::Until
+    {{"settled_for", unit::kSeconds, {0.0, kMaxStep_s}, Loosens::Never, "", "", 3, kRequired}, &RecipeStep::duration_s}, // and at_most_s
+    {{"time", unit::kSeconds, {1.0, kMaxStep_s}, Loosens::Never, "", "", 3, kRequired}, &RecipeStep::duration_s},
+    {{"above", unit::kCelsius, kAnyTemperature, Loosens::Never, "", "", 1, kRequired}, &RecipeStep::temperature_K},
+    {{"below", unit::kCelsius, kAnyTemperature, Loosens::Never, "", "", 1, kRequired}, &RecipeStep::temperature_K},
+};
+constexpr Parameter<RecipeStep> kLimit[]{
+    {{"at_most", unit::kSeconds, {1.0, kMaxStep_s}, Loosens::Never, "", "", 3, kRequired}, &RecipeStep::atMost_s},
+};
+// clang-format on
+
+std::string placeOf(std::size_t step, const std::string& key) {
     return "steps[" + std::to_string(step) + "]." + key;
 }
 
 /// Of what the step goes on until, as the file has it.
-std::string untilOf(const RecipeStep& step, std::size_t i, const char* key) {
+std::string untilOf(const RecipeStep& step, std::size_t i, const std::string& key) {
     return placeOf(i, step.isRun() ? "until." : "wait.") + key;
 }
 
-Result<void> checkSeconds(double value_s, double least_s, const std::string& place) {
-    if (value_s >= least_s && value_s <= kLongestStep_s)
-        return {};
-    return Error(MessageCode::ValueOutOfRange, place,
-                 {formatNumber(value_s), formatNumber(least_s), formatNumber(kLongestStep_s), "s"});
+/// min and max as in the file, whose temperatures may be in either of two units.
+void checkCondition(Checker& check, const RecipeStep& step, std::size_t i, double min, double max) {
+    const Parameter<RecipeStep>& value = conditionParameters(step.until).front();
+    check.range(untilOf(step, i, value.unit.edge ? value.name : keyOf(value)),
+                written(value, *value.get(step)), min, max, value.unit.words);
 }
 
 /// A file's name goes to the system: a zero in it would make it another.
@@ -36,58 +52,50 @@ bool isPlain(const std::string& name) {
     return std::ranges::none_of(name, [](unsigned char c) { return c < ' '; });
 }
 
-Result<void> check(const RecipeStep& step, std::size_t i) {
+void checkStep(Checker& check, const RecipeStep& step, std::size_t i) {
     using Until = RecipeStep::Until;
     if (!isPlain(step.experiment) || !isPlain(step.example) || !isPlain(step.object))
-        return Error(MessageCode::NameNotPlain, placeOf(i, step.isRun() ? "run" : "wait"));
+        check.fail(MessageCode::NameNotPlain, placeOf(i, step.isRun() ? "run" : "wait"));
     if (!step.isRun() && step.until == Until::Settled)
-        return Error(MessageCode::ValueUnknown, placeOf(i, "wait"),
-                     {"settled_for_s", "above_degC, below_degC, time_s"});
-    if (step.until == Until::Time)
-        return checkSeconds(step.duration_s, 1.0, untilOf(step, i, "time_s"));
-    if (const auto fits = checkSeconds(step.atMost_s, 1.0, placeOf(i, "at_most_s")); !fits)
-        return fits;
-    if (step.until == Until::Settled) {
-        if (step.duration_s > step.atMost_s)
-            return Error(MessageCode::ValueOutOfRange, untilOf(step, i, "settled_for_s"),
-                         {formatNumber(step.duration_s), "0", formatNumber(step.atMost_s), "s"});
-        return checkSeconds(step.duration_s, 0.0, untilOf(step, i, "settled_for_s"));
-    }
-    if (step.object.empty())
-        return Error(MessageCode::JsonMissingKey, placeOf(i, step.isRun() ? "until" : "wait"), {"object"});
-    const bool isAbove = step.until == Until::Above;
-    const double t_degC = celsiusFromKelvin(step.temperature_K);
-    if (t_degC >= kMinTemperature_degC && t_degC <= kMaxTemperature_degC)
-        return {};
-    return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
-                 {formatNumber(t_degC), formatNumber(kMinTemperature_degC),
-                  formatNumber(kMaxTemperature_degC), "degC"});
+        check.fail(MessageCode::ValueUnknown, placeOf(i, "wait"),
+                   {"settled_for_s", "above_degC, below_degC, time_s"});
+    check.parameters(placeOf(i, {}), limitParameters(step.until), step);
+    if (step.isOfObject() && step.object.empty())
+        check.fail(MessageCode::JsonMissingKey, placeOf(i, step.isRun() ? "until" : "wait"), {"object"});
+    const ValidRange& range = conditionParameters(step.until).front().range;
+    const bool isOverLimit = step.until == Until::Settled && step.duration_s > step.atMost_s;
+    checkCondition(check, step, i, range.min, isOverLimit ? step.atMost_s : range.max);
 }
 
 /// Over its warning limit an object ends the recipe, and colder than the room it does not get.
 Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment& experiment) {
-    const bool isAbove = step.until == RecipeStep::Until::Above;
-    if (!isAbove && step.until != RecipeStep::Until::Below)
+    if (!step.isOfObject())
         return {};
+    const bool isAbove = step.until == RecipeStep::Until::Above;
+    const ParameterFacts& value = conditionParameters(step.until).front();
     std::string known;
     for (const ObjectSpec& object : experiment.objects) {
         known += (known.empty() ? "" : ", ") + object.name;
         if (object.name != step.object)
             continue;
-        const double t_degC = celsiusFromKelvin(step.temperature_K);
-        const double least_degC =
-            isAbove ? kMinTemperature_degC : celsiusFromKelvin(experiment.environment_K) - kRoomDiffers_K;
-        const double most_degC =
-            isAbove ? celsiusFromKelvin(warningLimit_K(experiment, object)) : kMaxTemperature_degC;
-        if (t_degC >= least_degC && t_degC <= most_degC)
-            return {};
-        return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
-                     {formatNumber(t_degC), formatNumber(least_degC), formatNumber(most_degC), "degC"});
+        Checker check;
+        checkCondition(check, step, i,
+                       isAbove ? value.range.min : written(value, experiment.environment_K) - kRoomDiffers_K,
+                       isAbove ? written(value, warningLimit_K(experiment, object)) : value.range.max);
+        return check.result();
     }
     return Error(MessageCode::ValueUnknown, untilOf(step, i, "object"), {step.object, known});
 }
 
 } // namespace
+
+ParameterTable<RecipeStep> conditionParameters(RecipeStep::Until until) {
+    return std::span(kConditions).subspan(static_cast<std::size_t>(until), 1);
+}
+
+ParameterTable<RecipeStep> limitParameters(RecipeStep::Until until) {
+    return until == RecipeStep::Until::Time ? ParameterTable<RecipeStep>() : kLimit;
+}
 
 double atMost_s(const Recipe& recipe) {
     double sum_s = 0.0;
@@ -97,13 +105,11 @@ double atMost_s(const Recipe& recipe) {
 }
 
 Result<void> validate(const Recipe& recipe) {
-    if (recipe.steps.size() > kMaxRecipeSteps)
-        return Error(MessageCode::ValueOutOfRange, "steps",
-                     {std::to_string(recipe.steps.size()), "0", std::to_string(kMaxRecipeSteps), ""});
-    for (std::size_t i = 0; i < recipe.steps.size(); ++i)
-        if (const auto fits = check(recipe.steps[i], i); !fits)
-            return fits;
-    return {};
+    Checker check;
+    check.range("steps", static_cast<double>(recipe.steps.size()), 0.0, kMaxRecipeSteps);
+    for (std::size_t i = 0; i < recipe.steps.size() && !check.failed(); ++i)
+        checkStep(check, recipe.steps[i], i);
+    return check.result();
 }
 
 Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleReader& readExample) {

@@ -2,6 +2,7 @@
 // A recipe: experiments to run one after another, with waits between them. As one value and as a JSON file:
 // "format": "bask-recipe", "version": 1.
 
+#include "engine/base/parameter.h"
 #include "engine/model/experiment.h"
 
 #include <functional>
@@ -30,6 +31,7 @@ struct RecipeStep {
     bool goesOn = false;
 
     bool isRun() const { return !experiment.empty() || !example.empty(); }
+    bool isOfObject() const { return until == Until::Above || until == Until::Below; }
     bool operator==(const RecipeStep&) const = default;
 };
 
@@ -41,7 +43,11 @@ struct Recipe {
 
 inline constexpr int kRecipeFormat = 1; ///< version written to and accepted from recipe files
 inline constexpr std::size_t kMaxRecipeSteps = 500;
-inline constexpr double kLongestStep_s = 1e7;
+
+/// The number that a step waits for: one parameter for each Until.
+ParameterTable<RecipeStep> conditionParameters(RecipeStep::Until until);
+/// And for how long at most; none for Until::Time.
+ParameterTable<RecipeStep> limitParameters(RecipeStep::Until until);
 
 /// Returns the longest duration of all steps together, s.
 double atMost_s(const Recipe& recipe);

@@ -1,7 +1,6 @@
-#include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
-#include "engine/experiment/json_quantities.h"
+#include "engine/experiment/parameter_json.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recipe/recipe.h"
 
@@ -18,24 +17,20 @@ using Until = RecipeStep::Until;
 
 constexpr std::uintmax_t kMaxBytes = 1u << 20;
 
+/// In either spelling.
+bool isIn(const json& j, const ParameterFacts& facts) {
+    return j.contains(keyOf(facts)) || (facts.unit.edge && j.contains(siKey(facts.name, *facts.unit.edge)));
+}
+
 /// One condition: the keys of a second one are unknown there.
 void readUntil(const json& j, const std::string& path, Failure& failure, RecipeStep& step) {
     Fields fields(j, path, failure);
-    if (!failure && (j.contains("above_degC") || j.contains("above_K")))
-        step.until = Until::Above;
-    else if (!failure && (j.contains("below_degC") || j.contains("below_K")))
-        step.until = Until::Below;
-    else if (!failure && j.contains("time_s"))
-        step.until = Until::Time;
-    if (step.until == Until::Settled) {
-        fields.read("settled_for_s", step.duration_s, true);
-    } else if (step.until == Until::Time) {
-        fields.read("time_s", step.duration_s);
-    } else {
+    for (const Until until : {Until::Time, Until::Below, Until::Above})
+        if (isIn(j, conditionParameters(until).front()))
+            step.until = until;
+    if (step.isOfObject())
         fields.read("object", step.object, true);
-        fields.read(step.until == Until::Above ? "above" : "below", EdgeUnit::Temperature,
-                    step.temperature_K);
-    }
+    readParameters(fields, conditionParameters(step.until), step);
     fields.close();
 }
 
@@ -55,8 +50,7 @@ void readStep(const json& j, const std::string& path, const std::string& folder,
         step.experiment = (fs::path(folder) / step.experiment).lexically_normal().string();
     readPart(fields, isWait ? "wait" : "until", true,
              [&](const json& part, const std::string& place) { readUntil(part, place, failure, step); });
-    if (step.until != Until::Time)
-        fields.read("at_most_s", step.atMost_s, true);
+    readParameters(fields, limitParameters(step.until), step);
     fields.readWord("otherwise", {{"stop", false}, {"next", true}}, step.goesOn);
     fields.close();
 }
@@ -96,18 +90,11 @@ nlohmann::ordered_json stepJson(const RecipeStep& step, const std::string& folde
         j["run_example"] = step.example;
     else if (!step.experiment.empty())
         j["run"] = written(step.experiment, folder);
-    if (step.until == Until::Settled) {
-        until["settled_for_s"] = step.duration_s;
-    } else if (step.until == Until::Time) {
-        until["time_s"] = step.duration_s;
-    } else {
+    if (step.isOfObject())
         until["object"] = step.object;
-        putQuantity(until, step.until == Until::Above ? "above" : "below", EdgeUnit::Temperature,
-                    step.temperature_K);
-    }
+    putParameters(until, conditionParameters(step.until), step);
     j[step.isRun() ? "until" : "wait"] = until;
-    if (step.until != Until::Time)
-        j["at_most_s"] = step.atMost_s;
+    putParameters(j, limitParameters(step.until), step);
     if (step.goesOn)
         j["otherwise"] = "next";
     return j;

@@ -54,8 +54,9 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     m_until->addItem(tr("An object is so hot or hotter"), static_cast<int>(Until::Above));
     m_until->addItem(tr("An object is so cold or colder"), static_cast<int>(Until::Below));
     m_until->setCurrentIndex(m_until->findData(static_cast<int>(step.until)));
-    m_duration->setRange(0.0, kLongestStep_s);
-    m_atMost->setRange(1.0, kLongestStep_s);
+    const ValidRange& limit = limitParameters(Until::Settled).front().range;
+    m_atMost->setRange(limit.min, limit.max);
+    setDurationRange(Until::Settled);
     m_duration->setValue(step.duration_s);
     m_atMost->setValue(step.atMost_s);
     m_shownDuration_s = m_duration->value();
@@ -65,8 +66,8 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     if (!step.object.empty())
         m_object->setEditText(QString::fromStdString(step.object));
     m_temperature->setTemperatureUnit(unit);
-    m_temperature->setRange_K(kelvinFromCelsius(kMinTemperature_degC),
-                              kelvinFromCelsius(kMaxTemperature_degC));
+    const ParameterFacts& hot = conditionParameters(Until::Above).front();
+    m_temperature->setRange_K(fromWritten(hot, hot.range.min), fromWritten(hot, hot.range.max));
     m_temperature->setValue_K(step.temperature_K);
     m_otherwise->addItem(tr("End the recipe"), false);
     m_otherwise->addItem(tr("Go on with the next step"), true);
@@ -105,6 +106,11 @@ void RecipeStepDialog::addRow(const QString& label, QWidget* field, const char* 
     m_form->addRow(label, field);
 }
 
+void RecipeStepDialog::setDurationRange(Until until) {
+    const ValidRange& range = conditionParameters(until).front().range;
+    m_duration->setRange(range.min, range.max);
+}
+
 void RecipeStepDialog::showFields() {
     const auto until = static_cast<Until>(m_until->currentData().toInt());
     const bool isOfObject = until == Until::Above || until == Until::Below;
@@ -112,7 +118,7 @@ void RecipeStepDialog::showFields() {
     m_form->setRowVisible(m_object, isOfObject);
     m_form->setRowVisible(m_temperature, isOfObject);
     m_form->setRowVisible(m_atMost, until != Until::Time);
-    m_duration->setMinimum(until == Until::Time ? 1.0 : 0.0);
+    setDurationRange(isOfObject ? Until::Settled : until);
     adjustSize();
 }
 

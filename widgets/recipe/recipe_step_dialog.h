@@ -10,7 +10,6 @@
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
-class QLabel;
 
 namespace bask {
 
@@ -30,6 +29,7 @@ public:
 
 private:
     void addRow(const QString& label, QWidget* field, const char* name);
+    void setDurationRange(RecipeStep::Until until);
     void showFields();
 
     RecipeStep m_step;                                     ///< as given
@@ -37,7 +37,6 @@ private:
     QFormLayout* m_form;
     QComboBox* m_until;
     QDoubleSpinBox* m_duration;
-    QLabel* m_durationLabel = nullptr;
     QComboBox* m_object;
     QuantitySpinBox* m_temperature;
     QDoubleSpinBox* m_atMost;

@@ -12,6 +12,7 @@
 
 #include <fstream>
 #include <random>
+#include <sstream>
 
 namespace bask {
 namespace {
@@ -174,6 +175,30 @@ TEST_F(RecipeFile, refusesDamagedEmptyForeignAndHugeFiles) {
     EXPECT_EQ(readRecipe(folder.path().toStdString()).error().code(), MessageCode::FileUnreadable);
     EXPECT_EQ(readRecipe(path + "x").error().code(), MessageCode::FileNotFound);
     EXPECT_FALSE(isRecipeFile(path + "x"));
+}
+
+// Catches a document that tells another key or range than the program has.
+TEST_F(RecipeFile, theDocumentHasItsNumbers) {
+    std::ifstream file(BASK_DOCS "/experiment-format.md");
+    const std::string document{std::istreambuf_iterator<char>(file), {}};
+    const auto expectRow = [&](const ParameterFacts& facts, const std::string& max) {
+        std::istringstream lines(document);
+        bool isTold = false;
+        for (std::string line; std::getline(lines, line);)
+            isTold = isTold ||
+                     (line.starts_with("| ") && line.find('`' + keyOf(facts) + '`') != std::string::npos &&
+                      line.find(' ' + formatNumber(facts.range.min) + " to " + max) != std::string::npos);
+        EXPECT_TRUE(isTold) << keyOf(facts);
+    };
+    expectRow(conditionParameters(Until::Settled).front(), "`at_most_s`");
+    for (const Until until : {Until::Time, Until::Above, Until::Below}) {
+        const ParameterFacts& facts = conditionParameters(until).front();
+        expectRow(facts, until == Until::Time ? "1e7" : formatNumber(facts.range.max));
+    }
+    EXPECT_EQ(conditionParameters(Until::Time).front().range.max, 1e7);
+    EXPECT_EQ(limitParameters(Until::Settled).front().range.max, 1e7);
+    expectRow(limitParameters(Until::Settled).front(), "1e7");
+    EXPECT_TRUE(limitParameters(Until::Time).empty());
 }
 
 // Catches a reader that throws or takes nonsense for sound.
