@@ -3,6 +3,7 @@
 #include "app/file_lock.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/experiment/text_file.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -10,7 +11,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include <atomic>
 
@@ -80,16 +80,9 @@ Result<void> UnsavedFile::write(const UnsavedEdits& edits) {
     header[QStringLiteral("pid")] = QCoreApplication::applicationPid();
     header[QStringLiteral("path")] = edits.path;
     header[QStringLiteral("name")] = edits.name;
-    const std::string text = experimentToJson(edits.experiment);
-    QSaveFile file(m_path);
-    const bool isWritten =
-        file.open(QIODevice::WriteOnly) &&
-        file.write(QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n') > 0 &&
-        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
-        file.commit();
-    if (!isWritten)
-        return Error(MessageCode::FileUnwritable, m_path.toStdString(), {file.errorString().toStdString()});
-    return {};
+    return writeTextFile(m_path.toStdString(),
+                         QJsonDocument(header).toJson(QJsonDocument::Compact).toStdString() + '\n' +
+                             experimentToJson(edits.experiment));
 }
 
 Result<UnsavedEdits> UnsavedFile::read() const {

@@ -16,22 +16,12 @@ const std::map<std::string, Part> kParts{
     {"source", Part::Source}, {"end_effector", Part::EndEffector}, {"base", Part::Base}};
 
 void readModelFields(Fields& fields, CameraModel& out) {
-    fields.read("width_px", out.width, true);
-    fields.read("height_px", out.height, true);
-    fields.read("fx_px", out.fx, true);
-    fields.read("fy_px", out.fy, true);
-    fields.read("cx_px", out.cx, true);
-    fields.read("cy_px", out.cy, true);
+    readParameters(fields, cameraModelParameters(), out);
     fields.read("distortion", out.distortion);
 }
 
 void putModel(Json& j, const CameraModel& camera) {
-    j["width_px"] = camera.width;
-    j["height_px"] = camera.height;
-    j["fx_px"] = camera.fx;
-    j["fy_px"] = camera.fy;
-    j["cx_px"] = camera.cx;
-    j["cy_px"] = camera.cy;
+    putParameters(j, cameraModelParameters(), camera);
     j["distortion"] = camera.distortion;
 }
 

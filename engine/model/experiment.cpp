@@ -26,9 +26,8 @@ constexpr std::size_t kMaxTitleLength = 1000;
 constexpr std::size_t kMaxOutlinePoints = 200'000;
 constexpr double kMaxSourceRadius_m = 10.0;
 constexpr double kMinRadius_m = 1e-6;
-constexpr double kMaxPlace_cm = 500.0; // of the robot's workspace and of the source
-constexpr double kSamePlace = 1e-9;    // m, rad
-constexpr double kMaxPicture_px = 16384.0;
+constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
+constexpr double kSamePlace = 1e-9;        // m, rad
 constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
 constexpr double kMaxMarkers = 64.0;
 
@@ -273,12 +272,7 @@ Result<void> inside(const std::string& path, Result<void> result) {
 }
 
 void checkCameraModel(Checker& check, const std::string& path, const CameraModel& camera) {
-    check.range(path + "width_px", camera.width, 16.0, kMaxPicture_px, "px");
-    check.range(path + "height_px", camera.height, 16.0, kMaxPicture_px, "px");
-    check.positive(path + "fx_px", camera.fx, 1e6, "px");
-    check.positive(path + "fy_px", camera.fy, 1e6, "px");
-    check.range(path + "cx_px", camera.cx, -1e5, 1e5, "px");
-    check.range(path + "cy_px", camera.cy, -1e5, 1e5, "px");
+    check.parameters(path, cameraModelParameters(), camera);
     const std::size_t coefficients = camera.distortion.size();
     if (coefficients != 0 && coefficients != 4 && coefficients != 5 && coefficients != 8)
         check.fail(MessageCode::DistortionUnusable, path + "distortion", {to_string(coefficients)});

@@ -107,6 +107,15 @@ constexpr Parameter<SimulationSpec> kSimulation[]{
     {{"tracking_delay", kSeconds, {0.0, 2.0}}, &SimulationSpec::trackingDelay_s},
 };
 
+constexpr Parameter<CameraModel> kCameraModel[]{
+    {{"width", kPixels, {16.0, 16384.0}, Never, "", "", 0, kRequired}, &CameraModel::width},
+    {{"height", kPixels, {16.0, 16384.0}, Never, "", "", 0, kRequired}, &CameraModel::height},
+    {{"fx", kPixels, {0.0, 1e6, true}, Never, "", "", 2, kRequired}, &CameraModel::fx},
+    {{"fy", kPixels, {0.0, 1e6, true}, Never, "", "", 2, kRequired}, &CameraModel::fy},
+    {{"cx", kPixels, {-1e5, 1e5}, Never, "", "", 2, kRequired}, &CameraModel::cx},
+    {{"cy", kPixels, {-1e5, 1e5}, Never, "", "", 2, kRequired}, &CameraModel::cy},
+};
+
 constexpr Parameter<SimulatedCameraSpec> kSimulatedCamera[]{
     {{"rate", kHertz, {1.0, 120.0}}, &SimulatedCameraSpec::rate_Hz},
     {{"noise", kGrey, {0.0, 64.0}}, &SimulatedCameraSpec::noise_grey},
@@ -141,6 +150,9 @@ ParameterTable<SamplingSpec> samplingParameters() {
 }
 ParameterTable<SimulationSpec> simulationParameters() {
     return kSimulation;
+}
+ParameterTable<CameraModel> cameraModelParameters() {
+    return kCameraModel;
 }
 ParameterTable<SimulatedCameraSpec> simulatedCameraParameters() {
     return kSimulatedCamera;

@@ -18,6 +18,8 @@ ParameterTable<RobotLimits> robotParameters();
 ParameterTable<ControllerSettings> controllerParameters();
 ParameterTable<SamplingSpec> samplingParameters();
 ParameterTable<SimulationSpec> simulationParameters();
+/// What every camera has, the rig's and the simulated one.
+ParameterTable<CameraModel> cameraModelParameters();
 ParameterTable<SimulatedCameraSpec> simulatedCameraParameters();
 
 } // namespace bask

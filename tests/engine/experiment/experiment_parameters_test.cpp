@@ -20,6 +20,7 @@ Experiment example() {
     Experiment e = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
     e.objects[0].believedRates = HeatRates{0.2, 1e-11, 0.1};
     e.simulation.camera.rate_Hz = 25.0; // so that it is written
+    e.vision.camera = CameraModel{640, 480, 800.0, 801.0, 319.5, 239.5, {}, {}, {}, {}, {}};
     return e;
 }
 
@@ -63,6 +64,9 @@ std::vector<Placed> everyParameter() {
     place(
         out, "simulation.camera.", simulatedCameraParameters(),
         [](Experiment & e) -> auto& { return e.simulation.camera; });
+    place(
+        out, "vision.camera.", cameraModelParameters(),
+        [](Experiment & e) -> auto& { return *e.vision.camera; });
     for (const ControllerEntry& entry : controllerCatalogue())
         for (const ControllerGain& gain : entry.gains)
             out.push_back(
@@ -109,8 +113,8 @@ std::vector<std::string> rowsOf(const std::string& text, const std::string& key)
 
 /// As documents have it: 36000, 1e5.
 std::string plain(double value) {
-    const std::string text = formatNumber(value, value < 1e5 ? 7 : 3);
-    return std::regex_replace(text, std::regex("e([+-])0*"), value < 1.0 ? "e-" : "e");
+    const std::string text = formatNumber(value, std::abs(value) < 1e5 ? 7 : 3);
+    return std::regex_replace(text, std::regex("e([+-])0*"), std::abs(value) < 1.0 ? "e-" : "e");
 }
 
 /// "1 to 100", "(0, 100]" or "0 (no limit) to 100"; where the least is another value's, its end.
@@ -176,6 +180,7 @@ TEST(ExperimentParameters, TheDocumentHasThem) {
     ASSERT_FALSE(text.empty());
     Experiment usual;
     usual.objects.emplace_back().believedRates.emplace();
+    usual.vision.camera.emplace();
     for (const Placed& placed : everyParameter()) {
         const auto rows = rowsOf(text, keyOf(*placed.facts));
         ASSERT_FALSE(rows.empty()) << placed.path << keyOf(*placed.facts);
