@@ -194,7 +194,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                 tr("Step %1 is for another rig than the present one: a recipe runs on one rig, which "
                    "has been looked at.")
                     .arg(i + 1));
-    if (isKeptHotByHand(rig))
+    if (hasManualSource(rig))
         return emit problem(
             tr("The source is heated by hand: a recipe cannot switch it off between its steps."));
     if (isOn() || m_files.refusedByRun() || !m_files.mayDiscard())
@@ -207,7 +207,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                       ? tr("%1. %2 until %3").arg(i + 1).arg(stepWords(step), until)
                       : tr("%1. %2 until %3, at most %4")
                             .arg(i + 1)
-                            .arg(stepWords(step), until, atMostWords(step)));
+                            .arg(stepWords(step), until, maxDurationWords(step)));
     }
     if (m_recipe.steps.size() > kMaxShown)
         lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMaxShown));
@@ -221,11 +221,11 @@ void RecipeControl::ask(RecipeExperiments experiments) {
         lines << QString() << tr("Its steps allow the real rig more than now:") << limits
               << tr("Do robot, source, objects and sensors bear it?");
     dropQuestion(m_window, kRecipeQuestion);
-    auto* box =
-        new QMessageBox(rig ? QMessageBox::Warning : QMessageBox::Question, tr("Start the recipe"),
-                        tr("It takes at most %1 and its retreats:").arg(formatDuration(atMost_s(m_recipe))) +
-                            u'\n' + lines.join(u'\n'),
-                        QMessageBox::NoButton, m_window);
+    auto* box = new QMessageBox(
+        rig ? QMessageBox::Warning : QMessageBox::Question, tr("Start the recipe"),
+        tr("It takes at most %1 and its retreats:").arg(formatDuration(maxDuration_s(m_recipe))) + u'\n' +
+            lines.join(u'\n'),
+        QMessageBox::NoButton, m_window);
     box->setInformativeText(
         rig ? tr("This rig is real: the robot moves and the source heats, again and again and by itself. Is "
                  "everybody and everything out of the way for so long? An alarm, a hold or a stop ends the "
@@ -311,7 +311,7 @@ void RecipeControl::tellEnd() {
         QString text = endWords(m_runner->end());
         if (m_runner->reason().code != MessageCode::None)
             text += u' ' + sentenceText(m_runner->reason());
-        else if (m_runner->progress()[m_runner->step()].state == RecipeProgress::State::Held)
+        else if (m_runner->progress()[m_runner->step()].state == RecipeProgress::State::Paused)
             text += u' ' + tr("Its run is held, not ended: nothing but a person resumes or stops it now.");
         else if (m_document.modified())
             text += u' ' + tr("The experiment has unsaved edits.");

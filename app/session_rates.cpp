@@ -31,7 +31,7 @@ StartValues withStartValues(const Experiment& experiment, const Experiment& reco
         if (to == out.experiment.objects.end() || !(to->material == from.material) ||
             !rates.identified[i].usable())
             continue;
-        to->believedRates = rates.identified[i].rates();
+        to->estimatedRates = rates.identified[i].rates();
         out.objects.push_back(to->name);
     }
     return out;

@@ -59,7 +59,7 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_source.latest.source_K = snapshot.latest.source_K;
     m_source.sourceAge_s = snapshot.sourceAge_s;
     m_source.heat = snapshot.heat;
-    m_source.isSourceByHand = snapshot.isSourceByHand;
+    m_source.isSourceManual = snapshot.isSourceManual;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
 }
@@ -108,13 +108,13 @@ QString StatusLine::ageText() const {
 
 QString StatusLine::sourceText() const {
     const QString now = sourceReadingText(m_source, m_temperatureUnit);
-    if (!m_source.isSourceByHand)
+    if (!m_source.isSourceManual)
         return tr("source %1,").arg(now);
     return m_source.source_K ? tr("source %1 as typed,").arg(now) : tr("source: no temperature typed,");
 }
 
 QString StatusLine::heatText() const {
-    if (m_source.isSourceByHand)
+    if (m_source.isSourceManual)
         return tr("heated by hand");
     switch (m_answering ? m_source.heat : HeatState::Unknown) {
     case HeatState::Off:
@@ -129,7 +129,7 @@ QString StatusLine::heatText() const {
 
 /// Unknown is a word, a mark and a colour of its own, and the last temperature is grey.
 void StatusLine::showHeat() {
-    const bool isUnknown = !m_source.isSourceByHand && (!m_answering || m_source.heat == HeatState::Unknown);
+    const bool isUnknown = !m_source.isSourceManual && (!m_answering || m_source.heat == HeatState::Unknown);
     if (const QString text = heatText(); text != m_heatLabel->text())
         m_heatLabel->setText(text);
     showOld(m_sourceLabel, !m_answering || !m_source.source_K);

@@ -65,7 +65,7 @@ void TargetJudge::judge(Experiment experiment) {
         FeasibilityRequest request = feasibilityRequest(experiment);
         request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
         if (kept.size() == experiment.objects.size())
-            request.held = kept;
+            request.fixed = kept;
         return Judgement{jointFeasibility(request, stop), request.lookup};
     };
     m_judge.run(work, [this](Judgement judgement) {

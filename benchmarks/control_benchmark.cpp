@@ -40,7 +40,7 @@ std::optional<Bench> makeBench(benchmark::State& state, double error_K, double a
     Bench bench;
     bench.geometry = rigGeometry(*experiment);
     bench.model.geometry = bench.geometry;
-    bench.model.believed = nominalRates(*experiment, experiment->environment_K);
+    bench.model.estimated = nominalRates(*experiment, experiment->environment_K);
     bench.observation.coordinates = experiment->start;
     bench.observation.coordinates[kX] = 0.02;
     bench.observation.coordinates[kThetaX] = 0.1;

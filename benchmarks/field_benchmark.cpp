@@ -66,7 +66,7 @@ namespace {
 
 FieldRequest paperRequest(std::vector<FieldAxis> axes) {
     FieldRequest request{RadiatingContour(Disk{0.10}), RadiatingContour(Disk{0.015}), std::move(axes)};
-    request.held[kZ] = 0.05;
+    request.fixed[kZ] = 0.05;
     return request;
 }
 

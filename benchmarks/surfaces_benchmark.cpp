@@ -27,14 +27,14 @@ TargetGeometry geometry(const Experiment& experiment) {
                        surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
     for (const ObjectSpec& object : experiment.objects)
         out.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    out.held = experiment.start;
+    out.fixed = experiment.start;
     out.clearance_m = experiment.robot.clearance_m;
     return out;
 }
 
 void fields(benchmark::State& state) {
     TargetGeometry of = geometry(example());
-    of.held[kThetaX] = static_cast<double>(state.range(0)) / 100.0;
+    of.fixed[kThetaX] = static_cast<double>(state.range(0)) / 100.0;
     for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(targetFields(of));
 }

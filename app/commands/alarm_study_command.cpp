@@ -78,7 +78,7 @@ void printSummary(const AlarmStudy& study, const std::vector<AlarmStudyRow>& row
         std::printf("with each fault as often as in a laboratory (estimated, see docs/safety.md): "
                     "priorities 1, 2, 3: %.0f, %.0f, %.0f %%\n",
                     100.0 * summary.shares[0], 100.0 * summary.shares[1], 100.0 * summary.shares[2]);
-    std::printf("most alarms of one run within 10 minutes: %d\n", summary.mostIn10min);
+    std::printf("most alarms of one run within 10 minutes: %d\n", summary.maxIn10min);
     std::printf("hottest true temperature over its trip limit: %.1f K\n", summary.overTrip_K);
     std::printf("simulated: %.1f h in %zu runs\n", summary.hours, rows.size());
     if (study.draw != AlarmDraw::Faulty)

@@ -142,7 +142,7 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
     ClosedLoopStudy study{std::move(*rig), request.mounting == StudyMounting::Random, request.count,
                           request.seed};
     study.rig.controller.kind = request.controller;
-    study.rig.controller.believedRateErrorFactor = request.rateError;
+    study.rig.controller.estimatedRateErrorFactor = request.rateError;
     study.rig.source.model = request.sourceModel;
     const bool terminal = isatty(STDERR_FILENO) != 0;
     const auto rows = runClosedLoopStudy(study, 0, [&](int done) {

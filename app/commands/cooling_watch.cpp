@@ -26,7 +26,7 @@ bool CoolingWatch::isAlarmed(const Snapshot& snapshot) {
 bool CoolingWatch::isOver(const Snapshot& snapshot) {
     if (snapshot.pending || snapshot.state == RunState::Stopping)
         return false;
-    if (snapshot.isSourceByHand || isAlarmed(snapshot))
+    if (snapshot.isSourceManual || isAlarmed(snapshot))
         return true;
     if (!snapshot.source_K)
         return !(snapshot.sourceAge_s < kSilent_s);

@@ -28,12 +28,12 @@ using Json = nlohmann::ordered_json;
 /// Everything asked for on the command line, checked.
 struct Request {
     Experiment experiment;
-    std::vector<bool> held;
+    std::vector<bool> fixed;
     std::string summaryPath; ///< empty: none
 };
 
-Result<std::vector<bool>> heldObjects(const QStringList& names, const Experiment& experiment) {
-    std::vector<bool> held(experiment.objects.size());
+Result<std::vector<bool>> fixedObjects(const QStringList& names, const Experiment& experiment) {
+    std::vector<bool> fixed(experiment.objects.size());
     std::string known;
     for (const ObjectSpec& object : experiment.objects)
         known += (known.empty() ? "" : ", ") + object.name;
@@ -41,9 +41,9 @@ Result<std::vector<bool>> heldObjects(const QStringList& names, const Experiment
         const auto found = std::ranges::find(experiment.objects, name.toStdString(), &ObjectSpec::name);
         if (found == experiment.objects.end())
             return Error(MessageCode::ValueUnknown, "--hold", {name.toStdString(), known});
-        held[static_cast<std::size_t>(found - experiment.objects.begin())] = true;
+        fixed[static_cast<std::size_t>(found - experiment.objects.begin())] = true;
     }
-    return held;
+    return fixed;
 }
 
 Result<Request> readRequest(const QCommandLineParser& parser) {
@@ -58,10 +58,10 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return targets.error();
     if (const auto valid = validate(request.experiment); !valid)
         return valid.error();
-    const auto held = heldObjects(parser.values("hold"), request.experiment);
-    if (!held)
-        return held.error();
-    request.held = *held;
+    const auto fixed = fixedObjects(parser.values("hold"), request.experiment);
+    if (!fixed)
+        return fixed.error();
+    request.fixed = *fixed;
     std::vector<OutputFile> outputs;
     if (parser.isSet("summary"))
         outputs.push_back({request.summaryPath, "feasible", "a feasibility summary written by Bask"});
@@ -119,7 +119,7 @@ Json condition2Json(const Experiment& experiment, const std::vector<PairVerdict>
                                       experiment.objects[static_cast<std::size_t>(v.second)].name})},
              {"holds", v.holds},
              {"wanted_K", v.wanted_K},
-             {"least_K", v.least_K},
+             {"least_K", v.min_K},
              {"largest_K", v.largest_K}});
     return rows;
 }
@@ -141,7 +141,7 @@ std::string summaryJson(const Experiment& experiment, const JointVerdict& verdic
     summary["steady_C"] = celsiusJson(verdict.steady_K);
     summary["residual_K"] = verdict.residuals_K;
     summary["nearest_feasible_C"] = celsiusJson(verdict.nearest_K);
-    summary["held_kept"] = verdict.heldKept;
+    summary["held_kept"] = verdict.fixedKept;
     summary["surface_gap_cm"] = verdict.surfaceGap_m ? Json(*verdict.surfaceGap_m * 100.0) : Json(nullptr);
     summary["predicted_time_s"] = predicted_s ? Json(*predicted_s) : Json(nullptr);
     summary["condition1"] = condition1Json(experiment, verdict.conditions1);
@@ -178,8 +178,8 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
     for (const PairVerdict& v : verdict.conditions2)
         std::printf("%s - %s: %.2f K wanted, %.2f to %.2f K within the workspace\n",
                     experiment.objects[static_cast<std::size_t>(v.first)].name.c_str(),
-                    experiment.objects[static_cast<std::size_t>(v.second)].name.c_str(), v.wanted_K,
-                    v.least_K, v.largest_K);
+                    experiment.objects[static_cast<std::size_t>(v.second)].name.c_str(), v.wanted_K, v.min_K,
+                    v.largest_K);
     if (verdict.anyPose)
         printPose(verdict);
     if (verdict.feasible)
@@ -188,7 +188,7 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
                                 : "does not settle within its time");
     else
         std::printf("not feasible: %s\n", describe(verdict.reason).c_str());
-    if (!verdict.heldKept)
+    if (!verdict.fixedKept)
         std::printf("the held targets cannot be held together either\n");
 }
 
@@ -248,7 +248,7 @@ int feasibilityCommand(const QStringList& arguments) {
         maps = *files;
     }
     FeasibilityRequest question = feasibilityRequest(request->experiment);
-    question.held = request->held;
+    question.fixed = request->fixed;
     const JointVerdict verdict = jointFeasibility(question).value();
     std::optional<double> predicted_s;
     if (verdict.feasible) {

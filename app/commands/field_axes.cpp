@@ -99,8 +99,8 @@ Result<std::vector<FieldAxis>> parseFieldAxes(const std::string& text) {
     return axes;
 }
 
-Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held,
-                       const std::string& option) {
+Result<void> parseFixed(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& fixed,
+                        const std::string& option) {
     std::vector<Coordinate> seen;
     for (const QString& part : QString::fromStdString(text).split(u',')) {
         const auto item = parseItem(part, option, "a coordinate such as theta_x=0.1");
@@ -115,7 +115,7 @@ Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& ax
         if (!value)
             return value.error();
         seen.push_back(item->coordinate);
-        held[item->coordinate] = *value;
+        fixed[item->coordinate] = *value;
     }
     return {};
 }
@@ -126,7 +126,7 @@ Result<PresetGrid> presetGrid(const std::string& name) {
         grid.axes = {{kX, -0.20, 0.01, 40}, {kY, -0.20, 0.01, 40}, {kZ, 0.01, 0.01, 30}};
     } else if (name == "paper-rotation") {
         grid.axes = {degrees(kThetaX), degrees(kThetaY), degrees(kThetaZ)};
-        grid.held[kZ] = 0.05;
+        grid.fixed[kZ] = 0.05;
     } else {
         return Error(MessageCode::ValueUnknown, "--preset", {name, "paper-translation, paper-rotation"});
     }

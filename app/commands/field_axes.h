@@ -12,15 +12,15 @@ namespace bask {
 /// grid to within a millionth of a step. Errors name the axis and the number.
 Result<std::vector<FieldAxis>> parseFieldAxes(const std::string& text);
 
-/// "z=0.05,theta_x=0": sets those of `held`; a coordinate that is an axis is refused. `option` is named in
+/// "z=0.05,theta_x=0": sets those of `fixed`; a coordinate that is an axis is refused. `option` is named in
 /// errors.
-Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held,
-                       const std::string& option = "--hold");
+Result<void> parseFixed(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& fixed,
+                        const std::string& option = "--hold");
 
 /// Where the paper samples.
 struct PresetGrid {
     std::vector<FieldAxis> axes;
-    Vector6d held = Vector6d::Zero();
+    Vector6d fixed = Vector6d::Zero();
 };
 
 /// paper-translation: x, y = -20 ... 19 cm, z = 1 ... 30 cm by 1 cm, parallel. paper-rotation: the angles

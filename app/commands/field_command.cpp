@@ -110,7 +110,7 @@ Result<void> readGrid(const QCommandLineParser& parser, FieldRequest& field) {
         if (!preset)
             return preset.error();
         field.axes = preset->axes;
-        field.held = preset->held;
+        field.fixed = preset->fixed;
     } else {
         auto axes = parseFieldAxes(parser.value("axes").toStdString());
         if (!axes)
@@ -118,8 +118,8 @@ Result<void> readGrid(const QCommandLineParser& parser, FieldRequest& field) {
         field.axes = std::move(*axes);
     }
     if (parser.isSet("hold"))
-        if (auto held = parseHeld(parser.value("hold").toStdString(), field.axes, field.held); !held)
-            return held;
+        if (auto fixed = parseFixed(parser.value("hold").toStdString(), field.axes, field.fixed); !fixed)
+            return fixed;
     field.withGradient = parser.isSet("gradient");
     if (parser.isSet("tolerance")) {
         bool ok = false;
@@ -169,13 +169,13 @@ std::string plainSeconds(double time_s) {
 }
 
 void printFigures(const Field& field, double time_s) {
-    double least = INFINITY;
-    double most = -INFINITY;
+    double min = INFINITY;
+    double max = -INFINITY;
     for (const double value : field.values) // comparisons with NaN are false
-        least = value < least ? value : least, most = value > most ? value : most;
-    if (least <= most)
+        min = value < min ? value : min, max = value > max ? value : max;
+    if (min <= max)
         std::printf("%s%s%s from %s to %s\n", field.quantity.c_str(), field.unit.empty() ? "" : "_",
-                    field.unit.c_str(), formatNumber(least, 9).c_str(), formatNumber(most, 9).c_str());
+                    field.unit.c_str(), formatNumber(min, 9).c_str(), formatNumber(max, 9).c_str());
     const std::size_t count = field.values.size();
     std::printf("%zu samples, %s s, %s samples/s\n", count, plainSeconds(time_s).c_str(),
                 shortExponent(static_cast<double>(count) / time_s).c_str());

@@ -70,12 +70,12 @@ void drawGrid(QPainter& painter, const View& view) {
     const double width_m = view.size_px / view.scale;
     const double step_m = std::pow(10.0, std::floor(std::log10(width_m / 3.0)));
     painter.setPen(QPen(QColor(0xdd, 0xdd, 0xdd), 1.0));
-    const Eigen::Vector2d least = view.middle_m - Eigen::Vector2d::Constant(0.5 * width_m);
-    for (double k = std::ceil(least.x() / step_m); k * step_m < least.x() + width_m; ++k) {
+    const Eigen::Vector2d min = view.middle_m - Eigen::Vector2d::Constant(0.5 * width_m);
+    for (double k = std::ceil(min.x() / step_m); k * step_m < min.x() + width_m; ++k) {
         const double x = view({k * step_m, 0.0}).x();
         painter.drawLine(QPointF(x, 0.0), QPointF(x, view.size_px));
     }
-    for (double k = std::ceil(least.y() / step_m); k * step_m < least.y() + width_m; ++k) {
+    for (double k = std::ceil(min.y() / step_m); k * step_m < min.y() + width_m; ++k) {
         const double y = view({0.0, k * step_m}).y();
         painter.drawLine(QPointF(0.0, y), QPointF(view.size_px, y));
     }

@@ -42,10 +42,10 @@ struct Request {
 struct Row {
     std::string name;
     IdentifiedRates identified;
-    double arealHeatCapacity_J_m2K; ///< that gives lambda1 with the believed absorptance
+    double arealHeatCapacity_J_m2K; ///< that gives lambda1 with the configured absorptance
     double absorptance;
     HeatRates nominal;    ///< of the experiment's material
-    HeatRates controller; ///< its last belief; NaN where it has none
+    HeatRates controller; ///< its last estimate; NaN where it has none
 };
 
 struct NamedRate {
@@ -70,9 +70,9 @@ Result<void> checkOutput(const std::string& session, const std::string& output) 
     if (!std::filesystem::exists(output, failed) || std::filesystem::file_size(output, failed) == 0)
         return {};
     const auto old = readExperiment(output);
-    const auto hasRates = [](const ObjectSpec& object) { return object.believedRates.has_value(); };
+    const auto hasRates = [](const ObjectSpec& object) { return object.estimatedRates.has_value(); };
     if (!old || std::ranges::none_of(old->objects, hasRates))
-        return Error(MessageCode::OutputForeign, output, {"an experiment with believed rates"});
+        return Error(MessageCode::OutputForeign, output, {"an experiment with estimated rates"});
     return {};
 }
 
@@ -205,7 +205,7 @@ Result<void> writeStartValues(const Request& request) {
     for (std::size_t i = 0; i < identified.size(); ++i) {
         ObjectSpec& object = experiment.objects[i];
         if (identified[i].usable()) {
-            object.believedRates = identified[i].rates();
+            object.estimatedRates = identified[i].rates();
             ++written;
         } else {
             std::fprintf(stderr, "bask identify: \"%s\" keeps its start values: %s\n", object.name.c_str(),
@@ -230,7 +230,7 @@ int identifyCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         "Fits the heat balance to a recorded run: lambda1, lambda2, lambda3 of each object with standard "
-        "errors,\nbeside those of the experiment's materials and the controller's last belief.\n"
+        "errors,\nbeside those of the experiment's materials and the controller's last estimate.\n"
         "Exit code: 0 done, 2 bad input or unwritable output, 3 not usable for at least one object.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");

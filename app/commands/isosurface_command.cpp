@@ -72,10 +72,10 @@ Result<double> parseNumber(const QString& text, const std::string& where) {
     return value;
 }
 
-Error outOfRange(const std::string& where, double value, double least, double most, const char* unit) {
+Error outOfRange(const std::string& where, double value, double min, double max, const char* unit) {
     return {MessageCode::ValueOutOfRange,
             where,
-            {formatNumber(value), formatNumber(least), formatNumber(most), unit}};
+            {formatNumber(value), formatNumber(min), formatNumber(max), unit}};
 }
 
 /// "F=0.3" or "T=50" (degrees Celsius) as a view factor, with its steady temperature.
@@ -88,10 +88,10 @@ Result<void> readValue(const QString& text, Request& request) {
         return number.error();
     const HeatRates& rates = request.rates;
     const bool isFactor = text.startsWith('F');
-    const double least = isFactor ? 0.0 : celsiusFromKelvin(rates.steadyTemperature_K(0.0));
-    const double most = isFactor ? 1.0 : celsiusFromKelvin(rates.steadyTemperature_K(1.0));
-    if (*number < least || *number > most)
-        return outOfRange(where, *number, least, most, isFactor ? "" : "degC");
+    const double min = isFactor ? 0.0 : celsiusFromKelvin(rates.steadyTemperature_K(0.0));
+    const double max = isFactor ? 1.0 : celsiusFromKelvin(rates.steadyTemperature_K(1.0));
+    if (*number < min || *number > max)
+        return outOfRange(where, *number, min, max, isFactor ? "" : "degC");
     const double F = isFactor ? *number : rates.steadyViewFactor(kelvinFromCelsius(*number));
     request.values.push_back(F);
     request.set.steadyTemperatures_K.push_back(rates.steadyTemperature_K(F));
@@ -126,15 +126,15 @@ Result<void> readGrid(const QCommandLineParser& parser, const Experiment& experi
     }
     geometry.axes =
         surfaceAxes(moves ? PoseSubset::Translation : PoseSubset::Rotation, experiment.robot, step);
-    geometry.held = experiment.start;
+    geometry.fixed = experiment.start;
     geometry.clearance_m = experiment.robot.clearance_m;
     if (!parser.isSet("held"))
         return {};
     Vector6d typed; // cm and degrees
-    typed << 100.0 * geometry.held.head<3>(), geometry.held.tail<3>().unaryExpr(&degFromRad);
-    if (auto held = parseHeld(parser.value("held").toStdString(), geometry.axes, typed, "--held"); !held)
-        return held;
-    geometry.held << 0.01 * typed.head<3>(), typed.tail<3>().unaryExpr(&radFromDeg);
+    typed << 100.0 * geometry.fixed.head<3>(), geometry.fixed.tail<3>().unaryExpr(&degFromRad);
+    if (auto fixed = parseFixed(parser.value("held").toStdString(), geometry.axes, typed, "--held"); !fixed)
+        return fixed;
+    geometry.fixed << 0.01 * typed.head<3>(), typed.tail<3>().unaryExpr(&radFromDeg);
     return {};
 }
 
@@ -189,10 +189,10 @@ int refuse(const Error& error) {
 
 /// One line a surface; whether there is any.
 bool printSurfaces(const Request& request, const Field& field) {
-    double least = INFINITY;
-    double most = -INFINITY;
+    double min = INFINITY;
+    double max = -INFINITY;
     for (const double F : field.values) // comparisons with NaN are false
-        least = F < least ? F : least, most = F > most ? F : most;
+        min = F < min ? F : min, max = F > max ? F : max;
     bool any = false;
     for (std::size_t i = 0; i < request.values.size(); ++i) {
         const Isosurface& surface = request.set.surfaces[i];
@@ -203,7 +203,7 @@ bool printSurfaces(const Request& request, const Field& field) {
             std::fprintf(
                 stderr,
                 "bask isosurface: F = %s (%s degC) is nowhere on the grid, where F goes from %s to %s\n",
-                F.c_str(), t_degC.c_str(), formatNumber(least).c_str(), formatNumber(most).c_str());
+                F.c_str(), t_degC.c_str(), formatNumber(min).c_str(), formatNumber(max).c_str());
         else
             std::printf("F = %s (%s degC): %zu points, %zu triangles\n", F.c_str(), t_degC.c_str(),
                         surface.points.size(), surface.triangles.size());

@@ -202,12 +202,12 @@ private:
         if (m_options.progress)
             m_options.progress(sample.time_s, sample);
         const double limit_s = m_options.duration_s.value_or(m_experiment.simulation.durationLimit_s);
-        const bool settledLong = !m_options.duration_s && heldFor_s() >= kSettledFor_s;
+        const bool settledLong = !m_options.duration_s && inBandFor_s() >= kSettledFor_s;
         if (settledLong || sample.time_s >= limit_s)
             stop();
     }
 
-    double heldFor_s() const { return m_sample.time_s - *std::ranges::max_element(m_withinSince_s); }
+    double inBandFor_s() const { return m_sample.time_s - *std::ranges::max_element(m_withinSince_s); }
 
     void stop() {
         m_stopped_s = m_clock.now_s();
@@ -216,7 +216,7 @@ private:
 
     void finish() {
         m_outcome.simulated_s = m_sample.time_s;
-        m_outcome.settled = !m_outcome.fault && heldFor_s() >= std::min(kHeldFor_s, m_sample.time_s);
+        m_outcome.settled = !m_outcome.fault && inBandFor_s() >= std::min(kInBandFor_s, m_sample.time_s);
         for (std::size_t i = 0; i < m_sample.objects.size(); ++i)
             m_outcome.objects.push_back(
                 {m_experiment.objects[i].name, m_sample.objects[i].target_K, m_sample.objects[i].estimated_K,

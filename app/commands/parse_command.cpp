@@ -24,10 +24,10 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
         std::fputs(qPrintable(usage + text.mid(firstLineEnd)), stdout);
         return kExitDone;
     }
-    const int given = static_cast<int>(parser.positionalArguments().size()), least = std::abs(positionals);
-    if (positionals < 0 ? given < least : given != positionals) {
+    const int given = static_cast<int>(parser.positionalArguments().size()), min = std::abs(positionals);
+    if (positionals < 0 ? given < min : given != positionals) {
         std::fprintf(stderr, "bask %s: %s%d argument%s expected, %d given (see bask %s --help)\n", name,
-                     positionals < 0 ? "at least " : "", least, least == 1 ? "" : "s", given, name);
+                     positionals < 0 ? "at least " : "", min, min == 1 ? "" : "s", given, name);
         return kExitBadInput;
     }
     return std::nullopt;

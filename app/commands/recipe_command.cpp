@@ -67,7 +67,7 @@ const char* wordOf(State state) {
         return "failed";
     case State::Stopped:
         return "stopped";
-    case State::Held:
+    case State::Paused:
         return "held";
     }
     return "";
@@ -95,11 +95,12 @@ const char* wordOf(RecipeEnd end) {
 /// What it is about to do.
 void announce(const Recipe& recipe) {
     std::fprintf(stderr, "bask run: recipe \"%s\", %zu step%s, at most %s\n", recipe.name.c_str(),
-                 recipe.steps.size(), recipe.steps.size() == 1 ? "" : "s", seconds(atMost_s(recipe)).c_str());
+                 recipe.steps.size(), recipe.steps.size() == 1 ? "" : "s",
+                 seconds(maxDuration_s(recipe)).c_str());
     for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
         const RecipeStep& step = recipe.steps[i];
         std::fprintf(stderr, "%4zu  %s%s%s\n", i + 1, wordsOf(step).c_str(),
-                     step.until == Until::Time ? "" : (", at most " + seconds(step.atMost_s)).c_str(),
+                     step.until == Until::Time ? "" : (", at most " + seconds(step.maxDuration_s)).c_str(),
                      step.goesOn ? "; otherwise the next step" : "");
     }
 }
@@ -212,7 +213,7 @@ std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
         const std::string place = "steps[" + std::to_string(i) + "]: ";
         if (!experiments[i]->rig)
             return place + describe(Message{MessageCode::RigMissing, {}});
-        if (isKeptHotByHand(experiments[i]->rig))
+        if (hasManualSource(experiments[i]->rig))
             return place + "its source is heated by hand; a recipe cannot switch it off between its steps";
         if (experiments[i]->rig != experiments.front()->rig)
             return place + "its rig is another than the first step's; a recipe runs on one rig";

@@ -83,7 +83,7 @@ FigureRange errorRange(const Experiments& experiments) {
         for (const std::size_t by : kBoth)
             for (const TraceSample& sample : experiment->runs[by].samples)
                 for (const ObjectSample& object : sample.objects)
-                    range = {std::min(range.least, error_K(object)), std::max(range.most, error_K(object))};
+                    range = {std::min(range.min, error_K(object)), std::max(range.max, error_K(object))};
     return range;
 }
 
@@ -152,14 +152,14 @@ std::vector<ReportPicture> normPictures(const Experiments& experiments) {
                         QString::fromStdString(each->paper.name), duration_s(*each));
         figure.yLabel = QStringLiteral("Norm of the errors (K)");
         figure.band = 0.0;
-        double most = 1.0;
+        double max = 1.0;
         for (const std::size_t by : kBoth) {
             figure.series << seriesOf(controllerWords(each->runs[by].controller), each->runs[by],
                                       duration_s(*each), norm_K);
             for (const QPointF& point : figure.series.back().points)
-                most = std::max(most, point.y());
+                max = std::max(max, point.y());
         }
-        figure.yRange = FigureRange{0.0, most};
+        figure.yRange = FigureRange{0.0, max};
         pictures.push_back(pictureOf(figure));
     }
     return pictures;

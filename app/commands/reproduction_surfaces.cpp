@@ -68,11 +68,11 @@ FigureLine sourceLine(const Shape& source) {
     return line;
 }
 
-/// Surfaces of equal view factor of the paper's disks, `held` saying where.
-Result<SurfacePanel> levelPanel(const QString& title, bool overRotations, const Vector6d& held) {
+/// Surfaces of equal view factor of the paper's disks, `fixed` saying where.
+Result<SurfacePanel> levelPanel(const QString& title, bool overRotations, const Vector6d& fixed) {
     FieldRequest request{RadiatingContour(presetSource()), RadiatingContour(presetObject()),
                          overRotations ? rotations() : translations()};
-    request.held = held;
+    request.fixed = fixed;
     request.tolerance = kTolerance;
     const auto field = sampleField(request);
     if (!field)
@@ -91,18 +91,18 @@ Result<SurfacePanel> levelPanel(const QString& title, bool overRotations, const 
 struct LevelCase {
     QString title;
     bool overRotations;
-    Coordinate held;
+    Coordinate fixed;
     double value; ///< m or rad
 };
 
 Result<QList<SurfacePanel>> levelPanels(const std::vector<LevelCase>& cases) {
     QList<SurfacePanel> panels;
     for (const LevelCase& each : cases) {
-        Vector6d held = Vector6d::Zero();
+        Vector6d fixed = Vector6d::Zero();
         if (each.overRotations)
-            held[kZ] = 0.05;
-        held[each.held] = each.value;
-        auto panel = levelPanel(each.title, each.overRotations, held);
+            fixed[kZ] = 0.05;
+        fixed[each.fixed] = each.value;
+        auto panel = levelPanel(each.title, each.overRotations, fixed);
         if (!panel)
             return panel.error();
         panels << std::move(*panel);

@@ -185,7 +185,7 @@ int runExperimentCommand(const QStringList& arguments) {
          {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
           "SECONDS"},
-         {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
+         {"seed", "Seed of noise, sensor offsets and wrong estimates.", "N"},
          {"o", "Record the run into this session file.", "SESSION.bask"},
          {"summary", "Write the outcome as JSON.", "SUMMARY.json"},
          {"recipe",

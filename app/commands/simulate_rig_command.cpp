@@ -50,7 +50,7 @@ Result<BenchDevices> benchDevices(const Experiment& experiment) {
         devices.thermometer = rig.thermometer->profile;
     else if (rig.thermometer->driver != "stream")
         return missing("thermometer that can be simulated");
-    if (!rig.source || isKeptByHand(*rig.source))
+    if (!rig.source || isManualSource(*rig.source))
         return missing("heat source with a port");
     devices.heaterUnit = rig.source->unit;
     if (driverOf(*rig.source).isModbus)

@@ -9,7 +9,7 @@
 
 namespace bask {
 
-int viewFactorStudyCommand(const QString& folder, int mostElements);
+int viewFactorStudyCommand(const QString& folder, int maxElements);
 
 enum class StudyMounting { Triangle, Line, Random };
 

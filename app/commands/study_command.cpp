@@ -27,11 +27,11 @@ public:
 
     const QString& complaint() const { return m_complaint; }
 
-    int wholeNumber(const QString& name, int least, int most) {
+    int wholeNumber(const QString& name, int min, int max) {
         bool isNumber = false;
         const int value = m_parser.value(name).toInt(&isNumber);
-        if (!isNumber || value < least || value > most)
-            refuse(name, QStringLiteral("a whole number from %1 to %2").arg(least).arg(most));
+        if (!isNumber || value < min || value > max)
+            refuse(name, QStringLiteral("a whole number from %1 to %2").arg(min).arg(max));
         return value;
     }
     std::uint64_t seed() {
@@ -41,11 +41,11 @@ public:
             refuse("seed", QStringLiteral("a whole number from 0"));
         return value;
     }
-    double number(const QString& name, double least, double most) {
+    double number(const QString& name, double min, double max) {
         bool isNumber = false;
         const double value = m_parser.value(name).toDouble(&isNumber);
-        if (!isNumber || !(value >= least && value <= most))
-            refuse(name, QStringLiteral("a number from %1 to %2").arg(least).arg(most));
+        if (!isNumber || !(value >= min && value <= max))
+            refuse(name, QStringLiteral("a number from %1 to %2").arg(min).arg(max));
         return value;
     }
     /// Index of the value in `words`.
@@ -142,7 +142,7 @@ void addOptions(QCommandLineParser& parser) {
           "controller and by the level servo, seed after seed).",
           "NAME", "healthy"},
          {"source-model", "closed-loop: gray or paper.", "NAME", "gray"},
-         {"rate-error", "closed-loop: believed rates are wrong by random factors within this one, 1 to 8.",
+         {"rate-error", "closed-loop: estimated rates are wrong by random factors within this one, 1 to 8.",
           "FACTOR", "4"},
          {"mounting", "closed-loop: the objects on a triangle, a line or random places.", "NAME",
           "triangle"}});
@@ -157,7 +157,7 @@ int studyCommand(const QStringList& arguments) {
         "surface integral with n elements, the Fourier method with h harmonics and Bask's own solver, each\n"
         "with value, error and time. Writes view_factor_study.csv and four figures, and prints a summary.\n\n"
         "closed-loop lets a controller bring three objects to random targets that a pose holds, from random\n"
-        "starts, with wrong beliefs about the materials. Writes closed_loop_study.csv and three figures;\n"
+        "starts, with wrong estimates of the materials. Writes closed_loop_study.csv and three figures;\n"
         "prints each failure with its reason, the success rate, the settling time over the least that\n"
         "physics allows, and the overshoot.\n\n"
         "alarms runs experiments at random, healthy or with a fault, and holds each alarm against what the\n"

@@ -62,9 +62,9 @@ public:
         m_study.exact = exact(m_whole);
     }
 
-    void surfaceIntegrals(int most) {
+    void surfaceIntegrals(int max) {
         for (int n : {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000})
-            if (n <= most)
+            if (n <= max)
                 add({.method = StudyMethod::SurfaceIntegral, .elements = n},
                     [&] { return discreteSurfaceIntegral(m_disk, m_outline, m_X_SO, n); });
     }
@@ -140,12 +140,12 @@ const char* studyMethodName(StudyMethod method) {
     return "";
 }
 
-Result<ViewFactorStudy> runViewFactorStudy(int mostElements) {
+Result<ViewFactorStudy> runViewFactorStudy(int maxElements) {
     auto outline = bunny();
     if (!outline)
         return outline.error();
     Study study(std::move(*outline));
-    study.surfaceIntegrals(mostElements);
+    study.surfaceIntegrals(maxElements);
     for (int h = 1; h <= kStudyMaxHarmonics; ++h) {
         const auto fit = fitFourier(study.outline(), h);
         if (!fit)

@@ -41,9 +41,9 @@ inline constexpr int kStudyMaxHarmonics = 20;
 inline constexpr double kStudyRadius_m = 0.10;
 inline constexpr double kStudyDistance_m = 0.05;
 
-/// Runs the study with up to `mostElements` elements a face. Takes about (mostElements/20000)^2 times four
+/// Runs the study with up to `maxElements` elements a face. Takes about (maxElements/20000)^2 times four
 /// seconds.
-Result<ViewFactorStudy> runViewFactorStudy(int mostElements);
+Result<ViewFactorStudy> runViewFactorStudy(int maxElements);
 
 /// The table as CSV, with what it is about in comment lines before the header.
 std::string studyCsv(const ViewFactorStudy& study);

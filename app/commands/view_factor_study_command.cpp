@@ -54,12 +54,12 @@ void printSummary(const ViewFactorStudy& study) {
 
 } // namespace
 
-int viewFactorStudyCommand(const QString& folder, int mostElements) {
+int viewFactorStudyCommand(const QString& folder, int maxElements) {
     const auto files = studyFiles(folder, kMark, "view_factor_study",
                                   {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"});
     if (!files)
         return kExitBadInput;
-    const auto study = runViewFactorStudy(mostElements);
+    const auto study = runViewFactorStudy(maxElements);
     if (!study)
         return refuseStudy(study.error());
     std::vector<std::string> contents{studyCsv(*study)};

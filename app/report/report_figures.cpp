@@ -119,8 +119,8 @@ struct RunFigures::Impl {
         figure.moments = moments;
         figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 780 : 650);
         if (quantity == Quantity::Error) {
-            const double most = displayDifference(kErrorsWithin_K, unit);
-            figure.yRange = FigureRange{-most, most};
+            const double max = displayDifference(kErrorsWithin_K, unit);
+            figure.yRange = FigureRange{-max, max};
         }
         return traceFigure(figure, store, format, kRunFigureMark);
     }

@@ -34,7 +34,7 @@ std::string printable(std::string text) {
     return text;
 }
 
-Result<std::string> readTextFile(const std::string& path, std::uintmax_t most) {
+Result<std::string> readTextFile(const std::string& path, std::uintmax_t max) {
     namespace fs = std::filesystem;
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
@@ -43,9 +43,9 @@ Result<std::string> readTextFile(const std::string& path, std::uintmax_t most) {
     if (!fs::is_regular_file(status))
         return Error(MessageCode::FileUnreadable, path, {"not a file"});
     const std::uintmax_t size = fs::file_size(path, code);
-    if (!code && size > most)
+    if (!code && size > max)
         return Error(MessageCode::FileTooLarge, path,
-                     {std::to_string(size >> 20) + " MiB", std::to_string(most >> 20) + " MiB"});
+                     {std::to_string(size >> 20) + " MiB", std::to_string(max >> 20) + " MiB"});
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return Error(MessageCode::FileUnreadable, path, {"access refused"});

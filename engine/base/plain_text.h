@@ -18,6 +18,6 @@ std::string printable(std::string text);
 
 /// Reads a whole file of at most the given number of bytes. Errors: FileNotFound, FileUnreadable,
 /// FileTooLarge.
-Result<std::string> readTextFile(const std::string& path, std::uintmax_t most);
+Result<std::string> readTextFile(const std::string& path, std::uintmax_t max);
 
 } // namespace bask

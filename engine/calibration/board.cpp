@@ -30,12 +30,12 @@ template <class Number> std::optional<Number> numberFrom(const std::string& text
     return read.ec == std::errc() && read.ptr == end ? std::optional(value) : std::nullopt;
 }
 
-Result<void> checkRange(double value, double least, double most, const char* unit, const std::string& where) {
-    if (value >= least && value <= most)
+Result<void> checkRange(double value, double min, double max, const char* unit, const std::string& where) {
+    if (value >= min && value <= max)
         return {};
     return Error{MessageCode::ValueOutOfRange,
                  where,
-                 {formatNumber(value), formatNumber(least), formatNumber(most), unit}};
+                 {formatNumber(value), formatNumber(min), formatNumber(max), unit}};
 }
 
 Result<void> checkMarkers(const Board& board, const std::string& where) {

@@ -52,15 +52,15 @@ void refine(const cv::Mat1b& image, Points& corners, double reach_px) {
     cv::cornerSubPix(image, corners, cv::Size(half, half), cv::Size(-1, -1), criteria);
 }
 
-double leastSpacing(const Points& corners, int columns) {
-    double least = HUGE_VAL;
+double minSpacing(const Points& corners, int columns) {
+    double min = HUGE_VAL;
     for (std::size_t k = 0; k < corners.size(); ++k) {
         if ((k + 1) % static_cast<std::size_t>(columns) != 0)
-            least = std::min(least, distance(corners[k], corners[k + 1]));
+            min = std::min(min, distance(corners[k], corners[k + 1]));
         if (k + static_cast<std::size_t>(columns) < corners.size())
-            least = std::min(least, distance(corners[k], corners[k + static_cast<std::size_t>(columns)]));
+            min = std::min(min, distance(corners[k], corners[k + static_cast<std::size_t>(columns)]));
     }
-    return least;
+    return min;
 }
 
 std::optional<Points> chessboardCorners(const cv::Mat1b& image, const Board& board) {
@@ -75,8 +75,7 @@ std::optional<Points> chessboardCorners(const cv::Mat1b& image, const Board& boa
         return std::nullopt;
     for (cv::Point2f& corner : corners)
         corner = reduced.inWhole(corner);
-    refine(image, corners,
-           0.4 * leastSpacing(corners, board.columns)); // a larger window meets the next corner
+    refine(image, corners, 0.4 * minSpacing(corners, board.columns)); // a larger window meets the next corner
     return corners;
 }
 
@@ -249,15 +248,15 @@ Fit fitOf(const Board& board, const std::map<int, FoundMarker>& markers) {
 // The known dictionary that finds most markers, the smallest of such.
 std::string bestDictionary(const GreyPicture& picture, const std::string& set) {
     constexpr std::size_t kMinMarkers = 4;
-    std::size_t most = std::max(findMarkers(picture, {set}).size(), kMinMarkers - 1);
+    std::size_t max = std::max(findMarkers(picture, {set}).size(), kMinMarkers - 1);
     std::string best = set;
     for (const char* sides : {"4X4_", "5X5_", "6X6_", "7X7_"})
         for (const char* count : {"50", "100", "250", "1000"})
-            if (const auto found = findMarkers(picture, {std::string(sides) + count}); found.size() > most) {
-                most = found.size();
+            if (const auto found = findMarkers(picture, {std::string(sides) + count}); found.size() > max) {
+                max = found.size();
                 best = std::string(sides) + count;
             }
-    return findMarkers(picture, {"ARUCO_ORIGINAL"}).size() > most ? "ARUCO_ORIGINAL" : best;
+    return findMarkers(picture, {"ARUCO_ORIGINAL"}).size() > max ? "ARUCO_ORIGINAL" : best;
 }
 
 std::optional<Board> charucoSeen(const GreyPicture& picture, Board board) {
@@ -316,14 +315,14 @@ std::optional<Board> boardSeen(const GreyPicture& picture, const Board& board) {
 }
 
 Board mostSeen(std::span<const Board> seen, const Board& board) {
-    Board most = board;
+    Board chosen = board;
     std::ptrdiff_t count = std::max<std::ptrdiff_t>(std::ranges::count(seen, board), 1);
     for (const Board& other : seen)
         if (const auto more = std::ranges::count(seen, other); more > count) {
-            most = other;
+            chosen = other;
             count = more;
         }
-    return most;
+    return chosen;
 }
 
 } // namespace bask

@@ -96,18 +96,18 @@ std::vector<Eigen::Vector3d> normalsOf(const std::vector<cv::Mat>& rotations) {
 }
 
 double tiltOf(const std::vector<Eigen::Vector3d>& normals) {
-    double least = 1.0; // cosine
+    double min = 1.0; // cosine
     for (const Eigen::Vector3d& normal : normals)
-        least = std::min(least, std::abs(normal.z()));
-    return std::acos(least);
+        min = std::min(min, std::abs(normal.z()));
+    return std::acos(min);
 }
 
 double turnOf(const std::vector<Eigen::Vector3d>& normals) {
-    double most_rad = 0.0;
+    double max_rad = 0.0;
     for (const Eigen::Vector3d& a : normals)
         for (const Eigen::Vector3d& b : normals)
-            most_rad = std::max(most_rad, std::atan2(a.cross(b).norm(), a.dot(b)));
-    return most_rad;
+            max_rad = std::max(max_rad, std::atan2(a.cross(b).norm(), a.dot(b)));
+    return max_rad;
 }
 
 CameraModel cameraOf(const Solution& s, int coefficients) {
@@ -152,9 +152,9 @@ std::optional<Message> CameraCalibration::reasonAgainst() const {
     if (focalDeviation() > kMaxDeviation)
         return Message{MessageCode::CalibrationUncertain,
                        {formatNumber(100.0 * focalDeviation(), 2), formatNumber(100.0 * kMaxDeviation)}};
-    if (const double most_px = kMaxResidual * camera.width; *camera.rms_px > most_px)
+    if (const double max_px = kMaxResidual * camera.width; *camera.rms_px > max_px)
         return Message{MessageCode::CalibrationContradicts,
-                       {formatNumber(*camera.rms_px, 3), formatNumber(most_px, 2)}};
+                       {formatNumber(*camera.rms_px, 3), formatNumber(max_px, 2)}};
     return std::nullopt;
 }
 

@@ -139,10 +139,10 @@ std::vector<HandEyeSight> fitting(std::span<const HandEyeSight> sights, const Ca
         misses.push_back(rmsOf(sight, camera, poses));
     std::vector<double> sorted = misses;
     std::ranges::sort(sorted);
-    const double most = std::max(kMin_px, kTimes * sorted[sorted.size() / 2]);
+    const double max = std::max(kMin_px, kTimes * sorted[sorted.size() / 2]);
     std::vector<HandEyeSight> kept;
     for (std::size_t k = 0; k < sights.size(); ++k)
-        if (misses[k] <= most)
+        if (misses[k] <= max)
             kept.push_back(sights[k]);
     return kept;
 }
@@ -203,12 +203,11 @@ PoseDifference differenceBetween(const Pose& a, const Pose& b) {
 Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                  const CameraModel& camera, Mounting mounting) {
     const std::vector<HandEyeSight> sights = sightsOf(views, layout, camera);
-    const std::size_t least = mounting == Mounting::Known ? 1 : 3;
+    const std::size_t min = mounting == Mounting::Known ? 1 : 3;
     if (sights.empty() && !views.empty())
         return partPose(views.front().frames, layout, Part::EndEffector, camera).error();
-    if (sights.size() < least)
-        return Error{
-            MessageCode::HandEyeViewsFew, "", {std::to_string(sights.size()), std::to_string(least)}};
+    if (sights.size() < min)
+        return Error{MessageCode::HandEyeViewsFew, "", {std::to_string(sights.size()), std::to_string(min)}};
     if (mounting == Mounting::Sought)
         if (auto error = motionError(sights))
             return *error;

@@ -121,15 +121,15 @@ std::optional<double> otherSide(const SeenMarker& seen, const CameraModel& camer
         other.marker.side_m = side_m;
         return rmsOf(cornersOf(other), camera, X_CP);
     };
-    double least = 0.2 * seen.marker.side_m, most = 5.0 * seen.marker.side_m;
+    double min = 0.2 * seen.marker.side_m, max = 5.0 * seen.marker.side_m;
     for (int k = 0; k < 60; ++k) { // one valley: a third of the interval goes each time
-        const double third = (most - least) / 3.0;
-        if (missWith(least + third) < missWith(most - third))
-            most -= third;
+        const double third = (max - min) / 3.0;
+        if (missWith(min + third) < missWith(max - third))
+            max -= third;
         else
-            least += third;
+            min += third;
     }
-    const double side_m = 0.5 * (least + most);
+    const double side_m = 0.5 * (min + max);
     const bool isOther =
         std::abs(side_m / seen.marker.side_m - 1.0) > kMinChange && missWith(side_m) < kExplained * before;
     return isOther ? std::optional(side_m) : std::nullopt;

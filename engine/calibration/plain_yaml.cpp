@@ -134,16 +134,16 @@ Result<std::vector<double>> PlainYaml::numbers(const std::string& path, const st
     return values;
 }
 
-Result<int> PlainYaml::whole(const std::string& path, int least, int most, const std::string& where) const {
+Result<int> PlainYaml::whole(const std::string& path, int min, int max, const std::string& where) const {
     const auto values = numbers(path, where);
     if (!values)
         return values.error();
     if (values->size() != 1 || values->front() != std::floor(values->front()))
         return Error{MessageCode::NumbersUnusable, where, {path}};
-    if (!(values->front() >= least && values->front() <= most))
+    if (!(values->front() >= min && values->front() <= max))
         return Error{MessageCode::ValueOutOfRange,
                      where,
-                     {formatNumber(values->front()), std::to_string(least), std::to_string(most), ""}};
+                     {formatNumber(values->front()), std::to_string(min), std::to_string(max), ""}};
     return static_cast<int>(values->front());
 }
 

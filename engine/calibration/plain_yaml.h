@@ -26,7 +26,7 @@ public:
     Result<std::vector<double>> numbers(const std::string& path, const std::string& where) const;
     /// Returns the single whole number at `path`, between the limits. Errors: JsonMissingKey,
     /// NumbersUnusable, ValueOutOfRange.
-    Result<int> whole(const std::string& path, int least, int most, const std::string& where) const;
+    Result<int> whole(const std::string& path, int min, int max, const std::string& where) const;
 
 private:
     std::map<std::string, std::vector<std::string>> m_scalars;

@@ -62,8 +62,8 @@ std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part a, 
 }
 
 Verdict verdictOn(const PoseSpread& spread) {
-    const auto within = [&](double most_mm, double most_deg) {
-        return spread.position_m <= 1e-3 * most_mm && spread.angle_rad <= radFromDeg(most_deg);
+    const auto within = [&](double max_mm, double max_deg) {
+        return spread.position_m <= 1e-3 * max_mm && spread.angle_rad <= radFromDeg(max_deg);
     };
     return within(1.0, 0.3) ? Verdict::Good : within(3.0, 1.0) ? Verdict::Usable : Verdict::Redo;
 }

@@ -55,10 +55,10 @@ SeenMarker meanOf(const PlacedMarker& marker, const std::vector<Coordinates>& se
     std::vector<double> distances; // of the worst coordinate
     for (const Coordinates& c : seen)
         distances.push_back((c - middle).lpNorm<Eigen::Infinity>());
-    const double most = std::max(kMin_px, kFarther * median(distances));
+    const double max = std::max(kMin_px, kFarther * median(distances));
     std::vector<Coordinates> kept;
     for (std::size_t k = 0; k < seen.size(); ++k)
-        if (distances[k] <= most)
+        if (distances[k] <= max)
             kept.push_back(seen[k]);
     Coordinates mean = Coordinates::Zero();
     for (const Coordinates& c : kept)

@@ -12,15 +12,15 @@ namespace bask {
 namespace {
 
 struct Box {
-    Eigen::Vector2d least = Eigen::Vector2d::Constant(HUGE_VAL);
-    Eigen::Vector2d most = Eigen::Vector2d::Constant(-HUGE_VAL);
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(HUGE_VAL);
+    Eigen::Vector2d max = Eigen::Vector2d::Constant(-HUGE_VAL);
 };
 
 Box boxOf(const BoardView& view) {
     Box box;
     for (const Eigen::Vector2d& p : view.corners_px) {
-        box.least = box.least.cwiseMin(p);
-        box.most = box.most.cwiseMax(p);
+        box.min = box.min.cwiseMin(p);
+        box.max = box.max.cwiseMax(p);
     }
     return box;
 }
@@ -104,16 +104,16 @@ double motionBetween(const BoardView& a, const BoardView& b) {
 }
 
 struct Range {
-    double least, most;
+    double min, max;
 
-    double length() const { return most - least; }
+    double length() const { return max - min; }
 };
 
 template <class Value> Range rangeOf(std::span<const ViewPlace> places, Value value) {
     Range range{value(places.front()), value(places.front())};
     for (const ViewPlace& place : places) {
-        range.least = std::min(range.least, value(place));
-        range.most = std::max(range.most, value(place));
+        range.min = std::min(range.min, value(place));
+        range.max = std::max(range.max, value(place));
     }
     return range;
 }
@@ -134,13 +134,13 @@ std::optional<ViewPlace> placeOf(const BoardView& view, const Board& board, int 
         return std::nullopt;
     Box box = boxOf(view);
     const Eigen::Vector2d square_px = board.square_m * fit->px_m.cwiseAbs().rowwise().sum(); // around them
-    box.least = (box.least - square_px).cwiseMax(Eigen::Vector2d::Zero());
-    box.most = (box.most + square_px).cwiseMin(Eigen::Vector2d(width, height));
+    box.min = (box.min - square_px).cwiseMax(Eigen::Vector2d::Zero());
+    box.max = (box.max + square_px).cwiseMin(Eigen::Vector2d(width, height));
     const int columns = squareColumns(board) - 2, rows = squareRows(board) - 2; // between the inner corners
     const double area_px =
         std::abs(fit->px_m.determinant()) * columns * rows * board.square_m * board.square_m;
-    return ViewPlace{placeBetween(box.least.x(), width - box.most.x(), width),
-                     placeBetween(box.least.y(), height - box.most.y(), height),
+    return ViewPlace{placeBetween(box.min.x(), width - box.max.x(), width),
+                     placeBetween(box.min.y(), height - box.max.y(), height),
                      std::min(1.0, std::sqrt(area_px / (static_cast<double>(width) * height))), tiltOf(*fit)};
 }
 
@@ -162,15 +162,15 @@ Coverage coverageOf(std::span<const ViewPlace> places) {
     const Range upDown = rangeOf(some, [](const ViewPlace& p) { return p.tilt.y(); });
     coverage.x = share(x.length(), kPlaceRange);
     coverage.y = share(y.length(), kPlaceRange);
-    coverage.size = share(size.most, kSize);
+    coverage.size = share(size.max, kSize);
     const double aside = share(sideways.length(), kTiltRange), up = share(upDown.length(), kTiltRange);
     coverage.tilt = 0.5 * (aside + up);
 
     constexpr double kAtEdge = 0.5 * (1.0 - kPlaceRange);
-    want(coverage.x < 1.0 && x.least > kAtEdge, MessageCode::CoverageLeft);
-    want(coverage.x < 1.0 && x.most < 1.0 - kAtEdge, MessageCode::CoverageRight);
-    want(coverage.y < 1.0 && y.least > kAtEdge, MessageCode::CoverageTop);
-    want(coverage.y < 1.0 && y.most < 1.0 - kAtEdge, MessageCode::CoverageBottom);
+    want(coverage.x < 1.0 && x.min > kAtEdge, MessageCode::CoverageLeft);
+    want(coverage.x < 1.0 && x.max < 1.0 - kAtEdge, MessageCode::CoverageRight);
+    want(coverage.y < 1.0 && y.min > kAtEdge, MessageCode::CoverageTop);
+    want(coverage.y < 1.0 && y.max < 1.0 - kAtEdge, MessageCode::CoverageBottom);
     want(coverage.size < 1.0, MessageCode::CoverageNearer);
     want(aside < 1.0, MessageCode::CoverageTiltSideways);
     want(up < 1.0, MessageCode::CoverageTiltUpDown);
@@ -268,8 +268,8 @@ void ViewCollector::saw(const Board& board) {
 
 std::optional<Board> ViewCollector::otherBoard() const {
     const std::vector<Board> seen(m_seen.begin(), m_seen.end());
-    const Board most = mostSeen(seen, m_board);
-    return most == m_board ? std::nullopt : std::optional(most);
+    const Board seenBoard = mostSeen(seen, m_board);
+    return seenBoard == m_board ? std::nullopt : std::optional(seenBoard);
 }
 
 } // namespace bask

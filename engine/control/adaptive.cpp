@@ -10,7 +10,7 @@ namespace bask {
 
 AdaptiveController::AdaptiveController(const ControllerSettings& settings, ControlModel model)
     : m_settings(settings), m_model(std::move(model)) {
-    for (const HeatRates& rates : m_model.believed) {
+    for (const HeatRates& rates : m_model.estimated) {
         const double a1 = 1.0 / rates.lambda1;
         const double a2 = rates.lambda2 / rates.lambda1;
         m_estimates.push_back({a1, a2, a1, a2});
@@ -54,8 +54,8 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
         HeatRates rates;
         rates.lambda1 = 1.0 / m_estimates[i].a1;
         rates.lambda2 = m_estimates[i].a2 * rates.lambda1;
-        rates.lambda3 = rates.lambda2 * m_model.believed[i].lambda3 / m_model.believed[i].lambda2;
-        out.belief.push_back(rates);
+        rates.lambda3 = rates.lambda2 * m_model.estimated[i].lambda3 / m_model.estimated[i].lambda2;
+        out.estimate.push_back(rates);
     }
     return out;
 }

@@ -34,14 +34,14 @@ struct ControlOutput {
     std::vector<double>
         /// The temperatures that it aims at if no pose has all targets together; else empty.
         compromise_K;
-    std::vector<HeatRates> belief; ///< N, the controller's present estimate
-    ActiveLimits limits;           ///< limits that restrict the command
+    std::vector<HeatRates> estimate; ///< N, the controller's present estimate
+    ActiveLimits limits;             ///< limits that restrict the command
 };
 
 /// What a controller is given before it starts.
 struct ControlModel {
     std::shared_ptr<const RigGeometry> geometry;
-    std::vector<HeatRates> believed; ///< N, the estimated rates at sourceStrength 1
+    std::vector<HeatRates> estimated; ///< N, the estimated rates at sourceStrength 1
     std::vector<double> targets_K;
 };
 

@@ -61,7 +61,7 @@ struct ControllerSettings {
     /// Length that counts as one radian when rotations and translations are combined.
     double rotationLength_m = 0.10;
     double damping = 1e-3; ///< of the damped least squares, relative to the largest singular value
-    double believedRateErrorFactor =
+    double estimatedRateErrorFactor =
         1.0; ///< >= 1: estimated rates start with random errors: seeded factors in [1/f, f]
     bool operator==(const ControllerSettings&) const = default;
 };

@@ -27,9 +27,9 @@ double spread(int index, int prime) {
     return out;
 }
 
-Vector6d samplePose(const RigGeometry& rig, const Vector6d& held, int index) {
+Vector6d samplePose(const RigGeometry& rig, const Vector6d& fixed, int index) {
     static constexpr std::array<int, 6> kPrimes{2, 3, 5, 7, 11, 13};
-    Vector6d q = held;
+    Vector6d q = fixed;
     for (const int k : rig.freeCoordinates()) {
         const double share = spread(index, kPrimes[static_cast<std::size_t>(k)]);
         q[k] = rig.limits().lower[k] + share * (rig.limits().upper[k] - rig.limits().lower[k]);
@@ -75,12 +75,12 @@ struct Sample {
 };
 
 /// Empty when all objects are independent somewhere.
-Sample dependentSample(const RigGeometry& rig, const Vector6d& held) {
+Sample dependentSample(const RigGeometry& rig, const Vector6d& fixed) {
     std::vector<int> all(static_cast<std::size_t>(rig.objects()));
     std::iota(all.begin(), all.end(), 0);
     Sample out;
     for (int index = 1; index <= kPoses; ++index) {
-        const Vector6d q = samplePose(rig, held, index);
+        const Vector6d q = samplePose(rig, fixed, index);
         if (!rig.allowed(q) || rig.lowestPoint_m(q) <= 0.0)
             continue;
         const ViewFactors at = rig.viewFactors(q);
@@ -94,18 +94,18 @@ Sample dependentSample(const RigGeometry& rig, const Vector6d& held) {
 
 } // namespace
 
-std::vector<DependentObjects> dependentObjects(const RigGeometry& rig, const Vector6d& held) {
+std::vector<DependentObjects> dependentObjects(const RigGeometry& rig, const Vector6d& fixed) {
     std::vector<DependentObjects> out;
     if (rig.objects() == 0)
         return out;
-    const Sample sample = dependentSample(rig, held);
+    const Sample sample = dependentSample(rig, fixed);
     if (sample.J.empty())
         return out;
     std::vector<unsigned> found;
     for (int size = 1; size <= rig.objects(); ++size) {
         for (unsigned set = 1; set >> rig.objects() == 0; ++set) {
-            const bool least = std::ranges::none_of(found, [=](unsigned f) { return (f & set) == f; });
-            if (std::popcount(set) != size || !least)
+            const bool isMinimal = std::ranges::none_of(found, [=](unsigned f) { return (f & set) == f; });
+            if (std::popcount(set) != size || !isMinimal)
                 continue;
             const std::vector<int> objects = membersOf(set);
             if (!sample.dependent(objects))

@@ -20,6 +20,6 @@ struct DependentObjects {
 /// at one pose, which is the first pose for most rigs, and if no sampled pose is allowed. The rank is about
 /// velocities: independent objects may still have targets that no pose reaches. Coordinates that are not free
 /// are taken from the second argument.
-std::vector<DependentObjects> dependentObjects(const RigGeometry& rig, const Vector6d& held);
+std::vector<DependentObjects> dependentObjects(const RigGeometry& rig, const Vector6d& fixed);
 
 } // namespace bask

@@ -57,9 +57,9 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
         verdict.reachableMax_K = extreme_K(search, row, verdict.highest_K);
         verdict.reachableMin_F = std::max(0.0, rates.steadyViewFactor(verdict.reachableMin_K));
         verdict.reachableMax_F = rates.steadyViewFactor(verdict.reachableMax_K);
-        if (verdict.target_K > verdict.reachableMax_K + kHeldWithin_K)
+        if (verdict.target_K > verdict.reachableMax_K + kReachedWithin_K)
             verdict.verdict = FeasibilityVerdict::TooHot;
-        else if (verdict.target_K < verdict.reachableMin_K - kHeldWithin_K)
+        else if (verdict.target_K < verdict.reachableMin_K - kReachedWithin_K)
             verdict.verdict = FeasibilityVerdict::TooCold;
     }
     return out;
@@ -77,11 +77,11 @@ std::vector<PairVerdict> pairVerdicts(const SteadySearch& search, const std::vec
             const HeatRates& b = search.rates()[second];
             const Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(N, i) - Eigen::RowVectorXd::Unit(N, j);
             PairVerdict verdict{i, j, targets_K[first] - targets_K[second]};
-            verdict.least_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(1.0));
+            verdict.min_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(1.0));
             verdict.largest_K =
                 extreme_K(search, row, a.steadyTemperature_K(1.0) - b.steadyTemperature_K(0.0));
-            verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kHeldWithin_K &&
-                            verdict.wanted_K >= verdict.least_K - 2.0 * kHeldWithin_K;
+            verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kReachedWithin_K &&
+                            verdict.wanted_K >= verdict.min_K - 2.0 * kReachedWithin_K;
             out.push_back(verdict);
         }
     return out;

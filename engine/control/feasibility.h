@@ -15,7 +15,7 @@ class SteadySearch;
 
 /// A target counts as reached if a steady temperature is this close to it: half of the last digit that can be
 /// typed, a tenth of the band in which a run counts as settled.
-inline constexpr double kHeldWithin_K = 0.05;
+inline constexpr double kReachedWithin_K = 0.05;
 
 enum class FeasibilityVerdict {
     Reachable, ///< within the steady temperatures of the workspace
@@ -33,7 +33,7 @@ struct TargetVerdict {
     double reachableMax_F = 0.0;
     double reachableMin_K = 0.0; ///< the steady temperatures at these
     double reachableMax_K = 0.0;
-    FeasibilityVerdict verdict = FeasibilityVerdict::Reachable; ///< with the tolerance kHeldWithin_K
+    FeasibilityVerdict verdict = FeasibilityVerdict::Reachable; ///< with the tolerance kReachedWithin_K
 };
 
 /// Condition 2 for two objects: steady temperature of `first` minus that of `second`.
@@ -41,9 +41,9 @@ struct PairVerdict {
     int first = 0;
     int second = 0;
     double wanted_K = 0.0;
-    double least_K = 0.0; ///< smallest and largest difference within workspace and clearance
+    double min_K = 0.0; ///< smallest and largest difference within workspace and clearance
     double largest_K = 0.0;
-    bool holds = true; ///< whether the condition is satisfied, with twice the tolerance kHeldWithin_K
+    bool holds = true; ///< whether the condition is satisfied, with twice the tolerance kReachedWithin_K
 };
 
 /// Returns the sampled workspace for feasibility. It depends only on the geometry and the fixed coordinates

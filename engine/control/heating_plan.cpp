@@ -133,9 +133,9 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
         const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kMinPull);
         m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
     }
-    const double most_s_K = m_cold_s_K.maxCoeff();
-    m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * most_s_K);
-    m_hot_s_K = kHotShare * most_s_K;
+    const double max_s_K = m_cold_s_K.maxCoeff();
+    m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * max_s_K);
+    m_hot_s_K = kHotShare * max_s_K;
 }
 
 /// View factors where a plan is looked at, in the order of the way: a difference leaves most of them alone.

@@ -42,22 +42,22 @@ PoseMargin marginAt(const SteadySearch& search, const Vector6d& q) {
 
 /// The nearest targets with the held ones as they are, where the best compromise does not keep them.
 void findNearest(const SteadySearch& search, const FeasibilityRequest& request, JointVerdict& out) {
-    const SteadyPose found = search.best(aimAt(request.targets_K, request.held), kStarts, 0.0);
+    const SteadyPose found = search.best(aimAt(request.targets_K, request.fixed), kStarts, 0.0);
     out.nearestPose = found.q;
     out.nearest_K = toVector(found.T_K);
     for (std::size_t i = 0; i < request.targets_K.size(); ++i) {
-        if (!request.held[i])
+        if (!request.fixed[i])
             continue;
-        if (std::abs(out.nearest_K[i] - request.targets_K[i]) <= kHeldWithin_K)
+        if (std::abs(out.nearest_K[i] - request.targets_K[i]) <= kReachedWithin_K)
             out.nearest_K[i] = request.targets_K[i];
         else
-            out.heldKept = false;
+            out.fixedKept = false;
     }
 }
 
 void answerJointly(const SteadySearch& search, const FeasibilityRequest& request, JointVerdict& out) {
     const auto N = static_cast<double>(request.targets_K.size());
-    const double enough_K2 = N * kHeldWithin_K * kHeldWithin_K;
+    const double enough_K2 = N * kReachedWithin_K * kReachedWithin_K;
     // Ends early at a thousandth of what counts as held: where there is a solution it is found to the digits.
     const SteadyPose found = search.best(aimAt(request.targets_K, {}), kStarts, 1e-6 * enough_K2);
     if (search.stopped())
@@ -72,7 +72,7 @@ void answerJointly(const SteadySearch& search, const FeasibilityRequest& request
     out.nearest_K = out.feasible ? request.targets_K : out.steady_K;
     if (out.feasible)
         return;
-    if (std::ranges::find(request.held, true) != request.held.end())
+    if (std::ranges::find(request.fixed, true) != request.fixed.end())
         findNearest(search, request, out);
     if (const auto gap = surfaceGap(search, request.targets_K, out.pose)) {
         out.surfaceGap_m = gap->distance_m;
@@ -101,11 +101,11 @@ Message pairReason(const std::vector<std::string>& names, const PairVerdict& v) 
     const std::string& hotter = names[static_cast<std::size_t>(flipped ? v.second : v.first)];
     const std::string& colder = names[static_cast<std::size_t>(flipped ? v.first : v.second)];
     const double wanted_K = std::abs(v.wanted_K);
-    const double largest_K = flipped ? -v.least_K : v.largest_K;
-    const double least_K = flipped ? -v.largest_K : v.least_K;
+    const double largest_K = flipped ? -v.min_K : v.largest_K;
+    const double min_K = flipped ? -v.largest_K : v.min_K;
     const bool tooMuch = wanted_K > largest_K;
     return {tooMuch ? MessageCode::TargetsTooFarApart : MessageCode::TargetsTooClose,
-            {hotter, colder, differenceArg(wanted_K, 3), differenceArg(tooMuch ? largest_K : least_K, 3)}};
+            {hotter, colder, differenceArg(wanted_K, 3), differenceArg(tooMuch ? largest_K : min_K, 3)}};
 }
 
 /// The condition that is missed by most; the joint one where both necessary ones hold.
@@ -123,7 +123,7 @@ Message reasonOf(const FeasibilityRequest& request, const JointVerdict& verdict)
         return objectReason(request.names[i], *object);
     }
     const auto apart_K = [](const PairVerdict& v) {
-        return std::max(v.wanted_K - v.largest_K, v.least_K - v.wanted_K);
+        return std::max(v.wanted_K - v.largest_K, v.min_K - v.wanted_K);
     };
     const auto pair = std::ranges::max_element(verdict.conditions2, {}, apart_K);
     if (pair != verdict.conditions2.end() && !pair->holds)
@@ -139,9 +139,9 @@ Message reasonOf(const FeasibilityRequest& request, const JointVerdict& verdict)
 
 void checkLengths(const FeasibilityRequest& request) {
     const auto N = static_cast<std::size_t>(request.geometry->objects());
-    const bool held = request.held.empty() || request.held.size() == N;
+    const bool fixed = request.fixed.empty() || request.fixed.size() == N;
     if (N == 0 || request.names.size() != N || request.rates.size() != N || request.targets_K.size() != N ||
-        !held)
+        !fixed)
         throw std::invalid_argument("jointFeasibility: one name, rate and target an object");
 }
 

@@ -20,7 +20,7 @@ struct FeasibilityRequest {
     std::vector<std::string> names;              ///< for the sentence with the reason
     std::vector<HeatRates> rates;                ///< at the source's set temperature
     std::vector<double> targets_K;
-    std::vector<bool> held; ///< targets that the nearest feasible ones must keep; empty: none
+    std::vector<bool> fixed; ///< targets that the nearest feasible ones must keep; empty: none
     /// The look-up of the same geometry and rest (made by feasibilityLookup()), so that it is not sampled
     /// again for every edit of a target; if empty, it is made here.
     std::shared_ptr<const PoseLookup> lookup;
@@ -40,7 +40,7 @@ struct PoseMargin {
 
 /// The result.
 struct JointVerdict {
-    bool feasible = false; ///< whether the root mean square of residuals_K is within kHeldWithin_K
+    bool feasible = false; ///< whether the root mean square of residuals_K is within kReachedWithin_K
     /// False if no sampled pose is within workspace and clearance; the rest is then empty.
     bool anyPose = true;
     Vector6d pose = Vector6d::Zero(); ///< in R: the solution, or the best compromise (least squares in K)
@@ -52,7 +52,7 @@ struct JointVerdict {
     std::vector<double> nearest_K;
     Vector6d nearestPose = Vector6d::Zero();
     /// False if the targets to keep cannot be reached together; nearest_K then misses them too.
-    bool heldKept = true;
+    bool fixedKept = true;
     std::vector<TargetVerdict> conditions1;
     std::vector<PairVerdict> conditions2;
     /// Distance by which the objects' target surfaces miss one another in end-effector space, m: one point on

@@ -62,10 +62,10 @@ double restStay_s(const HeatingTask& task) {
 
 LevelServo::LevelServo(const ControllerSettings& settings, ControlModel model)
     : m_settings(settings), m_model(std::move(model)) {
-    for (const HeatRates& rates : m_model.believed)
+    for (const HeatRates& rates : m_model.estimated)
         m_identification.emplace_back(rates);
     m_aim_K = m_model.targets_K;
-    m_drift_K_s = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_model.believed.size()));
+    m_drift_K_s = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_model.estimated.size()));
 }
 
 void LevelServo::setTargets(const std::vector<double>& targets_K) {
@@ -282,12 +282,12 @@ void LevelServo::choosePlan(const HeatingTask& task) {
         return;
     const bool calm = (task.temperature_K - task.aim_K).cwiseAbs().maxCoeff() < kCalm_K;
     m_nextSearch_s = m_time_s + (calm ? kCalmSearchPeriod_s : kSearchPeriod_s);
-    const auto consider = [&](const std::vector<HeatingPlan>& proposed, std::size_t most) {
+    const auto consider = [&](const std::vector<HeatingPlan>& proposed, std::size_t max) {
         std::vector<PricedPlan> plans;
         for (const HeatingPlan& plan : proposed)
             plans.push_back({plan, cost.of(plan)});
         std::ranges::sort(plans, {}, &PricedPlan::cost);
-        plans.resize(std::min(plans.size(), most));
+        plans.resize(std::min(plans.size(), max));
         for (const PricedPlan& plan : plans) {
             const PricedPlan better = cost.improve(plan.plan, kSearchIterations);
             if (!m_plan || better.cost < kBetter * m_plan->cost)
@@ -353,7 +353,7 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
 
     ControlOutput out;
     for (const RateIdentification& identification : m_identification)
-        out.belief.push_back(identification.rates());
+        out.estimate.push_back(identification.rates());
     out.rates = motion.rates;
     out.limits = motion.limits;
     out.smallestSingularValue =

@@ -11,14 +11,14 @@ ModelBasedController::ModelBasedController(const ControllerSettings& settings, C
     : m_settings(settings), m_model(std::move(model)) {}
 
 ControlOutput ModelBasedController::step(const Observation& observation, double dt_s) {
-    const auto N = m_model.believed.size();
+    const auto N = m_model.estimated.size();
     if (observation.objects.size() != N)
         throw std::invalid_argument("ModelBasedController: wrong number of objects");
     const ModelBasedGains& gains = m_settings.modelBased;
     auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
     Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
-        const HeatRates& rates = m_model.believed[i];
+        const HeatRates& rates = m_model.estimated[i];
         const auto [T, v] = observation.objects[i];
         const auto row = static_cast<Eigen::Index>(i);
         rows.row(row) *= rates.lambda1 * observation.sourceStrength;
@@ -26,7 +26,7 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
             -gains.D * v - gains.K * (T - m_model.targets_K[i]) + 4.0 * rates.lambda2 * std::pow(T, 3) * v;
     }
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s, rows, wanted);
-    out.belief = m_model.believed;
+    out.estimate = m_model.estimated;
     return out;
 }
 

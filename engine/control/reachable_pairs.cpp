@@ -24,12 +24,12 @@ SteadyAim aimAt(const SteadySearch& search, const ReachableMap& map, const Eigen
 }
 
 double toBoundary_K(const ReachableMap& map) {
-    double least_K = std::numeric_limits<double>::infinity();
+    double min_K = std::numeric_limits<double>::infinity();
     for (const auto& [a, b] : map.boundary) {
         const Eigen::Vector2d onEdge_K = map.target_K.cwiseMax(a).cwiseMin(b); // edges lie along axes
-        least_K = std::min(least_K, (onEdge_K - map.target_K).norm());
+        min_K = std::min(min_K, (onEdge_K - map.target_K).norm());
     }
-    return least_K;
+    return min_K;
 }
 
 void placeTarget(ReachableMap& map, const SteadySearch& search, const std::vector<double>& targets_K) {
@@ -38,7 +38,7 @@ void placeTarget(ReachableMap& map, const SteadySearch& search, const std::vecto
                     targets_K[static_cast<std::size_t>(map.second)]};
     const SteadyPose found = search.best(aimAt(search, map, map.target_K), kStarts, 1e-6);
     map.nearest_K = {found.T_K[map.first], found.T_K[map.second]};
-    map.targetReachable = found.cost_K2 <= 2.0 * kHeldWithin_K * kHeldWithin_K;
+    map.targetReachable = found.cost_K2 <= 2.0 * kReachedWithin_K * kReachedWithin_K;
     map.distance_K = map.targetReachable ? toBoundary_K(map) : std::sqrt(found.cost_K2);
 }
 
@@ -74,9 +74,9 @@ private:
     void frame() {
         for (int axis = 0; axis < 2; ++axis) {
             const auto T_K = m_search.table_K().col(axis == 0 ? m_map.first : m_map.second);
-            const double least_K = T_K.minCoeff(), largest_K = T_K.maxCoeff();
-            const double cell_K = std::max(largest_K - least_K, 0.1) / (kSide - 4);
-            m_map.lower_K[axis] = least_K - 2.0 * cell_K;
+            const double min_K = T_K.minCoeff(), largest_K = T_K.maxCoeff();
+            const double cell_K = std::max(largest_K - min_K, 0.1) / (kSide - 4);
+            m_map.lower_K[axis] = min_K - 2.0 * cell_K;
             m_map.upper_K[axis] = m_map.lower_K[axis] + kSide * cell_K;
         }
     }

@@ -13,13 +13,13 @@ namespace {
 std::optional<Vector6d> nearestOnSurface(const SteadySearch& search, int object, double target_K,
                                          const Vector6d& centre, const Vector6d& start) {
     constexpr double kPull_K_m = 1.0;
-    constexpr double kHeld_K_rad = 1e5;
+    constexpr double kFixed_K_rad = 1e5;
     SteadyAim aim{Eigen::RowVectorXd::Unit(search.geometry().objects(), object),
                   Eigen::VectorXd::Constant(1, target_K)};
-    aim.pull << Eigen::Vector3d::Constant(kPull_K_m), Eigen::Vector3d::Constant(kHeld_K_rad);
+    aim.pull << Eigen::Vector3d::Constant(kPull_K_m), Eigen::Vector3d::Constant(kFixed_K_rad);
     aim.towards = centre;
     const SteadyPose found = search.refine(aim, start);
-    if (std::abs(found.T_K[object] - target_K) > kHeldWithin_K)
+    if (std::abs(found.T_K[object] - target_K) > kReachedWithin_K)
         return std::nullopt;
     return found.q;
 }

@@ -108,15 +108,15 @@ void addNorms(Scaled& s, const RigGeometry& geometry, const VelocityProblem& pro
 /// Scale of each free coordinate: what the limits leave to it in one step.
 SmallVector scales(const RigGeometry& geometry, double dt_s) {
     const RobotLimits& limits = geometry.limits();
-    const auto least = [&](double speed, double acceleration) {
+    const auto smaller = [&](double speed, double acceleration) {
         return acceleration > 0.0 ? std::min(speed, acceleration * dt_s) : speed;
     };
     const auto& free = geometry.freeCoordinates();
     SmallVector scale(static_cast<Eigen::Index>(free.size()));
     for (std::size_t k = 0; k < free.size(); ++k)
         scale[static_cast<Eigen::Index>(k)] =
-            free[k] < 3 ? least(limits.maxSpeed_m_s, limits.maxAcceleration_m_s2)
-                        : least(limits.maxRotation_rad_s, limits.maxAngularAcceleration_rad_s2);
+            free[k] < 3 ? smaller(limits.maxSpeed_m_s, limits.maxAcceleration_m_s2)
+                        : smaller(limits.maxRotation_rad_s, limits.maxAngularAcceleration_rad_s2);
     return scale;
 }
 
@@ -149,10 +149,10 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
     if (geometry.limits().limitsAcceleration()) {
         const double braking_s = longestBraking_s(geometry.limits());
         for (Eigen::Index i = 0; i < h.size(); ++i) {
-            const double most =
+            const double max =
                 std::max(fastestTowards(-h[i], -G.row(i).dot(last), problem.dt_s, braking_s),
                          -G.row(i).dot(braked)); // from a start that no braking helps, at least that
-            s.h[i] = -most - G.row(i).dot(braked);
+            s.h[i] = -max - G.row(i).dot(braked);
         }
     }
     addNorms(s, geometry, problem, braked);
@@ -162,10 +162,10 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
 /// The pose keeps its clearance on the way of one step and of the braking after it, which the linearised rows
 /// may miss by their curvature.
 bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double dt_s,
-                double least_m) {
+                double min_m) {
     const RobotLimits& limits = geometry.limits();
     if (!limits.limitsAcceleration())
-        return geometry.lowestPoint_m(q + dt_s * rates) >= least_m;
+        return geometry.lowestPoint_m(q + dt_s * rates) >= min_m;
     double braking_s = 0.0;
     if (limits.maxAcceleration_m_s2 > 0.0)
         braking_s = rates.head<3>().norm() / limits.maxAcceleration_m_s2;
@@ -174,7 +174,7 @@ bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& 
                                             limits.maxAngularAcceleration_rad_s2);
     const double reach_s = 1.5 * dt_s + 0.5 * braking_s;
     for (const double share : {0.25, 0.5, 0.75, 1.0})
-        if (geometry.lowestPoint_m(q + share * reach_s * rates) < least_m)
+        if (geometry.lowestPoint_m(q + share * reach_s * rates) < min_m)
             return false;
     return true;
 }
@@ -182,8 +182,8 @@ bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& 
 void keepClear(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& braked,
                VelocitySolution& solution) {
     const Vector6d& q = problem.coordinates;
-    const double least_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m) - 1e-9;
-    for (int i = 0; i < 30 && !staysClear(geometry, q, solution.rates, problem.dt_s, least_m); ++i) {
+    const double min_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m) - 1e-9;
+    for (int i = 0; i < 30 && !staysClear(geometry, q, solution.rates, problem.dt_s, min_m); ++i) {
         solution.rates = braked + 0.7 * (solution.rates - braked);
         solution.limits.add(Limit::Clearance);
     }
@@ -263,20 +263,20 @@ double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d
 Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
     const RobotLimits& limits = geometry.limits();
     const Eigen::Vector3d n = geometry.away();
-    int most = -1; // the free axis that leads away most: its end is the goal's
+    int steepest = -1; // the free axis that leads away most: its end is the goal's
     for (int k = 0; k < 3; ++k)
         if (limits.free[static_cast<std::size_t>(k)] && n[k] != 0.0 &&
-            (most < 0 || std::abs(n[k]) > std::abs(n[most])))
-            most = k;
+            (steepest < 0 || std::abs(n[k]) > std::abs(n[steepest])))
+            steepest = k;
     Vector6d goal = q;
-    if (most < 0)
+    if (steepest < 0)
         return goal;
-    const double end = n[most] > 0.0 ? limits.upper[most] : limits.lower[most];
-    const double way = (end - q[most]) / n[most];
+    const double end = n[steepest] > 0.0 ? limits.upper[steepest] : limits.lower[steepest];
+    const double way = (end - q[steepest]) / n[steepest];
     for (int k = 0; k < 3; ++k)
         if (limits.free[static_cast<std::size_t>(k)] && n[k] != 0.0)
             goal[k] = std::clamp(q[k] + way * n[k], limits.lower[k], limits.upper[k]);
-    goal[most] = end;
+    goal[steepest] = end;
     return goal;
 }
 

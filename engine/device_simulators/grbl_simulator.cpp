@@ -219,8 +219,8 @@ void GrblSimulator::advance(double now_s) {
 void GrblSimulator::work(double dt_s) {
     if (!m_homing.empty())
         return moveHome(dt_s);
-    const bool isHeld = (m_state == State::Hold || m_state == State::Door) && !m_isStopping;
-    if (!m_blocks.empty() && !isHeld)
+    const bool isPaused = (m_state == State::Hold || m_state == State::Door) && !m_isStopping;
+    if (!m_blocks.empty() && !isPaused)
         return move(dt_s);
     if (m_isDwelling && m_blocks.empty()) {
         m_dwellUntil_s -= dt_s;

@@ -59,8 +59,8 @@ void GrblSimulator::takeByte(char byte) {
 }
 
 bool GrblSimulator::takesLines() const {
-    const bool isHeld = m_state == State::Hold || m_state == State::Door || m_state == State::Home;
-    return !isHeld && !m_isStopping && !m_isDwelling && m_blocks.size() < kBlocks;
+    const bool isPaused = m_state == State::Hold || m_state == State::Door || m_state == State::Home;
+    return !isPaused && !m_isStopping && !m_isDwelling && m_blocks.size() < kBlocks;
 }
 
 void GrblSimulator::takeLines() {

@@ -26,7 +26,7 @@ public:
     /// Returns the set point as the device reads it back, K; empty if the device does not report it.
     virtual std::optional<double> setPoint_K() const { return std::nullopt; }
     /// Returns whether a person heats the source: the program cannot switch it.
-    virtual bool isByHand() const { return false; }
+    virtual bool isManual() const { return false; }
     /// Sets the temperature that a person reads at a source that a person heats, K. Errors: ValueOutOfRange;
     /// RigIncomplete for any other source.
     virtual Result<void> setTemperature(double temperature_K) {

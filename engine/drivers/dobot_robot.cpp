@@ -34,7 +34,7 @@ constexpr double kPaceOver_s = 0.024, kPaceGap_s = 0.1; // some packets
 constexpr double kTooFast = 1.5, kPaceNoise_mm_s = 6.0;
 
 /// Words of a mode in which somebody else has the arm; empty: nobody has.
-const char* heldWords(DobotMode mode) {
+const char* pausedWords(DobotMode mode) {
     switch (mode) {
     case DobotMode::Starting:
         return "starting";
@@ -310,9 +310,9 @@ void DobotRobot::takeMode(double now_s) {
         m_alarm.reset();
     }
     m_isDisabled = m_isDisabled || (m_mode == DobotMode::Disabled && !isQuiet);
-    if (const std::string words = heldWords(m_mode); !words.empty() && !isQuiet)
-        m_held = words;
-    if (m_isDisabled || !m_held.empty())
+    if (const std::string words = pausedWords(m_mode); !words.empty() && !isQuiet)
+        m_pausedBy = words;
+    if (m_isDisabled || !m_pausedBy.empty())
         m_planner.forget();
     if (m_isDisabled)
         m_step.reset();
@@ -418,11 +418,11 @@ int DobotRobot::speedOf(const PlannedStep& plan) const {
     for (std::size_t i = 0; i < plan.to.size(); ++i)
         (m_planner.map().axes()[i].coordinate < 3 ? moved : turned) += std::pow(plan.to[i] - plan.from[i], 2);
     const double way = std::sqrt(moved + turned);
-    const double least_s = std::max(std::sqrt(moved) / m_largest_mm_s, std::sqrt(turned) / m_largest_deg_s);
+    const double min_s = std::max(std::sqrt(moved) / m_largest_mm_s, std::sqrt(turned) / m_largest_deg_s);
     const double percent = 1e-4 * speedFactor() * m_fullSpeed_mm_s;
     const double wanted = std::ceil(kHaste * way / (plan.time_s * percent) - 1e-6);
-    const double most = std::floor(way / (least_s * percent) + 1e-6);
-    return static_cast<int>(std::min(std::clamp(wanted, 1.0, 100.0), most));
+    const double max = std::floor(way / (min_s * percent) + 1e-6);
+    return static_cast<int>(std::min(std::clamp(wanted, 1.0, 100.0), max));
 }
 
 /// Stopped, and told until a person has seen to it.
@@ -494,8 +494,8 @@ Message DobotRobot::alarm() const {
         return {MessageCode::RobotDisabled, {}};
     if (!m_failure.empty())
         return {MessageCode::RobotAlarm, {"?", m_failure}};
-    if (!m_held.empty())
-        return {MessageCode::RobotHeld, {m_held}};
+    if (!m_pausedBy.empty())
+        return {MessageCode::RobotHeld, {m_pausedBy}};
     if (m_isSlow)
         return {MessageCode::RobotSlow, {formatNumber(kSlowArm_s)}};
     if (m_refused)
@@ -599,9 +599,9 @@ Result<void> DobotRobot::clearAlarm() {
     case MessageCode::RobotHeld:
         if (m_mode == DobotMode::Paused)
             stopMove(); // what was paused is dropped
-        else if (*heldWords(m_mode) != '\0')
-            return Error(MessageCode::RobotHeld, m_feedback.link().name(), {m_held});
-        m_held.clear();
+        else if (*pausedWords(m_mode) != '\0')
+            return Error(MessageCode::RobotHeld, m_feedback.link().name(), {m_pausedBy});
+        m_pausedBy.clear();
         break;
     case MessageCode::RobotSlow:
         if (m_move_s)

@@ -142,7 +142,7 @@ private:
     std::optional<double> m_elsewhere;
     bool m_isRetreating = false;
     std::string m_failure; ///< detected here; its controller does not report it
-    std::string m_held;
+    std::string m_pausedBy;
     bool m_isDisabled = false, m_isSlow = false;
 };
 

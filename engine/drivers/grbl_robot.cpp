@@ -21,7 +21,7 @@ constexpr double kRestPoll_s = 0.2, kMotionPoll_s = 0.05;
 constexpr double kReply_s = 0.4; // a report that has not come by then is asked for anew
 constexpr double kSlow_s = 2.0;
 constexpr double kHoldAgain_s = 0.3; // the byte may be lost
-constexpr double kStopAtMost_s = 0.05;
+constexpr double kMinStopInterval_s = 0.05;
 constexpr double kHoldTime_s = 1.0; // to slow down in
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
 constexpr double kNote_s = 5.0;
@@ -282,8 +282,8 @@ Message GrblRobot::keepsFromMoving() const {
     if (m_alarm)
         return {MessageCode::RobotAlarm,
                 {std::to_string(*m_alarm), wordsOr(grblAlarmWords(*m_alarm), "not known to Bask")}};
-    if (!m_held.empty())
-        return {MessageCode::RobotHeld, {m_held}};
+    if (!m_pausedBy.empty())
+        return {MessageCode::RobotHeld, {m_pausedBy}};
     if (m_isSlow)
         return {MessageCode::RobotSlow, {formatNumber(kSlow_s)}};
     if (m_refused)
@@ -372,7 +372,7 @@ Result<void> GrblRobot::halt() {
 /// By a reset, since nothing else ends it; its place is lost.
 void GrblRobot::stopHoming(double now_s) {
     m_isPlaceInDoubt = true;
-    if (m_homeStop_s && now_s - m_stopAgain_s < kStopAtMost_s)
+    if (m_homeStop_s && now_s - m_stopAgain_s < kMinStopInterval_s)
         return;
     m_link.write(std::string(1, grbl::kReset));
     m_stopAgain_s = now_s;
@@ -402,11 +402,11 @@ void GrblRobot::workStops(double now_s) {
     }
     if (!m_runStop_s)
         return;
-    const bool isHeld = m_status.state == GrblState::Hold && m_status.part.value_or(0) == 0;
+    const bool isPaused = m_status.state == GrblState::Hold && m_status.part.value_or(0) == 0;
     const bool isLate = now_s - *m_runStop_s > kHoldTime_s;
     if (m_status.state == GrblState::Alarm || (isLate && m_status.state == GrblState::Idle)) {
         m_runStop_s.reset();
-    } else if (isHeld || isLate) {
+    } else if (isPaused || isLate) {
         m_runStop_s.reset();
         m_wasRunReset = true;
         reset(std::nullopt, now_s);
@@ -457,7 +457,7 @@ Result<void> GrblRobot::clearAlarm() {
         return {};
     case MessageCode::RobotHeld:
         if (!clearHold())
-            return Error(MessageCode::RobotHeld, m_link.name(), {m_held});
+            return Error(MessageCode::RobotHeld, m_link.name(), {m_pausedBy});
         return {};
     case MessageCode::RobotSlow:
         if (m_line || m_fence_s)
@@ -489,7 +489,7 @@ bool GrblRobot::clearHold() {
     default:
         break; // released at its own panel
     }
-    m_held.clear();
+    m_pausedBy.clear();
     return true;
 }
 

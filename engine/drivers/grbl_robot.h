@@ -172,7 +172,7 @@ private:
     std::optional<int> m_alarm;
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
-    std::string m_held;
+    std::string m_pausedBy;
     bool m_isHomed = false, m_isConfirmed = false; ///< since it started
     bool m_isRetreating = false;
     bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;

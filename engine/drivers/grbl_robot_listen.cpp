@@ -210,12 +210,12 @@ void GrblRobot::takeState(const GrblStatus& status) {
         return;
     }
     m_alarm.reset();
-    const bool isHeld = status.state == GrblState::Hold || status.state == GrblState::Door ||
-                        status.state == GrblState::Check || status.state == GrblState::Sleep ||
-                        status.state == GrblState::Tool;
-    if (!isHeld || m_reset_s || m_runStop_s)
+    const bool isPaused = status.state == GrblState::Hold || status.state == GrblState::Door ||
+                          status.state == GrblState::Check || status.state == GrblState::Sleep ||
+                          status.state == GrblState::Tool;
+    if (!isPaused || m_reset_s || m_runStop_s)
         return;
-    m_held = status.word;
+    m_pausedBy = status.word;
     m_isPlaceInDoubt = m_isPlaceInDoubt || status.state == GrblState::Sleep; // its motors are off
     m_planner.forget();
     m_step.reset();

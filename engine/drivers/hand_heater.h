@@ -21,12 +21,12 @@ public:
 
     Result<Reading> read() override;
     Result<void> keepHeating(double, double) override;
-    /// Always succeeds; the caller checks isByHand() and asks the person to switch it off.
+    /// Always succeeds; the caller checks isManual() and asks the person to switch it off.
     Result<void> heatOff() override { return {}; }
     /// True while its temperature is known.
     bool heating() const override { return m_typed.valid; }
     HeatState heatState() const override { return m_typed.valid ? HeatState::On : HeatState::Unknown; }
-    bool isByHand() const override { return true; }
+    bool isManual() const override { return true; }
     Result<void> setTemperature(double temperature_K) override;
     bool hasWatchdog() const override { return false; }
 

@@ -25,7 +25,7 @@ namespace {
 using guard::Order;
 using guard::Told;
 
-constexpr double kHeldUp_s = 0.3; // since the last work(): the engine was silent, not the guard
+constexpr double kDelayed_s = 0.3; // since the last work(): the engine was silent, not the guard
 constexpr double kStarting_s = 3.0;
 constexpr double kEnding_s = 0.5; // then its port is tried all the same
 constexpr std::size_t kMaxUnread = 65536;
@@ -174,15 +174,15 @@ void HeaterGuard::start(const std::string& program) {
 void HeaterGuard::work() {
     const double now_s = m_clock.now_s();
     receive();
-    if (now_s - m_worked_s > kHeldUp_s)
+    if (now_s - m_worked_s > kDelayed_s)
         m_answered_s = now_s;
     m_worked_s = now_s;
     if (m_process && m_socket < 0 && (m_process->get(&Process::isOver) || now_s - m_hungUp_s > kEnding_s))
         return end();
     if (m_socket < 0 || m_state == State::TookOver)
         return;
-    const double most_s = m_state == State::Starting ? kStarting_s : kSilent_s;
-    if (now_s - m_answered_s > most_s) {
+    const double max_s = m_state == State::Starting ? kStarting_s : kSilent_s;
+    if (now_s - m_answered_s > max_s) {
         m_process->kill(); // stopped, or stuck: the port must become free
         return hangUp();
     }

@@ -432,8 +432,8 @@ bool ModbusHeater::heating() const {
 
 /// Of a device that was away the registers are those of before, until they were all read again.
 HeatState ModbusHeater::heatState() const {
-    const double most_s = std::max(m_settings.silentAfter_s, 3.0 * m_settings.period_s);
-    if (!m_exchange.isLive() || !m_isKnown || m_identity.isOther() || m_clock.now_s() - m_cycle_s > most_s)
+    const double max_s = std::max(m_settings.silentAfter_s, 3.0 * m_settings.period_s);
+    if (!m_exchange.isLive() || !m_isKnown || m_identity.isOther() || m_clock.now_s() - m_cycle_s > max_s)
         return HeatState::Unknown;
     return heating() || m_tries > 0 ? HeatState::On : HeatState::Off;
 }

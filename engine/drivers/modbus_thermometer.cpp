@@ -20,10 +20,10 @@ double silentAfter_s(const ModbusThermometerSettings& settings) {
     return std::max(settings.silentAfter_s, 3.0 * settings.period_s);
 }
 
-Error outOfRange(const char* where, double value, double least, double most, const char* unit = "") {
+Error outOfRange(const char* where, double value, double min, double max, const char* unit = "") {
     return {MessageCode::ValueOutOfRange,
             where,
-            {formatNumber(value), formatNumber(least), formatNumber(most), unit}};
+            {formatNumber(value), formatNumber(min), formatNumber(max), unit}};
 }
 
 } // namespace

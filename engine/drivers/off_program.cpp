@@ -37,15 +37,15 @@ OffStep offWhenBytes(std::string_view question, std::string_view answer, int rep
     return step;
 }
 
-OffStep offWhenNumber(std::string_view question, double most, std::string_view tail, int reply_ms) {
+OffStep offWhenNumber(std::string_view question, double max, std::string_view tail, int reply_ms) {
     OffStep step = made(question, tail, reply_ms, 0);
     step.reply = OffStep::Reply::Number;
     step.mustFit = true;
-    step.most = most;
+    step.max = max;
     return step;
 }
 
-OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, double least, double most,
+OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, double min, double max,
                         int reply_ms) {
     static_assert(static_cast<int>(RegisterType::Uint16) == static_cast<int>(OffStep::Type::Uint16) &&
                   static_cast<int>(RegisterType::Float32) == static_cast<int>(OffStep::Type::Float32));
@@ -54,8 +54,8 @@ OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, d
     OffStep step = made(modbusRequest(question), head, reply_ms, 0);
     step.reply = OffStep::Reply::Register;
     step.mustFit = true;
-    step.least = least;
-    step.most = most;
+    step.min = min;
+    step.max = max;
     step.type = static_cast<OffStep::Type>(spec.type);
     step.isLowWordFirst = spec.isLowWordFirst;
     return step;

@@ -14,11 +14,11 @@ guard::OffStep offWrite(std::string_view bytes, std::string_view echo, int reply
 /// Sends `question`; exactly `answer` must be received.
 guard::OffStep offWhenBytes(std::string_view question, std::string_view answer, int reply_ms);
 /// Sends `question`; a line "NUMBER TAIL" must be received, with a number not above the given one.
-guard::OffStep offWhenNumber(std::string_view question, double most, std::string_view tail, int reply_ms);
+guard::OffStep offWhenNumber(std::string_view question, double max, std::string_view tail, int reply_ms);
 /// Sends `question`; a Modbus reply of this unit must be received, with a number (before its scale) in this
 /// range.
-guard::OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, double least,
-                               double most, int reply_ms);
+guard::OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, double min, double max,
+                               int reply_ms);
 /// Appends a step. Throws std::invalid_argument if it is too long.
 void add(guard::OffProgram& program, const guard::OffStep& step);
 

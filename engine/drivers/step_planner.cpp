@@ -68,12 +68,12 @@ double StepPlanner::approvedShare(const Vector6d& start, const Vector6d& way) co
     };
     if (approves(1.0))
         return 1.0;
-    double least = 0.0, most = 1.0;
+    double min = 0.0, max = 1.0;
     for (int i = 0; i < kHalvings; ++i) {
-        const double middle = 0.5 * (least + most);
-        (approves(middle) ? least : most) = middle;
+        const double middle = 0.5 * (min + max);
+        (approves(middle) ? min : max) = middle;
     }
-    return least;
+    return min;
 }
 
 std::optional<PlannedStep> StepPlanner::next(const std::vector<double>& at, double now_s) {

@@ -40,7 +40,7 @@ void describeAxes(vtkDataSet* data, const Field& field) {
     vtkfile::addNumbers(data, "axis_count", count);
 }
 
-void describeHeld(vtkDataSet* data, const Field& field) {
+void describeFixed(vtkDataSet* data, const Field& field) {
     std::vector<std::string> names;
     std::vector<std::string> units;
     std::vector<double> values;
@@ -50,7 +50,7 @@ void describeHeld(vtkDataSet* data, const Field& field) {
             continue;
         names.emplace_back(kCoordinateNames[coordinate]);
         units.emplace_back(coordinateUnit(coordinate));
-        values.push_back(field.held[i]);
+        values.push_back(field.fixed[i]);
     }
     vtkfile::addWords(data, "held_names", names);
     vtkfile::addWords(data, "held_units", units);
@@ -61,7 +61,7 @@ void describeHeld(vtkDataSet* data, const Field& field) {
 void explain(vtkDataSet* data, const Field& field, const std::string& title) {
     vtkfile::addOrigin(data, title);
     describeAxes(data, field);
-    describeHeld(data, field);
+    describeFixed(data, field);
     vtkfile::addNumbers(data, "tolerance", {field.tolerance});
     vtkfile::addNumbers(data, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
     vtkfile::addNumbers(data, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});

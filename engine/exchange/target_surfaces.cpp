@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kSlack = 1e-6; // of a step
 
-FieldAxis axisOver(Coordinate coordinate, double least, double most, double step) {
-    const double span = most - least;
+FieldAxis axisOver(Coordinate coordinate, double min, double max, double step) {
+    const double span = max - min;
     if (span < step)
-        return {coordinate, 0.5 * (least + most) - step, step, 3};
+        return {coordinate, 0.5 * (min + max) - step, step, 3};
     const double steps = std::min(std::ceil(span / step - kSlack), static_cast<double>(kMaxAxisSamples));
-    return {coordinate, least, span / steps, static_cast<int>(steps) + 1};
+    return {coordinate, min, span / steps, static_cast<int>(steps) + 1};
 }
 
 /// How far an object moves from sample to sample, about.
@@ -42,8 +42,8 @@ std::shared_ptr<const Field> moved(Field field, const Eigen::Vector3d& by_m) {
 
 } // namespace
 
-Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& held) {
-    return poseFromCoordinates(held).linear() * X_EO.translation();
+Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& fixed) {
+    return poseFromCoordinates(fixed).linear() * X_EO.translation();
 }
 
 std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits, double step) {
@@ -64,13 +64,13 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
     std::vector<std::shared_ptr<const Field>> fields;
     for (const MountedContour& object : geometry.objects) {
         FieldRequest request{geometry.source, object.contour, geometry.axes,
-                             geometry.held,   object.X_EO,    geometry.X_RS};
+                             geometry.fixed,  object.X_EO,    geometry.X_RS};
         request.tolerance = geometry.tolerance;
-        request.leastHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
+        request.minHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
         auto field = sampleField(request, {.stop = stop});
         if (!field)
             return field.error();
-        fields.push_back(geometry.ofOwnCentres ? moved(**field, centreOffset(object.X_EO, geometry.held))
+        fields.push_back(geometry.ofOwnCentres ? moved(**field, centreOffset(object.X_EO, geometry.fixed))
                                                : std::move(*field));
     }
     return fields;
@@ -99,14 +99,14 @@ Result<std::vector<SurfaceFrame>> targetSweep(const TargetGeometry& geometry, Co
     TargetGeometry at = geometry;
     std::vector<SurfaceFrame> frames;
     for (const double value : values) {
-        at.held[coordinate] = value;
+        at.fixed[coordinate] = value;
         const auto fields = targetFields(at, stop);
         if (!fields)
             return fields.error();
         auto surfaces = targetSurfaces(*fields, viewFactors, stop);
         if (!surfaces)
             return Error(MessageCode::FieldCancelled, "");
-        frames.push_back({at.held, *std::move(surfaces)});
+        frames.push_back({at.fixed, *std::move(surfaces)});
     }
     return frames;
 }

@@ -31,8 +31,8 @@ struct TargetGeometry {
     RadiatingContour source;
     Pose X_RS = Pose::Identity();
     std::vector<MountedContour> objects;
-    std::vector<FieldAxis> axes;      ///< three of the end-effector's coordinates in R; see surfaceAxes
-    Vector6d held = Vector6d::Zero(); ///< values of the others
+    std::vector<FieldAxis> axes;       ///< three of the end-effector's coordinates in R; see surfaceAxes
+    Vector6d fixed = Vector6d::Zero(); ///< values of the others
     /// Whether the axes are positions of each object's own centre, not of the end-effector: the mounting's
     /// translation is then not included, but its rotation is. For positions only.
     bool ofOwnCentres = false;
@@ -55,11 +55,11 @@ std::optional<std::vector<Isosurface>> targetSurfaces(std::span<const std::share
                                                       const std::stop_token& stop = {});
 
 /// Returns the offset of an object's own centre from the end-effector (R, m) at the fixed angles.
-Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& held);
+Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& fixed);
 
 /// Surfaces of all objects, with the fixed coordinates.
 struct SurfaceFrame {
-    Vector6d held = Vector6d::Zero();
+    Vector6d fixed = Vector6d::Zero();
     std::vector<Isosurface> surfaces; ///< one for each object
 };
 

@@ -157,7 +157,7 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
         readCoordinates(part, where, failure, object.mounting);
     });
     readPart(fields, "believed_rates", false, [&](const json& part, const std::string& where) {
-        readParameters(part, where, failure, heatRateParameters(), object.believedRates.emplace());
+        readParameters(part, where, failure, heatRateParameters(), object.estimatedRates.emplace());
     });
     readPart(fields, "simulated_material", false, [&](const json& part, const std::string& where) {
         readMaterial(part, where, failure, object.simulatedMaterial.emplace());

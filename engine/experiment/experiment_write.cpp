@@ -97,8 +97,8 @@ Json objectJson(const ObjectSpec& object) {
     j["contour"] = contourJson(object.shape, object.origin);
     j["material"] = materialJson(object.material);
     j["mounting"] = coordinatesJson(object.mounting);
-    if (object.believedRates)
-        putParameters(j["believed_rates"], heatRateParameters(), *object.believedRates);
+    if (object.estimatedRates)
+        putParameters(j["believed_rates"], heatRateParameters(), *object.estimatedRates);
     if (object.simulatedMaterial)
         j["simulated_material"] = materialJson(*object.simulatedMaterial);
     putParameters(j, objectLimitParameters(), object);

@@ -56,7 +56,7 @@ struct OffStep {
     bool mustFit = false; ///< if true, a wrong answer means that heat is not known to be off
     unsigned char send[kMaxBytes] = {};
     unsigned char expect[kMaxBytes] = {};
-    double least = 0.0, most = 0.0;
+    double min = 0.0, max = 0.0;
     Type type = Type::Int16; ///< type of the number in registers
     bool isLowWordFirst = false;
 };

@@ -42,7 +42,7 @@ bool isBlank(unsigned char byte) {
 bool isNumberLine(const char* line, const OffStep& step) {
     char* end = nullptr;
     const double number = std::strtod(line, &end);
-    if (end == line || *end != ' ' || !(number <= step.most))
+    if (end == line || *end != ' ' || !(number <= step.max))
         return false;
     while (*end == ' ')
         ++end;
@@ -113,7 +113,7 @@ bool hasRegister(const OffStep& step, const unsigned char* bytes, std::size_t co
         if (std::memcmp(frame, step.expect, head) != 0 || modbusCrc(frame, whole - 2) != crc)
             continue;
         const double number = registerNumber(step, frame + head);
-        if (number >= step.least && number <= step.most)
+        if (number >= step.min && number <= step.max)
             return true;
     }
     return false;

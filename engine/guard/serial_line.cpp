@@ -116,8 +116,8 @@ void SerialLine::close() {
     m_descriptor = -1;
 }
 
-long SerialLine::read(void* bytes, std::size_t most) {
-    const ssize_t count = ::read(m_descriptor, bytes, most);
+long SerialLine::read(void* bytes, std::size_t max) {
+    const ssize_t count = ::read(m_descriptor, bytes, max);
     if (count > 0)
         return count;
     if (count < 0 && (errno == EAGAIN || errno == EINTR))

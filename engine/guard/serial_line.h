@@ -32,7 +32,7 @@ public:
     void close();
     int descriptor() const { return m_descriptor; } ///< -1: not open
     /// Returns -1 if the port has disappeared, 0 if there is nothing to read.
-    long read(void* bytes, std::size_t most);
+    long read(void* bytes, std::size_t max);
 
 private:
     void findId(unsigned long long device);

@@ -52,11 +52,11 @@ void checkCoefficients(Checker& check, const std::string& where, const FourierCo
     }
 }
 
-/// `most_m`: greatest radius about the shape's origin.
+/// `max_m`: greatest radius about the shape's origin.
 void checkShape(Checker& check, const std::string& path, const Shape& shape, const ContourOrigin& origin,
-                double most_m) {
+                double max_m) {
     if (const auto* disk = outlineAs<Disk>(shape)) {
-        check.positive(path + ".radius_m", disk->radius_m, most_m, "m");
+        check.positive(path + ".radius_m", disk->radius_m, max_m, "m");
     } else if (const auto* fourier = outlineAs<FourierContour>(shape)) {
         checkCoefficients(check, path + ".coefficients", *fourier);
     } else {
@@ -76,10 +76,10 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
     if (!(shapeArea(shape) > 0.0))
         return check.fail(MessageCode::ContourZeroArea, path);
     const double radius_m = shapeRadius(shape);
-    if (!(radius_m <= most_m) || radius_m < kMinRadius_m)
+    if (!(radius_m <= max_m) || radius_m < kMinRadius_m)
         return check.fail(
             MessageCode::ValueOutOfRange, path,
-            {"a radius of " + formatNumber(radius_m), formatNumber(kMinRadius_m), formatNumber(most_m), "m"});
+            {"a radius of " + formatNumber(radius_m), formatNumber(kMinRadius_m), formatNumber(max_m), "m"});
     const auto* fourier = outlineAs<FourierContour>(shape);
     const double uneven = fourier ? unevenShare(*fourier) : 0.0;
     if (uneven > kMaxUneven)
@@ -94,14 +94,14 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
                    {to_string(corners), "3", to_string(kMaxCorners), "corners"});
 }
 
-/// Coordinates of a pose, lengths within +-most_cm and angles within +-180 degrees, theta_y within +-90 where
+/// Coordinates of a pose, lengths within +-max_cm and angles within +-180 degrees, theta_y within +-90 where
 /// the three angles are to be unique.
-void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double most_cm,
+void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double max_cm,
                       bool unique) {
     for (int k = 0; k < 6 && !check.failed(); ++k) {
-        const double most = k < 3 ? most_cm : (unique && k == kThetaY ? 90.0 : 180.0);
-        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k], -most,
-                       most);
+        const double max = k < 3 ? max_cm : (unique && k == kThetaY ? 90.0 : 180.0);
+        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k], -max,
+                       max);
     }
 }
 
@@ -172,8 +172,8 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kMinTemperature_degC,
                    kMaxTemperature_degC);
     check.parameters(path + ".", objectLimitParameters(), object);
-    if (object.believedRates)
-        check.parameters(path + ".believed_rates.", heatRateParameters(), *object.believedRates);
+    if (object.estimatedRates)
+        check.parameters(path + ".believed_rates.", heatRateParameters(), *object.estimatedRates);
 }
 
 void checkObjects(Checker& check, const Experiment& e) {
@@ -197,9 +197,9 @@ void checkRobot(Checker& check, const Experiment& e) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
         const EdgeUnit unit = coordinateUnit(k);
         // theta_y ends at 90 degrees, where the three angles are no longer unique.
-        const double most = k < 3 ? kMaxPlace_cm : (k == kThetaY ? 90.0 : 180.0);
-        check.quantity("robot.lower.", name, unit, robot.lower[k], -most, most);
-        check.quantity("robot.upper.", name, unit, robot.upper[k], -most, most);
+        const double max = k < 3 ? kMaxPlace_cm : (k == kThetaY ? 90.0 : 180.0);
+        check.quantity("robot.lower.", name, unit, robot.lower[k], -max, max);
+        check.quantity("robot.upper.", name, unit, robot.upper[k], -max, max);
         const bool free = robot.free[static_cast<std::size_t>(k)];
         if (robot.lower[k] > robot.upper[k] || (free && robot.lower[k] == robot.upper[k]))
             check.fail(MessageCode::LimitsReversed, "robot.lower." + readableKey(name, unit),
@@ -209,16 +209,16 @@ void checkRobot(Checker& check, const Experiment& e) {
 }
 
 /// Least height (m) over the source plane of any point of an object's outline.
-double leastHeight_m(const ObjectSpec& object, const Pose& X_SE) {
+double minHeight_m(const ObjectSpec& object, const Pose& X_SE) {
     const Pose X_SO = X_SE * poseFromCoordinates(object.mounting);
     const Eigen::RowVector2d slope = X_SO.linear().block<1, 2>(2, 0);
     const double origin_m = X_SO.translation().z();
     if (const auto* disk = outlineAs<Disk>(object.shape))
         return origin_m - disk->radius_m * slope.norm();
-    double least_m = std::numeric_limits<double>::infinity();
+    double min_m = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector2d& p : shapeOutline(object.shape, kOutlineSamples))
-        least_m = std::min(least_m, origin_m + slope.dot(p));
-    return least_m;
+        min_m = std::min(min_m, origin_m + slope.dot(p));
+    return min_m;
 }
 
 void checkStart(Checker& check, const Experiment& e) {
@@ -238,7 +238,7 @@ void checkStart(Checker& check, const Experiment& e) {
         return;
     const Pose X_SE = poseFromCoordinates(e.source.pose).inverse() * poseFromCoordinates(e.start);
     for (const ObjectSpec& object : e.objects) {
-        const double height_m = leastHeight_m(object, X_SE);
+        const double height_m = minHeight_m(object, X_SE);
         if (height_m < e.robot.clearance_m - 1e-9)
             check.fail(MessageCode::StartTooClose, "robot.start",
                        {object.name, formatNumber(height_m * 1e3), formatNumber(e.robot.clearance_m * 1e3)});
@@ -317,9 +317,9 @@ void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
 /// The trip limits must lie over the warning limits, and the source's over what it is asked for.
 void checkSafety(Checker& check, const Experiment& e) {
     const SafetySpec& s = e.safety;
-    const auto limit = [&](const std::string& path, std::string_view name, double value_K, double least_K) {
+    const auto limit = [&](const std::string& path, std::string_view name, double value_K, double min_K) {
         check.quantity(path, name, EdgeUnit::Temperature, value_K,
-                       std::max(kMinTemperature_degC, celsiusFromKelvin(least_K)), kMaxTemperature_degC);
+                       std::max(kMinTemperature_degC, celsiusFromKelvin(min_K)), kMaxTemperature_degC);
     };
     check.parameters("safety.", safetyParameters(), s);
     limit("safety.", "trip", s.trip_K, s.warning_K);

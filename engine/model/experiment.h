@@ -70,7 +70,7 @@ struct ObjectSpec {
         Vector6d::Zero(); ///< coordinates of O in E (m, rad): X_EO = poseFromCoordinates(mounting)
     double target_K = 313.15;
     /// Start values of a controller, at the source's set temperature; if empty, computed from the material.
-    std::optional<HeatRates> believedRates;
+    std::optional<HeatRates> estimatedRates;
     /// True material of the simulated object; if empty, the assumed one.
     std::optional<Material> simulatedMaterial;
     /// The object's own limit; if empty, that of all objects (SafetySpec).

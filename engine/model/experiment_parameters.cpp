@@ -26,7 +26,7 @@ constexpr Parameter<SafetySpec> kSafety[]{
     {{"stale_periods", kNone, {1.0, 1000.0}, Up, QT_TRANSLATE_NOOP("Parameter", "Periods a reading is good for"),
       QT_TRANSLATE_NOOP("Parameter", "A sensor without a newer one is lost; also the source and its place"), 1}, &SafetySpec::stalePeriods},
     {{"held_limit", kSeconds, {0.0, 3600.0}, Up, QT_TRANSLATE_NOOP("Parameter", "Longest hold"),
-      QT_TRANSLATE_NOOP("Parameter", "A lost sensor or source holds the run so long, then it ends with a retreat"), 1}, &SafetySpec::heldLimit_s},
+      QT_TRANSLATE_NOOP("Parameter", "A lost sensor or source holds the run so long, then it ends with a retreat"), 1}, &SafetySpec::pauseLimit_s},
     {{"largest_rate", kKelvinPerSecond, {0.0, kMaxRate_K_s, true}, InCode, QT_TRANSLATE_NOOP("Parameter", "Fastest plausible change"),
       QT_TRANSLATE_NOOP("Parameter", "Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.")}, &SafetySpec::largestRate_K_s},
     {{"jumps", kNone, {1.0, 100.0}, Up, QT_TRANSLATE_NOOP("Parameter", "Jumps in a row"),
@@ -44,7 +44,7 @@ constexpr Parameter<SafetySpec> kSafety[]{
     {{"source_unasked", kKelvin, {1.0, 1000.0}, Up, QT_TRANSLATE_NOOP("Parameter", "Source: warming unasked"),
       QT_TRANSLATE_NOOP("Parameter", "More warming with the heat off is an alarm"), 1}, &SafetySpec::sourceUnasked_K},
     {{"least_disk", kMegabytes, {0.0, 1e6}, Down, QT_TRANSLATE_NOOP("Parameter", "Least room on the disk"),
-      QT_TRANSLATE_NOOP("Parameter", "With less no recording is begun"), 0}, &SafetySpec::leastDisk_MB},
+      QT_TRANSLATE_NOOP("Parameter", "With less no recording is begun"), 0}, &SafetySpec::minDisk_MB},
 };
 
 constexpr Parameter<ObjectSpec> kObjectLimits[]{
@@ -81,7 +81,7 @@ constexpr Parameter<RobotLimits> kRobot[]{
 constexpr Parameter<ControllerSettings> kController[]{
     {{"rotation_length", kCentimetres, {0.0, 1000.0, true}}, &ControllerSettings::rotationLength_m},
     {{"damping", kNone, kShare}, &ControllerSettings::damping},
-    {{"believed_rate_error_factor", kNone, {1.0, 8.0}}, &ControllerSettings::believedRateErrorFactor}, // identification is bounded at 10
+    {{"believed_rate_error_factor", kNone, {1.0, 8.0}}, &ControllerSettings::estimatedRateErrorFactor}, // identification is bounded at 10
 };
 
 constexpr Parameter<SamplingSpec> kSampling[]{

@@ -95,7 +95,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     const std::vector<ObjectSpec>& objects = quick.objects;
     for (ObjectSpec& object : quick.objects)
         object.shape = thinned(object.shape);
-    const double most_m = experiment.robot.maxMountingRadius_m;
+    const double max_m = experiment.robot.maxMountingRadius_m;
     const int count = static_cast<int>(objects.size());
     std::vector<Rings> outlines;
     std::vector<Eigen::Vector3d> places;
@@ -112,9 +112,9 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
         double radius_m = 0.0;
         for (const Eigen::Vector2d& p : at(outlines, i).front())
             radius_m = std::max(radius_m, p.norm());
-        if (most_m > 0.0 && radius_m > most_m)
+        if (max_m > 0.0 && radius_m > max_m)
             out.push_back({{MessageCode::MountingFar,
-                            {name(i), formatNumber(100.0 * radius_m, 3), formatNumber(100.0 * most_m, 3)}},
+                            {name(i), formatNumber(100.0 * radius_m, 3), formatNumber(100.0 * max_m, 3)}},
                            {i}});
         for (int k = i + 1; k < count; ++k) {
             if (overlap(at(outlines, i), at(outlines, k)))

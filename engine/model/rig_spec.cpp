@@ -74,9 +74,9 @@ Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>&
         return error;
     }
     for (std::size_t i = 0; i < robot.axes.size(); ++i) {
-        const double most = robot.axes[i].coordinate < 3 ? kMaxOrigin_m : kMaxOrigin_rad;
+        const double max = robot.axes[i].coordinate < 3 ? kMaxOrigin_m : kMaxOrigin_rad;
         if (const auto fit = checkRange("robot.axes[" + std::to_string(i) + "].origin", robot.axes[i].origin,
-                                        -most, most, robot.axes[i].coordinate < 3 ? "m" : "rad");
+                                        -max, max, robot.axes[i].coordinate < 3 ? "m" : "rad");
             !fit)
             return fit;
     }
@@ -143,7 +143,7 @@ Result<void> checkPorts(const RigSpec& rig) {
 
 } // namespace
 
-bool isKeptByHand(const HeatSourceDeviceSpec& source) {
+bool isManualSource(const HeatSourceDeviceSpec& source) {
     return driverOf(source).link == DriverLink::None;
 }
 

@@ -21,7 +21,7 @@ struct RigSpec {
 };
 
 /// Returns whether a person heats the source; nothing can be switched by the program.
-bool isKeptByHand(const HeatSourceDeviceSpec& source);
+bool isManualSource(const HeatSourceDeviceSpec& source);
 
 /// Returns whether the thermometer is on the heater's line, so that it must use the heater's guard.
 bool hasOneLine(const RigSpec& rig);

@@ -20,7 +20,7 @@ struct SafetySpec {
     double trip_K = kelvinFromCelsius(150.0);
     std::optional<double> sourceTrip_K{}; ///< if empty, kSourceOver_K above the highest set point
     double stalePeriods = 3.0;            ///< number of periods for which a reading is valid
-    double heldLimit_s = 15.0;            ///< pause after a lost sensor or source; then a retreat
+    double pauseLimit_s = 15.0;           ///< pause after a lost sensor or source; then a retreat
     /// A faster change of a reading is not caused by heat. If empty: three times the rate at which the source
     /// can heat the object, but at least kMinRate_K_s.
     std::optional<double> largestRate_K_s{};
@@ -32,7 +32,7 @@ struct SafetySpec {
     double sourceHeating_s = 120.0; ///< the source must gain kSourceGain_K in this time while it is too cold
     double sourceBand_K = 10.0;     ///< within this of its set point the source is not too cold
     double sourceUnasked_K = 10.0;  ///< more warming with the heat off is an alarm
-    double leastDisk_MB = 100.0;    ///< free space for a recording; with less none is started
+    double minDisk_MB = 100.0;      ///< free space for a recording; with less none is started
 
     static constexpr double kSourceOver_K = 50.0;
     static constexpr double kMinRate_K_s = 2.0; ///< a person touching the object

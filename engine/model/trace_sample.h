@@ -211,7 +211,7 @@ inline constexpr std::array kObjectColumns{
                  .unit = unit::kKelvinPerSecond,
                  .value = kOfObject<&ObjectSample::lambda1>,
                  .stored = {6, "object_state"},
-                 .nexus = NexusLog{"lambda1", "the controller's belief"},
+                 .nexus = NexusLog{"lambda1", "the controller's estimate"},
                  .plot = Quantity::Strength,
                  .label = QT_TRANSLATE_NOOP("Column", "Estimated \u03bb\u2081"),
                  .title = QT_TRANSLATE_NOOP("Column", "Estimates")},
@@ -219,7 +219,7 @@ inline constexpr std::array kObjectColumns{
                  .unit = unit::kPerKelvin3Second,
                  .value = kOfObject<&ObjectSample::lambda2>,
                  .stored = {7, "object_state"},
-                 .nexus = NexusLog{"lambda2", "the controller's belief"}},
+                 .nexus = NexusLog{"lambda2", "the controller's estimate"}},
     ObjectColumn{
         .key = "reading_valid",
         .unit = unit::kNone,

@@ -250,9 +250,9 @@ std::string fixed(double value, int decimals) {
     return {text.data(), end.ptr};
 }
 
-Error outOfRange(double value, double least, double most, const char* where, const char* unit) {
+Error outOfRange(double value, double min, double max, const char* where, const char* unit) {
     return Error(MessageCode::ValueOutOfRange, where,
-                 {formatNumber(value), formatNumber(least), formatNumber(most, 7), unit});
+                 {formatNumber(value), formatNumber(min), formatNumber(max, 7), unit});
 }
 
 } // namespace

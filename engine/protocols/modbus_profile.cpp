@@ -170,7 +170,7 @@ void readThermometer(Fields& fields, ModbusProfile& profile) {
 }
 
 /// Read back it is to be what it was.
-void checkHeld(const Fields& fields, const RegisterSpec& spec, const char* key, double number) {
+void checkFits(const Fields& fields, const RegisterSpec& spec, const char* key, double number) {
     const auto registers = registersFromQuantity(spec, number);
     if (!registers)
         return fields.fail(MessageCode::ValueOutOfRange, key, registers.error().message.args);
@@ -211,8 +211,8 @@ void readUnitRegister(Fields& fields, ModbusProfile& profile) {
                     {formatNumber(profile.unitFahrenheit), "any other than temperature_unit_degC"});
     if (!profile.temperatureUnit || fields.failure())
         return;
-    checkHeld(fields, *profile.temperatureUnit, "temperature_unit_degC", profile.unitCelsius);
-    checkHeld(fields, *profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
+    checkFits(fields, *profile.temperatureUnit, "temperature_unit_degC", profile.unitCelsius);
+    checkFits(fields, *profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
 }
 
 void readController(Fields& fields, ModbusProfile& profile) {
@@ -235,8 +235,8 @@ void readController(Fields& fields, ModbusProfile& profile) {
         fields.fail(MessageCode::ValueUnknown, "run_off",
                     {formatNumber(profile.runOff), "any other than run_on"});
     if (profile.run) {
-        checkHeld(fields, *profile.run, "run_on", profile.runOn);
-        checkHeld(fields, *profile.run, "run_off", profile.runOff);
+        checkFits(fields, *profile.run, "run_on", profile.runOn);
+        checkFits(fields, *profile.run, "run_off", profile.runOff);
     }
     checkOff(fields, profile);
     if (!(profile.watchdogUnit_s > 0.0))

@@ -69,9 +69,9 @@ std::pair<double, double> limits(RegisterType type) {
 }
 
 bool isEndOfType(RegisterType type, double n) {
-    const auto [least, most] = limits(type);
+    const auto [min, max] = limits(type);
     return type == RegisterType::Float32 ? !std::isfinite(n)
-                                         : n == most || (least < 0.0 && (n == least || n == -most));
+                                         : n == max || (min < 0.0 && (n == min || n == -max));
 }
 
 RegisterValue atFault(const char* fault) {
@@ -111,12 +111,12 @@ double quantityFromRegisters(const RegisterSpec& spec, std::span<const std::uint
 }
 
 Result<std::vector<std::uint16_t>> registersFromQuantity(const RegisterSpec& spec, double quantity) {
-    const auto [least, most] = limits(spec.type);
+    const auto [min, max] = limits(spec.type);
     const bool isFloat = spec.type == RegisterType::Float32;
     const double exact = (quantity - spec.offset) / spec.scale;
     const double n = isFloat ? exact : std::round(exact);
-    if (!(n >= least && n <= most)) {
-        const double a = spec.scale * least + spec.offset, b = spec.scale * most + spec.offset;
+    if (!(n >= min && n <= max)) {
+        const double a = spec.scale * min + spec.offset, b = spec.scale * max + spec.offset;
         return Error(
             MessageCode::ValueOutOfRange, "",
             {formatNumber(quantity), formatNumber(std::min(a, b)), formatNumber(std::max(a, b)), ""});
@@ -182,11 +182,11 @@ Result<std::vector<std::uint16_t>> watchdogRegisters(const ModbusProfile& profil
                          kWatchdogWithin * time_s)
         return registers;
     const auto [a, b] = limits(spec.type);
-    const double most_s =
+    const double max_s =
         profile.watchdogUnit_s * std::max(spec.scale * a + spec.offset, spec.scale * b + spec.offset);
     const double step_s = profile.watchdogUnit_s * std::abs(spec.scale);
     return Error(MessageCode::ValueOutOfRange, "",
-                 {formatNumber(time_s), formatNumber(step_s), formatNumber(most_s), "s"});
+                 {formatNumber(time_s), formatNumber(step_s), formatNumber(max_s), "s"});
 }
 
 std::string signatureFromRegisters(std::span<const std::uint16_t> registers) {

@@ -15,14 +15,14 @@ constexpr std::size_t kMaxAsked = 4096; // points of one outline looked for in t
 // round; the outline first.
 std::vector<Points> denseRings(const Shape& shape, const Pose& X) {
     constexpr int kPlaces = 512;
-    const double most = shapePerimeter(shape) / kPlaces;
+    const double max = shapePerimeter(shape) / kPlaces;
     std::vector<Points> rings;
     for (const Points& corners : shapeRings(shape, kPlaces)) {
         Points& dense = rings.emplace_back();
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const Eigen::Vector2d& a = corners[i];
             const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
-            const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / most)));
+            const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / max)));
             for (int k = 0; k < parts; ++k) {
                 const Eigen::Vector2d p = a + (b - a) * k / parts;
                 dense.push_back((X * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());

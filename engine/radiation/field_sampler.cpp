@@ -25,15 +25,15 @@ constexpr double kMinTolerance = 1e-14;
 constexpr double kMaxTolerance = 1e-2;
 constexpr int kMaxThreads = 1024;
 
-Result<void> checkRange(const std::string& where, double value, double least, double most, const char* unit) {
-    if (value >= least && value <= most)
+Result<void> checkRange(const std::string& where, double value, double min, double max, const char* unit) {
+    if (value >= min && value <= max)
         return {};
     return Error(MessageCode::ValueOutOfRange, where,
-                 {formatNumber(value, 10), formatNumber(least), formatNumber(most), unit});
+                 {formatNumber(value, 10), formatNumber(min), formatNumber(max), unit});
 }
 
-Error tooLarge(const std::string& where, double count, double most) {
-    return {MessageCode::FieldTooLarge, where, {formatNumber(count, 12), formatNumber(most, 12)}};
+Error tooLarge(const std::string& where, double count, double max) {
+    return {MessageCode::FieldTooLarge, where, {formatNumber(count, 12), formatNumber(max, 12)}};
 }
 
 Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
@@ -49,8 +49,8 @@ Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
     const double last = axis.at(axis.count - 1);
     if (auto valid = checkRange(where + ": last", last, -kFieldReach, kFieldReach, unit); !valid)
         return valid;
-    const double least = kMinStep * std::max(std::abs(axis.first), std::abs(last));
-    return checkRange(where + ": step", axis.step, least, 2.0 * kFieldReach, unit);
+    const double min = kMinStep * std::max(std::abs(axis.first), std::abs(last));
+    return checkRange(where + ": step", axis.step, min, 2.0 * kFieldReach, unit);
 }
 
 Result<void> check(const FieldRequest& request, const FieldRun& run) {
@@ -66,16 +66,16 @@ Result<void> check(const FieldRequest& request, const FieldRun& run) {
             return valid;
         samples *= axis.count;
     }
-    const double most = request.withGradient ? std::floor(kMaxFieldNumbers / 7.0) : kMaxFieldNumbers;
-    if (samples > most)
-        return tooLarge("axes", samples, most);
+    const double max = request.withGradient ? std::floor(kMaxFieldNumbers / 7.0) : kMaxFieldNumbers;
+    if (samples > max)
+        return tooLarge("axes", samples, max);
     for (std::size_t i = 0; i < isAxis.size(); ++i)
         if (!isAxis[i])
-            if (auto held =
-                    checkRange(std::string("held: ") + kCoordinateNames[i], request.held[static_cast<int>(i)],
-                               -kFieldReach, kFieldReach, coordinateUnit(static_cast<Coordinate>(i)));
-                !held)
-                return held;
+            if (auto fixed = checkRange(std::string("held: ") + kCoordinateNames[i],
+                                        request.fixed[static_cast<int>(i)], -kFieldReach, kFieldReach,
+                                        coordinateUnit(static_cast<Coordinate>(i)));
+                !fixed)
+                return fixed;
     if (auto threads = checkRange("threads", run.threads, 0, kMaxThreads, ""); !threads)
         return threads;
     return checkRange("tolerance", request.tolerance, kMinTolerance, kMaxTolerance, "");
@@ -105,7 +105,7 @@ struct Grid {
             for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
                 turns[a].push_back(turnBy(axis.at(i)));
         }
-        if (request.leastHeight_m)
+        if (request.minHeight_m)
             outline = shapeOutline(request.object.shape(), kOutlinePoints);
     }
 
@@ -121,9 +121,9 @@ struct Grid {
 /// Walks the grid, first axis fastest; the rotation is made anew only where an angle has changed.
 class Cursor {
 public:
-    Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_RE(grid.request.held.head<3>()) {
+    Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_RE(grid.request.fixed.head<3>()) {
         for (int k = 0; k < 3; ++k)
-            m_turns[static_cast<std::size_t>(k)] = turnBy(grid.request.held[kThetaX + k]);
+            m_turns[static_cast<std::size_t>(k)] = turnBy(grid.request.fixed[kThetaX + k]);
         for (std::size_t a = 0; a < grid.turns.size(); ++a) {
             const auto count = static_cast<std::size_t>(grid.request.axes[a].count);
             set(a, static_cast<int>(sample % count));
@@ -150,8 +150,8 @@ public:
     const Pose& X_SO() const { return m_X_SO; }
 
     bool isTooLow() const {
-        const auto& least_m = m_grid.request.leastHeight_m;
-        return least_m && m_X_SO.translation().z() + m_lowest_m < *least_m;
+        const auto& min_m = m_grid.request.minHeight_m;
+        return min_m && m_X_SO.translation().z() + m_lowest_m < *min_m;
     }
 
     /// By the pose coordinates, from the gradient by position and rotation in S axes about O's origin.
@@ -355,7 +355,7 @@ Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, co
     const Grid grid(request);
     auto field = std::make_shared<Field>();
     field->axes = request.axes;
-    field->held = request.held;
+    field->fixed = request.fixed;
     field->quantity = request.quantity.name;
     field->unit = request.quantity.unit;
     field->tolerance = request.tolerance;

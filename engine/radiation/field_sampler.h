@@ -44,7 +44,7 @@ struct FieldRequest {
     RadiatingContour object;
     std::vector<FieldAxis> axes;
     /// Values of the coordinates that have no axis.
-    Vector6d held = Vector6d::Zero();
+    Vector6d fixed = Vector6d::Zero();
     /// Mounting: X_SO = poseFromCoordinates(q) * X_EO. With identity, q is the pose of the object's own
     /// centre.
     Pose X_EO = Pose::Identity();
@@ -53,7 +53,7 @@ struct FieldRequest {
     /// If set, samples in which a point of the object's outline is lower than this above the source's plane
     /// (m) are left out (NaN): plates cannot pass through each other, and view factors there take long to
     /// compute.
-    std::optional<double> leastHeight_m = {};
+    std::optional<double> minHeight_m = {};
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
     FieldQuantity quantity = {};
@@ -62,7 +62,7 @@ struct FieldRequest {
 /// Samples in one block, the first axis fastest: sample (i, j, ...) is values[i + axes[0].count * (j + ...)].
 struct Field {
     std::vector<FieldAxis> axes;
-    Vector6d held = Vector6d::Zero(); ///< as requested; only the coordinates without an axis are used
+    Vector6d fixed = Vector6d::Zero(); ///< as requested; only the coordinates without an axis are used
     std::string quantity;
     std::string unit;
     double tolerance = 0.0;

@@ -26,7 +26,7 @@ namespace bask {
 struct IntegralGoal {
     double allowed_m2 = 0.0; ///< error of the circulation
     double sourcePerimeter_m = 0.0;
-    int mostPoints = 0;
+    int maxPoints = 0;
 };
 
 struct OutlineIntegral {
@@ -66,7 +66,7 @@ public:
     OutlineIntegral over(const std::vector<OutlinePiece>& pieces) {
         int left = static_cast<int>(pieces.size());
         for (const OutlinePiece& piece : pieces) {
-            panels(piece, m_laid + (m_goal.mostPoints - m_laid) / left--);
+            panels(piece, m_laid + (m_goal.maxPoints - m_laid) / left--);
             if (kMoments && piece.onCut)
                 m_moments += m_source.alongCut(inS(piece.a), inS(piece.b));
         }
@@ -136,7 +136,7 @@ private:
     bool doubled(double fromCentre, double nearest) {
         const Eigen::Vector3d o = m_sight.X_SO.translation();
         int n = std::max(32, static_cast<int>(std::bit_ceil(static_cast<unsigned>(4 * m_object.harmonics))));
-        const auto dense = [&](int points) { return nearest * points >= kDense * m_object.mostSpeed_m; };
+        const auto dense = [&](int points) { return nearest * points >= kDense * m_object.maxSpeed_m; };
         if (!dense(2 * n))
             nearest = std::max(nearest, sampledNearest());
         while (!dense(2 * n) && 2 * n < kMaxDoubled)
@@ -167,10 +167,10 @@ private:
     double sampledNearest() const {
         const TrapezoidTable& rule = *m_object.trapezoid(64);
         const kernels::Outline points = rule.table.view();
-        double least = 1e300;
+        double min = 1e300;
         for (int i = 0; i < rule.points; ++i)
-            least = std::min(least, m_source.distance_m(inS({points.x[i], points.y[i]})));
-        return least - 0.5 * m_object.mostSpeed_m / rule.points;
+            min = std::min(min, m_source.distance_m(inS({points.x[i], points.y[i]})));
+        return min - 0.5 * m_object.maxSpeed_m / rule.points;
     }
 
     // Change of the circulation (m2) between two sums; -1 if it or the change of the moments is more than
@@ -215,13 +215,13 @@ private:
 
     // Halves the piece until each panel is short compared with its distance from the source's outline, or
     // agrees with its halves.
-    void panels(const OutlinePiece& piece, int mostLaid) {
+    void panels(const OutlinePiece& piece, int maxLaid) {
         if (piece.straight && piece.a == piece.b)
             return;
         m_source.follow(inS(piece.a), inS(piece.b), piece.onCut); // of a smooth piece a and b are equal
         const double exponent = m_exponent + kHalf;
         // The error of a panel this short is below its share, whatever the field is.
-        const double least_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
+        const double min_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
         std::vector<Panel> open{piece.straight ? Panel{0.0, 1.0} : Panel{piece.from, piece.to}};
         // Wide panels come first: when no points are left, all remaining panels are short.
         for (std::size_t next = 0; next < open.size(); ++next) {
@@ -231,9 +231,9 @@ private:
             const Eigen::Vector3d middle_S = inS({p.x, p.y});
             const double away = m_source.distance_m(middle_S);
             const double room = roomOf(piece, 0.5 * panel.width(), away);
-            const double most = 2.0 * kMaxGaussPoints * ellipseExponent(room);
-            if (most < exponent && length > least_m &&
-                m_laid + 16 * static_cast<int>(open.size() - next) < mostLaid) {
+            const double max = 2.0 * kMaxGaussPoints * ellipseExponent(room);
+            if (max < exponent && length > min_m &&
+                m_laid + 16 * static_cast<int>(open.size() - next) < maxLaid) {
                 if (mayTry(piece, panel, length, away) && tried(piece, panel, length, middle_S, away))
                     continue;
                 open.push_back({panel.from, panel.middle()});
@@ -241,8 +241,8 @@ private:
                 continue;
             }
             lay(piece, panel, gaussOrder(room, exponent));
-            if (most < exponent) { // too short to matter, or points have run out
-                m_error += length * std::min(length, kSafety * m_goal.sourcePerimeter_m * std::exp(-most));
+            if (max < exponent) { // too short to matter, or points have run out
+                m_error += length * std::min(length, kSafety * m_goal.sourcePerimeter_m * std::exp(-max));
                 m_source.prepare(middle_S, 0.0, std::max(away, length), exponent);
             } else {
                 m_reached = std::min(m_reached, prepareForLaid(middle_S, away));
@@ -257,7 +257,7 @@ private:
     // all its waves and no point between them can be much nearer to the source's outline than they are.
     bool mayTry(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
         const double waves = piece.straight ? 0.0 : panel.width() * m_object.harmonics;
-        const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.mostSpeed_m;
+        const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.maxSpeed_m;
         return waves <= 1.0 &&
                (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, length, away));
     }

@@ -189,11 +189,11 @@ void RadiatingContour::Impl::tabulateSmooth() {
         m_scan.push_back(at(static_cast<double>(i) / scan));
     for (const OutlinePoint& p : m_scan) {
         reach = std::max(reach, std::hypot(p.x, p.y));
-        mostSpeed_m = std::max(mostSpeed_m, std::hypot(p.dx, p.dy));
+        maxSpeed_m = std::max(maxSpeed_m, std::hypot(p.dx, p.dy));
         perimeter += std::hypot(p.dx, p.dy) / scan;
     }
-    mostSpeed_m *= disk ? 1.0 : 1.1; // between the scanned points, too
-    reach += disk ? 0.0 : 0.5 * mostSpeed_m / scan;
+    maxSpeed_m *= disk ? 1.0 : 1.1; // between the scanned points, too
+    reach += disk ? 0.0 : 0.5 * maxSpeed_m / scan;
     strip = AnalyticStrip(m_coefficients, harmonics, perimeter);
 }
 
@@ -235,9 +235,9 @@ void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
 double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
     constexpr double kGoodEnough = 0.7;
     struct Interval {
-        double least, middle, half;
+        double min, middle, half;
     };
-    const double speed = mostSpeed_m;
+    const double speed = maxSpeed_m;
     const double half = 0.5 / static_cast<double>(m_scan.size());
     double nearest2 = 1e300;
     for (const OutlinePoint& s : m_scan) {
@@ -248,14 +248,14 @@ double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
     if (nearest - speed * half >= kGoodEnough * nearest)
         return nearest - speed * half;
     std::vector<Interval> open;
-    const auto farther = [](const Interval& a, const Interval& b) { return a.least > b.least; };
+    const auto farther = [](const Interval& a, const Interval& b) { return a.min > b.min; };
     for (std::size_t i = 0; i < m_scan.size(); ++i) {
         const double away = std::hypot(p.x() - m_scan[i].x, p.y() - m_scan[i].y, p.z());
         if (away - speed * half < kGoodEnough * nearest)
             open.push_back({away - speed * half, static_cast<double>(i) * 2.0 * half, half});
     }
     std::make_heap(open.begin(), open.end(), farther);
-    while (open.front().least < kGoodEnough * nearest && nearest > 1e-15 * reach) {
+    while (open.front().min < kGoodEnough * nearest && nearest > 1e-15 * reach) {
         const Interval wide = open.front();
         std::pop_heap(open.begin(), open.end(), farther);
         open.pop_back();
@@ -268,7 +268,7 @@ double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
             std::push_heap(open.begin(), open.end(), farther);
         }
     }
-    return std::clamp(open.front().least, 0.0, nearest);
+    return std::clamp(open.front().min, 0.0, nearest);
 }
 
 PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
@@ -277,13 +277,13 @@ PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
     if (height.z0 + reach * height.slope <= 0.0)
         return PlaneSide::Behind;
     if (const auto* polygon = outlineAs<Contour>(shape)) {
-        double least = 1e300;
-        double most = -1e300;
+        double min = 1e300;
+        double max = -1e300;
         for (const Eigen::Vector2d& p : polygon->points_m) {
-            least = std::min(least, height.at(p.x(), p.y()));
-            most = std::max(most, height.at(p.x(), p.y()));
+            min = std::min(min, height.at(p.x(), p.y()));
+            max = std::max(max, height.at(p.x(), p.y()));
         }
-        return most <= 0.0 ? PlaneSide::Behind : least >= 0.0 ? PlaneSide::Front : PlaneSide::Across;
+        return max <= 0.0 ? PlaneSide::Behind : min >= 0.0 ? PlaneSide::Front : PlaneSide::Across;
     }
     if (disk)
         return PlaneSide::Across;

@@ -131,11 +131,11 @@ struct RadiatingContour::Impl {
     double netArea = 0.0; ///< m2, without the holes
     std::vector<Impl> holes;
 
-    double area = 0.0;        ///< m2, of the outline without holes, like all that follows
-    double reach = 0.0;       ///< m, largest distance of a point from O
-    double mostSpeed_m = 0.0; ///< largest speed of a smooth outline, per unit of phi
-    double perimeter = 0.0;   ///< m, approximate
-    int harmonics = 1;        ///< of a smooth outline
+    double area = 0.0;       ///< m2, of the outline without holes, like all that follows
+    double reach = 0.0;      ///< m, largest distance of a point from O
+    double maxSpeed_m = 0.0; ///< largest speed of a smooth outline, per unit of phi
+    double perimeter = 0.0;  ///< m, approximate
+    int harmonics = 1;       ///< of a smooth outline
     bool isPolygon = false;
     const Disk* disk = nullptr;       ///< null if it is not a disk
     AnalyticStrip strip;              ///< of a smooth outline

@@ -64,7 +64,7 @@ struct Outcome {
 // One outline over another, `allowed_m2` being the error of the circulation.
 template <bool kMoments>
 Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
-                        const Sight& sight, double allowed_m2, int mostPoints) {
+                        const Sight& sight, double allowed_m2, int maxPoints) {
     const PlaneSide seen = source.side(sight.overObject);
     if (seen == PlaneSide::Behind)
         return {};
@@ -84,7 +84,7 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
     }
     constexpr double kShare =
         0.6; // of the tolerance, so that the parts of an estimate add up to less than it
-    const IntegralGoal goal{std::max(kShare * allowed_m2, outcome.floor_m2), source.perimeter, mostPoints};
+    const IntegralGoal goal{std::max(kShare * allowed_m2, outcome.floor_m2), source.perimeter, maxPoints};
     if (!source.disk)
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
                                                sight, side, goal);
@@ -101,13 +101,13 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
 // the opposite sign. Each pair gets an equal share of the error.
 template <bool kMoments>
 Outcome withHoles(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
-                  const Sight& sight, double allowed_m2, int mostPoints) {
+                  const Sight& sight, double allowed_m2, int maxPoints) {
     const auto pairs = static_cast<double>((1 + source.holes.size()) * (1 + object.holes.size()));
-    Outcome sum = betweenOutlines<kMoments>(source, object, sight, allowed_m2 / pairs, mostPoints);
+    Outcome sum = betweenOutlines<kMoments>(source, object, sight, allowed_m2 / pairs, maxPoints);
     if (sum.visibility == Visibility::Hidden)
         return sum;
     const auto add = [&](const RadiatingContour::Impl& from, const RadiatingContour::Impl& to, double sign) {
-        const Outcome pair = betweenOutlines<kMoments>(from, to, sight, allowed_m2 / pairs, mostPoints);
+        const Outcome pair = betweenOutlines<kMoments>(from, to, sight, allowed_m2 / pairs, maxPoints);
         sum.integral.circulation_m2 += sign * pair.integral.circulation_m2;
         sum.integral.moments += sign * pair.integral.moments;
         sum.integral.error_m2 += pair.integral.error_m2;
@@ -125,18 +125,18 @@ Outcome withHoles(const RadiatingContour::Impl& source, const RadiatingContour::
 
 template <bool kMoments>
 Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
-                 double tolerance, int mostPoints) {
+                 double tolerance, int maxPoints) {
     constexpr double kFarthest2 = 1e100; // m2; beyond, squares of squares overflow
     if (!(X_SO.translation().squaredNorm() < kFarthest2) || !std::isfinite(X_SO.linear().sum()))
         throw std::invalid_argument("viewFactor: the pose is not finite");
-    if (!(tolerance >= 0.0) || mostPoints < 1)
+    if (!(tolerance >= 0.0) || maxPoints < 1)
         throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
     const Sight sight(X_SO);
     refuseOverlapInPlane(source, object, sight);
     const double allowed_m2 = 2.0 * std::numbers::pi * object.netArea * tolerance;
     if (source.holes.empty() && object.holes.empty())
-        return betweenOutlines<kMoments>(source, object, sight, allowed_m2, mostPoints);
-    return withHoles<kMoments>(source, object, sight, allowed_m2, mostPoints);
+        return betweenOutlines<kMoments>(source, object, sight, allowed_m2, maxPoints);
+    return withHoles<kMoments>(source, object, sight, allowed_m2, maxPoints);
 }
 
 double asFraction(double circulation, double area) {

@@ -203,14 +203,14 @@ double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d&
         const OutlinePoint s = m_source.at(middle);
         const double away = (Eigen::Vector3d(s.x, s.y, 0.0) - centre_S).norm() - radius_m;
         const double room = m_source.strip.radius(std::max(away, nearest_m)) / half;
-        const double most = 2.0 * kMaxGaussPoints * ellipseExponent(room);
-        if (most < exponent && half > kMinHalf) {
+        const double max = 2.0 * kMaxGaussPoints * ellipseExponent(room);
+        if (max < exponent && half > kMinHalf) {
             open.emplace_back(from, middle);
             open.emplace_back(middle, to);
             continue;
         }
         if (half > kMinHalf) // what is shorter does not matter
-            reached = std::min(reached, most);
+            reached = std::min(reached, max);
         const GaussRule rule = gaussRule(gaussOrder(room, exponent));
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
             const OutlinePoint p = m_source.at(from + 2.0 * half * rule.nodes[i]);

@@ -27,7 +27,7 @@ constexpr Parameter<RecipeStep> kConditions[]{ // in the order of RecipeStep::Un
     {{"below", unit::kCelsius, kAnyTemperature, Loosens::Never, "", "", 1, kRequired}, &RecipeStep::temperature_K},
 };
 constexpr Parameter<RecipeStep> kLimit[]{
-    {{"at_most", unit::kSeconds, {1.0, kMaxStep_s}, Loosens::Never, "", "", 3, kRequired}, &RecipeStep::atMost_s},
+    {{"at_most", unit::kSeconds, {1.0, kMaxStep_s}, Loosens::Never, "", "", 3, kRequired}, &RecipeStep::maxDuration_s},
 };
 // clang-format on
 
@@ -63,8 +63,8 @@ void checkStep(Checker& check, const RecipeStep& step, std::size_t i) {
     if (step.isOfObject() && step.object.empty())
         check.fail(MessageCode::JsonMissingKey, placeOf(i, step.isRun() ? "until" : "wait"), {"object"});
     const ValidRange& range = conditionParameters(step.until).front().range;
-    const bool isOverLimit = step.until == Until::Settled && step.duration_s > step.atMost_s;
-    checkCondition(check, step, i, range.min, isOverLimit ? step.atMost_s : range.max);
+    const bool isOverLimit = step.until == Until::Settled && step.duration_s > step.maxDuration_s;
+    checkCondition(check, step, i, range.min, isOverLimit ? step.maxDuration_s : range.max);
 }
 
 /// Over its warning limit an object ends the recipe, and colder than the room it does not get.
@@ -97,10 +97,10 @@ ParameterTable<RecipeStep> limitParameters(RecipeStep::Until until) {
     return until == RecipeStep::Until::Time ? ParameterTable<RecipeStep>() : kLimit;
 }
 
-double atMost_s(const Recipe& recipe) {
+double maxDuration_s(const Recipe& recipe) {
     double sum_s = 0.0;
     for (const RecipeStep& step : recipe.steps)
-        sum_s += step.until == RecipeStep::Until::Time ? step.duration_s : step.atMost_s;
+        sum_s += step.until == RecipeStep::Until::Time ? step.duration_s : step.maxDuration_s;
     return sum_s;
 }
 
@@ -152,8 +152,8 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
     return out;
 }
 
-bool isKeptHotByHand(const std::optional<RigSpec>& rig) {
-    return rig && rig->source && isKeptByHand(*rig->source);
+bool hasManualSource(const std::optional<RigSpec>& rig) {
+    return rig && rig->source && isManualSource(*rig->source);
 }
 
 } // namespace bask

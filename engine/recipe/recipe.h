@@ -26,7 +26,7 @@ struct RecipeStep {
     double duration_s = 30.0;
     std::string object;
     double temperature_K = 303.15;
-    double atMost_s = 1800.0; ///< longest duration; not used for Time
+    double maxDuration_s = 1800.0; ///< longest duration; not used for Time
     /// Whether to continue with the next step if this one fails; otherwise the recipe ends.
     bool goesOn = false;
 
@@ -50,7 +50,7 @@ ParameterTable<RecipeStep> conditionParameters(RecipeStep::Until until);
 ParameterTable<RecipeStep> limitParameters(RecipeStep::Until until);
 
 /// Returns the longest duration of all steps together, s.
-double atMost_s(const Recipe& recipe);
+double maxDuration_s(const Recipe& recipe);
 
 /// Checks ranges; refuses a wait until all have settled. The error's `where` is for example
 /// "steps[1].at_most_s".
@@ -79,6 +79,6 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
 
 /// Returns whether a person heats the rig's source, so that no recipe can switch the heat off between its
 /// steps.
-bool isKeptHotByHand(const std::optional<RigSpec>& rig);
+bool hasManualSource(const std::optional<RigSpec>& rig);
 
 } // namespace bask

@@ -26,11 +26,11 @@ Message firstOf(const Snapshot& snapshot) {
 }
 
 /// By jog, by its own controls, or heated by hand: a recipe has no part in that.
-bool isInHand(const Snapshot& snapshot) {
+bool isOperatedManually(const Snapshot& snapshot) {
     return snapshot.isMoving || snapshot.heatSetPoint_K.has_value();
 }
 
-bool isHeldByPerson(const Snapshot& snapshot) {
+bool isPausedByPerson(const Snapshot& snapshot) {
     return std::ranges::any_of(snapshot.reasons, [](const Message& reason) {
         return reason.code == MessageCode::ReasonHeldByOperator;
     });
@@ -102,7 +102,7 @@ std::vector<Command> RecipeRunner::stopNow() {
 
 void RecipeRunner::takeOver(bool isHold) {
     if (m_phase != Phase::Over)
-        finishAll(isHold && m_phase == Phase::Run ? State::Held : State::Stopped, RecipeEnd::TakenOver);
+        finishAll(isHold && m_phase == Phase::Run ? State::Paused : State::Stopped, RecipeEnd::TakenOver);
 }
 
 void RecipeRunner::enter(std::size_t step) {
@@ -133,7 +133,7 @@ void RecipeRunner::loading(const Snapshot& snapshot) {
         m_isAnswered = true;
         m_loadId = snapshot.loadId;
         m_since_s = snapshot.clock_s;
-    } else if (snapshot.loadId != m_loadId || isInHand(snapshot)) {
+    } else if (snapshot.loadId != m_loadId || isOperatedManually(snapshot)) {
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     }
     const SamplingSpec& sampling = m_loaded->sampling;
@@ -230,14 +230,14 @@ void RecipeRunner::running(const Snapshot& snapshot) {
     const Alarm* alarm = newAlarm(snapshot);
     if (snapshot.state == RunState::Fault)
         return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
-    if (snapshot.state == RunState::Holding && !isHeldByPerson(snapshot)) {
+    if (snapshot.state == RunState::Holding && !isPausedByPerson(snapshot)) {
         m_end = RecipeEnd::Alarm;
         return stopRun(State::Failed, alarm != nullptr ? alarm->message : firstOf(snapshot));
     }
-    if (!isOn && !snapshot.reasons.empty() && !isHeldByPerson(snapshot)) // the engine's own retreat
+    if (!isOn && !snapshot.reasons.empty() && !isPausedByPerson(snapshot)) // the engine's own retreat
         return endBy(snapshot, RecipeEnd::Fault, firstOf(snapshot));
     if (!isOn)
-        return finishAll(snapshot.state == RunState::Holding ? State::Held : State::Stopped,
+        return finishAll(snapshot.state == RunState::Holding ? State::Paused : State::Stopped,
                          RecipeEnd::TakenOver);
     if (alarm != nullptr) {
         m_end = RecipeEnd::Alarm;
@@ -248,7 +248,7 @@ void RecipeRunner::running(const Snapshot& snapshot) {
             progress.elapsed_s = sample.time_s;
             return stopRun(State::Done);
         }
-    if (now().until != RecipeStep::Until::Time && snapshot.runTime_s >= now().atMost_s)
+    if (now().until != RecipeStep::Until::Time && snapshot.runTime_s >= now().maxDuration_s)
         stopRun(State::NotReached);
 }
 
@@ -286,11 +286,11 @@ void RecipeRunner::waiting(const Snapshot& snapshot) {
         return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
     if (const Alarm* alarm = newAlarm(snapshot))
         return endBy(snapshot, RecipeEnd::Alarm, alarm->message);
-    if (!isAtRest(snapshot.state) || snapshot.loadId != m_loadId || isInHand(snapshot))
+    if (!isAtRest(snapshot.state) || snapshot.loadId != m_loadId || isOperatedManually(snapshot))
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     if (isReached(snapshot.latest, progress.elapsed_s))
         finish(State::Done);
-    else if (now().until != RecipeStep::Until::Time && progress.elapsed_s >= now().atMost_s)
+    else if (now().until != RecipeStep::Until::Time && progress.elapsed_s >= now().maxDuration_s)
         finish(State::NotReached);
 }
 

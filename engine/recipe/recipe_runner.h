@@ -22,7 +22,7 @@ struct RecipeProgress {
         NotReached, ///< not reached within at_most_s
         Failed,     ///< it could not be started, or a fault or an alarm ended it: see `reason`
         Stopped,    ///< by a person
-        Held,       ///< paused by a person: its run has not ended, and is not monitored any more
+        Paused,     ///< paused by a person: its run has not ended, and is not monitored any more
     };
     State state = State::Waiting;
     double elapsed_s = 0.0; ///< since Start, or since the beginning of the wait

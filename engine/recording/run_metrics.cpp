@@ -135,12 +135,12 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
         m_objects.emplace_back(poseFromCoordinates(object.mounting));
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
     for (const TraceEvent& event : facts.events) {
-        const bool isHeld = !m_holds_s.empty() && m_holds_s.back().second == kOpen_s;
+        const bool isPaused = !m_pauses_s.empty() && m_pauses_s.back().second == kOpen_s;
         const MessageCode code = event.message.code;
-        if ((code == MessageCode::EventHeld || code == MessageCode::EventHeldFor) && !isHeld)
-            m_holds_s.emplace_back(event.time_s, kOpen_s);
-        else if (code == MessageCode::EventResumed && isHeld)
-            m_holds_s.back().second = event.time_s;
+        if ((code == MessageCode::EventHeld || code == MessageCode::EventHeldFor) && !isPaused)
+            m_pauses_s.emplace_back(event.time_s, kOpen_s);
+        else if (code == MessageCode::EventResumed && isPaused)
+            m_pauses_s.back().second = event.time_s;
     }
 }
 
@@ -169,13 +169,13 @@ void RunMetricsCount::addMotion(const TraceSample& sample) {
     }
     const double lasts_s = sample.time_s - before.time_s;
     const ActiveLimits& limits = before.limits;
-    while (!m_holds_s.empty() && m_holds_s.front().second < before.time_s)
-        m_holds_s.pop_front();
+    while (!m_pauses_s.empty() && m_pauses_s.front().second < before.time_s)
+        m_pauses_s.pop_front();
     // Older files keep the limits of the last command throughout a hold.
-    const bool isHeld = !m_holds_s.empty() && m_holds_s.front().first <= before.time_s;
-    if (!limits.any() || isHeld || !(lasts_s > 0.0))
+    const bool isPaused = !m_pauses_s.empty() && m_pauses_s.front().first <= before.time_s;
+    if (!limits.any() || isPaused || !(lasts_s > 0.0))
         return;
-    m_metrics.heldBack_s += lasts_s;
+    m_metrics.clamped_s += lasts_s;
     for (int l = 0; l < static_cast<int>(m_metrics.atLimit_s.size()); ++l) {
         bool isActive = limits.has(static_cast<Limit>(l));
         for (int c = 1; static_cast<Limit>(l) == Limit::Workspace && c < 6; ++c)

@@ -50,7 +50,7 @@ struct RunMetrics {
     std::vector<ObjectMetrics> objects; ///< in the experiment's order
     double pathLength_m = 0.0;          ///< of the end-effector's origin
     double turned_rad = 0.0;            ///< sum of the angles between samples
-    double heldBack_s = 0.0;            ///< time during which a limit restricted the command
+    double clamped_s = 0.0;             ///< time during which a limit restricted the command
     /// The same for each Limit; workspace counts any of its bounds. Files of the first versions do not
     /// contain this.
     std::array<double, 6> atLimit_s{};
@@ -76,7 +76,7 @@ private:
     void addMotion(const TraceSample& sample);
 
     double m_until_s;
-    std::deque<std::pair<double, double>> m_holds_s; ///< start and end of each pause; past ones are removed
+    std::deque<std::pair<double, double>> m_pauses_s; ///< start and end of each pause; past ones are removed
     RunMetrics m_metrics;
     std::vector<ObjectCount> m_objects;
 };

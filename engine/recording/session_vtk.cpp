@@ -40,7 +40,7 @@ std::vector<std::size_t> chosen(std::size_t samples) {
 }
 
 HeatRates ratesOf(const Experiment& e, const ObjectSpec& object) {
-    return object.believedRates.value_or(heatRates(
+    return object.estimatedRates.value_or(heatRates(
         object.material,
         netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K),
         e.environment_K));
@@ -116,7 +116,7 @@ private:
                                 .objects = {},
                                 .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,
                                                     std::max(kSurfaceStep_m, span_m / kMaxFieldSteps)),
-                                .held = last.coordinates,
+                                .fixed = last.coordinates,
                                 .ofOwnCentres = true,
                                 .clearance_m = e.robot.clearance_m};
         for (const ObjectSpec& object : e.objects)

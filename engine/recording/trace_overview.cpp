@@ -98,21 +98,21 @@ double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t se
 }
 
 void Extremes::include(float value) {
-    least = std::fmin(least, value); // the other one where one is NaN
-    greatest = std::fmax(greatest, value);
+    min = std::fmin(min, value); // the other one where one is NaN
+    max = std::fmax(max, value);
 }
 
 void Extremes::include(const Extremes& other) {
-    least = std::fmin(least, other.least);
-    greatest = std::fmax(greatest, other.greatest);
+    min = std::fmin(min, other.min);
+    max = std::fmax(max, other.max);
 }
 
-TraceOverview::TraceOverview(std::size_t objects, std::size_t most)
-    : m_objects(objects), m_lines(lineCount(objects)), m_most(std::max<std::size_t>(most, 2)) {}
+TraceOverview::TraceOverview(std::size_t objects, std::size_t max)
+    : m_objects(objects), m_lines(lineCount(objects)), m_max(std::max<std::size_t>(max, 2)) {}
 
 void TraceOverview::add(const TraceSample& sample) {
     if (m_samples % m_perStretch == 0) {
-        if (m_spans.size() >= m_most)
+        if (m_spans.size() >= m_max)
             halve();
         if (m_samples % m_perStretch == 0) {
             m_spans.push_back({sample.time_s, sample.time_s});
@@ -159,7 +159,7 @@ bool TraceOverview::hasValues(Quantity quantity) const {
     const std::size_t count = seriesCount(quantity, m_objects);
     for (std::size_t k = 0; k < m_spans.size(); ++k)
         for (std::size_t i = 0; i < count; ++i)
-            if (!std::isnan(extremes(quantity, i, k).least))
+            if (!std::isnan(extremes(quantity, i, k).min))
                 return true;
     return false;
 }

@@ -30,8 +30,8 @@ double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t se
 
 /// Minimum and maximum; both are NaN if there is no value.
 struct Extremes {
-    float least = std::numeric_limits<float>::quiet_NaN();
-    float greatest = std::numeric_limits<float>::quiet_NaN();
+    float min = std::numeric_limits<float>::quiet_NaN();
+    float max = std::numeric_limits<float>::quiet_NaN();
 
     void include(float value);
     void include(const Extremes& other);
@@ -44,7 +44,7 @@ public:
     static constexpr std::size_t kStretch = 16;
     static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 
-    explicit TraceOverview(std::size_t objects = 0, std::size_t most = kUnlimited);
+    explicit TraceOverview(std::size_t objects = 0, std::size_t max = kUnlimited);
 
     /// Adds a sample; samples must be in order of time. Missing objects have no values.
     void add(const TraceSample& sample);
@@ -76,7 +76,7 @@ private:
     void halve();
 
     std::size_t m_objects, m_lines;
-    std::size_t m_most;
+    std::size_t m_max;
     std::size_t m_samples = 0;
     std::size_t m_perStretch = kStretch;
     std::vector<Span> m_spans;

@@ -277,7 +277,7 @@ DeviceMemory RealRig::met() const {
 bool RealRig::sayLastWords() {
     const SteadyClock wall;
     const double begun_s = wall.now_s();
-    const auto isOff = [&] { return heatSource().isByHand() || !heatSource().heating(); };
+    const auto isOff = [&] { return heatSource().isManual() || !heatSource().heating(); };
     const auto spent_s = [&] { return wall.now_s() - begun_s; };
     while (!m_parts->entries.empty() && spent_s() < (isOff() ? kFarewell_s : kLongestFarewell_s)) {
         work();

@@ -33,9 +33,9 @@ std::vector<HeatRates> trueRates(const Experiment& experiment) {
     return rates;
 }
 
-std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K) {
+std::vector<HeatRates> estimatedRates(const Experiment& experiment, double environment_K) {
     std::vector<HeatRates> rates = nominalRates(experiment, environment_K);
-    const double range = std::log(experiment.controller.believedRateErrorFactor);
+    const double range = std::log(experiment.controller.estimatedRateErrorFactor);
     std::mt19937_64 random(experiment.simulation.seed ^ 0x9e3779b97f4a7c15ULL);
     std::uniform_real_distribution<double> factor(-1.0, 1.0);
     for (std::size_t i = 0; i < rates.size(); ++i) {
@@ -45,8 +45,8 @@ std::vector<HeatRates> believedRates(const Experiment& experiment, double enviro
         rate.lambda1 *= heating;
         rate.lambda2 *= cooling;
         rate.lambda3 *= cooling;
-        if (experiment.objects[i].believedRates) // known: not to be made wrong
-            rate = *experiment.objects[i].believedRates;
+        if (experiment.objects[i].estimatedRates) // known: not to be made wrong
+            rate = *experiment.objects[i].estimatedRates;
     }
     return rates;
 }

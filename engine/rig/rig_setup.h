@@ -24,7 +24,7 @@ double trueSourcePower_W_m2(const Experiment& experiment, double source_K);
 
 /// Returns the start values of a controller: an object's given rates, else its material's with the
 /// experiment's random (seeded) error factors.
-std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K);
+std::vector<HeatRates> estimatedRates(const Experiment& experiment, double environment_K);
 
 /// Returns the request for the joint feasibility of the experiment's targets, without a look-up.
 FeasibilityRequest feasibilityRequest(const Experiment& experiment);

@@ -71,7 +71,7 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.robotAlarm = readings.robot().alarm;
     snapshot.isPlaceSure = readings.robot().isPlaceSure;
     snapshot.heatSetPoint_K = loop.heatSetPoint_K();
-    snapshot.isSourceByHand = real && real->heatSource().isByHand();
+    snapshot.isSourceManual = real && real->heatSource().isManual();
     snapshot.zeroing = readings.sensors().zeroing();
     if (const auto zero = loop.findZero(); !zero)
         snapshot.zeroProblem = zero.error().message;

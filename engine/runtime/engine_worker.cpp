@@ -26,7 +26,7 @@ constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
 constexpr double kDisk_s = 5.0;     ///< between looks at the room on the disk
-constexpr double kHeldUp_s = 0.3;   ///< between two looks at real devices
+constexpr double kDelayed_s = 0.3;  ///< between two looks at real devices
 constexpr double kHearing_s = 0.15; ///< until they have said again how they are
 constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the command queue
 
@@ -315,7 +315,7 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
 Result<void> EngineWorker::accept(DeviceRole role) {
     if (!m_session->real)
         return Error(MessageCode::RigMissing, {});
-    if (isInUse() || (m_session->loop.heat().isOn() && !m_session->real->heatSource().isByHand()))
+    if (isInUse() || (m_session->loop.heat().isOn() && !m_session->real->heatSource().isManual()))
         return Error(MessageCode::SessionAlreadyRunning, {});
     Experiment experiment = m_session->loop.experiment();
     std::string port;
@@ -327,7 +327,7 @@ Result<void> EngineWorker::accept(DeviceRole role) {
     return load(experiment);
 }
 
-void EngineWorker::handOnView() {
+void EngineWorker::forwardView() {
     auto view = m_cameras.newest(m_session.get());
     if (view == m_view || (view && m_views.isFull()))
         return;
@@ -342,7 +342,7 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
         return may;
     if (!recordingPath.empty()) {
         m_recordings.begin(recordingPath, loop.experiment(), m_session->simulated != nullptr,
-                           loop.experiment().safety.leastDisk_MB);
+                           loop.experiment().safety.minDisk_MB);
         return {};
     }
     return armNow();
@@ -600,7 +600,7 @@ void EngineWorker::onTimer() {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }
     }
-    handOnView();
+    forwardView();
     m_rateWindow_s += wall_s;
     if (m_rateWindow_s >= 2.0) {
         m_loopRate_Hz = m_ticksSinceRate / m_rateWindow_s;
@@ -657,7 +657,7 @@ void EngineWorker::workReal() {
     m_session->real->work();
     const double now_s = m_session->clock().now_s();
     // Held up itself, it hears first what the devices have said meanwhile, and judges them then.
-    if (now_s - m_worked_s > kHeldUp_s)
+    if (now_s - m_worked_s > kDelayed_s)
         m_nextTick_s = now_s + kHearing_s;
     m_worked_s = now_s;
     if (now_s < m_nextTick_s)

@@ -108,7 +108,7 @@ private:
     void endTrial();
     Result<void> accept(DeviceRole role);
     void watchSleep();
-    void handOnView();
+    void forwardView();
     bool isInUse() const; ///< a run is armed or on
     /// Commands wait: a rig is closed, or Arm or Start are not answered yet.
     bool isBusy() const { return m_isClosing || m_recordings.isBeginning() || m_judging; }

@@ -7,9 +7,9 @@ namespace bask {
 HeatFit::HeatFit(LossRange losses) {
     // Or errors of the energy would push constants that are at the edge out of it, and others with them.
     constexpr double kBeyond = 1.25;
-    const double leastK = 1.0 / (kBeyond * kBorneFactor), mostK = kBeyond * kBorneFactor;
-    const double leastA = losses.min_1_s / kBeyond, mostA = kBeyond * losses.max_1_s;
-    m_corners = {{leastK, leastA}, {mostK, leastA}, {mostK, mostA}, {leastK, mostA}};
+    const double minK = 1.0 / (kBeyond * kBorneFactor), maxK = kBeyond * kBorneFactor;
+    const double minA = losses.min_1_s / kBeyond, maxA = kBeyond * losses.max_1_s;
+    m_corners = {{minK, minA}, {maxK, minA}, {maxK, maxA}, {minK, maxA}};
 }
 
 HeatFit::Change HeatFit::expected(const HeatSpan& span) const {

@@ -15,7 +15,7 @@ namespace bask {
 class Recordings {
 public:
     /// Begins to make a file; no effect on the one that is written.
-    void begin(const std::string& path, const Experiment& experiment, bool isSimulated, double leastDisk_MB);
+    void begin(const std::string& path, const Experiment& experiment, bool isSimulated, double minDisk_MB);
     bool isBeginning() const { return m_beginning != nullptr; }
     /// Empty while the begun file is not there yet, and where none was begun.
     std::optional<Result<void>> made() const;

@@ -140,7 +140,7 @@ void RigReadings::readSource() {
     m_source_K.reset();
     if (!source || !source->valid)
         return;
-    m_sourceRead_s = m_devices.source.isByHand() ? m_clock.now_s() : source->time_s;
+    m_sourceRead_s = m_devices.source.isManual() ? m_clock.now_s() : source->time_s;
     m_source_K = source->value_K;
     m_sample.source_K = source->value_K;
     const SourceSpec& spec = m_experiment.source;
@@ -197,7 +197,7 @@ std::vector<Message> RigReadings::missing() const {
 }
 
 Result<void> RigReadings::requireFreshSensor(std::size_t object) const {
-    if (!m_sensors.isBelieved(object)) {
+    if (!m_sensors.isTrusted(object)) {
         const Message why = distrust(object);
         return Error(why.code, {}, why.args);
     }

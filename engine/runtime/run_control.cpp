@@ -33,7 +33,7 @@ void RunControl::begin() {
     m_began_s = m_clock.now_s();
     countBandAnew();
     forgetCompromise();
-    m_estimates = believedRates(m_experiment, m_readings.environment_K());
+    m_estimates = estimatedRates(m_experiment, m_readings.environment_K());
     makeController();
 }
 
@@ -56,7 +56,7 @@ std::optional<ControlOutput> RunControl::step(const Vector6d& lastRates) {
     for (const ObjectSample& object : sample.objects)
         observation.objects.push_back({object.estimated_K, object.rate_K_s});
     ControlOutput output = m_controller->step(observation, m_experiment.sampling.period_s);
-    m_estimates = output.belief;
+    m_estimates = output.estimate;
     noteCompromise(output);
     return output;
 }

@@ -84,7 +84,7 @@ SensorLimits sensorLimits(const Experiment& experiment) {
     limits.jumps = experiment.safety.jumps;
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
-        const HeatRates rates = experiment.objects[i].believedRates.value_or(nominal[i]);
+        const HeatRates rates = experiment.objects[i].estimatedRates.value_or(nominal[i]);
         limits.bounds.emplace_back(
             lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K),
             experiment.environment_K);
@@ -99,7 +99,7 @@ SafetyMonitor::SafetyMonitor(const Experiment& experiment)
     : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K), m_coldAfter_s(0.0) {
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
-        const HeatRates rates = experiment.objects[i].believedRates.value_or(nominal[i]);
+        const HeatRates rates = experiment.objects[i].estimatedRates.value_or(nominal[i]);
         const double timeConstant_s = rates.timeConstant_s(experiment.environment_K);
         const LossRange losses =
             lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K);
@@ -130,7 +130,7 @@ SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
     // A loose contact is one loss: what comes back and goes does not begin anew.
     if (isLost()) {
         if (seen.now_s - m_lostLast_s >
-            m_experiment.safety.heldLimit_s + 1.5 * m_experiment.sampling.period_s)
+            m_experiment.safety.pauseLimit_s + 1.5 * m_experiment.sampling.period_s)
             m_lostSince_s = seen.now_s;
         m_lostLast_s = seen.now_s;
     }
@@ -154,11 +154,11 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     addWarming(i, seen);
     // Too fast for heat, but as many times in a row as make a fault: it may have touched the source.
     const bool isRejected = !object.measured_K && object.jump.inARow >= m_experiment.safety.jumps;
-    const auto seen_K = isRejected ? std::optional(object.jump.least_K) : object.measured_K;
+    const auto seen_K = isRejected ? std::optional(object.jump.min_K) : object.measured_K;
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
         const SafetyFinding* const active = activeOne(condition, i);
         const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
-        if (!seen_K && active && object.most_K > from_K) // nobody has seen that it is over
+        if (!seen_K && active && object.max_K > from_K) // nobody has seen that it is over
             add(condition, active->message, i);
         else if (seen_K && *seen_K > from_K)
             add(condition, {code, {name(i), roundedTemperatureArg(*seen_K), temperatureArg(limit_K)}}, i);
@@ -295,12 +295,12 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
     if (*seen.source_K > from_K)
         add(Condition::SourceHot,
             {MessageCode::SafetySourceHot, {roundedTemperatureArg(*seen.source_K), temperatureArg(trip_K)}});
-    if (seen.isByHand && seen.isHeatUnwanted && *seen.source_K > m_experiment.environment_K + kHandWarm_K)
+    if (seen.isManual && seen.isHeatUnwanted && *seen.source_K > m_experiment.environment_K + kHandWarm_K)
         add(Condition::HeatByHand, {MessageCode::SafetyHeatByHand, {temperatureArg(*seen.source_K)}});
 }
 
 void SafetyMonitor::addHeating(const SafetyObservation& seen) {
-    if (seen.isByHand || !seen.source_K || seen.sourceProblem.code != MessageCode::None)
+    if (seen.isManual || !seen.source_K || seen.sourceProblem.code != MessageCode::None)
         return;
     m_source.add(seen.now_s, *seen.source_K, seen.asked_K);
     if (const auto for_s = m_source.notHeatingFor_s())
@@ -359,11 +359,11 @@ void SafetyMonitor::addRig(const SafetyObservation& seen) {
             {MessageCode::SafetyLoopLate,
              {formatNumber(seen.sinceTick_s - m_experiment.sampling.period_s, 2), formatNumber(kLate_s)}});
     const double disk_MB =
-        m_experiment.safety.leastDisk_MB * (isActive(Condition::DiskLow) ? kDiskHysteresis : 1.0);
+        m_experiment.safety.minDisk_MB * (isActive(Condition::DiskLow) ? kDiskHysteresis : 1.0);
     if (seen.diskFree_MB && *seen.diskFree_MB < disk_MB)
         add(Condition::DiskLow, {MessageCode::SafetyDiskLow,
                                  {formatNumber(std::floor(*seen.diskFree_MB), 6),
-                                  formatNumber(m_experiment.safety.leastDisk_MB, 6)}});
+                                  formatNumber(m_experiment.safety.minDisk_MB, 6)}});
     addCrossCheck(seen);
 }
 
@@ -371,19 +371,19 @@ void SafetyMonitor::addRig(const SafetyObservation& seen) {
 void SafetyMonitor::addCrossCheck(const SafetyObservation& seen) {
     if (!seen.isSourceDark || seen.now_s - m_lastHeat_s < m_coldAfter_s)
         return;
-    std::size_t least = 0, most = 0;
+    std::size_t coldest = 0, hottest = 0;
     for (std::size_t i = 0; i < seen.objects.size(); ++i) {
         if (!seen.objects[i].measured_K)
             return;
-        if (*seen.objects[i].measured_K < *seen.objects[least].measured_K)
-            least = i;
-        if (*seen.objects[i].measured_K > *seen.objects[most].measured_K)
-            most = i;
+        if (*seen.objects[i].measured_K < *seen.objects[coldest].measured_K)
+            coldest = i;
+        if (*seen.objects[i].measured_K > *seen.objects[hottest].measured_K)
+            hottest = i;
     }
-    const double apart_K = *seen.objects[most].measured_K - *seen.objects[least].measured_K;
+    const double apart_K = *seen.objects[hottest].measured_K - *seen.objects[coldest].measured_K;
     if (apart_K > m_experiment.safety.crossCheck_K)
         add(Condition::SensorsApart, {MessageCode::SafetySensorsApart,
-                                      {name(most), name(least), differenceArg(apart_K, 3),
+                                      {name(hottest), name(coldest), differenceArg(apart_K, 3),
                                        differenceArg(m_experiment.safety.crossCheck_K)}});
 }
 
@@ -467,11 +467,11 @@ const SafetyFinding* SafetyMonitor::lost() const {
 }
 
 bool SafetyMonitor::isLostTooLong() const {
-    return isLost() && m_now_s - m_lostSince_s > m_experiment.safety.heldLimit_s;
+    return isLost() && m_now_s - m_lostSince_s > m_experiment.safety.pauseLimit_s;
 }
 
 double SafetyMonitor::lostTooLongIn_s() const {
-    return m_lostSince_s + m_experiment.safety.heldLimit_s - m_now_s;
+    return m_lostSince_s + m_experiment.safety.pauseLimit_s - m_now_s;
 }
 
 const SafetyFinding* SafetyMonitor::lostSensor() const {

@@ -58,7 +58,7 @@ struct ObservedObject {
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
     double viewFactor = 0.0;
-    double most_K = std::numeric_limits<double>::infinity(); ///< it can be by its heat balance
+    double max_K = std::numeric_limits<double>::infinity(); ///< it can be by its heat balance
 };
 
 /// What is known at one tick. Messages of code None: no problem.
@@ -77,7 +77,7 @@ struct SafetyObservation {
     double sourceStrength = 1.0;
     std::optional<double> asked_K{};    ///< set point, while the heat is asked for
     std::optional<double> readBack_K{}; ///< set point, as the device has it
-    bool isByHand = false;
+    bool isManual = false;
     bool isHeatUnwanted = false; ///< a fault or a stop wants it off
     Message heatOffProblem;
     Message guardProblem;          ///< the heater's guard has taken over, or is gone

@@ -51,9 +51,9 @@ const HeatBounds* SensorChannels::bounds(std::size_t i) const {
 
 void SensorChannels::advance(double dt_s, const std::vector<double>& powers_K_s) {
     for (std::size_t i = 0; i < m_limits.bounds.size(); ++i) {
-        double& most_K_s = m_channels[i].power_K_s;
-        most_K_s = std::max(powers_K_s.at(i), most_K_s * std::exp(-dt_s / kLag_s));
-        m_limits.bounds[i].advance(dt_s, powers_K_s[i], std::isnan(powers_K_s[i]) ? powers_K_s[i] : most_K_s);
+        double& max_K_s = m_channels[i].power_K_s;
+        max_K_s = std::max(powers_K_s.at(i), max_K_s * std::exp(-dt_s / kLag_s));
+        m_limits.bounds[i].advance(dt_s, powers_K_s[i], std::isnan(powers_K_s[i]) ? powers_K_s[i] : max_K_s);
     }
 }
 
@@ -109,7 +109,7 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     channel.jumped_K.push_back(reading.value_K + channel.offset_K);
     if (channel.jumped_K.size() > static_cast<std::size_t>(m_limits.jumps))
         channel.jumped_K.erase(channel.jumped_K.begin());
-    channel.jump.least_K = std::ranges::min(channel.jumped_K);
+    channel.jump.min_K = std::ranges::min(channel.jumped_K);
     ++channel.jump.inARow;
     if (bounds(i) != nullptr && channel.jump.inARow >= m_limits.jumps) {
         if (!channel.isKnown)
@@ -121,7 +121,7 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     return true;
 }
 
-void SensorChannels::believe(std::size_t i, const Reading& reading) {
+void SensorChannels::accept(std::size_t i, const Reading& reading) {
     Channel& channel = m_channels[i];
     if (!channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K))
         return;
@@ -144,7 +144,7 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
             channel.told = readings[i];
         channel.lastInvalid = !isPlausible || isJump(i, readings[i]);
         if (!channel.lastInvalid)
-            believe(i, readings[i]);
+            accept(i, readings[i]);
     }
 }
 
@@ -180,7 +180,7 @@ bool SensorChannels::confirm(std::size_t i, double now_s) {
     channel.jumped_K.clear();
     channel.losses = 0;
     channel.isDistrusted = channel.isDoubted = channel.lastInvalid = false;
-    believe(i, channel.told);
+    accept(i, channel.told);
     return true;
 }
 
@@ -203,17 +203,17 @@ bool SensorChannels::full() const {
     return std::ranges::all_of(m_channels, [](const Channel& channel) { return channel.estimator.full(); });
 }
 
-int SensorChannels::leastCount() const {
-    int least = m_sampling.window;
+int SensorChannels::minCount() const {
+    int min = m_sampling.window;
     for (const Channel& channel : m_channels)
-        least = std::min(least, channel.estimator.count());
-    return least;
+        min = std::min(min, channel.estimator.count());
+    return min;
 }
 
 Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
     if (!full())
         return Error(MessageCode::ReasonEstimatorFilling, {},
-                     {std::to_string(leastCount()), std::to_string(m_sampling.window)});
+                     {std::to_string(minCount()), std::to_string(m_sampling.window)});
     double total = 0.0;
     for (const Channel& channel : m_channels)
         total += mean(channel.window);

@@ -28,7 +28,7 @@ struct Jump {
     int inARow = 0;        ///< 0: the newest reading is none
     double rate_K_s = 0.0; ///< of the first of them
     double time_s = 0.0;   ///< of the newest
-    double least_K = 0.0;  ///< of the newest that make a fault
+    double min_K = 0.0;    ///< of the newest that make a fault
 };
 
 /// One sensor a channel, in the objects' order. A sensor whose readings jump, or come back after a gap where
@@ -45,7 +45,7 @@ public:
     /// The objects have absorbed these powers, K/s, since the last call, which was so long ago.
     void advance(double dt_s, const std::vector<double>& powers_K_s);
     bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
-    bool isBelieved(std::size_t i) const { return !isDistrusted(i) && !isDoubted(i); }
+    bool isTrusted(std::size_t i) const { return !isDistrusted(i) && !isDoubted(i); }
     /// It was seen not to follow its object's heat. Its readings are taken all the same, so that what is hot
     /// is seen, until a person confirms it.
     void doubt(std::size_t i) { m_channels[i].isDoubted = true; }
@@ -74,7 +74,7 @@ public:
     std::optional<RateEstimate> estimate(std::size_t i) const { return m_channels[i].estimator.estimate(); }
     /// All estimators have a full window.
     bool full() const;
-    int leastCount() const;
+    int minCount() const;
 
     /// Offsets that make all channels agree at ambient, from the window's readings, and T3. Refuses when the
     /// window is not full or the readings are not those of objects at rest at ambient.
@@ -103,7 +103,7 @@ private:
     };
     bool isJump(std::size_t i, const Reading& reading);
     bool isPossible(std::size_t i, const Reading& reading) const;
-    void believe(std::size_t i, const Reading& reading);
+    void accept(std::size_t i, const Reading& reading);
 
     SamplingSpec m_sampling;
     SensorLimits m_limits;

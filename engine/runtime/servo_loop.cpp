@@ -216,7 +216,7 @@ Result<void> ServoLoop::hold() {
     if (m_state != RunState::Running && m_state != RunState::Settled)
         return refusal(CommandVerb::Hold);
     m_state = RunState::Holding;
-    m_heldBySafety = false;
+    m_pausedBySafety = false;
     m_motion.standStill();
     command("hold");
     event(MessageCode::EventHeld);
@@ -231,7 +231,7 @@ Result<void> ServoLoop::resume() {
     if (const SafetyFinding* finding = m_safety.forbidsResume())
         return Error(finding->message.code, {}, finding->message.args);
     m_state = RunState::Running;
-    m_heldBySafety = false;
+    m_pausedBySafety = false;
     m_safety.forgetLoss();
     m_control.countBandAnew();
     command("resume");
@@ -455,7 +455,7 @@ Result<void> ServoLoop::zeroSensors() {
 
 SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
     const SensorChannels& sensors = m_readings.sensors();
-    if (!sensors.isBelieved(object))
+    if (!sensors.isTrusted(object))
         return SensorTrust::Distrusted;
     return !sensors.fresh(object, m_clock.now_s()) || m_safety.isSensorStill(object) ? SensorTrust::Stale
                                                                                      : SensorTrust::Trusted;
@@ -489,10 +489,10 @@ std::vector<Message> ServoLoop::reasons() const {
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !sensors.full())
         out.push_back({MessageCode::ReasonEstimatorFilling,
-                       {std::to_string(sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
+                       {std::to_string(sensors.minCount()), std::to_string(m_experiment.sampling.window)}});
     if (const auto fit = checkTargets(m_experiment); !fit)
         out.push_back(fit.error().message);
-    if (m_state == RunState::Holding && !m_heldBySafety && out.empty())
+    if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (!m_control.compromise().empty() && running())
         out.push_back({MessageCode::EventCompromise, {MessageArg::differences(m_control.compromise())}});

@@ -203,7 +203,7 @@ private:
     RunState m_state = RunState::NotReady;
     bool m_runOn = false; ///< from Start to the end of its retreat
     bool m_isCooling = false;
-    bool m_heldBySafety = false;
+    bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
     std::optional<double> m_tick_s; ///< the one before
     std::string m_outcome;

@@ -42,7 +42,7 @@ SafetyObservation ServoLoop::observe() const {
             object.measured_K = m_latest.objects[i].measured_K;
         object.viewFactor = m_latest.objects[i].viewFactor;
         if (const HeatBounds* bounds = sensors.bounds(i))
-            object.most_K = bounds->max_K();
+            object.max_K = bounds->max_K();
         seen.objects.push_back(object);
     }
     seen.thermometerProblem = wrong(m_readings.thermometerProblem());
@@ -60,7 +60,7 @@ SafetyObservation ServoLoop::observe() const {
     seen.sourceStrength = m_readings.sourceStrength();
     seen.asked_K = m_heat.asked_K();
     seen.readBack_K = m_devices.source.setPoint_K();
-    seen.isByHand = m_devices.source.isByHand();
+    seen.isManual = m_devices.source.isManual();
     seen.isSourceSwitched = m_devices.isReal;
     seen.hasWatchdog = m_devices.source.hasWatchdog();
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
@@ -92,7 +92,7 @@ void ServoLoop::watchLoss() {
         holdFor(*m_safety.lost());
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
         const SafetyFinding& lost = *m_safety.lost();
-        std::vector<MessageArg> args{formatNumber(m_experiment.safety.heldLimit_s)};
+        std::vector<MessageArg> args{formatNumber(m_experiment.safety.pauseLimit_s)};
         const bool isSensor = alarmEntry(lost.condition).isOfObject;
         if (isSensor)
             args.push_back(m_experiment.objects[lost.object].name);
@@ -149,7 +149,7 @@ void ServoLoop::holdFor(const SafetyFinding& finding) {
             m_motion.breakOff();
     } else if (m_state == RunState::Running || m_state == RunState::Settled) {
         m_state = RunState::Holding;
-        m_heldBySafety = true;
+        m_pausedBySafety = true;
         m_motion.standStill();
         event(messageAbout(MessageCode::EventHeldFor, finding.message));
     }
@@ -271,7 +271,7 @@ Message ServoLoop::remedy() const {
     if (m_state == RunState::Holding) {
         if (const SafetyFinding* finding = m_safety.forbidsResume())
             return messageAbout(MessageCode::RemedyStop, finding->message);
-        if (m_heldBySafety)
+        if (m_pausedBySafety)
             return {MessageCode::RemedyResume, {}};
     }
     return {};

@@ -109,7 +109,7 @@ bool ServoLoop::isCold() const {
     constexpr double kCold_K = 313.15;
     constexpr double kOverRoom_K = 5.0;
     const bool isHeatOff =
-        !m_heat.asked_K() && (m_devices.source.isByHand() || m_heat.state() == HeatState::Off);
+        !m_heat.asked_K() && (m_devices.source.isManual() || m_heat.state() == HeatState::Off);
     const bool areApart = m_heat.isSourceDark() || m_retreat.isAway(); // or they go on warming
     return isHeatOff && areApart && std::ranges::all_of(m_latest.objects, [&](const ObjectSample& object) {
                return object.estimated_K < std::max(kCold_K, m_readings.environment_K() + kOverRoom_K);

@@ -17,10 +17,10 @@ namespace {
 using Steady = std::chrono::steady_clock;
 
 Result<std::unique_ptr<SessionWriter>> makeFile(const std::string& path, const Experiment& experiment,
-                                                bool simulated, double leastFree_MB) {
-    if (const auto free_MB = diskFree_MB(path); free_MB && *free_MB < leastFree_MB)
+                                                bool simulated, double minFree_MB) {
+    if (const auto free_MB = diskFree_MB(path); free_MB && *free_MB < minFree_MB)
         return Error(MessageCode::SafetyDiskLow, {},
-                     {formatNumber(std::floor(*free_MB), 6), formatNumber(leastFree_MB, 6)});
+                     {formatNumber(std::floor(*free_MB), 6), formatNumber(minFree_MB, 6)});
     return SessionWriter::create(path, experiment, simulated);
 }
 
@@ -55,10 +55,10 @@ struct SessionRecorder::Shared {
 };
 
 SessionRecorder::SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                                 double leastFree_MB)
+                                 double minFree_MB)
     : m_path(path), m_shared(std::make_shared<Shared>()) {
-    std::thread([shared = m_shared, path, experiment, simulated, leastFree_MB] {
-        shared->record(makeFile(path, experiment, simulated, leastFree_MB));
+    std::thread([shared = m_shared, path, experiment, simulated, minFree_MB] {
+        shared->record(makeFile(path, experiment, simulated, minFree_MB));
     }).detach();
 }
 

@@ -16,9 +16,9 @@ public:
     static constexpr std::chrono::seconds kStuck{
         10}; ///< a disk that has taken nothing for so long has failed
 
-    /// Begins to make the file. It is not made where less than `leastFree_MB` of room is left.
+    /// Begins to make the file. It is not made where less than `minFree_MB` of room is left.
     SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                    double leastFree_MB = 0.0);
+                    double minFree_MB = 0.0);
     /// What was added is still written, by a thread that nobody waits for. One whose file was not finished
     /// reads as interrupted.
     ~SessionRecorder();

@@ -99,12 +99,13 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     }
     outcome.simulated_s = last.time_s;
     outcome.settled = loop.state() == RunState::Running || loop.state() == RunState::Settled;
-    const double heldFor_s = std::min(kHeldFor_s, last.time_s);
+    const double inBandFor_s = std::min(kInBandFor_s, last.time_s);
     for (std::size_t i = 0; i < last.objects.size(); ++i) {
         const ObjectSample& object = last.objects[i];
         outcome.objects.push_back(
             {experiment.objects[i].name, object.target_K, object.true_K, watch.since_s(i)});
-        outcome.settled = outcome.settled && watch.since_s(i) && last.time_s - *watch.since_s(i) >= heldFor_s;
+        outcome.settled =
+            outcome.settled && watch.since_s(i) && last.time_s - *watch.since_s(i) >= inBandFor_s;
     }
     if (writer) {
         const char* words = outcome.fault                   ? "fault"

@@ -32,7 +32,7 @@ struct ObjectOutcome {
 
 struct RunOutcome {
     std::vector<ObjectOutcome> objects;
-    bool settled = false; ///< all objects, for the last kHeldFor_s at least (or the whole of a shorter run)
+    bool settled = false; ///< all objects, for the last kInBandFor_s at least (or the whole of a shorter run)
     double simulated_s = 0.0;
     std::vector<TraceEvent> events;
     bool fault = false; ///< the loop ended in a fault; the reasons are in the events
@@ -41,7 +41,7 @@ struct RunOutcome {
 
 inline constexpr double kFaultRecord_s = 3600.0; ///< a recorded fault is followed until all is cold, at most
 inline constexpr double kSettledFor_s = 120.0;   ///< ends a run without a duration
-inline constexpr double kHeldFor_s = 30.0;       ///< passing through the band at the end is not settled
+inline constexpr double kInBandFor_s = 30.0;     ///< passing through the band at the end is not settled
 
 /// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not
 /// validate, a session that cannot be written.

@@ -100,7 +100,7 @@ struct Snapshot {
     Message robotAlarm;                           ///< what keeps the robot from moving; None: nothing
     bool isPlaceSure = true;                      ///< of the robot
     std::optional<double> heatSetPoint_K;         ///< asked for now, by hand or by the run; empty: off
-    bool isSourceByHand = false;                  ///< a person keeps it hot and types its temperature
+    bool isSourceManual = false;                  ///< a person keeps it hot and types its temperature
     std::optional<std::vector<SerialPort>> ports; ///< once, after ListPorts
     std::optional<TriedDevice> tried;
     std::optional<Zeroing> zeroing; ///< of the sensors, newest

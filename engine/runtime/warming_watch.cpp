@@ -42,8 +42,8 @@ double fourth(double x) {
 
 } // namespace
 
-WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double least_K)
-    : m_losses(losses), m_environment_K(environment_K), m_least_K(least_K),
+WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double min_K)
+    : m_losses(losses), m_environment_K(environment_K), m_min_K(min_K),
       m_bin_s(std::clamp(kBinsOfLoss / losses.min_1_s, kMinBin_s, kBin_s)),
       m_anything(kFits, HeatFit(losses)), m_fits(m_anything) {}
 
@@ -157,7 +157,7 @@ void WarmingWatch::judge() {
     if (m_bins.empty())
         return;
     for (const Mark& from : m_bins)
-        for (const auto& found : {worst(m_fits, from, m_least_K, kWrongNow), impossible(from)})
+        for (const auto& found : {worst(m_fits, from, m_min_K, kWrongNow), impossible(from)})
             if (found &&
                 (!m_unfollowed || std::abs(found->missing_K()) > std::abs(m_unfollowed->missing_K())))
                 m_unfollowed = found;
@@ -179,12 +179,12 @@ HeatFit::Change WarmingWatch::expected(const Fits& fits, const Mark& from, doubl
     return ofAll(fits, [&](std::size_t fit) { return span(from, m_now, fit, wrong); });
 }
 
-std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double least_K,
+std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double min_K,
                                               double wrong) const {
     const double expected_K = smallest_K(expected(fits, from, wrong));
     const double gained_K = m_now.temperature_K - from.temperature_K;
     const bool follows = gained_K * expected_K >= kMinShare * expected_K * expected_K;
-    if (follows || std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
+    if (follows || std::abs(expected_K) < min_K + kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};
 }
@@ -194,7 +194,7 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
 std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     const HeatFit::Change change = expected(m_anything, from, kWrongNow);
     const double gained_K = m_now.temperature_K - from.temperature_K;
-    if (gained_K > std::min(change.min_K, 0.0) - m_least_K - kNoiseTimes * m_noise_K)
+    if (gained_K > std::min(change.min_K, 0.0) - m_min_K - kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
 }
@@ -202,7 +202,7 @@ std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
 /// While a reading stays, losses are as large all the time, whatever they are. The energy that stays with
 /// them is then on a straight line; farther from it than the reading may hide, the smallest k explains no
 /// rest.
-std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middle, double least_K) const {
+std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middle, double min_K) const {
     const double share = (middle.time_s - m_same.time_s) / (m_now.time_s - m_same.time_s);
     std::array<double, kLags_s.size()> bend_K{};
     for (std::size_t k = 0; k < kLags_s.size(); ++k)
@@ -212,21 +212,21 @@ std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middl
         const auto [min_K, max_K] = std::minmax(bend_K[fit / kLaws], bend_K[fit / kLaws + 1]);
         return HeatSpan{min_K, max_K};
     }));
-    if ((1.0 - kWrongNow) * std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
+    if ((1.0 - kWrongNow) * std::abs(expected_K) < min_K + kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{expected_K, 0.0, m_now.time_s - m_same.time_s};
 }
 
 // Up to the first of the same readings all were good: they are learnt from.
-std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K, bool isQuiet) const {
+std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double min_K, bool isQuiet) const {
     const double wrong = isQuiet ? 0.0 : kWrongNow;
     Fits fits = m_fits;
     for (std::size_t i = m_learnt; i < m_bins.size() && m_bins[i].time_s <= m_same.time_s; ++i)
         learn(fits, i);
-    std::optional<Unfollowed> found = worst(fits, m_same, least_K, wrong);
+    std::optional<Unfollowed> found = worst(fits, m_same, min_K, wrong);
     for (const Mark& from : m_bins)
         if (from.time_s > m_same.time_s)
-            for (const auto& since : {worst(fits, from, least_K, wrong), bent(fits, from, least_K)})
+            for (const auto& since : {worst(fits, from, min_K, wrong), bent(fits, from, min_K)})
                 if (since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
                     found = since;
     return found;

@@ -30,8 +30,8 @@ public:
     static constexpr double kLongest_s = 300.0; ///< looked back
     static constexpr double kJudged_s = 90.0;
 
-    /// `least_K`: less that should have come is no matter.
-    WarmingWatch(LossRange losses, double environment_K, double least_K);
+    /// `min_K`: less that should have come is no matter.
+    WarmingWatch(LossRange losses, double environment_K, double min_K);
 
     /// The power absorbed at a time, K/s, and a valid reading; empty: there is none. Times grow.
     void add(double time_s, std::optional<double> temperature_K, double power_K_s);
@@ -43,9 +43,9 @@ public:
     const std::optional<Unfollowed>& unfollowed() const { return m_unfollowed; }
     /// How long the readings have been the very same, s.
     double sameFor_s() const;
-    /// The worst of at least least_K since the readings became the same.
+    /// The worst of at least min_K since the readings became the same.
     /// `isQuiet`: the sensor's noise is gone too, and energy and losses are taken as estimated.
-    std::optional<Unfollowed> unfollowedWhileSame(double least_K, bool isQuiet) const;
+    std::optional<Unfollowed> unfollowedWhileSame(double min_K, bool isQuiet) const;
 
 private:
     static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< of sensors
@@ -68,15 +68,15 @@ private:
     HeatSpan span(const Mark& from, const Mark& to, std::size_t fit, double wrong) const;
     void learn(Fits& fits, std::size_t end) const;
     HeatFit::Change expected(const Fits& fits, const Mark& from, double wrong) const;
-    std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double least_K, double wrong) const;
+    std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double min_K, double wrong) const;
     std::optional<Unfollowed> impossible(const Mark& from) const;
-    std::optional<Unfollowed> bent(const Fits& fits, const Mark& middle, double least_K) const;
+    std::optional<Unfollowed> bent(const Fits& fits, const Mark& middle, double min_K) const;
     void judge();
 
     LossRange m_losses;
     double m_environment_K;
     std::optional<double> m_zeroed_s{}; ///< when the room's temperature was measured
-    double m_least_K;
+    double m_min_K;
     double m_bin_s;
     Fits m_anything; ///< that knows the bounds only
     Fits m_fits;

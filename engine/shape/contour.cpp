@@ -30,12 +30,12 @@ double signedArea(const Points& points) {
 }
 
 double extent(const Points& points) {
-    Vector2d least = points.front(), most = points.front();
+    Vector2d min = points.front(), max = points.front();
     for (const Vector2d& p : points) {
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
+        min = min.cwiseMin(p);
+        max = max.cwiseMax(p);
     }
-    return (most - least).norm();
+    return (max - min).norm();
 }
 
 bool isLine(const Points& points) {
@@ -52,10 +52,10 @@ Result<void> checkCoordinates(const Points& points, const std::string& where) {
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (!points[k].allFinite())
             return Error{MessageCode::ContourNotFinite, where, {"point " + std::to_string(k + 1)}};
-        if (const double most = points[k].cwiseAbs().maxCoeff(); most > kLargest_m)
+        if (const double max = points[k].cwiseAbs().maxCoeff(); max > kLargest_m)
             return Error{MessageCode::ValueOutOfRange,
                          where,
-                         {formatNumber(most), formatNumber(-kLargest_m), formatNumber(kLargest_m), "m"}};
+                         {formatNumber(max), formatNumber(-kLargest_m), formatNumber(kLargest_m), "m"}};
     }
     return {};
 }
@@ -91,12 +91,12 @@ void keepBetween(const Points& points, std::size_t first, std::size_t last, doub
     while (!open.empty()) {
         const auto [from, to] = open.back();
         open.pop_back();
-        double most = tolerance;
+        double max = tolerance;
         std::size_t worst = from;
         for (std::size_t k = from + 1; k < to; ++k)
             if (const double d = distanceToSegment(points[k % n], points[from % n], points[to % n]);
-                d > most) {
-                most = d;
+                d > max) {
+                max = d;
                 worst = k;
             }
         if (worst == from)
@@ -214,10 +214,10 @@ Contour simplified(const Contour& contour, double tolerance_m) {
     return contour;
 }
 
-Contour simplifiedTo(const Contour& contour, std::size_t most) {
+Contour simplifiedTo(const Contour& contour, std::size_t max) {
     const double perimeter_m = contourPerimeter(contour);
     Contour fewer = contour;
-    for (double share = 1e-6; fewer.points_m.size() > most && share < 1.0; share *= 2.0)
+    for (double share = 1e-6; fewer.points_m.size() > max && share < 1.0; share *= 2.0)
         fewer = simplified(contour, share * perimeter_m);
     return fewer;
 }

@@ -41,7 +41,7 @@ Contour simplified(const Contour& contour, double tolerance_m);
 /// Returns the outline simplified to at most the given number (> 3) of points. The tolerance starts at a
 /// millionth of the perimeter and is doubled until this is reached. An outline with no more points is
 /// returned unchanged.
-Contour simplifiedTo(const Contour& contour, std::size_t most);
+Contour simplifiedTo(const Contour& contour, std::size_t max);
 
 /// Returns the outline's points, and more points along edges that are longer than `step_m` (> 0).
 std::vector<Eigen::Vector2d> pointsAlong(const Contour& contour, double step_m);

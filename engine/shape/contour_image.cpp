@@ -94,21 +94,21 @@ std::optional<Field> opacityField(const cv::Mat& image) {
 
 // Histogram between the least and the largest value, so that dim 16-bit pictures keep their levels.
 struct Histogram {
-    double least = 0.0;
+    double min = 0.0;
     double width = 0.0; // of one level
     std::vector<double> counts = std::vector<double>(kLevels, 0.0);
 
     explicit Histogram(const cv::Mat1f& values) {
-        double most = 0.0;
-        cv::minMaxLoc(values, &least, &most);
-        width = (most - least) / (kLevels - 1);
+        double max = 0.0;
+        cv::minMaxLoc(values, &min, &max);
+        width = (max - min) / (kLevels - 1);
         if (width <= 0.0)
             return;
         for (const float value : values)
-            counts[static_cast<std::size_t>(std::lround((value - least) / width))] += 1.0;
+            counts[static_cast<std::size_t>(std::lround((value - min) / width))] += 1.0;
     }
 
-    double valueOf(double level) const { return least + width * level; }
+    double valueOf(double level) const { return min + width * level; }
 
     double median(std::size_t from, std::size_t to) const {
         const double half = 0.5 * std::accumulate(counts.begin() + static_cast<std::ptrdiff_t>(from),

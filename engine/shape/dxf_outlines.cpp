@@ -34,8 +34,8 @@ constexpr std::array kUnits{
     Unit{10, "yd", 0.9144}, Unit{12, "nm", 1e-9},  Unit{13, "µm", 1e-6},      Unit{14, "dm", 0.1},
 };
 
-Error tooMany(std::size_t count, const char* what, std::size_t most, const std::string& where) {
-    return {MessageCode::FileTooLarge, where, {std::to_string(count) + " " + what, std::to_string(most)}};
+Error tooMany(std::size_t count, const char* what, std::size_t max, const std::string& where) {
+    return {MessageCode::FileTooLarge, where, {std::to_string(count) + " " + what, std::to_string(max)}};
 }
 
 // Draws the entities, and the blocks that they copy, as pieces in metres.

@@ -30,7 +30,7 @@ double longestRadius(const Eigen::Vector2d& u, const Eigen::Vector2d& v) {
 class SplineFlattener {
 public:
     SplineFlattener(const Spline& spline, const Flattening& how, std::vector<Eigen::Vector2d>& points)
-        : m_spline(spline), m_points(points), m_most_points(how.most_points) {
+        : m_spline(spline), m_points(points), m_max_points(how.max_points) {
         Eigen::AlignedBox2d box;
         for (const Eigen::Vector2d& p : spline.control)
             box.extend(p);
@@ -43,7 +43,7 @@ public:
         m_points.push_back(at(p, m_spline.knots[p]));
         for (std::size_t span = p; span < m_spline.control.size(); ++span) {
             const double a = m_spline.knots[span], b = m_spline.knots[span + 1];
-            for (int k = 0; a < b && k < pieces && m_points.size() <= m_most_points; ++k) {
+            for (int k = 0; a < b && k < pieces && m_points.size() <= m_max_points; ++k) {
                 const double from = a + (b - a) * k / pieces;
                 const double to = k + 1 == pieces ? b : a + (b - a) * (k + 1) / pieces;
                 piece(span, from, to, at(span, to), kDeepest);
@@ -60,7 +60,7 @@ private:
         const bool straight = isNear(half, start, end) &&
                               isNear(at(span, 0.5 * (from + middle)), start, end) &&
                               isNear(at(span, 0.5 * (middle + to)), start, end);
-        if (straight || depth == 0 || m_points.size() > m_most_points) {
+        if (straight || depth == 0 || m_points.size() > m_max_points) {
             m_points.push_back(end);
             return;
         }
@@ -94,7 +94,7 @@ private:
 
     const Spline& m_spline;
     std::vector<Eigen::Vector2d>& m_points;
-    std::size_t m_most_points;
+    std::size_t m_max_points;
     double m_tolerance = 0.0;
 };
 

@@ -12,7 +12,7 @@ namespace bask {
 struct Flattening {
     /// Largest distance of the edges from the curve, in the unit of the points.
     double tolerance = 1e-5;
-    std::size_t most_points = 500'000; ///< a spline with more points ends early, with more points than this
+    std::size_t max_points = 500'000; ///< a spline with more points ends early, with more points than this
 };
 
 /// The curve centre + u cos t + v sin t for t from `begin` over `sweep` rad; `sweep` is negative if the arc

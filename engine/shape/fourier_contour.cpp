@@ -72,7 +72,7 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
                      FourierFit& fit) {
     const std::size_t n = points.size();
     const std::size_t samples = std::clamp<std::size_t>(16 * n, 32768, 262144);
-    double sum = 0.0, most = 0.0;
+    double sum = 0.0, max = 0.0;
     std::size_t edge = 0;
     for (std::size_t k = 0; k < samples; ++k) {
         const double at = s.back() * (static_cast<double>(k) + 0.5) / static_cast<double>(samples);
@@ -82,12 +82,12 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
         const Eigen::Vector2d p = points[edge] + t * (points[(edge + 1) % n] - points[edge]);
         const double d2 = std::norm(fit.contour.point(at / s.back()) - complexOf(p));
         sum += d2;
-        most = std::max(most, d2);
+        max = std::max(max, d2);
     }
     for (std::size_t k = 0; k < n; ++k)
-        most = std::max(most, std::norm(fit.contour.point(s[k] / s.back()) - complexOf(points[k])));
+        max = std::max(max, std::norm(fit.contour.point(s[k] / s.back()) - complexOf(points[k])));
     fit.rms_m = std::sqrt(sum / static_cast<double>(samples));
-    fit.max_m = std::sqrt(most);
+    fit.max_m = std::sqrt(max);
 }
 
 // Chords that keep to the series within a millionth of its size as far as harmonics go.
@@ -246,19 +246,18 @@ Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m) 
         return Error{MessageCode::ContourTooFewPoints, {}, {std::to_string(outline.points_m.size()), "3"}};
     const std::vector<double> s = arcLengths(outline.points_m);
     const std::vector<Complex> c = project(outline.points_m, s, kMaxHarmonics);
-    double least_m = 0.0;
+    double min_m = 0.0;
     for (int harmonics = 1; harmonics <= kMaxHarmonics; ++harmonics) {
-        least_m = hausdorffOf(outline.points_m, truncated(c, harmonics), s.back());
-        if (least_m > tolerance_m)
+        min_m = hausdorffOf(outline.points_m, truncated(c, harmonics), s.back());
+        if (min_m > tolerance_m)
             continue;
         auto fit = fitFourier(outline, harmonics);
         if (!fit || !fit->crossesItself)
             return fit;
     }
-    return Error{
-        MessageCode::ToleranceUnreachable,
-        {},
-        {formatNumber(tolerance_m * 1e3), std::to_string(kMaxHarmonics), formatNumber(least_m * 1e3)}};
+    return Error{MessageCode::ToleranceUnreachable,
+                 {},
+                 {formatNumber(tolerance_m * 1e3), std::to_string(kMaxHarmonics), formatNumber(min_m * 1e3)}};
 }
 
 } // namespace bask

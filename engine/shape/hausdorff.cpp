@@ -38,7 +38,7 @@ public:
     }
 
     /// The farther end's distance to the edge that was nearest last: no point between is farther from it.
-    double mostBetween(const Vector2d& a, const Vector2d& b) const {
+    double maxBetween(const Vector2d& a, const Vector2d& b) const {
         const Vector2d &from = at(m_last), &to = at(m_last + 1);
         return std::sqrt(std::max(squaredDistanceToEdge(a, from, to), squaredDistanceToEdge(b, from, to)));
     }
@@ -46,11 +46,11 @@ public:
 private:
     static constexpr std::size_t kRun = 4; // edges of a leaf, about
     struct Box {
-        Vector2d least = Vector2d::Constant(std::numeric_limits<double>::infinity());
-        Vector2d most = -least;
+        Vector2d min = Vector2d::Constant(std::numeric_limits<double>::infinity());
+        Vector2d max = -min;
 
         double squaredDistance(const Vector2d& p) const {
-            return (least - p).cwiseMax(p - most).cwiseMax(0.0).squaredNorm();
+            return (min - p).cwiseMax(p - max).cwiseMax(0.0).squaredNorm();
         }
     };
 
@@ -61,14 +61,14 @@ private:
         Box box;
         if (isLeaf(node)) {
             for (std::size_t k = first; k <= last && first < last; ++k) {
-                box.least = box.least.cwiseMin(at(k));
-                box.most = box.most.cwiseMax(at(k));
+                box.min = box.min.cwiseMin(at(k));
+                box.max = box.max.cwiseMax(at(k));
             }
         } else {
             const std::size_t middle = (first + last) / 2;
             const Box left = build(2 * node + 1, first, middle), right = build(2 * node + 2, middle, last);
-            box.least = left.least.cwiseMin(right.least);
-            box.most = left.most.cwiseMax(right.most);
+            box.min = left.min.cwiseMin(right.min);
+            box.max = left.max.cwiseMax(right.max);
         }
         return m_boxes[node] = box;
     }
@@ -108,31 +108,31 @@ private:
 
 // The largest distance of a point of `from` to `to`. A piece of an edge is halved while it could hold more
 // than was found.
-double oneWay(const Points& from, const Points& to, double tolerance, double most) {
+double oneWay(const Points& from, const Points& to, double tolerance, double max) {
     EdgeTree tree(to);
     struct Piece {
         Vector2d a, b;
     };
     std::vector<Piece> open;
     for (std::size_t k = 0; k < from.size(); ++k) {
-        most = std::max(most, tree.distance(from[k], most));
+        max = std::max(max, tree.distance(from[k], max));
         open.push_back({from[k], from[(k + 1) % from.size()]});
         while (!open.empty()) {
             const Piece piece = open.back();
             open.pop_back();
-            const double allowed = most + tolerance, half = 0.5 * (piece.b - piece.a).norm();
-            if (half <= tolerance || tree.mostBetween(piece.a, piece.b) <= allowed)
+            const double allowed = max + tolerance, half = 0.5 * (piece.b - piece.a).norm();
+            if (half <= tolerance || tree.maxBetween(piece.a, piece.b) <= allowed)
                 continue;
             const Vector2d middle = 0.5 * (piece.a + piece.b);
-            const double d = tree.distance(middle, most);
-            most = std::max(most, d);
-            if (tree.mostBetween(piece.a, piece.b) <= allowed)
+            const double d = tree.distance(middle, max);
+            max = std::max(max, d);
+            if (tree.maxBetween(piece.a, piece.b) <= allowed)
                 continue;
             open.push_back({middle, piece.b});
             open.push_back({piece.a, middle});
         }
     }
-    return most;
+    return max;
 }
 
 } // namespace

@@ -176,11 +176,11 @@ std::array<Eigen::Vector2d, 4> refined(const cv::Mat1b& image, const std::array<
 // may be off: on a side of few pixels a neighbour or a shadow draws the line away.
 std::array<Eigen::Vector2d, 4> nearDetected(const FoundMarker& detected,
                                             std::array<Eigen::Vector2d, 4> corners) {
-    const double most_px = std::max(0.9, 0.02 * detected.side_px());
+    const double max_px = std::max(0.9, 0.02 * detected.side_px());
     for (std::size_t k = 0; k < 4; ++k) {
         const Eigen::Vector2d move = corners[k] - detected.corners_px[k];
-        if (move.norm() > most_px)
-            corners[k] = detected.corners_px[k] + most_px * move.normalized();
+        if (move.norm() > max_px)
+            corners[k] = detected.corners_px[k] + max_px * move.normalized();
     }
     return corners;
 }

@@ -36,13 +36,13 @@ double radiusOf(const FourierContour& contour) {
     for (int k = 0; k < n; ++k)
         r[static_cast<std::size_t>(k)] = std::abs(contour.point(static_cast<double>(k) / n));
     const double coarse = *std::ranges::max_element(r);
-    double most = coarse;
+    double max = coarse;
     for (int k = 0; k < n; ++k)
         if (r[static_cast<std::size_t>(k)] >= 0.99 * coarse &&
             r[static_cast<std::size_t>(k)] >= r[static_cast<std::size_t>((k + 1) % n)] &&
             r[static_cast<std::size_t>(k)] >= r[static_cast<std::size_t>((k + n - 1) % n)])
-            most = std::max(most, largestBetween(contour, (k - 1.0) / n, (k + 1.0) / n));
-    return most;
+            max = std::max(max, largestBetween(contour, (k - 1.0) / n, (k + 1.0) / n));
+    return max;
 }
 
 } // namespace
@@ -129,10 +129,10 @@ double shapeRadius(const Shape& shape) {
     return std::visit(Overloaded{[](const Disk& d) { return d.radius_m; },
                                  [](const FourierContour& c) { return radiusOf(c); },
                                  [](const Contour& c) {
-                                     double most = 0.0;
+                                     double max = 0.0;
                                      for (const Eigen::Vector2d& p : c.points_m)
-                                         most = std::max(most, p.norm());
-                                     return most;
+                                         max = std::max(max, p.norm());
+                                     return max;
                                  },
                                  [](const PiercedShape& p) { return shapeRadius(withHoles(p, {})); }},
                       shape);

@@ -95,7 +95,7 @@ private:
 
 struct Chosen {
     std::vector<int> labels; // of the silhouettes
-    int leastPixels = kMinPixels;
+    int minPixels = kMinPixels;
     int atBorder = 0;
 };
 
@@ -110,9 +110,9 @@ Result<Chosen> choose(const Labels& inside, bool leaveOutBorder, const std::stri
     if (largest == 0 || inside.area(largest) < kMinPixels)
         return Error{MessageCode::NoSilhouette, where};
     Chosen chosen;
-    chosen.leastPixels = std::max(kMinPixels, inside.area(largest) / kDustShare);
+    chosen.minPixels = std::max(kMinPixels, inside.area(largest) / kDustShare);
     for (int k = 1; k < inside.count; ++k) {
-        if (inside.area(k) < chosen.leastPixels)
+        if (inside.area(k) < chosen.minPixels)
             continue;
         kept += inside.area(k);
         if (inside.atBorder(k))
@@ -144,7 +144,7 @@ Result<Traced> trace(const cv::Mat1f& values, float contrast, bool leaveOutBorde
         traced.silhouettes.rings_px.push_back(walk.ring(inside.first(label), 0));
     const Labels outside(values <= 0.0F, 8);
     for (int k = 1; k < outside.count; ++k) {
-        if (outside.area(k) < chosen->leastPixels || outside.atBorder(k))
+        if (outside.area(k) < chosen->minPixels || outside.atBorder(k))
             continue;
         const cv::Point above = outside.first(k) + cv::Point(0, -1);
         if (std::ranges::binary_search(chosen->labels, inside.of(above)))

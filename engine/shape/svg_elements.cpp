@@ -53,10 +53,10 @@ Eigen::Affine2d viewTransform(const Box& view, const Box& port, const QString& p
     double sx = port.width / view.width, sy = port.height / view.height;
     if (!preserve.contains("none"))
         sx = sy = preserve.contains("slice") ? std::max(sx, sy) : std::min(sx, sy);
-    const auto share = [&](const char* least, const char* most) {
-        return preserve.contains(QLatin1String(least))  ? 0.0
-               : preserve.contains(QLatin1String(most)) ? 1.0
-                                                        : 0.5;
+    const auto share = [&](const char* atStart, const char* atEnd) {
+        return preserve.contains(QLatin1String(atStart)) ? 0.0
+               : preserve.contains(QLatin1String(atEnd)) ? 1.0
+                                                         : 0.5;
     };
     const double dx = share("xMin", "xMax") * (port.width - sx * view.width);
     const double dy = share("YMin", "YMax") * (port.height - sy * view.height);

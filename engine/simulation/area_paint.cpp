@@ -15,18 +15,18 @@ struct Box {
 };
 
 Box boxOf(std::span<const Ring> rings, const GreyCanvas& canvas) {
-    Eigen::Array2d least(HUGE_VAL, HUGE_VAL), most = -least;
+    Eigen::Array2d lower(HUGE_VAL, HUGE_VAL), upper = -lower;
     for (const Ring& ring : rings)
         for (const Eigen::Vector2d& p : ring) {
-            least = least.min(p.array());
-            most = most.max(p.array());
+            lower = lower.min(p.array());
+            upper = upper.max(p.array());
         }
     const auto within = [](double v, int size) {
         return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size)));
     };
     return {
-        within(std::floor(least.x() + 0.5), canvas.width), within(std::floor(least.y() + 0.5), canvas.height),
-        within(std::ceil(most.x() + 0.5), canvas.width), within(std::ceil(most.y() + 0.5), canvas.height)};
+        within(std::floor(lower.x() + 0.5), canvas.width), within(std::floor(lower.y() + 0.5), canvas.height),
+        within(std::ceil(upper.x() + 0.5), canvas.width), within(std::ceil(upper.y() + 0.5), canvas.height)};
 }
 
 // An edge's part in one row, from x0 to x1 (least first) in columns of the box: what lies right of it is

@@ -11,11 +11,11 @@ namespace {
 
 /// Place in the picture (-1 to 1: the sheet touches the border, almost), size as a share of the picture's
 /// width or height, whichever is fuller, and turns about x, y and z.
-struct HeldView {
+struct BoardPose {
     double x, y, size, tiltX_deg, tiltY_deg, roll_deg;
 };
 
-constexpr std::array<HeldView, kHeldViews> kViews{{
+constexpr std::array<BoardPose, kBoardViews> kViews{{
     {0, 0, 0.92, 0, 0, 0},           {0, 0, 0.85, 30, 0, 3},      {0, 0, 0.85, -30, 0, -4},
     {0, 0, 0.85, 0, 35, 5},          {0, 0, 0.85, 0, -35, -2},    {-1, -1, 0.68, 15, -20, 2},
     {1, -1, 0.68, 15, 20, -3},       {1, 1, 0.68, -15, 20, 4},    {-1, 1, 0.68, -15, -20, -5},
@@ -45,7 +45,7 @@ Eigen::AlignedBox2d sheetIn(const CameraModel& camera, const Board& board, const
     return box;
 }
 
-Eigen::Matrix3d turned(const HeldView& view, bool isAcross) {
+Eigen::Matrix3d turned(const BoardPose& view, bool isAcross) {
     const auto about = [](double angle_deg, const Eigen::Vector3d& axis) {
         return Eigen::AngleAxisd(radFromDeg(angle_deg), axis);
     };
@@ -61,8 +61,8 @@ double boardMargin_m(const Board& board) {
     return 0.6 * board.square_m;
 }
 
-Pose heldBoardPose(const Board& board, const CameraModel& camera, int number) {
-    const HeldView& view = kViews[static_cast<std::size_t>(number) % kViews.size()];
+Pose scriptedBoardPose(const Board& board, const CameraModel& camera, int number) {
+    const BoardPose& view = kViews[static_cast<std::size_t>(number) % kViews.size()];
     const Eigen::Vector2d sheet = sheet_m(board), picture(camera.width, camera.height);
     const bool isAcross = (sheet.x() < sheet.y()) != (picture.x() < picture.y());
     Pose X_CB = Pose::Identity();
@@ -88,12 +88,12 @@ Pose heldBoardPose(const Board& board, const CameraModel& camera, int number) {
 Pose boardPoseAt(const Board& board, const CameraModel& camera, double time_s) {
     constexpr double kPeriod_s = kBoardMoving_s + kBoardStill_s;
     const double views = std::floor(std::max(time_s, 0.0) / kPeriod_s);
-    const int number = static_cast<int>(std::fmod(views, kHeldViews));
+    const int number = static_cast<int>(std::fmod(views, kBoardViews));
     const double t = std::min((std::max(time_s, 0.0) - views * kPeriod_s) / kBoardMoving_s, 1.0);
-    const Pose at = heldBoardPose(board, camera, number);
+    const Pose at = scriptedBoardPose(board, camera, number);
     if (t >= 1.0)
         return at;
-    const Pose from = heldBoardPose(board, camera, (number + kHeldViews - 1) % kHeldViews);
+    const Pose from = scriptedBoardPose(board, camera, (number + kBoardViews - 1) % kBoardViews);
     return poseBetween(from, at, t * t * (3.0 - 2.0 * t));
 }
 

@@ -22,7 +22,7 @@ struct PartFace {
 std::vector<PartFace> rigFaces(const SimulatedCameraConfig& config);
 /// Returns a hand in front of each of the source's markers.
 std::vector<PartFace> handFaces(const MarkerLayout& markers);
-/// Returns the board in the frame of heldBoardPose, with z turned towards the camera: x right, y up.
+/// Returns the board in the frame of scriptedBoardPose, with z turned towards the camera: x right, y up.
 SceneFace boardFace(const Board& board);
 
 } // namespace bask

@@ -64,11 +64,11 @@ float benchGrey(const Eigen::Vector3d& eye, const Eigen::Vector3d& direction) {
 }
 
 // Which part of a closed ring lies where n . p >= 0 (Sutherland and Hodgman).
-void cutOff(std::vector<Eigen::Vector3d>& ring, const Eigen::Vector3d& n, double least) {
+void cutOff(std::vector<Eigen::Vector3d>& ring, const Eigen::Vector3d& n, double min) {
     std::vector<Eigen::Vector3d> kept;
     for (std::size_t k = 0; k < ring.size(); ++k) {
         const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
-        const double da = n.dot(a) - least, db = n.dot(b) - least;
+        const double da = n.dot(a) - min, db = n.dot(b) - min;
         if (da >= 0.0)
             kept.push_back(a);
         if ((da >= 0.0) != (db >= 0.0))
@@ -160,7 +160,7 @@ SceneRenderer::SceneRenderer(const CameraModel& camera, const Pose& X_RC, const 
 }
 
 void SceneRenderer::setBounds() {
-    const double most = farthestRay(m_lens), right = m_bench.width - 0.5, bottom = m_bench.height - 0.5;
+    const double max = farthestRay(m_lens), right = m_bench.width - 0.5, bottom = m_bench.height - 0.5;
     const Eigen::Vector2d margin(3.0 / m_lens.fx, 3.0 / m_lens.fy);
     constexpr int kSteps = 32;
     for (int k = 0; k <= kSteps; ++k) {
@@ -170,11 +170,11 @@ void SceneRenderer::setBounds() {
             const Eigen::Vector2d ideal((pixel.x() - m_lens.cx) / m_lens.fx,
                                         (pixel.y() - m_lens.cy) / m_lens.fy);
             const Eigen::Vector2d ray = rayAt(m_lens, pixel, ideal, 50);
-            if (ray.norm() < most) // not of a lens that never shows anything there
+            if (ray.norm() < max) // not of a lens that never shows anything there
                 m_seen.extend(Eigen::AlignedBox2d(ray - margin, ray + margin));
             else
                 m_seen.extend(
-                    Eigen::Vector2d(std::clamp(ideal.x(), -most, most), std::clamp(ideal.y(), -most, most)));
+                    Eigen::Vector2d(std::clamp(ideal.x(), -max, max), std::clamp(ideal.y(), -max, max)));
         }
     }
 }

@@ -91,7 +91,7 @@ void SimulatedCamera::setBoard(std::optional<Board> board) {
     const std::scoped_lock lock(m_mutex);
     m_board.reset();
     if (board)
-        m_board = HeldBoard{*board, m_observed.empty() ? 0.0 : m_observed.back().moment.time_s};
+        m_board = ShownBoard{*board, m_observed.empty() ? 0.0 : m_observed.back().moment.time_s};
 }
 
 void SimulatedCamera::setCovered(bool covered) {

@@ -79,14 +79,14 @@ private:
         SceneMoment moment;
         double caught_s; ///< the computer's time then
     };
-    struct HeldBoard {
+    struct ShownBoard {
         Board board;
         double since_s;
     };
     /// The content of a picture.
     struct View {
         Observed now;
-        std::optional<HeldBoard> board;
+        std::optional<ShownBoard> board;
         bool isCovered = false;
     };
 
@@ -102,7 +102,7 @@ private:
     MarkerLayout m_markers;
     bool m_areMarkersNew = true;
     std::deque<Observed> m_observed;
-    std::optional<HeldBoard> m_board;
+    std::optional<ShownBoard> m_board;
     bool m_isCovered = false;
     bool m_isUnplugged = false;
 

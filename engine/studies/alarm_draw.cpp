@@ -15,8 +15,8 @@ namespace {
 constexpr double kMinPower_W_m2 = 200.0; // of a source that is worth its plug
 constexpr int kPosesPerSource = 300;     // tried before another source is drawn
 
-double logUniform(StudyRandom& random, double least, double most) {
-    return std::exp(uniform(random, std::log(least), std::log(most)));
+double logUniform(StudyRandom& random, double min, double max) {
+    return std::exp(uniform(random, std::log(min), std::log(max)));
 }
 
 std::size_t oneOf(StudyRandom& random, std::size_t count) {
@@ -84,7 +84,7 @@ void drawObjects(StudyRandom& random, Experiment& experiment) {
         }
         object.material = drawMaterial(random);
         object.simulatedMaterial.reset();
-        object.believedRates.reset();
+        object.estimatedRates.reset();
     }
 }
 
@@ -97,12 +97,12 @@ void drawSource(StudyRandom& random, Experiment& experiment) {
     } while (trueSourcePower_W_m2(experiment, source.temperature_K) < kMinPower_W_m2);
 }
 
-void drawBeliefs(StudyRandom& random, Experiment& experiment) {
+void drawEstimates(StudyRandom& random, Experiment& experiment) {
     const std::vector<HeatRates> rates = trueRates(experiment);
     for (std::size_t i = 0; i < rates.size(); ++i) {
-        const double heating = logUniform(random, 1.0 / kAlarmBelief, kAlarmBelief);
-        const double cooling = logUniform(random, 1.0 / kAlarmBelief, kAlarmBelief);
-        experiment.objects[i].believedRates =
+        const double heating = logUniform(random, 1.0 / kAlarmEstimateFactor, kAlarmEstimateFactor);
+        const double cooling = logUniform(random, 1.0 / kAlarmEstimateFactor, kAlarmEstimateFactor);
+        experiment.objects[i].estimatedRates =
             HeatRates{rates[i].lambda1 * heating, rates[i].lambda2 * cooling, rates[i].lambda3 * cooling};
     }
 }
@@ -112,7 +112,7 @@ Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
     static constexpr double kResolutions_K[] = {0.0, 0.01, 0.1};
     Experiment experiment = rig;
     experiment.controller.kind = controllers[oneOf(random, controllers.size())].kind;
-    experiment.controller.believedRateErrorFactor = 1.0; // the beliefs are drawn below
+    experiment.controller.estimatedRateErrorFactor = 1.0; // the beliefs are drawn below
     SimulationSpec& simulation = experiment.simulation;
     simulation.seed = random();
     simulation.sensorNoise_K = logUniform(random, 0.02, 0.1);
@@ -132,7 +132,7 @@ Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
             continue;
         for (std::size_t i = 0; i < targets_K.size(); ++i)
             experiment.objects[i].target_K = targets_K[i];
-        drawBeliefs(random, experiment);
+        drawEstimates(random, experiment);
         return experiment;
     }
     throw std::invalid_argument("study of alarms: no pose holds the objects warm enough");
@@ -168,8 +168,8 @@ void addFault(StudyRandom& random, AlarmCase& drawn, int index) {
     // What happens before belongs to the draw; after it the operator is not there.
     std::erase_if(drawn.actions,
                   [&](const AlarmAction& action) { return action.time_s > drawn.fault.time_s - 30.0; });
-    const bool isHeld = !drawn.actions.empty() && drawn.actions.back().kind == AlarmAction::Kind::Hold;
-    if (isHeld)
+    const bool isPaused = !drawn.actions.empty() && drawn.actions.back().kind == AlarmAction::Kind::Hold;
+    if (isPaused)
         drawn.actions.pop_back();
     switch (drawn.fault.fault) {
     case SimulatedFault::SourceHeatsAlone: // those with its heat off

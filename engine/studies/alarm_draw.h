@@ -34,7 +34,7 @@ struct AlarmCase {
 
 /// Ranges of the drawn experiments.
 inline constexpr double kAlarmRun_s = 1800.0;
-inline constexpr double kAlarmBelief = 4.0; ///< estimated rates are wrong by up to this factor
+inline constexpr double kAlarmEstimateFactor = 4.0; ///< estimated rates are wrong by up to this factor
 inline constexpr double kAlarmConvection_W_m2K = 15.0;
 inline constexpr double kAlarmLag_s = 5.0;
 inline constexpr double kAlarmOffLag_s = 15.0; ///< of sensors in still air

@@ -67,7 +67,7 @@ private:
             begun = m_loop.start(true);
         if (!begun)
             m_row.refusal = describe(begun.error().message);
-        m_isHeldByPerson = m_isEndedByPerson = false;
+        m_isPausedByPerson = m_isEndedByPerson = false;
         return static_cast<bool>(begun);
     }
 
@@ -78,9 +78,9 @@ private:
             if (action.kind == Kind::SetTargets)
                 (void)m_loop.setTargets(action.targets_K);
             else if (action.kind == Kind::Hold && m_loop.hold())
-                m_isHeldByPerson = true;
-            else if (action.kind == Kind::Resume && m_isHeldByPerson && m_loop.resume())
-                m_isHeldByPerson = false;
+                m_isPausedByPerson = true;
+            else if (action.kind == Kind::Resume && m_isPausedByPerson && m_loop.resume())
+                m_isPausedByPerson = false;
             else if (action.kind == Kind::Stop && m_loop.stop()) {
                 m_isEndedByPerson = true;
                 m_again = action.targets_K;
@@ -172,9 +172,9 @@ private:
 
     void lookAtRun() {
         const RunState state = m_loop.state();
-        const bool isHeld = state == RunState::Holding && !m_isHeldByPerson;
+        const bool isPaused = state == RunState::Holding && !m_isPausedByPerson;
         const bool isEnded = (state == RunState::Stopping || state == RunState::Fault) && !m_isEndedByPerson;
-        m_row.isTripped = m_row.isTripped || isHeld || isEnded || state == RunState::Fault;
+        m_row.isTripped = m_row.isTripped || isPaused || isEnded || state == RunState::Fault;
     }
 
     /// Of a run without a fault: an object may truly be too warm. What a controller says of its targets is
@@ -210,7 +210,7 @@ private:
     double m_start_s = -1.0;
     std::size_t m_next = 0;
     std::vector<double> m_again; ///< targets of the run after a stopped one
-    bool m_isHeldByPerson = false, m_isEndedByPerson = false;
+    bool m_isPausedByPerson = false, m_isEndedByPerson = false;
     bool m_isFaulty = false;
     double m_frozen_K = 0.0;
     std::set<std::string> m_present; ///< alarms by key
@@ -227,14 +227,14 @@ std::string inQuotes(std::string text) {
 }
 
 /// Most alarms of any window of ten minutes.
-int mostInWindow(const std::vector<RaisedAlarm>& alarms) {
-    int most = 0;
+int maxInWindow(const std::vector<RaisedAlarm>& alarms) {
+    int max = 0;
     for (std::size_t first = 0, last = 0; last < alarms.size(); ++last) {
         while (alarms[last].time_s - alarms[first].time_s > kWindow_s)
             ++first;
-        most = std::max(most, static_cast<int>(last - first + 1));
+        max = std::max(max, static_cast<int>(last - first + 1));
     }
-    return most;
+    return max;
 }
 
 void addTo(std::array<int, 3>& sums, const std::array<int, 3>& counts) {
@@ -301,7 +301,7 @@ AlarmSummary summarize(const std::vector<AlarmStudyRow>& rows) {
         summary.hours += row.simulated_s / 3600.0;
         summary.refused += !row.refusal.empty();
         summary.overTrip_K = std::max(summary.overTrip_K, row.overTrip_K);
-        summary.mostIn10min = std::max(summary.mostIn10min, mostInWindow(row.alarms));
+        summary.maxIn10min = std::max(summary.maxIn10min, maxInWindow(row.alarms));
         const auto falseWords = std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse);
         summary.falseWords += static_cast<int>(falseWords);
         summary.falseTrips += row.isTripped && falseWords > 0;

@@ -22,7 +22,7 @@ struct AlarmStudy {
 };
 
 /// A sensor that froze or came off is visible when its object is farther than this from the reading. Below
-/// this it cannot be detected with rates that are known only within kAlarmBelief.
+/// this it cannot be detected with rates that are known only within kAlarmEstimateFactor.
 inline constexpr double kAlarmShown_K = 10.0;
 /// A sensor that came off is visible only if its object has at least this view factor: without heat the
 /// object cools as its sensor says, by itself or in moving air.
@@ -79,8 +79,8 @@ struct AlarmSummary {
     std::array<int, 3> alarms{}; ///< number of alarms of priority 1, 2, 3 that are causes
     std::array<double, 3> per10min{};
     std::array<double, 3>
-        shares{};        ///< shares of the priorities if each fault is as frequent as alarmFaultFrequency()
-    int mostIn10min = 0; ///< of all runs, with consequences
+        shares{};       ///< shares of the priorities if each fault is as frequent as alarmFaultFrequency()
+    int maxIn10min = 0; ///< of all runs, with consequences
     double overTrip_K = -1e9;
     int refused = 0;
     std::vector<FaultSummary> faults;

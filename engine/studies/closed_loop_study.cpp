@@ -338,7 +338,7 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         "# Controller " +
         std::string(controllerKindName(rig.controller.kind)) + ", source model " +
         (rig.source.model == SourceModel::Gray ? "gray" : "paper") +
-        ", believed rates wrong by random factors within " + number(rig.controller.believedRateErrorFactor) +
+        ", believed rates wrong by random factors within " + number(rig.controller.estimatedRateErrorFactor) +
         ", mountings " + (study.randomMountings ? "random" : "as in the experiment") + ", seed " +
         std::to_string(study.seed) +
         ".\n"

@@ -10,8 +10,8 @@ StudyRandom studyRandom(std::uint64_t seed, int index) {
     return StudyRandom(words);
 }
 
-double uniform(StudyRandom& random, double least, double most) {
-    return std::uniform_real_distribution<double>(least, most)(random);
+double uniform(StudyRandom& random, double min, double max) {
+    return std::uniform_real_distribution<double>(min, max)(random);
 }
 
 Vector6d drawAllowedPose(StudyRandom& random, const RigGeometry& geometry, const Vector6d& rest) {

@@ -12,7 +12,7 @@ using StudyRandom = std::mt19937_64;
 
 /// Neighbouring seeds and indices give independent streams.
 StudyRandom studyRandom(std::uint64_t seed, int index);
-double uniform(StudyRandom& random, double least, double most);
+double uniform(StudyRandom& random, double min, double max);
 /// Returns a pose of the workspace with the clearance, with fixed coordinates as in `rest`. Throws
 /// std::invalid_argument if there is none.
 Vector6d drawAllowedPose(StudyRandom& random, const RigGeometry& geometry, const Vector6d& rest);

@@ -81,8 +81,8 @@ public:
             count += static_cast<int>(window.y.size());
         return count;
     }
-    bool longEnough() const { return m_windows.size() >= leastWindows(); }
-    std::size_t leastWindows() const { return 2 * m_columns.size(); }
+    bool longEnough() const { return m_windows.size() >= minWindows(); }
+    std::size_t minWindows() const { return 2 * m_columns.size(); }
 
     void cut();
     Fit solve() const;
@@ -329,7 +329,7 @@ IdentifiedRates fitted(const std::vector<HeatSample>& record, const Identificati
     out.condition = fit.condition;
     if (!problem.longEnough()) {
         out.reason = {MessageCode::IdentificationTooShort,
-                      {std::to_string(out.readings), std::to_string(problem.leastWindows()),
+                      {std::to_string(out.readings), std::to_string(problem.minWindows()),
                        formatNumber(problem.window_s(), 3)}};
         return out;
     }

@@ -15,23 +15,23 @@ constexpr double kMaxCoordinate_px = 1e6; // keeps what is far outside of a pict
 PictureRegion regionAbout(const PlacedMarker& marker, const CameraModel& camera, const Pose& X_CP,
                           const Matrix6d& covariance) {
     constexpr double kMin_px = 8.0, kOfSide = 0.3, kSpreads = 1.5; // a spread is two deviations
-    Eigen::Vector2d least = Eigen::Vector2d::Constant(kMaxCoordinate_px), most = -least;
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(kMaxCoordinate_px), max = -min;
     for (const Eigen::Vector3d& p_PQ : marker.corners()) {
         const Eigen::Vector2d shown = shownAt(Lens(camera), Eigen::Vector3d(X_CP * p_PQ));
-        least = least.cwiseMin(shown);
-        most = most.cwiseMax(shown);
+        min = min.cwiseMin(shown);
+        max = max.cwiseMax(shown);
     }
     const Eigen::Vector3d p_CM = X_CP * marker.X_PM.translation();
     const Matrix6d J = carriedBy(p_CM - X_CP.translation());
     const double unsure_m = spreadOf(J * covariance * J.transpose()).position_m;
     const double margin =
-        kMin_px + kOfSide * (most - least).maxCoeff() + kSpreads * camera.fx * unsure_m / p_CM.z();
+        kMin_px + kOfSide * (max - min).maxCoeff() + kSpreads * camera.fx * unsure_m / p_CM.z();
     const auto pixel = [](double x) {
         return static_cast<int>(std::clamp(std::round(x), -kMaxCoordinate_px, kMaxCoordinate_px));
     };
-    PictureRegion region{pixel(least.x() - margin), pixel(least.y() - margin)};
-    region.width = pixel(most.x() + margin) - region.x;
-    region.height = pixel(most.y() + margin) - region.y;
+    PictureRegion region{pixel(min.x() - margin), pixel(min.y() - margin)};
+    region.width = pixel(max.x() + margin) - region.x;
+    region.height = pixel(max.y() + margin) - region.y;
     return region;
 }
 

@@ -131,9 +131,9 @@ bool PartTracker::follow(double time_s, const Seen& seen, TrackStep& step) {
         weighMirrored(time_s, seen, taken);
     else if (seen.ids.size() > 1)
         m_isOpen = false;
-    else if (taken.believed)
+    else if (taken.accepted)
         seekMirrored(time_s, seen, predicted);
-    if (!taken.believed) {
+    if (!taken.accepted) {
         ++m_rejected;
         return false;
     }
@@ -148,12 +148,12 @@ bool PartTracker::follow(double time_s, const Seen& seen, TrackStep& step) {
 void PartTracker::weighMirrored(double time_s, const Seen& seen, FilterStep& taken) {
     constexpr double kForgotten = 0.1, kVariances = 9.0;
     const FilterStep other = m_mirrored->take(time_s, seen.corners, m_camera);
-    if (!taken.believed && !other.believed)
+    if (!taken.accepted && !other.accepted)
         return;
     if (taken.left_out.size() == other.left_out.size())
         m_evidence = (1.0 - kForgotten) * m_evidence + taken.chiSquare - other.chiSquare;
-    const bool isOther = other.believed && (!taken.believed || m_evidence > kVariances);
-    const bool isThis = taken.believed && (!other.believed || m_evidence < -kVariances);
+    const bool isOther = other.accepted && (!taken.accepted || m_evidence > kVariances);
+    const bool isThis = taken.accepted && (!other.accepted || m_evidence < -kVariances);
     if (isOther) {
         m_filter = m_mirrored;
         taken = other;

@@ -19,7 +19,7 @@ struct MotionState {
 
 /// The effect of one frame on the filter.
 struct FilterStep {
-    bool believed = false;             ///< whether the frame was accepted; if not, the filter is unchanged
+    bool accepted = false;             ///< whether the frame was accepted; if not, the filter is unchanged
     std::vector<std::size_t> left_out; ///< indices of corners that do not fit the others and the prediction
     /// Of the accepted corners and the prediction; two degrees of freedom for each corner.
     double chiSquare = 0.0;

@@ -95,13 +95,13 @@ TEST_F(EditHistoryTest, KnowsWhichStateIsSaved) {
 // Catches memory that grows for as long as the program runs, and a saved state that is another after steps
 // were dropped.
 TEST_F(EditHistoryTest, TheOldestStepsAreDropped) {
-    const int most = static_cast<int>(EditHistory::kMaxSteps);
-    for (int i = 0; i < most + 10; ++i) {
+    const int max = static_cast<int>(EditHistory::kMaxSteps);
+    for (int i = 0; i < max + 10; ++i) {
         edit(EditKind::Start, std::to_string(i));
         if (i == 4 || i == 100)
             history.setSaved();
     }
-    EXPECT_EQ(steps(), most);
+    EXPECT_EQ(steps(), max);
     int saved = 0;
     for (; history.toUndo() != nullptr; undo())
         if (history.isSaved()) {
@@ -110,7 +110,7 @@ TEST_F(EditHistoryTest, TheOldestStepsAreDropped) {
         }
     EXPECT_EQ(saved, 1);
     EXPECT_EQ(state->title, "9");
-    for (int i = 0; i <= most; ++i)
+    for (int i = 0; i <= max; ++i)
         edit(EditKind::Start, "more" + std::to_string(i));
     EXPECT_FALSE(history.isSaved());
     while (history.toUndo() != nullptr) {

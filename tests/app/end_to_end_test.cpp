@@ -122,7 +122,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     find<QComboBox>("reviewDetails")->setCurrentIndex(3);
     QTest::mouseClick(use, Qt::LeftButton);
     EXPECT_TRUE(std::ranges::any_of(window->document().experiment().objects, [](const ObjectSpec& object) {
-        return object.believedRates.has_value();
+        return object.estimatedRates.has_value();
     }));
     keepPicture(QStringLiteral("opened-review"));
     window->setTheme(Theme::Dark);

@@ -142,7 +142,7 @@ TEST_F(EngineFiles, areNoneAtRestAndInRetreats) {
     if (!watch())
         GTEST_SKIP() << "no calls can be watched here: " << m_problem;
     Experiment quick = read();
-    quick.controller.believedRateErrorFactor = 1.0;
+    quick.controller.estimatedRateErrorFactor = 1.0;
     quick.controller.levelServo.timeConstant_s = 4.0;
     quick.controller.levelServo.integralTime_s = 20.0;
     load(quick);

@@ -82,8 +82,8 @@ std::vector<Case> cases() {
         {"start values",
          {EditKind::StartValues, -1, all, Page::Objects},
          [](Experiment& e) {
-             e.objects[0].believedRates = HeatRates{0.2, 2e-11, 0.16};
-             e.objects[1].believedRates = HeatRates{0.2, 2e-11, 0.16};
+             e.objects[0].estimatedRates = HeatRates{0.2, 2e-11, 0.16};
+             e.objects[1].estimatedRates = HeatRates{0.2, 2e-11, 0.16};
          }},
         {"material of “circle”",
          {EditKind::Material, 0, all, Page::Objects},

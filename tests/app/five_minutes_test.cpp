@@ -64,10 +64,10 @@ protected:
         FAIL() << qPrintable(name);
     }
     double trueError_K() const {
-        double most_K = 0.0;
+        double max_K = 0.0;
         for (const ObjectSample& object : samples.back().objects)
-            most_K = std::max(most_K, std::abs(object.true_K - object.target_K));
-        return most_K;
+            max_K = std::max(max_K, std::abs(object.true_K - object.target_K));
+        return max_K;
     }
 
     MessageBar* bar = nullptr;
@@ -220,7 +220,7 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
     coach.see(snapshot);
     while (coach.step() != Coach::Step::Acknowledge)
         emit bar.otherClicked();
-    const QString held = bar.sentence();
+    const QString paused = bar.sentence();
     const auto pointsAt = [&](RunState state) {
         snapshot.state = state;
         coach.see(snapshot);
@@ -237,7 +237,7 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
     EXPECT_EQ(pointsAt(RunState::Ready), "armButton");
     EXPECT_EQ(pointsAt(RunState::Armed), "startButton");
     EXPECT_EQ(pointsAt(RunState::Holding), "alarmButton");
-    EXPECT_EQ(bar.sentence(), held);
+    EXPECT_EQ(bar.sentence(), paused);
     snapshot.alarms.clear();
     EXPECT_EQ(pointsAt(RunState::Holding), "holdButton");
     EXPECT_EQ(pointsAt(RunState::Running), "stopRunButton");

@@ -97,9 +97,9 @@ protected:
     }
     /// Until the engine is to end.
     void goOnFor(Doing doing, int& later_ms) {
-        const int least_ms = doing == Doing::IsLate ? kLate_ms : doing == Doing::Holds ? kHeld_ms : 0;
-        const int most_ms = doing == Doing::IsLate ? kLate_ms + kLateFor_ms : kLatest_ms;
-        later_ms = QRandomGenerator::global()->bounded(least_ms, most_ms);
+        const int min_ms = doing == Doing::IsLate ? kLate_ms : doing == Doing::Holds ? kHeld_ms : 0;
+        const int max_ms = doing == Doing::IsLate ? kLate_ms + kLateFor_ms : kLatest_ms;
+        later_ms = QRandomGenerator::global()->bounded(min_ms, max_ms);
         if (doing == Doing::Holds) {
             (void)waitFor([] { return false; }, later_ms - kHeld_ms);
             ASSERT_NO_FATAL_FAILURE(tell("thermometer open"));

@@ -81,7 +81,7 @@ TEST_F(LiveComputerFaults, aFullDiskEndsTheRunAndLeavesItsRecording) {
         << "1 MB is less than the 100 MB it wants";
     EXPECT_EQ(live.last.state, RunState::Ready);
 
-    small.safety.leastDisk_MB = 0.0;
+    small.safety.minDisk_MB = 0.0;
     load(small);
     ASSERT_NO_FATAL_FAILURE(beReady());
     const std::string path = disk.path() + "/run.bask";

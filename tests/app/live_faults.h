@@ -109,7 +109,7 @@ protected:
     Experiment read() const {
         Experiment out = readExperiment(experiment().toStdString()).value();
         out.safety.stalePeriods = 5.0; // a busy machine is no fault
-        out.safety.heldLimit_s = 8.0;
+        out.safety.pauseLimit_s = 8.0;
         out.safety.frozen_s = 5.0;
         out.safety.sourceHeating_s = 10.0;
         return out;

@@ -60,12 +60,12 @@ TEST_F(LiveSensorFaults, holdTheRunAndThenEndIt) {
 
     ASSERT_NO_FATAL_FAILURE(makeMove());
     raise("thermometer open", open);
-    QElapsedTimer held;
-    held.start();
+    QElapsedTimer paused;
+    paused.start();
     const double stood_m = state().place_m.z();
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 12000)) << reasons();
-    EXPECT_GT(held.elapsed(), 4000) << "held first";
-    EXPECT_LT(held.elapsed(), 1000 + 8000) << "the held limit of 8 s, and no more than 1 s";
+    EXPECT_GT(paused.elapsed(), 4000) << "held first";
+    EXPECT_LT(paused.elapsed(), 1000 + 8000) << "the held limit of 8 s, and no more than 1 s";
     ASSERT_TRUE(reaches(RunState::Fault, 30000)) << reasons();
     EXPECT_GT(state().place_m.z(), std::max(stood_m, kAway_m)) << "taken away";
     expectRecorded("fault");
@@ -141,10 +141,10 @@ TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
     EXPECT_TRUE(waitFor([&] { return state().isHeating; }, 2000));
     const auto hottest_degC = [&] {
-        double most_K = 0.0;
+        double max_K = 0.0;
         for (const ObjectSample& object : live.last.latest.objects)
-            most_K = std::max(most_K, object.valid ? object.measured_K : 0.0);
-        return celsiusFromKelvin(most_K);
+            max_K = std::max(max_K, object.valid ? object.measured_K : 0.0);
+        return celsiusFromKelvin(max_K);
     };
     ASSERT_TRUE(waitFor([&] { return hottest_degC() > kTrip_degC - 1.0; }));
     const ToldAs tripped{MessageCode::SafetyObjectHot, "above its trip limit of 72", 5000.0};

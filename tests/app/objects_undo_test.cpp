@@ -31,7 +31,7 @@ struct ObjectsUndoTest : testing::Test {
     QSignalSpy edited{&page, &ObjectsPage::experimentEdited};
 
     Document document;
-    double most_m = 10.0; ///< the bunny's x, taken from the page
+    double max_m = 10.0; ///< the bunny's x, taken from the page
 
     ObjectsUndoTest() {
         const auto show = [this] { page.setExperiment(document.experiment()); };
@@ -40,7 +40,7 @@ struct ObjectsUndoTest : testing::Test {
         QObject::connect(&page, &ObjectsPage::experimentEdited, &page,
                          [this, show](const Experiment& experiment) {
                              const bool refused =
-                                 experiment.objects.size() > 1 && experiment.objects[1].mounting[kX] > most_m;
+                                 experiment.objects.size() > 1 && experiment.objects[1].mounting[kX] > max_m;
                              if (refused || !document.edit(experiment, Page::Objects))
                                  show();
                          });
@@ -164,7 +164,7 @@ TEST_F(ObjectsUndoTest, NumbersTyped) {
     experiment.objects[1].material.thickness_m = 0.00123456789;
     experiment.objects[1].material.infill = 0.333333333;
     experiment.objects[1].target_K = 317.123456;
-    experiment.objects[1].believedRates = HeatRates{0.2, 2e-11, 0.16};
+    experiment.objects[1].estimatedRates = HeatRates{0.2, 2e-11, 0.16};
     document.open(experiment, {});
     page.selectObject(1);
     struct Field {
@@ -203,7 +203,7 @@ TEST_F(ObjectsUndoTest, NumbersTyped) {
         Experiment rest = isOneStep(field.name, [&] { type(field.name, field.text); });
         field.copy(rest.objects[1], experiment.objects[1]);
         if (rest.objects[1].material == experiment.objects[1].material)
-            rest.objects[1].believedRates = experiment.objects[1].believedRates; // another material's
+            rest.objects[1].estimatedRates = experiment.objects[1].estimatedRates; // another material's
         EXPECT_EQ(rest, experiment) << field.name << " changed more than itself";
     }
     page.selectObject(0);
@@ -265,7 +265,7 @@ TEST_F(ObjectsUndoTest, AllTheWayBackAndForth) {
 TEST_F(ObjectsUndoTest, ARefusedStepOfAHeldKeyLeavesTheOthers) {
     type("thickness", "2.5");
     const Experiment first = page.experiment();
-    most_m = first.objects[1].mounting[kX] + 0.0025; // two steps
+    max_m = first.objects[1].mounting[kX] + 0.0025; // two steps
     auto* plan = child<MountingPlan>("mountingPlan");
     for (int k = 0; k < 4; ++k) {
         QKeyEvent held(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, QString(), k > 0);

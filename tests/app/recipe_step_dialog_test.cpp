@@ -21,7 +21,7 @@ RecipeStep finelySet(Until until) {
     step.duration_s = 2.50049;
     step.object = until == Until::Above || until == Until::Below ? "left" : "";
     step.temperature_K = 314.8777;
-    step.atMost_s = 1234.50049;
+    step.maxDuration_s = 1234.50049;
     return step;
 }
 
@@ -46,14 +46,14 @@ TEST(RecipeStepDialogTest, okWithoutAnEditChangesNothing) {
 TEST(RecipeStepDialogTest, timesAreShownAsTheyAreAndTakenToTheMillisecond) {
     RecipeStep given = finelySet(Until::Settled);
     given.duration_s = 2.5;
-    given.atMost_s = 1800.0;
+    given.maxDuration_s = 1800.0;
     RecipeStepDialog form(given, kObjects, TemperatureUnit::Celsius);
     auto* duration = form.findChild<QDoubleSpinBox*>(QStringLiteral("duration"));
-    auto* atMost = form.findChild<QDoubleSpinBox*>(QStringLiteral("atMost"));
+    auto* maxDuration = form.findChild<QDoubleSpinBox*>(QStringLiteral("atMost"));
     EXPECT_EQ(duration->text(), duration->locale().toString(2.5, 'f', 1) + QStringLiteral(" s"));
-    EXPECT_EQ(atMost->text(), QStringLiteral("1800 s"));
-    atMost->setValue(90.125);
-    EXPECT_EQ(form.step().atMost_s, 90.125);
+    EXPECT_EQ(maxDuration->text(), QStringLiteral("1800 s"));
+    maxDuration->setValue(90.125);
+    EXPECT_EQ(form.step().maxDuration_s, 90.125);
     EXPECT_EQ(form.step().duration_s, 2.5);
 
     given.duration_s = 0.9999; // shown as 1, which is a time that may be waited for

@@ -217,7 +217,7 @@ TEST_F(RecipeTest, isEditedSavedAndAskedAbout) {
     ASSERT_TRUE(saved);
     ASSERT_EQ(saved->steps.size(), 3u);
     EXPECT_EQ(saved->steps[1].object, "circle");
-    EXPECT_EQ(saved->steps[1].atMost_s, 120.0);
+    EXPECT_EQ(saved->steps[1].maxDuration_s, 120.0);
     EXPECT_EQ(saved->steps[0].example, "two-circles");
     EXPECT_TRUE(window->recipe().mayDiscard()); // nothing to ask
 

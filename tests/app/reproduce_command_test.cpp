@@ -83,7 +83,7 @@ std::vector<ObjectSpec> threeObjects(const Experiment& experiment) {
     Experiment asCircle = experiment;
     asCircle.objects = {circle("circle", 0.015, 0.0)};
     for (std::size_t i = 1; i < 3; ++i) {
-        objects[i].believedRates = nominalRates(asCircle, experiment.environment_K).front();
+        objects[i].estimatedRates = nominalRates(asCircle, experiment.environment_K).front();
         objects[i].origin.file = "../" + objects[i].origin.file;
     }
     return objects;
@@ -114,7 +114,7 @@ Experiment expectedOf(const Row& row) {
     if (row.K > 0.0)
         experiment.controller.modelBased = {0.2, row.K};
     else
-        experiment.controller.believedRateErrorFactor = 4.0;
+        experiment.controller.estimatedRateErrorFactor = 4.0;
     experiment.controller.adaptive = {0.05, 0.15, 0.005, 1e-22};
     experiment.simulation.seed = row.seed;
     experiment.simulation.sensorOffset_K = 0.3;
@@ -141,11 +141,12 @@ TEST(PaperExperiments, HoldWhatThePaperSays) {
         Experiment wanted = expectedOf(row);
         ASSERT_EQ(found.objects.size(), wanted.objects.size()) << row.name;
         for (std::size_t i = 0; i < found.objects.size(); ++i) {
-            ASSERT_EQ(found.objects[i].believedRates.has_value(), wanted.objects[i].believedRates.has_value())
+            ASSERT_EQ(found.objects[i].estimatedRates.has_value(),
+                      wanted.objects[i].estimatedRates.has_value())
                 << row.name;
-            if (found.objects[i].believedRates)
-                expectClose(*found.objects[i].believedRates, *wanted.objects[i].believedRates, row.name);
-            wanted.objects[i].believedRates = found.objects[i].believedRates;
+            if (found.objects[i].estimatedRates)
+                expectClose(*found.objects[i].estimatedRates, *wanted.objects[i].estimatedRates, row.name);
+            wanted.objects[i].estimatedRates = found.objects[i].estimatedRates;
         }
         // What a file may have of its own; the next test looks at it.
         wanted.title = found.title;

@@ -23,7 +23,7 @@ struct Recorded {
 const Recorded& recorded() {
     static const Recorded record = [] {
         Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
-        experiment.controller.believedRateErrorFactor = 3.0;
+        experiment.controller.estimatedRateErrorFactor = 3.0;
         const QTemporaryDir folder;
         const std::string path = folder.filePath("run.bask").toStdString();
         SimulatedRunOptions options;
@@ -121,10 +121,10 @@ TEST(SessionRates, StartValuesGoToTheSameObjectsUnderTheSameSourceOnly) {
     experiment.objects[1].material.emittance *= 0.5;
     const StartValues start = withStartValues(experiment, recorded().facts.experiment, rates);
     EXPECT_EQ(start.objects, std::vector<std::string>{experiment.objects[2].name});
-    EXPECT_FALSE(start.experiment.objects[0].believedRates);
-    EXPECT_FALSE(start.experiment.objects[1].believedRates);
-    ASSERT_TRUE(start.experiment.objects[2].believedRates);
-    EXPECT_EQ(start.experiment.objects[2].believedRates->lambda1, rates.identified[2].lambda1.value);
+    EXPECT_FALSE(start.experiment.objects[0].estimatedRates);
+    EXPECT_FALSE(start.experiment.objects[1].estimatedRates);
+    ASSERT_TRUE(start.experiment.objects[2].estimatedRates);
+    EXPECT_EQ(start.experiment.objects[2].estimatedRates->lambda1, rates.identified[2].lambda1.value);
 
     experiment = recorded().facts.experiment;
     experiment.source.temperature_K += 50.0;

@@ -118,7 +118,7 @@ protected:
         live.send(ClearRobotAlarm{});
         (void)waitFor([] { return false; }, 200);
     }
-    void heatByHand() {
+    void heatManually() {
         ASSERT_TRUE(waitFor([&] {
             clearRobot();
             if (live.last.state == RunState::Fault)
@@ -171,7 +171,7 @@ protected:
     /// From before the bench is told of it. The fault's bytes go out in its next turn, 2 ms later; the engine
     /// judges what has come by then at its next sample, a period later at most.
     void fail(const char* fault, const Trouble& trouble) {
-        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        ASSERT_NO_FATAL_FAILURE(heatManually());
         const Hogs busy(hogsOf(trouble));
         hang(trouble.calls);
         QThread::usleep(QRandomGenerator::global()->bounded(100000U)); // anywhere in a sampling period
@@ -309,7 +309,7 @@ TEST_F(StopLatency, ofHeatByHandBehindACameraAnEditAndTheEnd) {
     const Experiment experiment = read();
     load(experiment);
     for (int i = 0; i < 3; ++i) {
-        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        ASSERT_NO_FATAL_FAILURE(heatManually());
         live.send(WatchCamera{true, {}});
         live.send(ChooseCamera{fifo});
         ASSERT_TRUE(waitFor([&] { return live.last.heat == HeatState::On; }));
@@ -318,7 +318,7 @@ TEST_F(StopLatency, ofHeatByHandBehindACameraAnEditAndTheEnd) {
         live.post(SetHeat{});
         ASSERT_NO_FATAL_FAILURE(note(from_s));
     }
-    ASSERT_NO_FATAL_FAILURE(heatByHand());
+    ASSERT_NO_FATAL_FAILURE(heatManually());
     const std::uint64_t loadId = live.last.loadId;
     hang(kAll);
     ASSERT_NO_FATAL_FAILURE(measure(LoadExperiment{experiment}));
@@ -370,7 +370,7 @@ TEST_F(StopLatency, ofAModbusHeater) {
     for (const Trouble& trouble : {kTroubles[0], kTroubles[5]})
         for (int i = 0; i < 10; ++i) {
             hungDisk().release();
-            ASSERT_NO_FATAL_FAILURE(heatByHand());
+            ASSERT_NO_FATAL_FAILURE(heatManually());
             hang(trouble.calls);
             ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
         }
@@ -387,7 +387,7 @@ TEST_F(StopLatency, ofAModbusHeaterWhoseGuardIsKilled) {
     load(read());
     double told_ms = 0.0;
     for (int i = 0; i < 3; ++i) {
-        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        ASSERT_NO_FATAL_FAILURE(heatManually());
         const double from_s = begun_s();
         endGuardsOf(QFileInfo(experiment()).path());
         ASSERT_TRUE(waitFor([&] { return live.alarm(MessageCode::HeaterGuardLost) != nullptr; }, kTold_ms))
@@ -409,7 +409,7 @@ TEST_F(StopLatency, behindAWindowAndACameraThatHang) {
     ASSERT_NO_FATAL_FAILURE(changeTo(&trouble));
     ASSERT_NO_FATAL_FAILURE(runAndEnd(trouble, Stop{}));
     for (int i = 0; i < 6; ++i) {
-        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        ASSERT_NO_FATAL_FAILURE(heatManually());
         const Hogs busy(hogsOf(trouble));
         hang(trouble.calls);
         ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
@@ -438,7 +438,7 @@ TEST_F(StopLatency, ofAnObjectOverItsLimit) {
     low.safety.trip_K = kelvinFromCelsius(31.0);
     load(low);
     for (int i = 0; i < 6 && delays_ms.size() < 3; ++i) {
-        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        ASSERT_NO_FATAL_FAILURE(heatManually());
         hang(kAll);
         (void)begun_s();
         ASSERT_NO_FATAL_FAILURE(tell("thermometer rising"));
@@ -471,7 +471,7 @@ TEST_F(StopLatency, ofAnObjectOverItsLimit) {
 
 // Every verb and some faults with every trouble, a thousand times in all.
 TEST_F(StopLatency, thousandTimes) {
-    constexpr int kRuns = 6, kByHand = 84, kFaults = 5;
+    constexpr int kRuns = 6, kManual = 84, kFaults = 5;
     const Command verbs[] = {EmergencyStop{}, Stop{}, SetHeat{}};
     startBench();
     const Experiment loaded = read();
@@ -484,9 +484,9 @@ TEST_F(StopLatency, thousandTimes) {
             ASSERT_NO_FATAL_FAILURE(runAndEnd(trouble, verbs[i % 3]));
         {
             const Hogs busy(hogsOf(trouble));
-            for (int i = 0, offs = 0; i < kByHand;) {
+            for (int i = 0, offs = 0; i < kManual;) {
                 hungDisk().release();
-                ASSERT_NO_FATAL_FAILURE(heatByHand());
+                ASSERT_NO_FATAL_FAILURE(heatManually());
                 hang(trouble.calls);
                 if (isStillOn()) {
                     ASSERT_NO_FATAL_FAILURE(measure(i++ % 2 == 0 ? verbs[0] : verbs[2]));

@@ -228,13 +228,13 @@ TEST_F(TargetJudgeTest, KeptTargetsGoWithTheirObjects) {
     judge.setKept({true, false});
     const auto settled = [&] { return !judge.isStale(); };
     ASSERT_TRUE(waitFor(settled));
-    EXPECT_FALSE(judge.verdict()->heldKept);
+    EXPECT_FALSE(judge.verdict()->fixedKept);
     Experiment one = two;
     one.objects.pop_back();
     set(one);
     set(two);
     ASSERT_TRUE(waitFor(settled));
-    EXPECT_TRUE(judge.verdict()->heldKept);
+    EXPECT_TRUE(judge.verdict()->fixedKept);
 }
 
 } // namespace

@@ -168,7 +168,7 @@ TEST_F(UndoTest, StartValuesOfASessionComeBack) {
     options.duration_s = 300.0;
     options.sessionPath = path;
     Experiment wrong = experiment();
-    wrong.controller.believedRateErrorFactor = 3.0;
+    wrong.controller.estimatedRateErrorFactor = 3.0;
     ASSERT_TRUE(runSimulated(wrong, options).ok());
     window->files().open(QString::fromStdString(path));
     ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("useIdentified")->isEnabled(); }));
@@ -176,7 +176,7 @@ TEST_F(UndoTest, StartValuesOfASessionComeBack) {
     const Experiment before = experiment();
     click("useIdentified");
     const Experiment after = experiment();
-    ASSERT_TRUE(after.objects[0].believedRates);
+    ASSERT_TRUE(after.objects[0].estimatedRates);
     undoByKey();
     EXPECT_EQ(experiment(), before);
     EXPECT_EQ(window->pages().page(), Page::Objects);

@@ -63,12 +63,12 @@ public:
         const Pose X_CM = X_CP * marker.X_PM;
         if (X_CM.linear().col(2).dot(X_CM.translation()) >= 0.0 || X_CM.translation().z() < 0.05)
             return; // its back, or behind the camera
-        Eigen::Vector2d least(1e9, 1e9), most(-1e9, -1e9);
+        Eigen::Vector2d min(1e9, 1e9), max(-1e9, -1e9);
         for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
             const Eigen::Vector3d corner(x * kCard * marker.side_m, y * kCard * marker.side_m, 0.0);
             const Eigen::Vector2d p = shownAt(Lens(m_camera), Eigen::Vector3d(X_CM * corner));
-            least = least.cwiseMin(p);
-            most = most.cwiseMax(p);
+            min = min.cwiseMin(p);
+            max = max.cwiseMax(p);
         }
         Eigen::Matrix3d toPicture;
         toPicture << X_CM.linear().col(0), X_CM.linear().col(1), X_CM.translation();
@@ -79,10 +79,10 @@ public:
                 toMarker *
                 Eigen::Vector3d((k % 3 - 1) / (3.0 * m_camera.fx), (k / 3 - 1) / (3.0 * m_camera.fy), 0.0);
         const std::vector<std::string> cells = markerCells(dictionary, marker.id);
-        const int left = std::max(0, static_cast<int>(least.x()) - 1);
-        const int right = std::min(picture.width - 1, static_cast<int>(most.x()) + 2);
-        const int bottom = std::min(picture.height - 1, static_cast<int>(most.y()) + 2);
-        for (int v = std::max(0, static_cast<int>(least.y()) - 1); v <= bottom; ++v)
+        const int left = std::max(0, static_cast<int>(min.x()) - 1);
+        const int right = std::min(picture.width - 1, static_cast<int>(max.x()) + 2);
+        const int bottom = std::min(picture.height - 1, static_cast<int>(max.y()) + 2);
+        for (int v = std::max(0, static_cast<int>(min.y()) - 1); v <= bottom; ++v)
             for (int u = left; u <= right; ++u) {
                 std::uint8_t& value = picture.values[static_cast<std::size_t>(v * picture.width + u)];
                 int sum = 0;

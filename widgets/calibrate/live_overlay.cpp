@@ -102,7 +102,7 @@ QString partWord(Part part) {
 }
 
 void paintHeatMap(QPainter& painter, const OverlayPlace& place, const HeatMap& map) {
-    const int most = std::max(1, *std::ranges::max_element(map.corners));
+    const int max = std::max(1, *std::ranges::max_element(map.corners));
     const double width = place.picture.width() / HeatMap::kColumns;
     const double height = place.picture.height() / HeatMap::kRows;
     painter.save();
@@ -112,7 +112,7 @@ void paintHeatMap(QPainter& painter, const OverlayPlace& place, const HeatMap& m
             const int count = map.corners[static_cast<std::size_t>(row * HeatMap::kColumns + column)];
             const QRectF field(place.picture.left() + column * width, place.picture.top() + row * height,
                                width, height);
-            QColor colour = mapColour(static_cast<double>(count) / most, kOnDark);
+            QColor colour = mapColour(static_cast<double>(count) / max, kOnDark);
             colour.setAlphaF(0.5F);
             if (count > 0)
                 painter.fillRect(field, colour);

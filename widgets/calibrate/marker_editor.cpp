@@ -100,11 +100,10 @@ MarkerEditor::MarkerEditor(QWidget* parent)
     retranslate();
 }
 
-QDoubleSpinBox* MarkerEditor::number(const QString& name, double least, double most, int decimals,
-                                     double step) {
+QDoubleSpinBox* MarkerEditor::number(const QString& name, double min, double max, int decimals, double step) {
     auto* field = new QDoubleSpinBox(this);
     field->setObjectName(name);
-    field->setRange(least, most);
+    field->setRange(min, max);
     field->setDecimals(decimals);
     field->setSingleStep(step);
     field->setKeyboardTracking(false);
@@ -129,9 +128,9 @@ void MarkerEditor::buildForm(QGridLayout* form) {
     for (int k = 0; k < 6; ++k) {
         const auto index = static_cast<std::size_t>(k);
         const QString name = QStringLiteral("marker.") + QLatin1String(kCoordinateNames[index]);
-        const double most = k == kThetaY ? 90.0 : 180.0;
+        const double max = k == kThetaY ? 90.0 : 180.0;
         m_pose[index] =
-            k < kThetaX ? number(name, -kMmShown, kMmShown, 2, 1.0) : number(name, -most, most, 2, 1.0);
+            k < kThetaX ? number(name, -kMmShown, kMmShown, 2, 1.0) : number(name, -max, max, 2, 1.0);
         place(3 + index, m_pose[index]);
         connect(m_pose[index], &QDoubleSpinBox::valueChanged, this, [this, k](double value) {
             edit(

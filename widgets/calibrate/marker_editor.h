@@ -37,7 +37,7 @@ protected:
 
 private:
     void buildForm(QGridLayout* form);
-    QDoubleSpinBox* number(const QString& name, double least, double most, int decimals, double step);
+    QDoubleSpinBox* number(const QString& name, double min, double max, int decimals, double step);
     int selected() const;
     void edit(const std::function<void(MarkerSpec&)>& change);
     void add();

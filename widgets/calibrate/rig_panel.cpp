@@ -401,13 +401,14 @@ void RigPanel::showPlace() {
 
 void RigPanel::showSource() {
     m_sourceIcon->hide();
-    const Pose believed = poseFromCoordinates(m_experiment.source.pose);
+    const Pose configured = poseFromCoordinates(m_experiment.source.pose);
     if (!m_source) {
         const std::string& date = m_experiment.vision.sourcePoseDate;
         m_sourceVerdict->setText(date.empty() ? tr("As typed") : tr("In use"));
         m_sourceText->setText(
-            date.empty() ? tr("The source lies at %1.").arg(poseWords(believed))
-                         : tr("The source lies at %1, measured %2.").arg(poseWords(believed), ageText(date)));
+            date.empty()
+                ? tr("The source lies at %1.").arg(poseWords(configured))
+                : tr("The source lies at %1, measured %2.").arg(poseWords(configured), ageText(date)));
         return;
     }
     const Judgement judgement = judged(*m_source);
@@ -418,7 +419,7 @@ void RigPanel::showSource() {
     m_sourceIcon->setVisible(priority > 0);
     if (priority > 0)
         m_sourceIcon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatio()));
-    const PoseDifference off = differenceBetween(believed, m_X_RS);
+    const PoseDifference off = differenceBetween(configured, m_X_RS);
     QStringList lines{sentenceText(judgement.reason),
                       tr("The end-effector in the source: %1.").arg(poseWords(m_source->X_AB)),
                       tr("The source in the robot's base: %1.").arg(poseWords(m_X_RS))};

@@ -26,9 +26,9 @@ QColor unknownColour(bool dark) {
 QColor mapColour(double fraction, bool dark) {
     if (std::isnan(fraction))
         return unknownColour(dark);
-    const double least = dark ? 0.16 : 0.0;
-    const double most = dark ? 1.0 : 0.9;
-    const double place = (least + (most - least) * std::clamp(fraction, 0.0, 1.0)) * (kViridis.size() - 1);
+    const double min = dark ? 0.16 : 0.0;
+    const double max = dark ? 1.0 : 0.9;
+    const double place = (min + (max - min) * std::clamp(fraction, 0.0, 1.0)) * (kViridis.size() - 1);
     const auto i = std::min(static_cast<std::size_t>(place), kViridis.size() - 2);
     const double t = place - static_cast<double>(i);
     const QRgb a = kViridis[i];
@@ -36,14 +36,14 @@ QColor mapColour(double fraction, bool dark) {
     return QColor(mixed(qRed(a), qRed(b), t), mixed(qGreen(a), qGreen(b), t), mixed(qBlue(a), qBlue(b), t));
 }
 
-NiceRange niceRange(double least, double most, int steps) {
-    if (!(std::isfinite(least) && std::isfinite(most)))
+NiceRange niceRange(double min, double max, int steps) {
+    if (!(std::isfinite(min) && std::isfinite(max)))
         return {};
-    if (least > most)
-        std::swap(least, most);
-    if (most - least < 1e-9 * std::max(1.0, std::abs(most)))
-        most = least + 1.0;
-    const double raw = (most - least) / std::max(1, steps);
+    if (min > max)
+        std::swap(min, max);
+    if (max - min < 1e-9 * std::max(1.0, std::abs(max)))
+        max = min + 1.0;
+    const double raw = (max - min) / std::max(1, steps);
     const double decade = std::pow(10.0, std::floor(std::log10(raw)));
     double step = 10.0 * decade;
     for (const double factor : {1.0, 2.0, 5.0})
@@ -51,7 +51,7 @@ NiceRange niceRange(double least, double most, int steps) {
             step = factor * decade;
             break;
         }
-    return {std::floor(least / step + 1e-9) * step, std::ceil(most / step - 1e-9) * step, step};
+    return {std::floor(min / step + 1e-9) * step, std::ceil(max / step - 1e-9) * step, step};
 }
 
 } // namespace bask

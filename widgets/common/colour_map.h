@@ -13,12 +13,12 @@ QColor unknownColour(bool dark);
 
 /// Least and most of a colour bar (shown unit) that holds the interval and begins and ends on a whole step.
 struct NiceRange {
-    double least = 0.0;
-    double most = 1.0;
+    double min = 0.0;
+    double max = 1.0;
     double step = 1.0;
 };
 
 /// At most about `steps` steps of 1, 2 or 5 times a power of ten. Swaps and widens an empty interval.
-NiceRange niceRange(double least, double most, int steps);
+NiceRange niceRange(double min, double max, int steps);
 
 } // namespace bask

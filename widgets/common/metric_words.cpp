@@ -87,7 +87,7 @@ QString metricName(RunMetric metric) {
         return MetricWords::tr("Rotation of the end-effector");
     case RunMetric::VelocityLimit:
         return MetricWords::tr("Time at a velocity limit");
-    case RunMetric::HeldBack:
+    case RunMetric::Clamped:
         return MetricWords::tr("Time at any limit");
     }
     return {};
@@ -140,7 +140,7 @@ QString metricDefinition(RunMetric metric) {
             "Sum of the angles by which the end-effector was turned from sample to sample.");
     case RunMetric::VelocityLimit:
         return MetricWords::tr("Time in which the limit of speed or of rotation held the command back.");
-    case RunMetric::HeldBack:
+    case RunMetric::Clamped:
         return MetricWords::tr(
             "Time in which a limit of any kind held the command back: speed, rotation, acceleration, "
             "clearance or workspace.");
@@ -188,8 +188,8 @@ QString metricText(RunMetric metric, const RunMetrics& run) {
         return QLocale().toString(degFromRad(run.turned_rad), 'f', 1) + QStringLiteral("\u00a0\u00b0");
     case RunMetric::VelocityLimit:
         return withShare(run.atVelocityLimit_s);
-    case RunMetric::HeldBack:
-        return withShare(run.heldBack_s);
+    case RunMetric::Clamped:
+        return withShare(run.clamped_s);
     }
     return {};
 }

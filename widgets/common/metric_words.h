@@ -16,9 +16,9 @@ inline constexpr std::array kObjectMetrics{
     ObjectMetric::Target,    ObjectMetric::Final,       ObjectMetric::Settling,  ObjectMetric::Rise,
     ObjectMetric::Overshoot, ObjectMetric::SteadyError, ObjectMetric::PathLength};
 
-enum class RunMetric { Duration, PathLength, Turned, VelocityLimit, HeldBack };
+enum class RunMetric { Duration, PathLength, Turned, VelocityLimit, Clamped };
 inline constexpr std::array kRunMetrics{RunMetric::Duration, RunMetric::PathLength, RunMetric::Turned,
-                                        RunMetric::VelocityLimit, RunMetric::HeldBack};
+                                        RunMetric::VelocityLimit, RunMetric::Clamped};
 
 QString metricName(ObjectMetric metric);
 QString metricName(RunMetric metric);

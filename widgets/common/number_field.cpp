@@ -4,12 +4,12 @@
 
 namespace bask {
 
-QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double least, double most, int decimals,
+QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
                             const QString& suffix) {
     auto* field = new QDoubleSpinBox(parent);
     field->setObjectName(name);
     field->setDecimals(decimals);
-    field->setRange(least, most);
+    field->setRange(min, max);
     field->setSuffix(suffix);
     field->setKeyboardTracking(false);
     field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

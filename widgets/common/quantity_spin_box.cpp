@@ -20,7 +20,7 @@ QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double shown) {
         if (m_showing)
             return;
-        m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_least_K, m_most_K);
+        m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_min_K, m_max_K);
         m_typed_K = m_value_K;
         m_typing = false;
         emit valueEdited_K(m_value_K);
@@ -94,14 +94,14 @@ QValidator::State QuantitySpinBox::validate(QString& text, int&) const {
 void QuantitySpinBox::setValue_K(double value_K) {
     if (!std::isfinite(value_K) || m_typing)
         return;
-    m_value_K = std::clamp(value_K, m_least_K, m_most_K);
+    m_value_K = std::clamp(value_K, m_min_K, m_max_K);
     show_K();
 }
 
-void QuantitySpinBox::setRange_K(double least_K, double most_K) {
-    m_least_K = least_K;
-    m_most_K = std::max(least_K, most_K);
-    m_value_K = std::clamp(m_value_K, m_least_K, m_most_K);
+void QuantitySpinBox::setRange_K(double min_K, double max_K) {
+    m_min_K = min_K;
+    m_max_K = std::max(min_K, max_K);
+    m_value_K = std::clamp(m_value_K, m_min_K, m_max_K);
     show_K();
 }
 
@@ -115,7 +115,7 @@ void QuantitySpinBox::setTemperatureUnit(TemperatureUnit unit) {
 void QuantitySpinBox::show_K() {
     m_showing = true;
     setSuffix(QChar(0x00a0) + temperatureUnitSymbol(m_unit));
-    setRange(displayTemperature(m_least_K, m_unit), displayTemperature(m_most_K, m_unit));
+    setRange(displayTemperature(m_min_K, m_unit), displayTemperature(m_max_K, m_unit));
     setValue(std::round(displayTemperature(m_value_K, m_unit) * 10.0) / 10.0); // as display.h rounds
     m_showing = false;
 }

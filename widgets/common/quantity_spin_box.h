@@ -20,7 +20,7 @@ public:
     double value_K() const { return m_value_K; }
     /// Shows a value without emitting valueEdited_K. Outside the range it is shown at the range's end.
     void setValue_K(double value_K);
-    void setRange_K(double least_K, double most_K);
+    void setRange_K(double min_K, double max_K);
     TemperatureUnit temperatureUnit() const { return m_unit; }
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -45,8 +45,8 @@ private:
 
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     double m_value_K = 298.15;
-    double m_least_K = 0.0;
-    double m_most_K = 1273.15;
+    double m_min_K = 0.0;
+    double m_max_K = 1273.15;
     bool m_showing = false;
     bool m_typing = false;
     double m_typed_K = 298.15; ///< as told last

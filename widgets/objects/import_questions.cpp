@@ -21,11 +21,11 @@ namespace {
 constexpr int kUnitFromHeader = -1;
 
 /// A positive length that is not known until it is typed.
-QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, int decimals, double most) {
+QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, int decimals, double max) {
     auto* box = new QDoubleSpinBox(parent);
     box->setObjectName(QString::fromLatin1(name));
     box->setDecimals(decimals);
-    box->setRange(0.0, most);
+    box->setRange(0.0, max);
     box->setKeyboardTracking(false);
     box->setSpecialValueText(QStringLiteral("\u2014"));
     return box;

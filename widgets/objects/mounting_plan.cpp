@@ -48,9 +48,9 @@ double turned_rad(double angle_deg) {
 } // namespace
 
 double gridStep_mm(double pixelsPerMm) {
-    const double least_mm = kGridMin_px / pixelsPerMm;
-    const double below_mm = niceLength(least_mm);
-    return below_mm < least_mm ? niceLength(2.501 * below_mm) : below_mm; // 1, 2, 5: the next one
+    const double min_mm = kGridMin_px / pixelsPerMm;
+    const double below_mm = niceLength(min_mm);
+    return below_mm < min_mm ? niceLength(2.501 * below_mm) : below_mm; // 1, 2, 5: the next one
 }
 
 MountingPlan::MountingPlan(QWidget* parent) : QWidget(parent) {
@@ -314,9 +314,7 @@ void MountingPlan::paintGround(QPainter& painter, const QTransform& map) const {
     const bool dark = isDark(this);
     const double step_mm = gridStep_mm(map.m11());
     const QRectF shown = map.inverted().mapRect(QRectF(rect()));
-    const auto first = [step_mm](double least_mm) {
-        return static_cast<int>(std::floor(least_mm / step_mm));
-    };
+    const auto first = [step_mm](double min_mm) { return static_cast<int>(std::floor(min_mm / step_mm)); };
     for (int k = first(shown.left()); k * step_mm < shown.right(); ++k) {
         painter.setPen(QPen(hairline(dark), k == 0 ? 1.8 : 0.7));
         painter.drawLine(map.map(QPointF(k * step_mm, shown.top())),

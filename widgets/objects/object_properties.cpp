@@ -63,11 +63,11 @@ ObjectProperties::ObjectProperties(QWidget* parent) : QWidget(parent) {
     build();
 }
 
-QDoubleSpinBox* ObjectProperties::number(const char* name, double least, double most, int decimals,
-                                         double step, std::function<void(ObjectSpec&, double)> apply) {
+QDoubleSpinBox* ObjectProperties::number(const char* name, double min, double max, int decimals, double step,
+                                         std::function<void(ObjectSpec&, double)> apply) {
     auto* field = new QDoubleSpinBox(this);
     field->setObjectName(QString::fromLatin1(name));
-    field->setRange(least, most);
+    field->setRange(min, max);
     field->setDecimals(decimals);
     field->setSingleStep(step);
     field->setKeyboardTracking(false);
@@ -232,7 +232,7 @@ void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
         return;
     if (!(changed.material == m_object.material)) {
         changed.material = withTrueName(changed.material);
-        changed.believedRates.reset(); // they were another material's
+        changed.estimatedRates.reset(); // they were another material's
     }
     m_object = changed;
     showObject();

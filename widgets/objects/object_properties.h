@@ -45,7 +45,7 @@ protected:
 private:
     void build();
     QLabel* heading(QGridLayout* layout, int row);
-    QDoubleSpinBox* number(const char* name, double least, double most, int decimals, double step,
+    QDoubleSpinBox* number(const char* name, double min, double max, int decimals, double step,
                            std::function<void(ObjectSpec&, double)> apply);
     QDoubleSpinBox* materialField(const Parameter<Material>& parameter);
     void edit(const std::function<void(ObjectSpec&)>& change);

@@ -117,7 +117,7 @@ void OutlinePreview::setDistances(const FourierFit& fit, const std::vector<Eigen
     }
     m_distances_mm.resize(distances_m.size());
     std::ranges::transform(distances_m, m_distances_mm.begin(), [](double d_m) { return d_m * kMmPerM; });
-    m_most_mm = *std::ranges::max_element(m_distances_mm);
+    m_max_mm = *std::ranges::max_element(m_distances_mm);
     retranslate();
     update();
 }
@@ -145,7 +145,7 @@ void OutlinePreview::retranslate() {
             << tr("%1, %2 mm wide and %3 mm high").arg(m_name, text(box.width(), 1), text(box.height(), 1))
             << axesText();
     if (isColoured())
-        sentences << tr("Imported outline at most %1 mm from the Fourier outline").arg(text(m_most_mm, 3));
+        sentences << tr("Imported outline at most %1 mm from the Fourier outline").arg(text(m_max_mm, 3));
     setAccessibleDescription(sentences.join(QStringLiteral(". ")));
 }
 
@@ -178,7 +178,7 @@ void OutlinePreview::paintDistances(QPainter& painter, const QTransform& map) co
     // What is nearer than half a pixel is drawn as one, with the largest of its distances; stretches of one
     // colour are one line.
     const bool dark = isDark(this);
-    const double perMm = kColours / std::max(m_most_mm, kMinScale_mm);
+    const double perMm = kColours / std::max(m_max_mm, kMinScale_mm);
     const auto levelOf = [&](double distance_mm) {
         return std::min(static_cast<int>(distance_mm * perMm), kColours - 1);
     };
@@ -189,21 +189,21 @@ void OutlinePreview::paintDistances(QPainter& painter, const QTransform& map) co
     };
     QPolygonF line{map.map(m_raw_mm.front())};
     int level = -1; // of the line
-    double most_mm = m_distances_mm.front();
+    double max_mm = m_distances_mm.front();
     for (qsizetype k = 1; k <= m_raw_mm.size(); ++k) {
         const qsizetype at = k % m_raw_mm.size();
         const QPointF p = map.map(m_raw_mm[at]);
-        most_mm = std::max(most_mm, m_distances_mm[static_cast<std::size_t>(at)]);
+        max_mm = std::max(max_mm, m_distances_mm[static_cast<std::size_t>(at)]);
         if (at != 0 && QLineF(line.back(), p).length() < kMinStep)
             continue;
-        const int next = levelOf(most_mm);
+        const int next = levelOf(max_mm);
         if (level >= 0 && next != level) {
             draw(line, level);
             line = {line.back()};
         }
         level = next;
         line << p;
-        most_mm = m_distances_mm[static_cast<std::size_t>(at)];
+        max_mm = m_distances_mm[static_cast<std::size_t>(at)];
     }
     draw(line, level);
 }
@@ -291,7 +291,7 @@ void OutlinePreview::paintColourBar(QPainter& painter, const QRectF& area) const
         painter.drawText(QRectF(0.0, bottom - line, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
                          text);
     };
-    label(area.top() + line, tr("%1 mm").arg(QLocale().toString(std::max(m_most_mm, kMinScale_mm), 'f', 3)));
+    label(area.top() + line, tr("%1 mm").arg(QLocale().toString(std::max(m_max_mm, kMinScale_mm), 'f', 3)));
     label(area.bottom(), tr("0 mm"));
 }
 

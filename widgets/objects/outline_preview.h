@@ -52,7 +52,7 @@ private:
     QPolygonF m_raw_mm;                 ///< as imported or, with distances, their points
     int m_rawPoints = 0;                ///< as imported
     std::vector<double> m_distances_mm; ///< of m_raw_mm; empty: not known
-    double m_most_mm = 0.0;             ///< the largest of them
+    double m_max_mm = 0.0;              ///< the largest of them
     PrincipalAxes m_axes;
     QColor m_color;
 };

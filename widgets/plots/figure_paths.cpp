@@ -172,17 +172,17 @@ struct Extents {
 };
 
 Extents extentsOf(const PathsFigure& figure) {
-    Extents most;
+    Extents extents;
     const auto take = [&](double x, double y, double z) {
-        most.side = std::max({most.side, std::abs(x), std::abs(y)});
-        most.top = std::max(most.top, z);
+        extents.side = std::max({extents.side, std::abs(x), std::abs(y)});
+        extents.top = std::max(extents.top, z);
     };
     for (const QPointF& point : figure.source_cm)
         take(point.x(), point.y(), 0.0);
     for (const FigurePath& path : figure.paths)
         for (const PathPoint& point : path.points)
             take(point.x_cm, point.y_cm, point.z_cm);
-    return {1.15 * most.side, 1.12 * most.top};
+    return {1.15 * extents.side, 1.12 * extents.top};
 }
 
 QCPAxisRect* addRect(QCustomPlot& plot, QCPLayoutGrid& views, int column, const QString& title,
@@ -256,9 +256,9 @@ QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QS
     const int width = static_cast<int>(figure.size_px.width() / kFigureScale);
     const int height = static_cast<int>(figure.size_px.height() / kFigureScale);
     plot.toPixmap(width, height); // lays out: the scales depend on it
-    const Extents most = extentsOf(figure);
-    setEqualScales(above.rect, {-most.side, most.side}, {-most.side, most.side});
-    setEqualScales(aside.rect, {-most.side, most.side}, {-0.08 * most.top, most.top});
+    const Extents extents = extentsOf(figure);
+    setEqualScales(above.rect, {-extents.side, extents.side}, {-extents.side, extents.side});
+    setEqualScales(aside.rect, {-extents.side, extents.side}, {-0.08 * extents.top, extents.top});
     drawing.settleNames();
     return pictureOf(plot, figure.size_px, format, comment);
 }

@@ -58,13 +58,13 @@ FigureRange extent(const Figure& figure, double (*of)(const QPointF&)) {
     FigureRange range{1e300, -1e300};
     for (const FigureSeries& series : figure.series)
         for (const QPointF& point : series.points)
-            range = {std::min(range.least, of(point)), std::max(range.most, of(point))};
-    return range.least <= range.most ? range : FigureRange{};
+            range = {std::min(range.min, of(point)), std::max(range.max, of(point))};
+    return range.min <= range.max ? range : FigureRange{};
 }
 
 QCPRange withMargin(const FigureRange& range, double part) {
-    const double margin = part * std::max(range.most - range.least, 1e-9);
-    return {range.least - margin, range.most + margin};
+    const double margin = part * std::max(range.max - range.min, 1e-9);
+    return {range.min - margin, range.max + margin};
 }
 
 /// Whole decades that hold all points; a linear axis gets a margin.
@@ -72,14 +72,14 @@ void setRanges(QCustomPlot& plot, const Figure& figure) {
     const FigureRange x = extent(figure, [](const QPointF& point) { return point.x(); });
     const FigureRange y = extent(figure, [](const QPointF& point) { return point.y(); });
     if (figure.isYLogarithmic)
-        plot.yAxis->setRange(0.7 * std::pow(10.0, std::floor(std::log10(std::max(y.least, figure.smallest)))),
-                             std::pow(10.0, std::ceil(std::log10(std::max(y.most, figure.smallest)))));
+        plot.yAxis->setRange(0.7 * std::pow(10.0, std::floor(std::log10(std::max(y.min, figure.smallest)))),
+                             std::pow(10.0, std::ceil(std::log10(std::max(y.max, figure.smallest)))));
     else
         plot.yAxis->setRange(withMargin(figure.yRange.value_or(y), 0.05));
     if (figure.isXLogarithmic)
-        plot.xAxis->setRange(x.least / 1.4, x.most * 1.4);
+        plot.xAxis->setRange(x.min / 1.4, x.max * 1.4);
     else if (figure.xRange)
-        plot.xAxis->setRange(figure.xRange->least, figure.xRange->most);
+        plot.xAxis->setRange(figure.xRange->min, figure.xRange->max);
     else
         plot.xAxis->setRange(withMargin(x, 0.03));
 }

@@ -25,7 +25,7 @@ struct FigureSeries {
 
 /// Least and largest number on an axis.
 struct FigureRange {
-    double least = 0.0, most = 1.0;
+    double min = 0.0, max = 1.0;
 };
 
 /// What a figure shows. Logarithmic axes take positive numbers; `smallest` is where a logarithmic y-axis ends

@@ -130,8 +130,8 @@ private:
     void take(double value) {
         if (!std::isfinite(value))
             return;
-        m_least = std::min(m_least, value);
-        m_most = std::max(m_most, value);
+        m_min = std::min(m_min, value);
+        m_max = std::max(m_max, value);
     }
 
     void setRanges() {
@@ -139,12 +139,12 @@ private:
         m_plot.xAxis->setRange(0.0, 1.01 * end);
         if (m_traces.rows() > 0 && m_traces.time_s(0) < 0.0)
             m_plot.xAxis->setRangeLower(m_traces.time_s(0) / m_time.length_s);
-        FigureRange needed = m_least <= m_most ? FigureRange{m_least, m_most} : FigureRange{};
+        FigureRange needed = m_min <= m_max ? FigureRange{m_min, m_max} : FigureRange{};
         if (m_figure.quantity == Quantity::Speed)
-            needed = {0.0, std::max(needed.most, 100.0)};
+            needed = {0.0, std::max(needed.max, 100.0)};
         const FigureRange range = m_figure.yRange.value_or(needed);
-        const double margin = 0.06 * std::max(range.most - range.least, 1e-9);
-        m_plot.yAxis->setRange(range.least - margin, range.most + margin);
+        const double margin = 0.06 * std::max(range.max - range.min, 1e-9);
+        m_plot.yAxis->setRange(range.min - margin, range.max + margin);
     }
 
     void addMoment(const FigureMoment& moment) {
@@ -168,7 +168,7 @@ private:
     const TraceFigure& m_figure;
     const TraceStore& m_traces;
     TimeUnit m_time;
-    double m_least = 1e300, m_most = -1e300;
+    double m_min = 1e300, m_max = -1e300;
 };
 
 } // namespace

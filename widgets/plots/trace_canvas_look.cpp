@@ -135,8 +135,8 @@ void TracePlot::Canvas::fitPensToDensity() {
     const std::size_t visible = traces->samplesBetween(time.lower, time.upper);
     const int width = std::max(1, axisRect()->width());
     // Of overlays the dashes tell the runs apart.
-    const int most = overlays.empty() || m_rest.isActive() ? width : 4 * width;
-    const Density density = std::cmp_greater(visible, most)                             ? Density::Dense
+    const int max = overlays.empty() || m_rest.isActive() ? width : 4 * width;
+    const Density density = std::cmp_greater(visible, max)                              ? Density::Dense
                             : m_rest.isActive() && std::cmp_greater(4 * visible, width) ? Density::Close
                                                                                         : Density::Loose;
     for (int i = 0; i < m_series.size(); ++i) {

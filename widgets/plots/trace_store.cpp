@@ -18,13 +18,12 @@ void add(TraceStore::Line& line, double time_s, double value) {
 }
 
 /// Least and greatest value of a stretch.
-void addPair(TraceStore::Line& line, double from_s, double to_s, double least, double greatest) {
+void addPair(TraceStore::Line& line, double from_s, double to_s, double min, double max) {
     // Goes on with the nearer one: a falling line falls.
-    if (!line.values.empty() &&
-        std::abs(line.values.back() - greatest) < std::abs(line.values.back() - least))
-        std::swap(least, greatest);
-    add(line, from_s, least);
-    add(line, to_s, greatest);
+    if (!line.values.empty() && std::abs(line.values.back() - max) < std::abs(line.values.back() - min))
+        std::swap(min, max);
+    add(line, from_s, min);
+    add(line, to_s, max);
 }
 
 /// Puts samples into a line: all, or where there are more than two a pixel, least and greatest values of so
@@ -43,20 +42,20 @@ public:
         if (m_count++ == 0)
             m_from_s = time_s;
         m_to_s = time_s;
-        m_least = std::fmin(m_least, value); // the other one where one is NaN
-        m_greatest = std::fmax(m_greatest, value);
+        m_min = std::fmin(m_min, value); // the other one where one is NaN
+        m_max = std::fmax(m_max, value);
     }
     void end() {
         if (m_count > 0)
-            addPair(m_line, m_from_s, m_to_s, m_least, m_greatest);
+            addPair(m_line, m_from_s, m_to_s, m_min, m_max);
         m_count = 0;
-        m_least = m_greatest = kNaN;
+        m_min = m_max = kNaN;
     }
 
 private:
     TraceStore::Line& m_line;
     std::size_t m_group, m_count = 0;
-    double m_from_s = 0.0, m_to_s = 0.0, m_least = kNaN, m_greatest = kNaN;
+    double m_from_s = 0.0, m_to_s = 0.0, m_min = kNaN, m_max = kNaN;
 };
 
 } // namespace
@@ -227,7 +226,7 @@ void TraceStore::addStretches(Line& line, Quantity quantity, std::size_t series,
         Extremes extremes;
         for (std::size_t j = k; j < end; ++j)
             extremes.include(all.extremes(quantity, series, j));
-        addPair(line, all.from_s(k), all.to_s(end - 1), extremes.least, extremes.greatest);
+        addPair(line, all.from_s(k), all.to_s(end - 1), extremes.min, extremes.max);
     }
 }
 

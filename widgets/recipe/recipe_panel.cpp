@@ -23,7 +23,7 @@
 namespace bask {
 namespace {
 
-enum Column { kNumber, kStep, kUntil, kAtMost, kElapsed, kState, kColumns };
+enum Column { kNumber, kStep, kUntil, kMaxDuration, kElapsed, kState, kColumns };
 constexpr int kIcon = 14;
 
 RecipeStep waiting(RecipeStep::Until until, const QStringList& objects) {
@@ -177,7 +177,7 @@ void RecipePanel::showRows() {
         set(kNumber, QString::number(row + 1));
         set(kStep, step.isRun() ? tr("Run %1").arg(stepWords(step)) : stepWords(step));
         set(kUntil, step.goesOn ? tr("%1; otherwise on with the next").arg(condition) : condition);
-        set(kAtMost, atMostWords(step));
+        set(kMaxDuration, maxDurationWords(step));
         set(kElapsed, progress.state == RecipeProgress::State::Waiting ? QString()
                                                                        : formatDuration(progress.elapsed_s));
         set(kState, state);
@@ -192,7 +192,7 @@ void RecipePanel::showRows() {
             item->setIcon(kState, icon);
             item->setData(kState, Qt::UserRole, shown);
         }
-        for (const int column : {kNumber, kAtMost, kElapsed})
+        for (const int column : {kNumber, kMaxDuration, kElapsed})
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
 }
@@ -204,7 +204,7 @@ void RecipePanel::showState() {
         const QString step = tr("Step %1 of %2").arg(m_view.step + 1).arg(m_view.recipe.steps.size());
         const QString at = tr("%1 of at most %2")
                                .arg(formatDuration(m_view.progress[m_view.step].elapsed_s),
-                                    atMostWords(m_view.recipe.steps[m_view.step]));
+                                    maxDurationWords(m_view.recipe.steps[m_view.step]));
         const QString doing = m_view.phase == Phase::Run    ? tr("running, %1").arg(at)
                               : m_view.phase == Phase::Wait ? tr("waiting, %1").arg(at)
                               : m_view.phase == Phase::Stop ? tr("heat off, retreat")
@@ -216,7 +216,7 @@ void RecipePanel::showState() {
         text = tr("Experiments that are run one after another, with waits. Add a step or open a recipe.");
     } else {
         text = tr("%n step(s), at most %1", nullptr, static_cast<int>(m_view.recipe.steps.size()))
-                   .arg(formatDuration(atMost_s(m_view.recipe)));
+                   .arg(formatDuration(maxDuration_s(m_view.recipe)));
     }
     if (!m_view.isOn() && !m_view.recipe.steps.empty()) {
         QString file = m_view.file.isEmpty() ? tr("not saved yet") : m_view.file;

@@ -42,7 +42,7 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
                                    QWidget* parent)
     : QDialog(parent), m_step(step), m_form(new QFormLayout), m_until(new QComboBox(this)),
       m_duration(new SecondsSpinBox(this)), m_object(new QComboBox(this)),
-      m_temperature(new QuantitySpinBox(this)), m_atMost(new SecondsSpinBox(this)),
+      m_temperature(new QuantitySpinBox(this)), m_maxDuration(new SecondsSpinBox(this)),
       m_otherwise(new QComboBox(this)) {
     setObjectName(QStringLiteral("recipeStepDialog"));
     setWindowTitle(step.isRun() ? tr("Run %1").arg(stepWords(step)) : tr("Wait"));
@@ -55,12 +55,12 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     m_until->addItem(tr("An object is so cold or colder"), static_cast<int>(Until::Below));
     m_until->setCurrentIndex(m_until->findData(static_cast<int>(step.until)));
     const ValidRange& limit = limitParameters(Until::Settled).front().range;
-    m_atMost->setRange(limit.min, limit.max);
+    m_maxDuration->setRange(limit.min, limit.max);
     setDurationRange(Until::Settled);
     m_duration->setValue(step.duration_s);
-    m_atMost->setValue(step.atMost_s);
+    m_maxDuration->setValue(step.maxDuration_s);
     m_shownDuration_s = m_duration->value();
-    m_shownAtMost_s = m_atMost->value();
+    m_shownMaxDuration_s = m_maxDuration->value();
     m_object->setEditable(true);
     m_object->addItems(objects);
     if (!step.object.empty())
@@ -77,7 +77,7 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     addRow(tr("For"), m_duration, "duration");
     addRow(tr("Object"), m_object, "object");
     addRow(tr("Temperature"), m_temperature, "temperature");
-    addRow(tr("At most"), m_atMost, "atMost");
+    addRow(tr("At most"), m_maxDuration, "atMost");
     addRow(tr("Otherwise"), m_otherwise, "otherwise");
     m_otherwise->setToolTip(
         tr("Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a "
@@ -117,7 +117,7 @@ void RecipeStepDialog::showFields() {
     m_form->setRowVisible(m_duration, !isOfObject);
     m_form->setRowVisible(m_object, isOfObject);
     m_form->setRowVisible(m_temperature, isOfObject);
-    m_form->setRowVisible(m_atMost, until != Until::Time);
+    m_form->setRowVisible(m_maxDuration, until != Until::Time);
     setDurationRange(isOfObject ? Until::Settled : until);
     adjustSize();
 }
@@ -129,8 +129,8 @@ RecipeStep RecipeStepDialog::step() const {
     if (m_duration->value() != m_shownDuration_s)
         made.duration_s = m_duration->value();
     made.duration_s = std::max(made.duration_s, m_duration->minimum());
-    if (m_atMost->value() != m_shownAtMost_s)
-        made.atMost_s = m_atMost->value();
+    if (m_maxDuration->value() != m_shownMaxDuration_s)
+        made.maxDuration_s = m_maxDuration->value();
     if (made.until == Until::Above || made.until == Until::Below) {
         made.object = m_object->currentText().trimmed().toStdString();
         made.temperature_K = m_temperature->value_K();

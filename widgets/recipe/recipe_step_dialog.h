@@ -32,14 +32,14 @@ private:
     void setDurationRange(RecipeStep::Until until);
     void showFields();
 
-    RecipeStep m_step;                                     ///< as given
-    double m_shownDuration_s = 0.0, m_shownAtMost_s = 0.0; ///< the same, rounded
+    RecipeStep m_step;                                          ///< as given
+    double m_shownDuration_s = 0.0, m_shownMaxDuration_s = 0.0; ///< the same, rounded
     QFormLayout* m_form;
     QComboBox* m_until;
     QDoubleSpinBox* m_duration;
     QComboBox* m_object;
     QuantitySpinBox* m_temperature;
-    QDoubleSpinBox* m_atMost;
+    QDoubleSpinBox* m_maxDuration;
     QComboBox* m_otherwise;
 };
 

@@ -42,8 +42,8 @@ QString conditionWords(const RecipeStep& step, TemperatureUnit unit) {
     return {};
 }
 
-QString atMostWords(const RecipeStep& step) {
-    return formatDuration(step.until == Until::Time ? step.duration_s : step.atMost_s);
+QString maxDurationWords(const RecipeStep& step) {
+    return formatDuration(step.until == Until::Time ? step.duration_s : step.maxDuration_s);
 }
 
 QString stateWord(State state) {
@@ -60,7 +60,7 @@ QString stateWord(State state) {
         return Words::tr("Failed");
     case State::Stopped:
         return Words::tr("Stopped");
-    case State::Held:
+    case State::Paused:
         return Words::tr("Held");
     }
     return {};
@@ -83,7 +83,7 @@ QPixmap statePixmap(State state, bool dark, int size, double devicePixelRatio) {
         painter.drawEllipse(QRectF(at(0.2, 0.2), at(0.8, 0.8)));
     else if (state == State::Stopped) // square
         painter.drawRect(QRectF(at(0.24, 0.24), at(0.76, 0.76)));
-    else if (state == State::Held) // two bars
+    else if (state == State::Paused) // two bars
         painter.drawLines({QLineF(at(0.34, 0.22), at(0.34, 0.78)), QLineF(at(0.66, 0.22), at(0.66, 0.78))});
     painter.setBrush(colour);
     if (state == State::Underway) // arrow

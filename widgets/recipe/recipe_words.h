@@ -14,7 +14,7 @@ QString stepWords(const RecipeStep& step);
 /// "all have settled for 1:00", "left is at 30.0 °C or below".
 QString conditionWords(const RecipeStep& step, TemperatureUnit unit);
 /// "15:00"; of a step that ends by its time, that.
-QString atMostWords(const RecipeStep& step);
+QString maxDurationWords(const RecipeStep& step);
 /// "Done".
 QString stateWord(RecipeProgress::State state);
 QPixmap statePixmap(RecipeProgress::State state, bool dark, int size, double devicePixelRatio);

@@ -173,7 +173,7 @@ void CheckList::showSensors() {
 void CheckList::showSource() {
     const double wanted_K = m_last.heatSetPoint_K.value_or(m_setPoint_K);
     const double now_K = sourceTemperature_K(m_last);
-    if (m_last.heat == HeatState::Unknown && !m_last.isSourceByHand)
+    if (m_last.heat == HeatState::Unknown && !m_last.isSourceManual)
         return put(m_source, Kind::Unknown,
                    tr("Source: UNKNOWN whether it heats, %1").arg(sourceReadingText(m_last, m_unit)));
     if (!std::isfinite(now_K))

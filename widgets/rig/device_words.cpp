@@ -101,7 +101,7 @@ QString portText(const RigSpec& rig, DeviceRole role) {
     case DeviceRole::Thermometer:
         return QString::fromStdString(rig.thermometer->port);
     case DeviceRole::HeatSource:
-        return isKeptByHand(*rig.source) ? QString() : QString::fromStdString(rig.source->port);
+        return isManualSource(*rig.source) ? QString() : QString::fromStdString(rig.source->port);
     case DeviceRole::Camera:
         return QString::fromStdString(rig.camera);
     }

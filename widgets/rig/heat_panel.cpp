@@ -69,7 +69,7 @@ void HeatPanel::apply(const Snapshot& snapshot, bool mayHeat) {
     m_last.latest.source_K = snapshot.latest.source_K;
     m_last.sourceAge_s = snapshot.sourceAge_s;
     m_last.heatSetPoint_K = snapshot.heatSetPoint_K;
-    m_last.isSourceByHand = snapshot.isSourceByHand;
+    m_last.isSourceManual = snapshot.isSourceManual;
     m_mayHeat = mayHeat;
     showState();
 }
@@ -99,17 +99,17 @@ void HeatPanel::ask(double setPoint_K) {
 }
 
 void HeatPanel::showState() {
-    const bool byHand = m_last.isSourceByHand;
+    const bool isManual = m_last.isSourceManual;
     for (QWidget* part : std::initializer_list<QWidget*>{m_setPointLabel, m_setPoint, m_on, m_off})
-        part->setVisible(!byHand);
+        part->setVisible(!isManual);
     for (QWidget* part : std::initializer_list<QWidget*>{m_typedLabel, m_typed, m_take})
-        part->setVisible(byHand);
+        part->setVisible(isManual);
     m_on->setEnabled(m_mayHeat);
     m_setPoint->setEnabled(m_mayHeat);
     const QString now = sourceReadingText(m_last, m_unit);
-    const bool isUnknown = !byHand && m_last.heat == HeatState::Unknown;
+    const bool isUnknown = !isManual && m_last.heat == HeatState::Unknown;
     QString text;
-    if (byHand)
+    if (isManual)
         text = tr("A person keeps the source hot: %1 as typed last.").arg(now);
     else if (isUnknown && m_last.heatSetPoint_K)
         text = tr("UNKNOWN whether it heats: it was asked to heat towards %1. Last seen: %2.")

@@ -46,9 +46,9 @@ LimitsPanel::LimitsPanel(QWidget* parent)
     retranslate();
 }
 
-QDoubleSpinBox* LimitsPanel::number(const QString& name, double least, double most, int decimals,
+QDoubleSpinBox* LimitsPanel::number(const QString& name, double min, double max, int decimals,
                                     const QString& suffix, const Apply& apply) {
-    QDoubleSpinBox* field = numberField(this, name, least, most, decimals, suffix);
+    QDoubleSpinBox* field = numberField(this, name, min, max, decimals, suffix);
     connect(field, &QDoubleSpinBox::valueChanged, this,
             [this, field, apply](double value) { edit(field, apply, value); });
     return field;
@@ -84,11 +84,11 @@ QWidget* LimitsPanel::buildWorkspace() {
     for (int k = 0; k < 6; ++k) {
         const auto i = static_cast<std::size_t>(k);
         const QString name = QLatin1String(kCoordinateNames[i]);
-        const double most = k < kThetaX ? 5000.0 : 180.0;
+        const double max = k < kThetaX ? 5000.0 : 180.0;
         m_names[i] = new QLabel(coordinateWord(k), part);
-        m_lower[i] = number(QStringLiteral("lower.") + name, -most, most, 2, coordinateSymbol(k),
+        m_lower[i] = number(QStringLiteral("lower.") + name, -max, max, 2, coordinateSymbol(k),
                             [k](Experiment& e, double v) { e.robot.lower[k] = coordinateFromShown(k, v); });
-        m_upper[i] = number(QStringLiteral("upper.") + name, -most, most, 2, coordinateSymbol(k),
+        m_upper[i] = number(QStringLiteral("upper.") + name, -max, max, 2, coordinateSymbol(k),
                             [k](Experiment& e, double v) { e.robot.upper[k] = coordinateFromShown(k, v); });
         grid->addWidget(m_names[i], k + 1, 0);
         grid->addWidget(m_lower[i], k + 1, 1);

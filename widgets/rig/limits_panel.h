@@ -40,8 +40,8 @@ protected:
 
 private:
     using Apply = std::function<void(Experiment&, double)>;
-    QDoubleSpinBox* number(const QString& name, double least, double most, int decimals,
-                           const QString& suffix, const Apply& apply);
+    QDoubleSpinBox* number(const QString& name, double min, double max, int decimals, const QString& suffix,
+                           const Apply& apply);
     QWidget* buildSource();
     QWidget* buildWorkspace();
     void buildMotion();

@@ -33,11 +33,11 @@ void applyPreset(vtkCamera& camera, ViewPreset preset) {
 void fitCamera(vtkCamera& camera, const Box& box, QSizeF size, QMarginsF margins) {
     if (box.isEmpty() || size.width() < 1.0 || size.height() < 1.0)
         return;
-    const double least = 0.5;
+    const double min = 0.5;
     const double across = margins.left() + margins.right();
     const double upright = margins.top() + margins.bottom();
-    const double shrink = std::min({1.0, across > 0.0 ? least * size.width() / across : 1.0,
-                                    upright > 0.0 ? least * size.height() / upright : 1.0});
+    const double shrink = std::min({1.0, across > 0.0 ? min * size.width() / across : 1.0,
+                                    upright > 0.0 ? min * size.height() / upright : 1.0});
     margins *= shrink;
 
     const Eigen::Vector3d direction = Eigen::Map<const Eigen::Vector3d>(camera.GetDirectionOfProjection());

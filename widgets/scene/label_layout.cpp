@@ -50,11 +50,11 @@ double LabelLayout::cost(const QRectF& rect) const {
     return sum;
 }
 
-QRectF LabelLayout::place(std::size_t key, QRectF anchor, QSizeF size, double most) {
+QRectF LabelLayout::place(std::size_t key, QRectF anchor, QSizeF size, double max) {
     if (key >= m_last.size())
         m_last.resize(key + 1, -1);
     constexpr int kCount = static_cast<int>(kDirections.size() * kDistances.size());
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     int best = 0;
     for (int i = 0; i < kCount; ++i) {
         const int ring = i / static_cast<int>(kDirections.size());
@@ -62,12 +62,12 @@ QRectF LabelLayout::place(std::size_t key, QRectF anchor, QSizeF size, double mo
         const double liking = 0.5 * ring + 0.04 * direction - (i == m_last[key] ? 0.3 : 0.0);
         const double hidden = cost(candidate(i, anchor, size));
         const double total = hidden + liking;
-        if (hidden <= most && total < least) {
-            least = total;
+        if (hidden <= max && total < min) {
+            min = total;
             best = i;
         }
     }
-    if (!std::isfinite(least))
+    if (!std::isfinite(min))
         return {};
     m_last[key] = best;
     QRectF rect = candidate(best, anchor, size);

@@ -20,10 +20,10 @@ public:
     void take(QRectF rect, double weight = 1.0);
     bool isFree(const QRectF& rect) const;
     /// Where label number `key` goes: beside the anchor, which has a size of its own. Takes the place; or
-    /// gives an empty rectangle and takes none when every place costs more than `most` (1: a quarter of the
+    /// gives an empty rectangle and takes none when every place costs more than `max` (1: a quarter of the
     /// label hides another).
     QRectF place(std::size_t key, QRectF anchor, QSizeF size,
-                 double most = std::numeric_limits<double>::infinity());
+                 double max = std::numeric_limits<double>::infinity());
 
 private:
     struct Taken {

@@ -26,10 +26,10 @@ Box frameOf(const Experiment& experiment) {
         for (const Eigen::Vector2d& p : shapeOutline(experiment.source.shape, kOutlinePoints))
             box.extend(poseFromCoordinates(place) * Eigen::Vector3d(p.x(), p.y(), 0.0));
     // A plane or a line is no box: give it some height.
-    const double least = 0.1 * box.diagonal().norm();
+    const double min = 0.1 * box.diagonal().norm();
     for (int axis = 0; axis < 3; ++axis)
-        if (box.sizes()[axis] < least)
-            box.extend(Eigen::Vector3d(box.max() + least * Eigen::Vector3d::Unit(axis)));
+        if (box.sizes()[axis] < min)
+            box.extend(Eigen::Vector3d(box.max() + min * Eigen::Vector3d::Unit(axis)));
     return box;
 }
 

@@ -225,7 +225,7 @@ void SceneOverlay::paintBar(Frame& frame) {
     const double height = std::clamp(0.42 * frame.size.height(), 90.0, 240.0);
     const int decimals = decimalsFor(range.step);
     double widest = 0.0;
-    for (const double value : {range.least, range.most})
+    for (const double value : {range.min, range.max})
         widest = std::max(widest, frame.metrics.horizontalAdvance(numberText(value, decimals)));
     const QString title =
         frame.metrics.elidedText(frame.content.barTitle, Qt::ElideMiddle, 0.4 * frame.size.width());
@@ -243,7 +243,7 @@ void SceneOverlay::paintBar(Frame& frame) {
         gradient.setColorAt(i / 16.0, mapColour(i / 16.0, frame.dark));
     painter.fillRect(bar, gradient);
 
-    const double span = range.most - range.least;
+    const double span = range.max - range.min;
     const int steps = static_cast<int>(std::lround(span / range.step));
     const int every = std::max(1, static_cast<int>(std::ceil(steps * 1.6 * frame.metrics.height() / height)));
     for (int i = 0; i <= steps; i += every) {
@@ -254,7 +254,7 @@ void SceneOverlay::paintBar(Frame& frame) {
         painter.drawText(QRectF(bar.right() + kTick + 3.0, y - 0.5 * frame.metrics.height(), widest,
                                 frame.metrics.height()),
                          Qt::AlignRight | Qt::AlignVCenter | Qt::TextDontClip,
-                         numberText(range.least + i * range.step, decimals));
+                         numberText(range.min + i * range.step, decimals));
     }
     m_layout.take(
         QRectF(bar.left() - 6.0, 0.0, block + 6.0 + kPadding, bar.bottom() + frame.metrics.height()));

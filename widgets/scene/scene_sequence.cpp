@@ -59,7 +59,7 @@ void SceneSequence::setFrames(std::vector<SurfaceFrame> frames, PoseSubset subse
 
 QString SceneSequence::caption(int index) const {
     static constexpr std::array<const char*, 6> kNames{"x", "y", "z", "θx", "θy", "θz"};
-    const double value = m_frames.at(static_cast<std::size_t>(index)).held[m_varied];
+    const double value = m_frames.at(static_cast<std::size_t>(index)).fixed[m_varied];
     const bool turns = m_varied >= kThetaX;
     return QStringLiteral("%1 = %2%3")
         .arg(QString::fromUtf8(kNames[m_varied]),
@@ -72,7 +72,7 @@ void SceneSequence::show(int index) {
         return;
     m_shown = index;
     const SurfaceFrame& frame = m_frames[static_cast<std::size_t>(index)];
-    m_scene.setSurfaces(frame.surfaces, frame.held, m_subset);
+    m_scene.setSurfaces(frame.surfaces, frame.fixed, m_subset);
     emit shown(index);
 }
 
@@ -112,7 +112,7 @@ void SceneSequence::saveNext() {
         return;
     }
     const SurfaceFrame& frame = m_frames[static_cast<std::size_t>(index)];
-    m_scene.setSurfaces(frame.surfaces, frame.held, m_subset);
+    m_scene.setSurfaces(frame.surfaces, frame.fixed, m_subset);
     const QString path = framePath(m_folder, index);
     m_pictures.push_back(m_scene.image(m_size));
     QImage frameWithCaption = captioned(m_pictures.back(), caption(index), m_scene.palette(), m_scene.font());

@@ -99,8 +99,8 @@ NiceRange SceneView::Impl::range() const {
 }
 
 QColor SceneView::Impl::colourOf(double t_K, bool dark) const {
-    return mapColour(
-        (displayTemperature(t_K, unit) - shownRange.least) / (shownRange.most - shownRange.least), dark);
+    return mapColour((displayTemperature(t_K, unit) - shownRange.min) / (shownRange.max - shownRange.min),
+                     dark);
 }
 
 OverlayContent SceneView::Impl::overlayContent(bool dark) const {
@@ -344,7 +344,7 @@ void SceneView::prepareFrame() {
         if (m->rebuild)
             m->props->build(m->experiment, m->frame);
         const NiceRange range = m->range();
-        const bool newRange = range.least != m->shownRange.least || range.most != m->shownRange.most;
+        const bool newRange = range.min != m->shownRange.min || range.max != m->shownRange.max;
         m->shownRange = range;
         vtkCamera* camera = m->view->renderer().GetActiveCamera();
         const Eigen::Vector3d direction(camera->GetDirectionOfProjection());

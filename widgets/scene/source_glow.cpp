@@ -74,12 +74,12 @@ std::vector<double> sourceGlow(const std::vector<Eigen::Vector2d>& outline, cons
                 (1.0 + wx * (at(-1) + at(1)) + wy * (at(-width) + at(width))) / (2.0 * (wx + wy));
             u[static_cast<std::size_t>(cell)] += overrelaxation * (settled - at(0));
         }
-    const double most = *std::ranges::max_element(u);
+    const double max = *std::ranges::max_element(u);
     std::vector<double> glow;
     glow.reserve(static_cast<std::size_t>(n) * static_cast<std::size_t>(n));
     for (int row = 1; row <= n; ++row)
         for (int column = 1; column <= n; ++column)
-            glow.push_back(most > 0.0 ? u[static_cast<std::size_t>(row * width + column)] / most : 0.0);
+            glow.push_back(max > 0.0 ? u[static_cast<std::size_t>(row * width + column)] / max : 0.0);
     return glow;
 }
 

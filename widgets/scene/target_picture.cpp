@@ -100,7 +100,7 @@ bool TargetPicture::setExperiment(const Experiment& next) {
     }
     rig = std::make_unique<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
                                         poseFromCoordinates(source.pose));
-    held = experiment.start;
+    fixed = experiment.start;
     surfaces.clear();
     verdict.reset();
     setSubset(subset);
@@ -168,7 +168,7 @@ QString TargetPicture::placeText(const Eigen::Vector3d& p) const {
 Eigen::Vector3d TargetPicture::offsetOf(std::size_t object) const {
     if (!isOverOwn())
         return Eigen::Vector3d::Zero();
-    return centreOffset(poseFromCoordinates(experiment.objects[object].mounting), held);
+    return centreOffset(poseFromCoordinates(experiment.objects[object].mounting), fixed);
 }
 
 /// Whether the surfaces are those through the verdict's pose: others meet elsewhere, if at all.
@@ -176,13 +176,13 @@ bool TargetPicture::isAtVerdict() const {
     constexpr double kSame = 1e-6;
     const int other = isOverAngles() ? kX : kThetaX;
     return verdict && !isOverOwn() &&
-           (held.segment<3>(other) - verdict->pose.segment<3>(other)).norm() < kSame;
+           (fixed.segment<3>(other) - verdict->pose.segment<3>(other)).norm() < kSame;
 }
 
 /// The verdict's pose; without one the start, turned as the surfaces are held.
 Vector6d TargetPicture::ghost() const {
     Vector6d q = experiment.start;
-    q.tail<3>() = held.tail<3>();
+    q.tail<3>() = fixed.tail<3>();
     return verdict ? verdict->pose : q;
 }
 
@@ -206,7 +206,7 @@ double TargetPicture::cutValue(double F) const {
 
 /// Where the end-effector is at the held angles when the lowest object has just the clearance.
 std::vector<Eigen::Vector3d> TargetPicture::clearancePolygon() const {
-    Vector6d q = held;
+    Vector6d q = fixed;
     q.head<3>() = rig->X_RS().translation();
     const Eigen::Vector3d n = rig->away();
     const double offset =
@@ -219,18 +219,18 @@ void TargetPicture::showCut(bool dark) {
         targets->setCut({}, [](double) { return QColor(); });
         return;
     }
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double min = std::numeric_limits<double>::infinity();
+    double max = -min;
     for (const double F : cut->field->values) // comparisons with NaN are false
-        least = F < least ? F : least, most = F > most ? F : most;
-    cutRange = least <= most ? niceRange(cutValue(least), cutValue(most), kContourSteps) : NiceRange{};
+        min = F < min ? F : min, max = F > max ? F : max;
+    cutRange = min <= max ? niceRange(cutValue(min), cutValue(max), kContourSteps) : NiceRange{};
     CutSheet sheet = sheetOf(*cut->field, cut->axis % 3, cut->position);
     for (double& value : sheet.values)
         value = cutValue(value);
-    for (double line = cutRange.least + cutRange.step; line < cutRange.most; line += cutRange.step)
+    for (double line = cutRange.min + cutRange.step; line < cutRange.max; line += cutRange.step)
         sheet.lines.push_back(line);
     targets->setCut(sheet, [this, dark](double value) {
-        return mapColour((value - cutRange.least) / (cutRange.most - cutRange.least), dark);
+        return mapColour((value - cutRange.min) / (cutRange.max - cutRange.min), dark);
     });
 }
 
@@ -371,7 +371,7 @@ std::optional<PickedPose> TargetPicture::poseAt(QPointF place) const {
         return std::nullopt;
     PickedPose pose;
     pose.place = ray.origin + *nearest * ray.direction;
-    pose.q = held;
+    pose.q = fixed;
     pose.q.segment<3>(isOverAngles() ? kThetaX : kX) = pose.place - offsetOf(object);
     try {
         pointArrows(pose);

@@ -27,7 +27,7 @@ struct TargetPicture {
     std::unique_ptr<RigGeometry> rig; ///< null without an experiment
     std::vector<HeatRates> rates;
     Box frame;
-    Vector6d held = Vector6d::Zero();
+    Vector6d fixed = Vector6d::Zero();
     PoseSubset subset = PoseSubset::Translation;
     std::vector<Isosurface> surfaces;
     std::optional<SceneVerdict> verdict;

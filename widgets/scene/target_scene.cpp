@@ -113,16 +113,16 @@ void TargetScene::setExperiment(const Experiment& experiment) {
     requestFrame();
 }
 
-void TargetScene::setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held, PoseSubset subset) {
+void TargetScene::setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& fixed, PoseSubset subset) {
     if (subset != m->subset) {
         m->setSubset(subset);
         m->cameraIsPersons = false; // the next frame fits it
         dropPick();
     }
-    if (!m->isPickAt(held))
+    if (!m->isPickAt(fixed))
         dropPick();
     m->surfaces = std::move(surfaces);
-    m->held = held;
+    m->fixed = fixed;
     m->resurface = true;
     requestFrame();
 }

@@ -50,12 +50,12 @@ public:
     /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
     /// They stay when only targets are others.
     void setExperiment(const Experiment& experiment);
-    /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
+    /// One surface an object, over the subset's coordinates of the end-effector in R; `fixed` has the others.
     /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
     /// the robot's limits and marks, but neither source nor objects. Over the objects' own positions nothing
     /// is marked: each object of the ghost stands on its surface. The verdict's point is marked only where
-    /// `held` is that of its pose. Another subset drops cut and pick, another `held` the pick.
-    void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held,
+    /// `fixed` is that of its pose. Another subset drops cut and pick, another `fixed` the pick.
+    void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& fixed,
                      PoseSubset subset = PoseSubset::Translation);
     void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
     /// After setSurfaces of its subset. Throws std::invalid_argument unless the field is over it.
@@ -84,7 +84,7 @@ signals:
     /// A point was clicked: the end-effector's coordinates (that put the object there whose own position it
     /// is), and a line an object: F, steady temperature, and how fast that rises along its arrow.
     void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
-    /// The point picked last went, whatever made it go: also another experiment, subset or `held`.
+    /// The point picked last went, whatever made it go: also another experiment, subset or `fixed`.
     void pickDropped();
     void surfacesDrawn(); ///< the first frame with new surfaces was made
 

@@ -17,9 +17,9 @@ public:
     explicit CoordinateSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
 
     /// m or rad. The place stays where it is on the range.
-    void setCoordinate(int coordinate, double least, double most) {
+    void setCoordinate(int coordinate, double min, double max) {
         m_stepsPerUnit = coordinate < kThetaX ? 1000.0 : 2.0 * degFromRad(1.0);
-        setRange(steps(least), steps(most));
+        setRange(steps(min), steps(max));
         setPageStep(std::max(1, (maximum() - minimum()) / 8));
     }
     double place() const { return value() / m_stepsPerUnit; }

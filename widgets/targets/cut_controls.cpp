@@ -79,9 +79,9 @@ int CutControls::coordinate() const {
 /// The slider over the axis, its place kept if it is on it and was of it.
 void CutControls::place() {
     const FieldAxis& axis = m_axes[static_cast<std::size_t>(m_axis->currentIndex())];
-    const double least = axis.at(0), most = axis.at(axis.count - 1);
+    const double min = axis.at(0), max = axis.at(axis.count - 1);
     const QSignalBlocker quiet(m_place);
-    m_place->setCoordinate(axis.coordinate, least, most);
+    m_place->setCoordinate(axis.coordinate, min, max);
     if (m_placed != axis.coordinate)
         m_place->setPlace(m_home[m_axis->currentIndex()]);
     m_placed = object() ? static_cast<int>(axis.coordinate) : -1;

@@ -37,7 +37,7 @@ HeldControls::HeldControls(QWidget* parent)
         row->addLayout(cell.layout);
         connect(cell.slider, &QSlider::valueChanged, this, [this, k, slider = cell.slider] {
             showWord(k, slider->place());
-            emit heldByHand(k, slider->place());
+            emit fixedManually(k, slider->place());
         });
         m_cells.at(static_cast<std::size_t>(k)) = cell;
     }
@@ -63,14 +63,14 @@ void HeldControls::setCoordinates(const std::vector<Coordinate>& coordinates, co
     setVisible(!coordinates.empty());
 }
 
-void HeldControls::setHeld(const Vector6d& held, bool byHand) {
+void HeldControls::setFixed(const Vector6d& fixed, bool isManual) {
     for (int k = 0; k < 6; ++k) {
         CoordinateSlider* slider = m_cells.at(static_cast<std::size_t>(k)).slider;
         const QSignalBlocker quiet(slider);
-        slider->setPlace(held[k]);
-        showWord(k, held[k]);
+        slider->setPlace(fixed[k]);
+        showWord(k, fixed[k]);
     }
-    m_atPose->setEnabled(byHand);
+    m_atPose->setEnabled(isManual);
 }
 
 void HeldControls::setPlaying(bool playing) {

@@ -29,12 +29,12 @@ public:
 
     /// Shows the sliders of these over the robot's range; of none, nothing is shown.
     void setCoordinates(const std::vector<Coordinate>& coordinates, const RobotLimits& robot);
-    /// Shows values; `byHand`: they are not the pose's.
-    void setHeld(const Vector6d& held, bool byHand);
+    /// Shows values; `isManual`: they are not the pose's.
+    void setFixed(const Vector6d& fixed, bool isManual);
     void setPlaying(bool playing);
 
 signals:
-    void heldByHand(int coordinate, double value);
+    void fixedManually(int coordinate, double value);
     void poseWanted();
     void playWanted(bool play);
 

@@ -17,7 +17,7 @@ constexpr int kMaxFrame_px = 2000; // nine of them are in memory, and make one s
 
 } // namespace
 
-PictureDialog::PictureDialog(const QString& title, QSize size, int most, QWidget* parent)
+PictureDialog::PictureDialog(const QString& title, QSize size, int max, QWidget* parent)
     : QDialog(parent), m_sizes(new QComboBox(this)), m_width(new QSpinBox(this)),
       m_height(new QSpinBox(this)) {
     setWindowTitle(title);
@@ -25,15 +25,15 @@ PictureDialog::PictureDialog(const QString& title, QSize size, int most, QWidget
     m_width->setObjectName("pictureWidth");
     m_height->setObjectName("pictureHeight");
     for (QSpinBox* side : {m_width, m_height}) {
-        side->setRange(kMin_px, most);
+        side->setRange(kMin_px, max);
         side->setSingleStep(10);
         side->setSuffix(tr(" px"));
         connect(side, &QSpinBox::valueChanged, this, &PictureDialog::findSize);
     }
-    const QSize least(kMin_px, kMin_px);
-    const QSize view = size.boundedTo({most, most}).expandedTo(least);
-    const auto add = [this, most](const QString& name, QSize offered) {
-        if (std::max(offered.width(), offered.height()) <= most)
+    const QSize min(kMin_px, kMin_px);
+    const QSize view = size.boundedTo({max, max}).expandedTo(min);
+    const auto add = [this, max](const QString& name, QSize offered) {
+        if (std::max(offered.width(), offered.height()) <= max)
             m_sizes->addItem(name.arg(offered.width()).arg(offered.height()), offered);
     };
     add(tr("As the view: %1 × %2"), view);

@@ -18,8 +18,8 @@ class PictureDialog : public QDialog {
 public:
     static constexpr int kMin_px = 100, kMax_px = 8192;
 
-    /// Starts with `size`, which leads the list as the view's; `most` bounds either side.
-    PictureDialog(const QString& title, QSize size, int most, QWidget* parent);
+    /// Starts with `size`, which leads the list as the view's; `max` bounds either side.
+    PictureDialog(const QString& title, QSize size, int max, QWidget* parent);
 
     QSize size_px() const;
 

@@ -40,13 +40,13 @@ double rounded_K(double t_K, TemperatureUnit unit) {
 /// A pixel a cell; transparent where no pose comes.
 QImage cellPicture(const ReachableMap& map, const QPalette& palette) {
     const bool dark = isDark(palette);
-    double least = 1.0, most = 0.0;
+    double min = 1.0, max = 0.0;
     for (const double share : map.density)
         if (share > 0.0) {
-            least = std::min(least, share);
-            most = std::max(most, share);
+            min = std::min(min, share);
+            max = std::max(max, share);
         }
-    const double decades = std::log(std::max(most / least, 1.001));
+    const double decades = std::log(std::max(max / min, 1.001));
     QImage picture(map.cells, map.cells, QImage::Format_ARGB32);
     picture.fill(Qt::transparent);
     for (int y = 0; y < map.cells; ++y)
@@ -55,7 +55,7 @@ QImage cellPicture(const ReachableMap& map, const QPalette& palette) {
             if (map.reachable[k])
                 picture.setPixelColor(x, map.cells - 1 - y,
                                       map.density[k] > 0.0
-                                          ? mapColour(std::log(map.density[k] / least) / decades, dark)
+                                          ? mapColour(std::log(map.density[k] / min) / decades, dark)
                                           : rareColour(palette));
         }
     return picture;

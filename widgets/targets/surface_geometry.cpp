@@ -2,13 +2,13 @@
 
 namespace bask {
 
-TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& held) {
+TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed) {
     const double step = subset == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m;
     TargetGeometry geometry{.source = RadiatingContour(experiment.source.shape),
                             .X_RS = poseFromCoordinates(experiment.source.pose),
                             .objects = {},
                             .axes = surfaceAxes(subset, experiment.robot, step),
-                            .held = held,
+                            .fixed = fixed,
                             .ofOwnCentres = subset == PoseSubset::OwnTranslation,
                             .clearance_m = experiment.robot.clearance_m};
     for (const ObjectSpec& object : experiment.objects)
@@ -45,20 +45,20 @@ bool isOtherGeometry(const Experiment& a, const Experiment& b) {
     return false;
 }
 
-std::vector<Coordinate> heldCoordinates(PoseSubset subset, const RobotLimits& robot) {
-    std::vector<Coordinate> held;
+std::vector<Coordinate> fixedCoordinates(PoseSubset subset, const RobotLimits& robot) {
+    std::vector<Coordinate> fixed;
     const int first = subset == PoseSubset::Rotation ? kX : kThetaX;
     for (int k = first; k < first + 3; ++k)
         if (robot.free[static_cast<std::size_t>(k)] && robot.lower[k] < robot.upper[k])
-            held.push_back(static_cast<Coordinate>(k));
-    return held;
+            fixed.push_back(static_cast<Coordinate>(k));
+    return fixed;
 }
 
 std::optional<Coordinate> sweptCoordinate(PoseSubset subset, const RobotLimits& robot) {
-    const std::vector<Coordinate> held = heldCoordinates(subset, robot);
-    if (held.empty())
+    const std::vector<Coordinate> fixed = fixedCoordinates(subset, robot);
+    if (fixed.empty())
         return std::nullopt;
-    return subset == PoseSubset::Rotation ? held.back() : held.front();
+    return subset == PoseSubset::Rotation ? fixed.back() : fixed.front();
 }
 
 std::vector<double> sweptValues(const RobotLimits& robot, Coordinate coordinate, int count) {

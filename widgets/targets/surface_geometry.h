@@ -11,7 +11,7 @@
 
 namespace bask {
 
-TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& held);
+TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed);
 
 /// View factors that the verdict's targets need, one an object.
 std::vector<double> neededViewFactors(const JointVerdict& verdict);
@@ -23,7 +23,7 @@ std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> surfaceGap(const Join
 bool isOtherGeometry(const Experiment& a, const Experiment& b);
 
 /// Coordinates that are held under a subset and that the robot moves.
-std::vector<Coordinate> heldCoordinates(PoseSubset subset, const RobotLimits& robot);
+std::vector<Coordinate> fixedCoordinates(PoseSubset subset, const RobotLimits& robot);
 /// The one of them that is played through: the first angle, the highest-named position (z where it is free).
 /// Nothing where none is free.
 std::optional<Coordinate> sweptCoordinate(PoseSubset subset, const RobotLimits& robot);

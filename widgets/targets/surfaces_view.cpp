@@ -51,12 +51,12 @@ void SurfacesView::connectControls() {
         if (const auto order = PictureDialog::askAnimation(m_scene->size(), this))
             saveAnimation(order->path, order->size_px);
     });
-    connect(m_heldControls, &HeldControls::heldByHand, this, &SurfacesView::hold);
+    connect(m_heldControls, &HeldControls::fixedManually, this, &SurfacesView::fix);
     connect(m_heldControls, &HeldControls::playWanted, this, &SurfacesView::play);
     connect(m_heldControls, &HeldControls::poseWanted, this, [this] {
         endPlay();
-        for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
-            m_heldByHand.at(k).reset();
+        for (const Coordinate k : fixedCoordinates(subset(), m_experiment.robot))
+            m_fixedManually.at(k).reset();
         m_scene->clearPick();
         compute();
     });
@@ -66,10 +66,10 @@ void SurfacesView::connectControls() {
         endExport();
     });
     connect(m_player, &SweepPlayer::progressed, m_exportBar, &ExportBar::showProgress);
-    connect(m_player, &SweepPlayer::shown, this, [this](const Vector6d& held) {
+    connect(m_player, &SweepPlayer::shown, this, [this](const Vector6d& fixed) {
         m_behind = false;
         showStale();
-        m_heldControls->setHeld(held, true);
+        m_heldControls->setFixed(fixed, true);
     });
     connect(m_player, &SweepPlayer::saved, this, &SurfacesView::tellAnimation);
     connect(m_player, &SweepPlayer::failed, this, [this](const Error& error) {
@@ -97,7 +97,7 @@ void SurfacesView::setExperiment(const Experiment& experiment) {
         m_exportBar->hide();
         m_job.forget(); // and so are its fields
         m_fields.reset();
-        m_heldByHand.fill({});
+        m_fixedManually.fill({});
         m_verdict.reset();
         m_scene->clearPick();
     }
@@ -165,17 +165,17 @@ Vector6d SurfacesView::foundPose() const {
 }
 
 /// The held three; the others are 0.
-Vector6d SurfacesView::heldPose() const {
-    Vector6d held = foundPose();
-    for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
-        held[k] = m_heldByHand.at(k).value_or(held[k]);
-    held.segment<3>(subset() == PoseSubset::Rotation ? kThetaX : kX).setZero();
-    return held;
+Vector6d SurfacesView::fixedPose() const {
+    Vector6d fixed = foundPose();
+    for (const Coordinate k : fixedCoordinates(subset(), m_experiment.robot))
+        fixed[k] = m_fixedManually.at(k).value_or(fixed[k]);
+    fixed.segment<3>(subset() == PoseSubset::Rotation ? kThetaX : kX).setZero();
+    return fixed;
 }
 
-void SurfacesView::hold(int coordinate, double value) {
+void SurfacesView::fix(int coordinate, double value) {
     endPlay();
-    m_heldByHand.at(static_cast<std::size_t>(coordinate)) = value;
+    m_fixedManually.at(static_cast<std::size_t>(coordinate)) = value;
     m_scene->clearPick();
     compute();
 }
@@ -195,14 +195,14 @@ void SurfacesView::compute() {
     showControls();
     if (!ready() || !isVisible() || m_player->isSaving())
         return;
-    const Vector6d held = heldPose();
-    const bool same = m_fields && m_fieldsHeld == held && m_fieldsSubset == subset();
+    const Vector6d fixed = fixedPose();
+    const bool same = m_fields && m_fieldsFixed == fixed && m_fieldsSubset == subset();
     m_job.run(
-        [experiment = m_experiment, held, subset = subset(), known = same ? m_fields : nullptr,
+        [experiment = m_experiment, fixed, subset = subset(), known = same ? m_fields : nullptr,
          viewFactors = neededViewFactors(*m_verdict)](const std::stop_token& stop) {
-            Answer answer{known, held, subset, {}, {}};
+            Answer answer{known, fixed, subset, {}, {}};
             if (!known) {
-                auto fields = targetFields(surfaceGeometry(experiment, subset, held), stop);
+                auto fields = targetFields(surfaceGeometry(experiment, subset, fixed), stop);
                 if (!fields) {
                     answer.problem = fields.error();
                     return answer;
@@ -220,9 +220,9 @@ void SurfacesView::take(Answer answer) {
     if (answer.problem.code() != MessageCode::None)
         emit problem(messageText(answer.problem.message));
     m_fields = std::move(answer.fields);
-    m_fieldsHeld = answer.held;
+    m_fieldsFixed = answer.fixed;
     m_fieldsSubset = answer.subset;
-    m_scene->setSurfaces(std::move(answer.surfaces), answer.held, answer.subset);
+    m_scene->setSurfaces(std::move(answer.surfaces), answer.fixed, answer.subset);
     m_behind = false;
     showStale();
     showCut();
@@ -232,7 +232,7 @@ std::optional<Sweep> SurfacesView::sweep() const {
     const auto varied = sweptCoordinate(subset(), m_experiment.robot);
     if (!ready() || !varied)
         return std::nullopt;
-    return Sweep{surfaceGeometry(m_experiment, subset(), heldPose()), subset(), *varied,
+    return Sweep{surfaceGeometry(m_experiment, subset(), fixedPose()), subset(), *varied,
                  sweptValues(m_experiment.robot, *varied, Sweep::kFrames), neededViewFactors(*m_verdict)};
 }
 
@@ -272,7 +272,7 @@ void SurfacesView::showCut() {
     if (known && subset() == PoseSubset::OwnTranslation)
         home += centreOffset(
             poseFromCoordinates(m_experiment.objects[static_cast<std::size_t>(*object)].mounting),
-            heldPose());
+            fixedPose());
     m_cut->setAxes(known ? m_fields->at(static_cast<std::size_t>(*object))->axes
                          : surfaceAxes(subset(), m_experiment.robot,
                                        subset() == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m),
@@ -316,19 +316,19 @@ void SurfacesView::tellAnimation(const Error& error) {
 
 void SurfacesView::showControls() {
     const bool saving = m_player->isSaving();
-    const std::vector<Coordinate> held = heldCoordinates(subset(), m_experiment.robot);
-    m_heldControls->setCoordinates(saving ? std::vector<Coordinate>() : held, m_experiment.robot);
+    const std::vector<Coordinate> fixed = fixedCoordinates(subset(), m_experiment.robot);
+    m_heldControls->setCoordinates(saving ? std::vector<Coordinate>() : fixed, m_experiment.robot);
     if (!m_player->isPlaying())
-        m_heldControls->setHeld(heldPose(), std::ranges::any_of(held, [this](Coordinate k) {
-                                    return m_heldByHand.at(k).has_value();
-                                }));
+        m_heldControls->setFixed(fixedPose(), std::ranges::any_of(fixed, [this](Coordinate k) {
+                                     return m_fixedManually.at(k).has_value();
+                                 }));
     m_heldControls->setPlaying(m_player->isPlaying());
     m_space->setEnabled(!saving);
     m_cut->setEnabled(!saving && !m_player->isPlaying());
     m_views->setEnabled(!saving); // all pictures from one direction
     m_scene->setAttribute(Qt::WA_TransparentForMouseEvents, saving);
     m_views->setExports(!saving && m_scene->hasPicture(),
-                        !saving && m_scene->hasPicture() && ready() && !held.empty() && !m_stale);
+                        !saving && m_scene->hasPicture() && ready() && !fixed.empty() && !m_stale);
 }
 
 void SurfacesView::retranslate() {

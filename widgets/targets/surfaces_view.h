@@ -63,7 +63,7 @@ private:
     using Fields = std::vector<std::shared_ptr<const Field>>;
     struct Answer {
         std::shared_ptr<const Fields> fields;
-        Vector6d held = Vector6d::Zero();
+        Vector6d fixed = Vector6d::Zero();
         PoseSubset subset = PoseSubset::Translation;
         std::vector<Isosurface> surfaces;
         Error problem; ///< without a code: none
@@ -72,13 +72,13 @@ private:
     PoseSubset subset() const;
     bool ready() const;
     Vector6d foundPose() const;
-    Vector6d heldPose() const;
+    Vector6d fixedPose() const;
     std::optional<Sweep> sweep() const;
     void compute();
     void take(Answer answer);
     void showVerdict();
     void showStale();
-    void hold(int coordinate, double value);
+    void fix(int coordinate, double value);
     void changeSpace();
     void play(bool on);
     void endPlay();
@@ -90,9 +90,9 @@ private:
 
     Experiment m_experiment;
     std::optional<JointVerdict> m_verdict;
-    std::array<std::optional<double>, 6> m_heldByHand; ///< others are as the verdict's pose
-    std::shared_ptr<const Fields> m_fields;            ///< of the experiment, m_fieldsHeld and m_fieldsSubset
-    Vector6d m_fieldsHeld = Vector6d::Zero();
+    std::array<std::optional<double>, 6> m_fixedManually; ///< others are as the verdict's pose
+    std::shared_ptr<const Fields> m_fields; ///< of the experiment, m_fieldsFixed and m_fieldsSubset
+    Vector6d m_fieldsFixed = Vector6d::Zero();
     PoseSubset m_fieldsSubset = PoseSubset::Translation;
     bool m_stale = false;  ///< the verdict
     bool m_behind = false; ///< the surfaces, behind the verdict

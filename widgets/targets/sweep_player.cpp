@@ -9,7 +9,7 @@ SweepPlayer::SweepPlayer(TargetScene& scene, QObject* parent) : QObject(parent),
         if (!isPlaying())
             return; // back to where it was, after saving
         m_shown = index;
-        emit shown(m_held.at(static_cast<std::size_t>(index)));
+        emit shown(m_fixed.at(static_cast<std::size_t>(index)));
     });
     connect(&m_sequence, &SceneSequence::progressed, this, &SweepPlayer::progressed);
     connect(&m_sequence, &SceneSequence::saved, this, [this](const Error& problem) {
@@ -56,9 +56,9 @@ void SweepPlayer::compute(Sweep sweep, std::function<void()> then) {
                 stop();
                 return saving ? emit saved(frames.error()) : emit failed(frames.error());
             }
-            m_held.clear();
+            m_fixed.clear();
             for (const SurfaceFrame& frame : *frames)
-                m_held.push_back(frame.held);
+                m_fixed.push_back(frame.fixed);
             m_sequence.setFrames(std::move(*frames), subset, varied);
             then();
         });

@@ -44,7 +44,7 @@ public:
 
 signals:
     /// A frame is in the scene.
-    void shown(const bask::Vector6d& held);
+    void shown(const bask::Vector6d& fixed);
     /// Of save(): frames written; none yet while surfaces are computed.
     void progressed(int done, int of);
     /// save() is done: without a code in `problem`, all went well.
@@ -57,7 +57,7 @@ private:
     void compute(Sweep sweep, std::function<void()> then);
 
     SceneSequence m_sequence;
-    std::vector<Vector6d> m_held; ///< of each frame
+    std::vector<Vector6d> m_fixed; ///< of each frame
     int m_shown = 0;
     Doing m_doing = Doing::Nothing;
     LatestJob<Result<std::vector<SurfaceFrame>>> m_job;

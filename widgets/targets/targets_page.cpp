@@ -465,7 +465,7 @@ void TargetsPage::showJoint() {
     m_jointDetail->setPalette(captionPalette(palette()));
     m_useNearest->setText(tr("Use nearest feasible"));
     m_useNearest->setVisible(bad && !m_verdict->nearest_K.empty());
-    const bool kept = !bad || m_verdict->heldKept;
+    const bool kept = !bad || m_verdict->fixedKept;
     m_useNearest->setEnabled(m_editable && kept);
     m_useNearest->setToolTip(
         kept ? QString()
@@ -492,7 +492,7 @@ QString TargetsPage::jointDetail() const {
     QString text = tr("Best compromise, at %1: %2.")
                        .arg(poseText(verdict.pose, m_experiment.robot), residuals.join(separator));
     text += QLatin1Char('\n') + tr("Nearest targets that can be held: %1.").arg(nearest.join(separator));
-    if (!verdict.heldKept)
+    if (!verdict.fixedKept)
         text += QLatin1Char(' ') + tr("Those to be kept cannot be held together.");
     return text;
 }

@@ -34,9 +34,9 @@ Pair viewFactors(double needed, double bound) {
 FeasibilityVerdict verdictHere(const TargetVerdict& v) {
     if (v.verdict != FeasibilityVerdict::Reachable)
         return v.verdict;
-    if (v.target_K > v.reachableMax_K + kHeldWithin_K)
+    if (v.target_K > v.reachableMax_K + kReachedWithin_K)
         return FeasibilityVerdict::TooHot;
-    if (v.target_K < v.reachableMin_K - kHeldWithin_K)
+    if (v.target_K < v.reachableMin_K - kReachedWithin_K)
         return FeasibilityVerdict::TooCold;
     return FeasibilityVerdict::Reachable;
 }
@@ -104,12 +104,12 @@ QString coordinateText(int coordinate, double value) {
 }
 
 QString poseText(const Vector6d& pose, const RobotLimits& robot) {
-    const Vector6d leastShown = (Vector6d() << Eigen::Vector3d::Constant(0.05 / 100.0),
-                                 Eigen::Vector3d::Constant(radFromDeg(0.05)))
-                                    .finished(); // half a tenth of a cm or degree
+    const Vector6d minShown = (Vector6d() << Eigen::Vector3d::Constant(0.05 / 100.0),
+                               Eigen::Vector3d::Constant(radFromDeg(0.05)))
+                                  .finished(); // half a tenth of a cm or degree
     QStringList parts;
     for (int k = 0; k < 6; ++k)
-        if (robot.free[static_cast<std::size_t>(k)] || std::abs(pose[k]) >= leastShown[k])
+        if (robot.free[static_cast<std::size_t>(k)] || std::abs(pose[k]) >= minShown[k])
             parts << coordinateText(k, pose[k]);
     return parts.join(QStringLiteral(", "));
 }

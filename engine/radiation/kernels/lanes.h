@@ -57,10 +57,10 @@ BASK_INLINE Lanes laneAtan2(Lanes y, Lanes x) {
     const Lanes ax = laneAbs(x);
     const Lanes ay = laneAbs(y);
     const auto steep = ay > ax;
-    const Lanes most = select(steep, ay, ax) + 1e-305;
-    const Lanes least = select(steep, ax, ay);
-    const auto wide = least > 0.41421356237309503 * most;
-    const Lanes a = select(wide, least - most, least) / select(wide, least + most, most);
+    const Lanes max = select(steep, ay, ax) + 1e-305;
+    const Lanes min = select(steep, ax, ay);
+    const auto wide = min > 0.41421356237309503 * max;
+    const Lanes a = select(wide, min - max, min) / select(wide, min + max, max);
     const Lanes z = a * a;
     const Lanes w = z * z;
     const Lanes even =

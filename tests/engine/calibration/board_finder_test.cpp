@@ -41,12 +41,12 @@ TEST(BoardFinder, FindsTheChessboards) {
 }
 
 TEST(BoardFinder, FindsTheCharucoBoards) {
-    const std::size_t least[] = {24, 24, 22, 24}; // by OpenCV 4.6; 4.10 finds a marker more in the third
+    const std::size_t min[] = {24, 24, 22, 24}; // by OpenCV 4.6; 4.10 finds a marker more in the third
     for (std::size_t k = 0; k < 4; ++k) {
         const std::string path = test::charucoViews()[k];
         const auto view = findBoard(test::greyOf(path), board("charuco:5x7:0.04:0.02:6X6_250"), path);
         ASSERT_TRUE(view) << describe(view.error());
-        EXPECT_GE(view->corners.size(), least[k]) << path;
+        EXPECT_GE(view->corners.size(), min[k]) << path;
     }
 }
 

@@ -14,8 +14,8 @@ using test::RigScene;
 constexpr int kFrames = 30;
 
 Result<RelativePose> poseOf(const std::vector<MarkerFrame>& frames, const RigScene& scene,
-                            const MarkerLayout& believed) {
-    return relativePose(frames, believed, Part::Source, Part::EndEffector, scene.camera);
+                            const MarkerLayout& assumed) {
+    return relativePose(frames, assumed, Part::Source, Part::EndEffector, scene.camera);
 }
 
 MarkerLayout without(MarkerLayout layout, std::initializer_list<int> ids) {
@@ -183,10 +183,10 @@ TEST(RelativePose, AMarkerThatIsAlwaysWrongIsNamed) {
 TEST(RelativePose, AMarkerOfAnotherSizeIsFound) {
     for (const double side_m : {0.04, 0.048, 0.06}) {
         RigScene scene;
-        const MarkerLayout believed = scene.layout;
+        const MarkerLayout assumed = scene.layout;
         scene.layout.markers[2].side_m = side_m;
         std::mt19937 random(13);
-        const auto pose = poseOf(scene.frames(kFrames, random), scene, believed);
+        const auto pose = poseOf(scene.frames(kFrames, random), scene, assumed);
         ASSERT_TRUE(pose) << describe(pose.error());
         ASSERT_TRUE(test::says(pose->a.remarks, MessageCode::MarkerSideOther, "2")) << side_m;
         const auto& remark =
@@ -202,7 +202,7 @@ TEST(RelativePose, AMarkerOfAnotherSizeIsFound) {
 // covariance widens by what the markers contradict one another, all corners of one together. Three and two
 // markers tell less of that, and errors have longer tails than a normal distribution's.
 TEST(RelativePose, BadlyPlacedMarkersWidenTheCovariance) {
-    for (const auto& [layout, least] :
+    for (const auto& [layout, min] :
          {std::pair(test::standardLayout(), 80), {without(test::standardLayout(), {2, 12}), 70}}) {
         std::mt19937 random(14);
         std::normal_distribution<double> normal;
@@ -221,7 +221,7 @@ TEST(RelativePose, BadlyPlacedMarkersWidenTheCovariance) {
             within +=
                 test::normalisedError(pose->X_AB, pose->covariance, scene.X_SE()) < test::kChiSquare6At95;
         }
-        EXPECT_GE(within, least);
+        EXPECT_GE(within, min);
     }
 }
 
@@ -230,13 +230,13 @@ TEST(RelativePose, TheBaseIsAPartAsTheOthers) {
     RigScene scene;
     std::mt19937 random(22);
     const auto frames = scene.frames(kFrames, random);
-    MarkerLayout believed = scene.layout;
-    for (PlacedMarker& marker : believed.markers)
+    MarkerLayout assumed = scene.layout;
+    for (PlacedMarker& marker : assumed.markers)
         marker.part = marker.part == Part::EndEffector ? Part::Base : marker.part;
-    const auto X_RS = relativePose(frames, believed, Part::Base, Part::Source, scene.camera, 0.4);
+    const auto X_RS = relativePose(frames, assumed, Part::Base, Part::Source, scene.camera, 0.4);
     ASSERT_TRUE(X_RS) << describe(X_RS.error());
     EXPECT_LT((X_RS->X_AB.inverse().translation() - scene.X_SE().translation()).norm(), 1e-3);
-    const auto byScatter = relativePose(frames, believed, Part::Base, Part::Source, scene.camera);
+    const auto byScatter = relativePose(frames, assumed, Part::Base, Part::Source, scene.camera);
     EXPECT_DOUBLE_EQ(X_RS->a.corner_px, 0.4);
     EXPECT_GT(X_RS->covariance.trace(), 2.5 * byScatter->covariance.trace());
 }

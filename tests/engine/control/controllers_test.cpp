@@ -69,13 +69,13 @@ TEST(LevelServo, SettlesFromBeliefsThatAreFourTimesWrong) {
     for (const double wrong1 : {0.25, 1.0, 4.0})
         for (const double wrong2 : {0.25, 1.0, 4.0}) {
             Bench bench;
-            HeatRates believed = bench.rates;
-            believed.lambda1 *= wrong1;
-            believed.lambda2 *= wrong2;
-            believed.lambda3 *= wrong2;
+            HeatRates estimated = bench.rates;
+            estimated.lambda1 *= wrong1;
+            estimated.lambda2 *= wrong2;
+            estimated.lambda3 *= wrong2;
             const double target_K = bench.T_K + 8.0;
             const auto controller = makeController(settingsOf(ControllerKind::LevelServo),
-                                                   {bench.geometry, {believed}, {target_K}});
+                                                   {bench.geometry, {estimated}, {target_K}});
             double lastOutside_s = 0.0;
             bench.run(*controller, 400.0, 1.0, [&](double t, double T_K) {
                 if (std::abs(T_K - target_K) > 0.3)

@@ -13,7 +13,7 @@ namespace {
 
 enum Axis { X = 1, Y = 2, Z = 4, TurnX = 8, TurnY = 16, TurnZ = 32 };
 
-struct Held {
+struct MountedObject {
     double x_m, y_m;
     double radius_m = 0.015;
 };
@@ -22,28 +22,28 @@ struct Held {
 struct DependentRig {
     int axes = X | Y | Z | TurnX;
     Shape source = Disk{0.10};
-    Vector6d held = Vector6d{0.0, 0.0, 0.15, 0.0, 0.0, 0.0};
+    Vector6d fixed = Vector6d{0.0, 0.0, 0.15, 0.0, 0.0, 0.0};
 
-    std::vector<DependentObjects> dependent(const std::vector<Held>& objects) const {
+    std::vector<DependentObjects> dependent(const std::vector<MountedObject>& objects) const {
         RobotLimits limits;
         limits.lower << -0.2, -0.2, 0.01, radFromDeg(-35.0), radFromDeg(-35.0), radFromDeg(-90.0);
         limits.upper << 0.2, 0.2, 0.3, radFromDeg(35.0), radFromDeg(35.0), radFromDeg(90.0);
         for (int k = 0; k < 6; ++k) {
             limits.free[static_cast<std::size_t>(k)] = (axes >> k & 1) != 0;
             if ((axes >> k & 1) == 0)
-                limits.lower[k] = limits.upper[k] = held[k];
+                limits.lower[k] = limits.upper[k] = fixed[k];
         }
         std::vector<Shape> shapes;
         std::vector<Vector6d> mountings;
-        for (const Held& object : objects) {
+        for (const MountedObject& object : objects) {
             shapes.emplace_back(Disk{object.radius_m});
             mountings.push_back({object.x_m, object.y_m, 0.0, 0.0, 0.0, 0.0});
         }
-        return dependentObjects(RigGeometry(source, shapes, mountings, limits), held);
+        return dependentObjects(RigGeometry(source, shapes, mountings, limits), fixed);
     }
 };
 
-const std::vector<Held> kTriangle{{0.0, 0.05}, {-0.0435, -0.025}, {0.0435, -0.025}};
+const std::vector<MountedObject> kTriangle{{0.0, 0.05}, {-0.0435, -0.025}, {0.0435, -0.025}};
 
 std::vector<std::vector<int>> sets(const std::vector<DependentObjects>& found) {
     std::vector<std::vector<int>> out;
@@ -65,11 +65,11 @@ TEST(DependentObjects, SoundArrangementsHaveNone) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(-0.06, 0.06);
     for (int run = 0; run < 200; ++run) {
-        std::vector<Held> objects;
+        std::vector<MountedObject> objects;
         const std::size_t count = 1 + static_cast<std::size_t>(run % 4);
         while (objects.size() < count) {
-            const Held next{place(random), place(random)};
-            if (std::ranges::all_of(objects, [&](const Held& o) {
+            const MountedObject next{place(random), place(random)};
+            if (std::ranges::all_of(objects, [&](const MountedObject& o) {
                     return std::hypot(o.x_m - next.x_m, o.y_m - next.y_m) > 0.03;
                 }))
                 objects.push_back(next);
@@ -82,7 +82,7 @@ TEST(DependentObjects, SoundArrangementsHaveNone) {
 // Catches equal objects at mirror places of a round source whose free axes keep the mirror: they have the
 // same view factor for ever.
 TEST(DependentObjects, MirrorImagesAreAlike) {
-    const std::vector<Held> pair{{-0.04, 0.0}, {0.04, 0.0}};
+    const std::vector<MountedObject> pair{{-0.04, 0.0}, {0.04, 0.0}};
     const auto found = DependentRig{.axes = Y | Z | TurnX}.dependent(pair);
     ASSERT_EQ(sets(found), (Sets{{0, 1}}));
     EXPECT_TRUE(found.front().alike);
@@ -98,7 +98,7 @@ TEST(DependentObjects, MirrorImagesAreAlike) {
 TEST(DependentObjects, AnObjectThatNoAxisMovesIsASetOfOne) {
     EXPECT_EQ(sets(DependentRig{.axes = TurnZ}.dependent({{0.0, 0.0}})), (Sets{{0}}));
     DependentRig aside{.axes = TurnZ};
-    aside.held[kX] = 0.06;
+    aside.fixed[kX] = 0.06;
     EXPECT_TRUE(aside.dependent({{0.03, 0.0}}).empty());
     // With z free it moves; the turn adds nothing to either, so there is one way for two.
     const auto found = DependentRig{.axes = Z | TurnZ}.dependent({{0.0, 0.0}, {0.06, 0.0}});
@@ -109,7 +109,7 @@ TEST(DependentObjects, AnObjectThatNoAxisMovesIsASetOfOne) {
 // Catches the symmetry of a round source taken for a freedom: turning about its axis changes no view factor,
 // so x, y, z and the turn about z serve three objects, and all six axes five.
 TEST(DependentObjects, TheTurnAboutARoundSourcesAxisServesNoObject) {
-    std::vector<Held> four = kTriangle;
+    std::vector<MountedObject> four = kTriangle;
     four.push_back({0.01, 0.005, 0.01});
     EXPECT_EQ(sets(DependentRig{.axes = X | Y | Z | TurnZ}.dependent(four)), (Sets{{0, 1, 2, 3}}));
     EXPECT_TRUE(DependentRig{.axes = X | Y | Z | TurnZ}.dependent(kTriangle).empty());
@@ -117,7 +117,7 @@ TEST(DependentObjects, TheTurnAboutARoundSourcesAxisServesNoObject) {
     DependentRig square{.axes = X | Y | Z | TurnZ};
     square.source = Contour{{{-0.1, -0.06}, {0.1, -0.06}, {0.1, 0.06}, {-0.1, 0.06}}};
     EXPECT_TRUE(square.dependent(four).empty());
-    std::vector<Held> six = four;
+    std::vector<MountedObject> six = four;
     six.insert(six.end(), {{0.07, 0.04, 0.012}, {-0.08, 0.03, 0.009}});
     EXPECT_EQ(sets(DependentRig{.axes = 63}.dependent(six)), (Sets{{0, 1, 2, 3, 4, 5}}));
     six.pop_back();
@@ -135,7 +135,7 @@ TEST(DependentObjects, EachLeastSetIsTold) {
 TEST(DependentObjects, NoObjectOrNoPoseNoVerdict) {
     EXPECT_TRUE(DependentRig{}.dependent({}).empty());
     DependentRig low{.axes = X | Y};
-    low.held[kZ] = 0.005;
+    low.fixed[kZ] = 0.005;
     EXPECT_TRUE(low.dependent({{-0.04, 0.0}, {0.04, 0.0}}).empty());
 }
 

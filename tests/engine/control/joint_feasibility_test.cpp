@@ -169,9 +169,9 @@ TEST(JointFeasibility, DifferencesAgreeWithAGrid) {
                             request.rates);
     for (const PairVerdict& pair : verdictOf(request).conditions2) {
         const Eigen::ArrayXd difference = fine.table_K().col(pair.first) - fine.table_K().col(pair.second);
-        EXPECT_LE(pair.least_K, difference.minCoeff() + 1e-3);
+        EXPECT_LE(pair.min_K, difference.minCoeff() + 1e-3);
         EXPECT_GE(pair.largest_K, difference.maxCoeff() - 1e-3);
-        EXPECT_NEAR(pair.least_K, difference.minCoeff(), 1.0);
+        EXPECT_NEAR(pair.min_K, difference.minCoeff(), 1.0);
         EXPECT_NEAR(pair.largest_K, difference.maxCoeff(), 1.0);
     }
 }
@@ -182,16 +182,16 @@ TEST(JointFeasibility, NearestTargetsAreFeasibleAndKeepTheHeldOnes) {
     FeasibilityRequest request = requestOf(line(), SourceModel::Paper, {44.0, 43.0, 45.0});
     const JointVerdict plain = verdictOf(request);
     ASSERT_FALSE(plain.feasible);
-    request.held = {true, false, false};
-    const JointVerdict held = verdictOf(request);
-    EXPECT_TRUE(held.heldKept);
-    EXPECT_EQ(held.nearest_K[0], request.targets_K[0]);
+    request.fixed = {true, false, false};
+    const JointVerdict fixed = verdictOf(request);
+    EXPECT_TRUE(fixed.fixedKept);
+    EXPECT_EQ(fixed.nearest_K[0], request.targets_K[0]);
     const auto distance_K = [&](const std::vector<double>& nearest_K) {
         return std::hypot(nearest_K[0] - request.targets_K[0], nearest_K[1] - request.targets_K[1],
                           nearest_K[2] - request.targets_K[2]);
     };
-    EXPECT_GT(distance_K(held.nearest_K), distance_K(plain.nearest_K));
-    for (std::vector<double> nearest_K : {plain.nearest_K, held.nearest_K}) {
+    EXPECT_GT(distance_K(fixed.nearest_K), distance_K(plain.nearest_K));
+    for (std::vector<double> nearest_K : {plain.nearest_K, fixed.nearest_K}) {
         FeasibilityRequest again = request;
         again.targets_K = nearest_K;
         EXPECT_TRUE(verdictOf(again).feasible);
@@ -204,8 +204,8 @@ TEST(JointFeasibility, NearestTargetsAreFeasibleAndKeepTheHeldOnes) {
 // Held targets that are impossible by themselves must not be passed off as kept.
 TEST(JointFeasibility, HeldTargetsThatCannotBeAreSaidNotToBeKept) {
     FeasibilityRequest request = requestOf(triangle(), SourceModel::Paper, {70.0, 40.0, 40.0});
-    request.held = {true, false, false};
-    EXPECT_FALSE(verdictOf(request).heldKept);
+    request.fixed = {true, false, false};
+    EXPECT_FALSE(verdictOf(request).fixedKept);
 }
 
 // A verdict that flips between two runs, or depends on who made the look-up.

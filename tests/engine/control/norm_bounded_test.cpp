@@ -106,7 +106,7 @@ Program randomProgram(std::mt19937& random) {
 
 TEST(NormBounded, AgreesWithProjectedGradient) {
     std::mt19937 random(17);
-    int held = 0;
+    int clamped = 0;
     for (int trial = 0; trial < 60; ++trial) {
         const Program p = randomProgram(random);
         const auto fast = solveNormBounded(p.H, p.f, p.G, p.h, p.norms);
@@ -115,9 +115,9 @@ TEST(NormBounded, AgreesWithProjectedGradient) {
         const SmallVector slow = p.slowMinimum();
         EXPECT_NEAR(p.cost(fast.y), p.cost(slow), 1e-7 * (1.0 + std::abs(p.cost(slow)))) << trial;
         EXPECT_LT((fast.y - slow).norm(), 1e-4) << trial;
-        held += fast.active.size() >= 2 ? 1 : 0;
+        clamped += fast.active.size() >= 2 ? 1 : 0;
     }
-    EXPECT_GT(held, 30); // several bounds at once in most
+    EXPECT_GT(clamped, 30); // several bounds at once in most
 }
 
 TEST(NormBounded, TellsWhichBoundsHoldItBack) {

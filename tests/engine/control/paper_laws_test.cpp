@@ -21,7 +21,7 @@ struct PaperBench {
     HeatRates rates;
     Vector6d q = Vector6d::Zero();
     double T_K = 0.0;
-    double leastF = 1.0, mostF = 0.0;
+    double minF = 1.0, maxF = 0.0;
 
     explicit PaperBench(double maxSpeed_m_s = 10.0) {
         RobotLimits limits;
@@ -41,8 +41,8 @@ struct PaperBench {
     /// One control step held for dt_s (small: Euler will do for the temperature).
     ControlOutput step(Controller& controller, double dt_s) {
         const double F_now = F();
-        leastF = std::min(leastF, F_now);
-        mostF = std::max(mostF, F_now);
+        minF = std::min(minF, F_now);
+        maxF = std::max(maxF, F_now);
         const double v_now = rates.rate_K_s(F_now, T_K);
         ControlOutput output = controller.step({0.0, q, 1.0, {{T_K, v_now}}}, dt_s);
         q += dt_s * output.rates;
@@ -60,9 +60,9 @@ ControllerSettings paperSettings(ControllerKind kind) {
 
 /// H of one object: zeta^2 / (2 lambda1) + da1^2 / (2 gamma1) + da2^2 / (2 gamma2), a1 = 1 / lambda1, a2 =
 /// lambda2 / lambda1, da the errors of the estimates. Along the law dH/dt = -K zeta^2 (paper, section IV-B).
-double lyapunov(const AdaptiveGains& gains, const HeatRates& truth, const HeatRates& belief, double zeta) {
-    const double da1 = 1.0 / belief.lambda1 - 1.0 / truth.lambda1;
-    const double da2 = belief.lambda2 / belief.lambda1 - truth.lambda2 / truth.lambda1;
+double lyapunov(const AdaptiveGains& gains, const HeatRates& truth, const HeatRates& estimate, double zeta) {
+    const double da1 = 1.0 / estimate.lambda1 - 1.0 / truth.lambda1;
+    const double da2 = estimate.lambda2 / estimate.lambda1 - truth.lambda2 / truth.lambda1;
     return 0.5 * zeta * zeta / truth.lambda1 + 0.5 * da1 * da1 / gains.gamma1 +
            0.5 * da2 * da2 / gains.gamma2;
 }
@@ -93,8 +93,8 @@ TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
         }
         RecordProperty("worst_of_step_K" + std::to_string(K), std::to_string(worst));
         EXPECT_LT(worst, 0.01) << "K = " << K;
-        EXPECT_GT(bench.leastF, 0.02) << "K = " << K;
-        EXPECT_LT(bench.mostF, 0.98) << "K = " << K;
+        EXPECT_GT(bench.minF, 0.02) << "K = " << K;
+        EXPECT_LT(bench.maxF, 0.98) << "K = " << K;
     }
 }
 
@@ -105,21 +105,21 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
     for (const auto& [factor1, factor2] : cases) {
         PaperBench bench;
         ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
-        HeatRates believed = bench.rates;
-        believed.lambda1 *= factor1;
-        believed.lambda2 *= factor2;
-        believed.lambda3 *= factor2;
+        HeatRates estimated = bench.rates;
+        estimated.lambda1 *= factor1;
+        estimated.lambda2 *= factor2;
+        estimated.lambda3 *= factor2;
         const double target_K = bench.T_K + 0.6;
-        const auto controller = makeController(settings, {bench.geometry, {believed}, {target_K}});
+        const auto controller = makeController(settings, {bench.geometry, {estimated}, {target_K}});
         const double dt_s = 0.005;
-        double before = lyapunov(settings.adaptive, bench.rates, believed,
+        double before = lyapunov(settings.adaptive, bench.rates, estimated,
                                  bench.v() + settings.adaptive.mu * (bench.T_K - target_K));
         const double start = before;
         int judged = 0;
         for (int i = 0; i < 40000; ++i) {
             const double zeta = bench.v() + settings.adaptive.mu * (bench.T_K - target_K);
             const ControlOutput output = bench.step(*controller, dt_s);
-            const double after = lyapunov(settings.adaptive, bench.rates, output.belief[0],
+            const double after = lyapunov(settings.adaptive, bench.rates, output.estimate[0],
                                           bench.v() + settings.adaptive.mu * (bench.T_K - target_K));
             // Below the dead zone nothing is adapted, and H may rise by what zeta alone holds.
             if (std::abs(zeta) > AdaptiveController::kZetaDeadZone_K_s) {
@@ -137,18 +137,18 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
 TEST(AdaptiveLaw, ItsLyapunovFunctionFallsAsKZetaSquared) {
     PaperBench bench;
     const ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
-    HeatRates believed = bench.rates;
-    believed.lambda1 *= 1.5;
+    HeatRates estimated = bench.rates;
+    estimated.lambda1 *= 1.5;
     const double target_K = bench.T_K + 0.6;
-    const auto controller = makeController(settings, {bench.geometry, {believed}, {target_K}});
+    const auto controller = makeController(settings, {bench.geometry, {estimated}, {target_K}});
     const double dt_s = 0.002;
     const auto zeta = [&] { return bench.v() + settings.adaptive.mu * (bench.T_K - target_K); };
-    const double start = lyapunov(settings.adaptive, bench.rates, believed, zeta());
+    const double start = lyapunov(settings.adaptive, bench.rates, estimated, zeta());
     double wanted = 0.0, after = start;
     for (int i = 0; i < 5000; ++i) {
         wanted += settings.adaptive.K * std::pow(zeta(), 2) * dt_s;
         const ControlOutput output = bench.step(*controller, dt_s);
-        after = lyapunov(settings.adaptive, bench.rates, output.belief[0], zeta());
+        after = lyapunov(settings.adaptive, bench.rates, output.estimate[0], zeta());
     }
     EXPECT_NEAR(start - after, wanted, 0.01 * wanted);
 }
@@ -165,44 +165,44 @@ TEST(AdaptiveLaw, EstimatesStayWithinTheirFactor) {
              ++i) // zeta v > 0: a1 grows and a2 falls; with the target far above, the reverse
             output = controller->step(moving(bench, v_K_s > 0.0 ? bench.T_K : bench.T_K + 2.0, v_K_s), 1.0);
         const double range = AdaptiveController::kEstimateRange * (1.0 + 1e-12);
-        EXPECT_GE(output.belief[0].lambda1, bench.rates.lambda1 / range);
-        EXPECT_LE(output.belief[0].lambda1, bench.rates.lambda1 * range);
-        const double a2 = output.belief[0].lambda2 / output.belief[0].lambda1;
+        EXPECT_GE(output.estimate[0].lambda1, bench.rates.lambda1 / range);
+        EXPECT_LE(output.estimate[0].lambda1, bench.rates.lambda1 * range);
+        const double a2 = output.estimate[0].lambda2 / output.estimate[0].lambda1;
         const double start2 = bench.rates.lambda2 / bench.rates.lambda1;
         EXPECT_GE(a2, start2 / range);
         EXPECT_LE(a2, start2 * range);
-        EXPECT_GT(std::abs(std::log(output.belief[0].lambda1 / bench.rates.lambda1)), 2.9); // it was pushed
+        EXPECT_GT(std::abs(std::log(output.estimate[0].lambda1 / bench.rates.lambda1)), 2.9); // it was pushed
     }
 }
 
 TEST(AdaptiveLaw, NoiseBelowTheDeadZoneTeachesNothing) {
     const PaperBench bench;
     const ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
-    const auto beliefAfter = [&](double zeta_K_s) {
+    const auto estimateAfter = [&](double zeta_K_s) {
         const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {bench.T_K}});
         ControlOutput output;
         for (int i = 0; i < 100; ++i)
             output = controller->step(moving(bench, bench.T_K, zeta_K_s), 1e-3);
-        return output.belief[0].lambda1;
+        return output.estimate[0].lambda1;
     };
-    EXPECT_DOUBLE_EQ(beliefAfter(0.9 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
-    EXPECT_NE(beliefAfter(1.1 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
+    EXPECT_DOUBLE_EQ(estimateAfter(0.9 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
+    EXPECT_NE(estimateAfter(1.1 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
 }
 
 TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
-    const auto beliefAfter = [](const PaperBench& bench) {
+    const auto estimateAfter = [](const PaperBench& bench) {
         const auto controller = makeController(paperSettings(ControllerKind::Adaptive),
                                                {bench.geometry, {bench.rates}, {bench.T_K + 20.0}});
         ControlOutput output;
         for (int i = 0; i < 50; ++i)
             output = controller->step(moving(bench, bench.T_K, 0.02), 1e-3);
         EXPECT_EQ(output.limits.any(), bench.geometry->limits().maxSpeed_m_s < 1.0);
-        return output.belief[0].lambda1;
+        return output.estimate[0].lambda1;
     };
     const PaperBench slow(0.001);
-    EXPECT_DOUBLE_EQ(beliefAfter(slow), slow.rates.lambda1);
+    EXPECT_DOUBLE_EQ(estimateAfter(slow), slow.rates.lambda1);
     const PaperBench fast;
-    EXPECT_NE(beliefAfter(fast), fast.rates.lambda1);
+    EXPECT_NE(estimateAfter(fast), fast.rates.lambda1);
 }
 
 } // namespace bask

@@ -90,7 +90,7 @@ TEST(ReachablePairs, PlacedTargetsAreAsInMapsMadeForThem) {
         EXPECT_EQ(placed.distance_K, made.distance_K);
         EXPECT_EQ(placed.density, made.density);
         EXPECT_NEAR((placed.nearest_K - placed.target_K).norm(),
-                    placed.targetReachable ? 0.0 : placed.distance_K, kHeldWithin_K);
+                    placed.targetReachable ? 0.0 : placed.distance_K, kReachedWithin_K);
     }
     std::stop_source stop;
     stop.request_stop();

@@ -15,8 +15,8 @@ namespace {
 
 using test::Draw;
 
-Pose drawnPose(Draw& draw, double most_m, double most_rad) {
-    return poseFromRotationVector(draw.vector(most_m), draw.vector(most_rad));
+Pose drawnPose(Draw& draw, double max_m, double max_rad) {
+    return poseFromRotationVector(draw.vector(max_m), draw.vector(max_rad));
 }
 
 /// Three objects of different kinds over a source that is no disk.
@@ -223,7 +223,7 @@ TEST(Controllers, GoByTheNewGeometryAsIfTheyHadBeenMadeWithIt) {
         settings.kind = kind;
         ControlModel model;
         model.geometry = here;
-        model.believed.assign(3, HeatRates{0.2, 3e-11, 0.1});
+        model.estimated.assign(3, HeatRates{0.2, 3e-11, 0.1});
         model.targets_K.assign(3, 315.0);
         Observation observation;
         observation.coordinates[kZ] = 0.15;

@@ -191,8 +191,8 @@ TEST(VelocityLimits, TowardsBrakesToArrive) {
         farthest_m = std::max(farthest_m, (robot.coordinates() - config.start).head<3>().norm());
         ++steps;
     }
-    const double least_s = path_m / limits.maxSpeed_m_s + limits.maxSpeed_m_s / limits.maxAcceleration_m_s2;
-    EXPECT_LT(dt_s * steps, least_s + 8.0 * dt_s);
+    const double min_s = path_m / limits.maxSpeed_m_s + limits.maxSpeed_m_s / limits.maxAcceleration_m_s2;
+    EXPECT_LT(dt_s * steps, min_s + 8.0 * dt_s);
     EXPECT_LT(farthest_m, path_m + 1e-4);
 }
 

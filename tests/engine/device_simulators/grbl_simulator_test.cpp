@@ -123,10 +123,10 @@ TEST_F(GrblSimulatorTest, MovesHoldResumeAndDwell) {
     EXPECT_EQ(say("G90 G1 X10 F600", 0.3), "ok\r\n");
     send("!");
     after(0.5);
-    const double held = x();
+    const double paused = x();
     EXPECT_EQ(m_robot->state(), "Hold:0");
     after(1.0);
-    EXPECT_EQ(x(), held);
+    EXPECT_EQ(x(), paused);
     send("~");
     after(2.0);
     EXPECT_NEAR(x(), 10.0, 1e-9);

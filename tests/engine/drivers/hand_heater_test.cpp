@@ -14,7 +14,7 @@ namespace {
 TEST(HandHeater, isLiveOnceATemperatureIsTypedAndTellsItsAge) {
     ManualClock clock;
     HandHeater heater(clock);
-    EXPECT_TRUE(heater.isByHand());
+    EXPECT_TRUE(heater.isManual());
     EXPECT_EQ(heater.status().link, LinkState::Opening);
     EXPECT_EQ(heater.status().problem.code, MessageCode::RigIncomplete);
     EXPECT_FALSE(heater.read().ok());

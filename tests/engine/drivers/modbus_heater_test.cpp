@@ -46,7 +46,7 @@ TEST_F(ModbusHeaterTest, HeatsTowardsTheSetPointWithEveryProfile) {
         ASSERT_TRUE(heater->read().ok()) << profile;
         EXPECT_NEAR(heater->read()->value_K, 296.15, 0.6) << profile;
         EXPECT_FALSE(heater->heating()) << profile;
-        EXPECT_FALSE(heater->isByHand());
+        EXPECT_FALSE(heater->isManual());
         EXPECT_EQ(sim.writes(), 0) << "found off, nothing is written";
 
         heat(*heater, 3.0);

@@ -76,7 +76,7 @@ TEST_F(NamurHeaterTest, asksForNameTemperatureAndSetPoint) {
     EXPECT_EQ(m_heater.discards(), 0);
     EXPECT_EQ(count("START_1"), 0u);
     EXPECT_EQ(count("OUT_WD1@30"), 0u) << "nothing asks for heat";
-    EXPECT_FALSE(m_heater.isByHand());
+    EXPECT_FALSE(m_heater.isManual());
 }
 
 // Catches the plate's own sensor read where the probe is to be.

@@ -86,8 +86,8 @@ TEST_F(FieldCommand, presetsAreThePapersSubsets) {
     EXPECT_NEAR(rotation->GetOrigin()[0] + 89 * step, 88.0 * step / 2.0, 1e-12);
     EXPECT_NEAR(rotation->GetScalarComponentAsDouble(45, 45, 0, 0), coaxial, 1e-9);
 
-    const auto held = image({"--preset", "paper-translation", "--hold", "theta_x=0.5,theta_z=-1"});
-    EXPECT_EQ(numbersIn(held, "held_values"), (std::vector<double>{0.5, 0, -1}));
+    const auto fixed = image({"--preset", "paper-translation", "--hold", "theta_x=0.5,theta_z=-1"});
+    EXPECT_EQ(numbersIn(fixed, "held_values"), (std::vector<double>{0.5, 0, -1}));
 }
 
 // Catches: an inclusive last value lost to rounding, or one too many.

@@ -28,7 +28,7 @@ const std::vector<FieldAxis> kAxes{
 Field fieldOn(std::vector<FieldAxis> axes, bool withGradient = false) {
     Field field;
     field.axes = std::move(axes);
-    field.held << 0.1, 0.2, 0.3, 0.4, 0.5, 1.0 / 3.0;
+    field.fixed << 0.1, 0.2, 0.3, 0.4, 0.5, 1.0 / 3.0;
     field.quantity = "view_factor";
     field.tolerance = 1e-9;
     std::size_t count = 1;

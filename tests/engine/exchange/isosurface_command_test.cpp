@@ -59,7 +59,7 @@ double worst(vtkPolyData* data, int object) {
                           poseFromCoordinates(experiment->source.pose));
     const std::vector<double> F = samplesIn(data, "view_factor");
     const auto axes = wordsIn(data, "axis_names");
-    const auto held = wordsIn(data, "held_names");
+    const auto fixed = wordsIn(data, "held_names");
     const auto values = numbersIn(data, "held_values");
     const auto coordinate = [](const std::string& name) {
         return std::ranges::find(kCoordinateNames, name) - kCoordinateNames.begin();
@@ -69,7 +69,7 @@ double worst(vtkPolyData* data, int object) {
         Vector6d q;
         for (std::size_t k = 0; k < 3; ++k) {
             q[coordinate(axes[k])] = data->GetPoint(i)[k];
-            q[coordinate(held[k])] = values[k];
+            q[coordinate(fixed[k])] = values[k];
         }
         if (q[kZ] > 0.06) // steep near the source's edge
             error = std::max(error, std::abs(rig.viewFactors(q).F[object] - F[static_cast<std::size_t>(i)]));
@@ -83,9 +83,9 @@ TEST_F(IsosurfaceCommand, theSurfaceIsTheEndEffectorsInTheGivenPose) {
     EXPECT_GT(bunny->GetNumberOfPolys(), 1000);
     EXPECT_LT(worst(bunny, 1), 5e-3);
     EXPECT_EQ(wordsIn(bunny, "held_names"), (std::vector<std::string>{"theta_x", "theta_y", "theta_z"}));
-    const std::vector<double> held = numbersIn(bunny, "held_values");
-    EXPECT_NEAR(held[0], radFromDeg(10.0), 1e-15);
-    EXPECT_NEAR(held[2], radFromDeg(-20.0), 1e-15);
+    const std::vector<double> fixed = numbersIn(bunny, "held_values");
+    EXPECT_NEAR(fixed[0], radFromDeg(10.0), 1e-15);
+    EXPECT_NEAR(fixed[2], radFromDeg(-20.0), 1e-15);
     EXPECT_EQ(
         wordsIn(bunny, "title").front(),
         "end-effector where object \"bunny\" has the view factors over the source of three-objects.json");

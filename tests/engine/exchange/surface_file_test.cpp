@@ -27,7 +27,7 @@ using test::wordsIn;
 Field field() {
     Field made;
     made.axes = {{kX, -0.2, 0.01, 41}, {kY, -0.2, 0.01, 41}, {kZ, 0.01, 0.01, 30}};
-    made.held << 9.0, 9.0, 9.0, 0.1, 0.2, 1.0 / 3.0;
+    made.fixed << 9.0, 9.0, 9.0, 0.1, 0.2, 1.0 / 3.0;
     made.tolerance = 1e-6;
     return made;
 }

@@ -39,7 +39,7 @@ TargetGeometry geometry(const Vector6d& source, double step = kSurfaceStep_m) {
     limits.lower[kZ] = 0.08; // clear of steep places and of the source's plane
     limits.upper[kZ] = 0.22;
     out.axes = surfaceAxes(PoseSubset::Translation, limits, step);
-    out.held << 0.0, 0.0, 0.0, 0.2, -0.1, 0.3;
+    out.fixed << 0.0, 0.0, 0.0, 0.2, -0.1, 0.3;
     return out;
 }
 
@@ -47,7 +47,7 @@ TargetGeometry geometry(const Vector6d& source, double step = kSurfaceStep_m) {
 double viewFactorAt(std::size_t object, const TargetGeometry& of, const Vector6d& source,
                     const Eigen::Vector3d& point) {
     const RigGeometry rig(kSource, kShapes, mountings(), {}, poseFromCoordinates(source));
-    Vector6d q = of.held;
+    Vector6d q = of.fixed;
     for (int a = 0; a < 3; ++a)
         q[of.axes[static_cast<std::size_t>(a)].coordinate] = point[a];
     return rig.viewFactors(q).F[static_cast<Eigen::Index>(object)];
@@ -86,7 +86,7 @@ TEST(TargetSurfaces, areInTheRobotsAxesWhereverTheSourceLies) {
 TEST(TargetSurfaces, overTheAnglesAreSurfacesToo) {
     TargetGeometry of = geometry(movedSource());
     of.axes = surfaceAxes(PoseSubset::Rotation, {}, kSurfaceStep_rad);
-    of.held << 0.01, -0.02, 0.12, 0.0, 0.0, 0.0;
+    of.fixed << 0.01, -0.02, 0.12, 0.0, 0.0, 0.0;
     EXPECT_LT(worstOver(of, movedSource(), {0.2, 0.2}), 1e-2);
 }
 
@@ -100,7 +100,7 @@ TEST(TargetSurfaces, overOwnPositionsAreWhereTheObjectsCentresAre) {
     const auto surfaces = targetSurfaces(*fields, std::array{0.3, 0.2});
     for (std::size_t i = 0; i < 2; ++i) {
         const Pose X_EO = poseFromCoordinates(mountings()[i]);
-        Pose X_SO = poseFromCoordinates(of.held) * X_EO;
+        Pose X_SO = poseFromCoordinates(of.fixed) * X_EO;
         double worst = 0.0;
         for (const Eigen::Vector3d& centre : (*surfaces)[i].points) {
             X_SO.translation() = centre;
@@ -111,7 +111,7 @@ TEST(TargetSurfaces, overOwnPositionsAreWhereTheObjectsCentresAre) {
         }
         EXPECT_LT(worst, 4e-3) << "object " << i;
         // As far as the end-effector's workspace carries it, and no farther.
-        const double reach_m = of.axes[0].at(0) + centreOffset(X_EO, of.held).x();
+        const double reach_m = of.axes[0].at(0) + centreOffset(X_EO, of.fixed).x();
         EXPECT_NEAR((*fields)[i]->axes[0].at(0), reach_m, 1e-12);
     }
     of.axes = surfaceAxes(PoseSubset::Rotation, {}, kSurfaceStep_rad);
@@ -177,7 +177,7 @@ TEST(TargetSurfaces, theGridHoldsTheWholeWorkspace) {
 TEST(TargetSurfaces, endWhereTheClearanceDoes) {
     TargetGeometry of = geometry(Vector6d::Zero());
     of.axes = surfaceAxes(PoseSubset::Translation, {}, kSurfaceStep_m);
-    of.held[kThetaX] = 0.5;
+    of.fixed[kThetaX] = 0.5;
     of.clearance_m = 0.02;
     const auto fields = targetFields(of);
     ASSERT_TRUE(fields);
@@ -186,7 +186,7 @@ TEST(TargetSurfaces, endWhereTheClearanceDoes) {
         const RigGeometry rig(kSource, {kShapes[i]}, {mountings()[i]}, {});
         double lowest_m = 1.0;
         for (const Eigen::Vector3d& point : (*surfaces)[i].points) {
-            Vector6d q = of.held;
+            Vector6d q = of.fixed;
             q.head<3>() = point;
             lowest_m = std::min(lowest_m, rig.lowestPoint_m(q));
         }
@@ -229,15 +229,15 @@ TEST(TargetSurfaces, aSweepHasAFrameForEachValue) {
     ASSERT_EQ(frames->size(), 2U);
     for (std::size_t k = 0; k < 2; ++k) {
         const SurfaceFrame& frame = (*frames)[k];
-        EXPECT_EQ(frame.held[kThetaX], k == 0 ? 0.0 : 0.4);
-        EXPECT_EQ(frame.held[kThetaY], of.held[kThetaY]);
-        TargetGeometry held = of;
-        held.held = frame.held;
+        EXPECT_EQ(frame.fixed[kThetaX], k == 0 ? 0.0 : 0.4);
+        EXPECT_EQ(frame.fixed[kThetaY], of.fixed[kThetaY]);
+        TargetGeometry fixed = of;
+        fixed.fixed = frame.fixed;
         for (std::size_t i = 0; i < 2; ++i) {
             const Isosurface& surface = frame.surfaces[i];
             ASSERT_FALSE(surface.empty());
             const Eigen::Vector3d& point = surface.points[surface.points.size() / 2];
-            EXPECT_NEAR(viewFactorAt(i, held, movedSource(), point), surface.value, 4e-3);
+            EXPECT_NEAR(viewFactorAt(i, fixed, movedSource(), point), surface.value, 4e-3);
         }
     }
     EXPECT_THROW(static_cast<void>(targetSweep(of, kX, std::array{0.0}, std::array{0.3, 0.2})),

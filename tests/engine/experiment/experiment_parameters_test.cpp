@@ -18,7 +18,7 @@ namespace {
 
 Experiment example() {
     Experiment e = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
-    e.objects[0].believedRates = HeatRates{0.2, 1e-11, 0.1};
+    e.objects[0].estimatedRates = HeatRates{0.2, 1e-11, 0.1};
     e.simulation.camera.rate_Hz = 25.0; // so that it is written
     e.vision.camera = CameraModel{640, 480, 800.0, 801.0, 319.5, 239.5, {}, {}, {}, {}, {}};
     return e;
@@ -52,7 +52,7 @@ std::vector<Placed> everyParameter() {
         [](Experiment & e) -> auto& { return e.objects[0].material; });
     place(
         out, "objects[0].believed_rates.", heatRateParameters(),
-        [](Experiment & e) -> auto& { return *e.objects[0].believedRates; });
+        [](Experiment & e) -> auto& { return *e.objects[0].estimatedRates; });
     place(
         out, "robot.", robotParameters(), [](Experiment & e) -> auto& { return e.robot; });
     place(
@@ -121,11 +121,11 @@ std::string plain(double value) {
 bool tellsRange(const std::string& row, const Placed& placed) {
     const ValidRange& range = placed.facts->range;
     const std::string name = placed.facts->name;
-    const bool isLeastFixed = placed.path != "sampling." && name != "duration_limit" && name != "source_trip";
-    const std::string most = (range.excludesMin && isLeastFixed ? ", " : " to ") + plain(range.max);
-    return row.find(most) != std::string::npos &&
-           (!isLeastFixed || row.find(' ' + std::string(range.excludesMin ? "(" : "") + plain(range.min)) !=
-                                 std::string::npos);
+    const bool isMinFixed = placed.path != "sampling." && name != "duration_limit" && name != "source_trip";
+    const std::string maxWords = (range.excludesMin && isMinFixed ? ", " : " to ") + plain(range.max);
+    return row.find(maxWords) != std::string::npos &&
+           (!isMinFixed || row.find(' ' + std::string(range.excludesMin ? "(" : "") + plain(range.min)) !=
+                               std::string::npos);
 }
 
 } // namespace
@@ -179,7 +179,7 @@ TEST(ExperimentParameters, TheDocumentHasThem) {
     const std::string text = document();
     ASSERT_FALSE(text.empty());
     Experiment usual;
-    usual.objects.emplace_back().believedRates.emplace();
+    usual.objects.emplace_back().estimatedRates.emplace();
     usual.vision.camera.emplace();
     for (const Placed& placed : everyParameter()) {
         const auto rows = rowsOf(text, keyOf(*placed.facts));

@@ -56,7 +56,7 @@ TEST(Examples, ThreeObjectsAreTheCommonScenario) {
     EXPECT_EQ(e.robot, RobotLimits{});
     EXPECT_EQ(e.start, (Experiment{}.start));
     EXPECT_EQ(e.controller.kind, ControllerKind::LevelServo);
-    EXPECT_EQ(e.controller.believedRateErrorFactor, 4.0);
+    EXPECT_EQ(e.controller.estimatedRateErrorFactor, 4.0);
     EXPECT_EQ(e.simulation.sensorOffset_K, 0.3);
     const std::array<const char*, 3> names{"circle", "bunny", "hand"};
     const std::array capacities{2440.0, 670.0, 1116.0};
@@ -119,7 +119,7 @@ public:
         e.controller.adaptive = {real(0.01, 1), real(0.01, 1), real(0, 0.1), real(0, 1e-20)};
         e.controller.rotationLength_m = real(0.01, 1);
         e.controller.damping = real(0, 1);
-        e.controller.believedRateErrorFactor = real(1, 8);
+        e.controller.estimatedRateErrorFactor = real(1, 8);
         e.sampling = {real(0.01, 2), 12, 2};
         e.simulation = {m_random(),  real(0, 1),     real(0, 1),    real(0, 1),  real(0, 1),
                         real(0, 10), real(0, 0.001), real(0, 0.01), real(1, 1e5)};
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    double real(double least, double most) { return std::uniform_real_distribution(least, most)(m_random); }
+    double real(double min, double max) { return std::uniform_real_distribution(min, max)(m_random); }
 
     /// What only the simulation knows; half of the experiments leave out what may be left out.
     void makeTrue(Experiment& e) {
@@ -197,7 +197,7 @@ private:
             o.mounting[k] = k < 3 ? real(-0.05, 0.05) : real(-0.5, 0.5);
         o.target_K = real(290, 400);
         if (kind % 2 == 0)
-            o.believedRates = HeatRates{real(1e-4, 2), real(1e-13, 1e-10), real(1e-4, 2)};
+            o.estimatedRates = HeatRates{real(1e-4, 2), real(1e-13, 1e-10), real(1e-4, 2)};
         return o;
     }
 

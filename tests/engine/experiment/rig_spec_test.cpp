@@ -127,9 +127,9 @@ TEST(RigSpec, ASourceWithoutWatchdogMustBeAllowed) {
         EXPECT_EQ(refusal(rig).code(), MessageCode::None) << name;
     }
     EXPECT_EQ(refusal(rigWith(profileOf("pixsys-drr245"))).code(), MessageCode::None);
-    RigSpec byHand;
-    byHand.source.emplace();
-    EXPECT_EQ(refusal(byHand).code(), MessageCode::None) << "a person is there";
+    RigSpec isManual;
+    isManual.source.emplace();
+    EXPECT_EQ(refusal(isManual).code(), MessageCode::None) << "a person is there";
 }
 
 // Catches a time that the register cannot hold, found only when the session begins; or one rounded to none.

@@ -223,7 +223,7 @@ protected:
     /// Bask's own thread waits for it.
     bool isGone(int process) const { return ::kill(process, 0) != 0; }
     /// On a thread of its own, whose calls of that kind may be held: of all that it starts, too.
-    template <class Body> void withHeld(test::HeldCalls::Which which, Body body) {
+    template <class Body> void withFixed(test::HeldCalls::Which which, Body body) {
         std::string problem;
         std::thread([&] {
             test::HeldCalls calls;
@@ -345,7 +345,7 @@ TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
 // Catches an engine that waits for the disk that has the guard's program, and a Bask without a guard that
 // cannot read its heater.
 TEST_F(GuardTest, AProgramThatStartsSlowlyHoldsNobodyUp) {
-    withHeld({SYS_execve}, [this](test::HeldCalls& starting) {
+    withFixed({SYS_execve}, [this](test::HeldCalls& starting) {
         starting.hold();
         const double begun_s = clock.now_s();
         makeNamur();
@@ -378,7 +378,7 @@ TEST_F(GuardTest, AProgramThatStartsSlowlyHoldsNobodyUp) {
 // Catches a guard that is killed because its port opens slowly: it must answer meanwhile.
 TEST_F(GuardTest, APortThatOpensSlowlyIsNoGuardThatStandsStill) {
     constexpr std::uint32_t kFlags = O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC; // the guard's
-    withHeld({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
+    withFixed({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
         opening.hold();
         makeNamur();
         EXPECT_TRUE(until([&] { return opening.held() > 0; }));
@@ -395,7 +395,7 @@ TEST_F(GuardTest, APortThatOpensSlowlyIsNoGuardThatStandsStill) {
 // Catches a guard that takes over while its port is being opened, and gives up, or never comes to its off.
 TEST_F(GuardTest, ItTakesOverAPortThatOpensSlowly) {
     constexpr std::uint32_t kFlags = O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC; // the guard's
-    withHeld({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
+    withFixed({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
         makeNamur();
         heatUp();
         if (HasFatalFailure())
@@ -596,19 +596,19 @@ TEST(GuardDelay, BytesGoThroughWithinTwoMilliseconds) {
         return guard.isPortOpen();
     }));
     const std::string question = modbusRequest({1, 4, 0, 3, {}});
-    double median_ms = 1e9, most_ms = 1e9; // another's work only adds
-    for (int round = 0; round < kRounds && most_ms > 2.0; ++round) {
+    double median_ms = 1e9, max_ms = 1e9; // another's work only adds
+    for (int round = 0; round < kRounds && max_ms > 2.0; ++round) {
         std::vector<double> took_s[2];
         for (int i = 0; i < kQuestions; ++i) {
             guard.work();
             took_s[0].push_back(secondsFor(
                 clock, question, [&] { (void)!::write(direct, question.data(), question.size()); },
-                [&](char* bytes, std::size_t most) { return ::read(direct, bytes, most); }));
+                [&](char* bytes, std::size_t max) { return ::read(direct, bytes, max); }));
             took_s[1].push_back(secondsFor(
                 clock, question, [&] { guard.write(question); },
-                [&](char* bytes, std::size_t most) {
+                [&](char* bytes, std::size_t max) {
                     const std::string come = guard.read();
-                    come.copy(bytes, most);
+                    come.copy(bytes, max);
                     return static_cast<ssize_t>(come.size());
                 }));
         }
@@ -621,11 +621,11 @@ TEST(GuardDelay, BytesGoThroughWithinTwoMilliseconds) {
                     "| through it            | %6.3f | %6.3f |\n",
                     quantile_ms(0, 0.5), quantile_ms(0, 0.99), quantile_ms(1, 0.5), quantile_ms(1, 0.99));
         median_ms = std::min(median_ms, quantile_ms(1, 0.5) - quantile_ms(0, 0.5));
-        most_ms = std::min(most_ms, quantile_ms(1, 0.99) - quantile_ms(0, 0.99));
+        max_ms = std::min(max_ms, quantile_ms(1, 0.99) - quantile_ms(0, 0.99));
     }
     ::close(direct);
     EXPECT_LE(median_ms, 2.0);
-    EXPECT_LE(most_ms, 2.0);
+    EXPECT_LE(max_ms, 2.0);
 }
 
 /// A line that loses some of its answers, and has bytes that nobody asked for.
@@ -711,7 +711,7 @@ struct GuardedController {
 
 // Catches an off that is confirmed late: a wait beyond the answer, and a pause after one lost frame.
 TEST(ModbusGuard, OffIsConfirmedWithoutIdleTime) {
-    for (const auto& [lost, most_s] : {std::pair(0, 0.3), std::pair(2, 1.1)}) {
+    for (const auto& [lost, max_s] : {std::pair(0, 0.3), std::pair(2, 1.1)}) {
         SCOPED_TRACE(lost);
         GuardedController rig("pixsys-drr245");
         ASSERT_TRUE(rig.heatUp());
@@ -719,7 +719,7 @@ TEST(ModbusGuard, OffIsConfirmedWithoutIdleTime) {
         const double begun_s = rig.clock.now_s();
         ASSERT_TRUE(rig.guard.handOver(1.0));
         ASSERT_TRUE(rig.isConfirmed()) << rig.logText();
-        EXPECT_LT(rig.clock.now_s() - begun_s, most_s) << rig.logText();
+        EXPECT_LT(rig.clock.now_s() - begun_s, max_s) << rig.logText();
     }
 }
 

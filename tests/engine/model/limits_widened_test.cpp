@@ -43,7 +43,7 @@ std::vector<Edit> raises() {
         {"warning", [](Experiment& e) { e.safety.warning_K += 1.0; }},
         {"trip", [](Experiment& e) { e.safety.trip_K += 1.0; }},
         {"stale periods", [](Experiment& e) { e.safety.stalePeriods += 0.5; }},
-        {"held limit", [](Experiment& e) { e.safety.heldLimit_s += 1.0; }},
+        {"held limit", [](Experiment& e) { e.safety.pauseLimit_s += 1.0; }},
         {"largest rate", [](Experiment& e) { e.safety.largestRate_K_s = 3.1; }},
         {"automatic rate", [](Experiment& e) { e.safety.largestRate_K_s.reset(); }},
         {"jumps", [](Experiment& e) { e.safety.jumps += 1; }},
@@ -53,7 +53,7 @@ std::vector<Edit> raises() {
         {"source heating", [](Experiment& e) { e.safety.sourceHeating_s += 1.0; }},
         {"source band", [](Experiment& e) { e.safety.sourceBand_K += 1.0; }},
         {"source unasked", [](Experiment& e) { e.safety.sourceUnasked_K += 1.0; }},
-        {"least disk", [](Experiment& e) { e.safety.leastDisk_MB -= 1.0; }},
+        {"least disk", [](Experiment& e) { e.safety.minDisk_MB -= 1.0; }},
     };
     for (int k = 0; k < 4; ++k) {
         out.push_back({"lower " + std::to_string(k), [k](Experiment& e) { e.robot.lower[k] -= 1e-3; }});
@@ -145,11 +145,11 @@ TEST(LimitsWidened, AWorkspaceIsComparedWithTheRealRigThatWasThere) {
 
 // Does not compile with a new field: it needs its place in widensLimits() and above.
 TEST(LimitsWidened, KnowsEveryFieldOfSafety) {
-    const auto [warning, trip, sourceTrip, stale, held, rate, jumps, frozen, warming, apart, heating, band,
+    const auto [warning, trip, sourceTrip, stale, pause, rate, jumps, frozen, warming, apart, heating, band,
                 unasked, disk] = SafetySpec();
     EXPECT_LT(warning, trip);
     EXPECT_TRUE(!sourceTrip && !rate && jumps > 0);
-    for (const double value : {stale, held, frozen, warming, apart, heating, band, unasked, disk})
+    for (const double value : {stale, pause, frozen, warming, apart, heating, band, unasked, disk})
         EXPECT_GT(value, 0.0);
 }
 

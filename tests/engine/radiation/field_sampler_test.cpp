@@ -18,7 +18,7 @@ const RadiatingContour kObject{Disk{0.015}};
 
 FieldRequest request(std::vector<FieldAxis> axes) {
     FieldRequest out{kSource, kObject, std::move(axes)};
-    out.held << 0.03, -0.02, 0.06, 0.3, -0.4, 0.5;
+    out.fixed << 0.03, -0.02, 0.06, 0.3, -0.4, 0.5;
     return out;
 }
 
@@ -37,7 +37,7 @@ std::shared_ptr<const Field> sampled(const FieldRequest& asked, const FieldRun& 
 }
 
 Vector6d coordinatesOf(const FieldRequest& asked, std::size_t sample) {
-    Vector6d q = asked.held;
+    Vector6d q = asked.fixed;
     for (const FieldAxis& axis : asked.axes) {
         q[axis.coordinate] = axis.at(static_cast<int>(sample % axis.count));
         sample /= axis.count;
@@ -85,12 +85,12 @@ void walkCombinations(std::vector<FieldAxis>& axes) {
 TEST(FieldSampler, saysWhereTheToleranceWasNotReached) {
     const RadiatingContour circle(FourierContour({0.0, 0.0, 0.05}));
     FieldRequest request{circle, circle, {{kThetaX, 0.0, 0.5, 2}}};
-    request.held[kZ] = 2e-5;
+    request.fixed[kZ] = 2e-5;
     const auto near = sampleField(request, {});
     ASSERT_TRUE(near);
     EXPECT_GE((*near)->unreachedSamples, 1u);
     EXPECT_GT((*near)->largestErrorEstimate, 1e-9);
-    request.held[kZ] = 0.1;
+    request.fixed[kZ] = 0.1;
     const auto apart = sampleField(request, {});
     ASSERT_TRUE(apart);
     EXPECT_EQ((*apart)->unreachedSamples, 0u);
@@ -131,7 +131,7 @@ TEST(FieldSampler, leavesOutWhatIsTooLow) {
     FieldRequest asked = request({{kZ, -0.06, 0.005, 40}, axisOf(kThetaX), axisOf(kThetaY)});
     asked.X_RS = movedSource();
     asked.withGradient = true;
-    asked.leastHeight_m = 0.01;
+    asked.minHeight_m = 0.01;
     const auto field = sampled(asked);
     std::size_t leftOut = 0;
     for (std::size_t i = 0; i < field->values.size(); ++i) {
@@ -303,12 +303,12 @@ TEST(FieldSampler, refusesWhatIsNoGrid) {
     expectRefused(request({{kZ, -kInf, 0.1, 3}}), MessageCode::ValueOutOfRange, "z: first: -inf");
     expectRefused(request({{kZ, 0.0, 1e9, 2}}), MessageCode::ValueOutOfRange, "z: last: 1000000000");
     expectRefused(request({{kZ, 1.0, 1e-12, 3}}), MessageCode::ValueOutOfRange, "z: step: 1e-12");
-    FieldRequest held = request({x});
-    held.held[kThetaY] = kNaN;
-    expectRefused(held, MessageCode::ValueOutOfRange, "held: theta_y: nan");
-    held = request({x});
-    held.held[kX] = kNaN; // has an axis: does not count
-    EXPECT_TRUE(sampleField(held));
+    FieldRequest fixed = request({x});
+    fixed.fixed[kThetaY] = kNaN;
+    expectRefused(fixed, MessageCode::ValueOutOfRange, "held: theta_y: nan");
+    fixed = request({x});
+    fixed.fixed[kX] = kNaN; // has an axis: does not count
+    EXPECT_TRUE(sampleField(fixed));
     FieldRequest loose = request({x});
     for (const double tolerance : {0.0, -1e-9, kNaN, 1.0}) {
         loose.tolerance = tolerance;
@@ -321,9 +321,9 @@ TEST(FieldSampler, refusesWhatIsNoGrid) {
 
 // Catches: an absurd grid that takes all memory, or a count that overflows into a small one.
 TEST(FieldSampler, refusesHugeGridsBeforeTakingMemory) {
-    const FieldAxis most{kX, 0.0, 1e-9, kMaxAxisSamples};
+    const FieldAxis longest{kX, 0.0, 1e-9, kMaxAxisSamples};
     const auto with = [&](Coordinate c) { return FieldAxis{c, 0.0, 1e-9, kMaxAxisSamples}; };
-    expectRefused(request({most, with(kY), with(kZ), with(kThetaX)}), MessageCode::FieldTooLarge,
+    expectRefused(request({longest, with(kY), with(kZ), with(kThetaX)}), MessageCode::FieldTooLarge,
                   "1e+20 samples, more than the 100000000");
     expectRefused(request({{kX, 0.0, 1e-9, kMaxAxisSamples + 1}}), MessageCode::FieldTooLarge,
                   "x: 100001 samples, more than the 100000");

@@ -13,12 +13,12 @@ class Draw {
 public:
     explicit Draw(unsigned seed) : m_generator(seed) {}
 
-    double between(double least, double most) {
-        return std::uniform_real_distribution<double>(least, most)(m_generator);
+    double between(double min, double max) {
+        return std::uniform_real_distribution<double>(min, max)(m_generator);
     }
 
-    Eigen::Vector3d vector(double most) {
-        return {between(-most, most), between(-most, most), between(-most, most)};
+    Eigen::Vector3d vector(double max) {
+        return {between(-max, max), between(-max, max), between(-max, max)};
     }
 
     /// A wavy simple outline of about `radius_m`, five harmonics; `wave` up to 0.25 stays simple, larger is

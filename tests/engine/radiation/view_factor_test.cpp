@@ -253,9 +253,9 @@ TEST(ViewFactor, saysWhatWasReachedWhenPointsRunOut) {
     const RadiatingContour object(Disk{0.05});
     const Pose X_SO = poseAt(0.06, 0.0, 1e-4);
     const double exact = viewFactor({0.1}, object, X_SO, {1e-13, 1 << 18}).value;
-    for (int most : {32, 64, 128, 512}) {
-        const ViewFactor f = viewFactor({0.1}, object, X_SO, {1e-13, most});
-        EXPECT_LE(std::abs(f.value - exact), f.errorEstimate) << most;
+    for (int max : {32, 64, 128, 512}) {
+        const ViewFactor f = viewFactor({0.1}, object, X_SO, {1e-13, max});
+        EXPECT_LE(std::abs(f.value - exact), f.errorEstimate) << max;
     }
 }
 

@@ -24,7 +24,7 @@ RecipeStep step(Until until) {
     made.until = until;
     made.object = until == Until::Above || until == Until::Below ? "left \"1\"" : "";
     made.temperature_K = until == Until::Above || until == Until::Below ? kelvinFromCelsius(41.7) : 303.15;
-    made.atMost_s = until == Until::Time ? RecipeStep().atMost_s : 1234.5;
+    made.maxDuration_s = until == Until::Time ? RecipeStep().maxDuration_s : 1234.5;
     made.duration_s = until == Until::Time || until == Until::Settled ? 12.25 : RecipeStep().duration_s;
     return made;
 }
@@ -220,7 +220,7 @@ TEST_F(RecipeFile, everyDamagedByteIsReadOrRefused) {
 
 TEST_F(RecipeFile, writesNothingThatItWouldNotRead) {
     Recipe recipe = whole();
-    recipe.steps[0].atMost_s = -1.0;
+    recipe.steps[0].maxDuration_s = -1.0;
     EXPECT_FALSE(writeRecipe(recipe, path));
     EXPECT_FALSE(isRecipeFile(path));
     EXPECT_EQ(writeRecipe(whole(), path + "/none/recipe.json").error().code(), MessageCode::FileUnwritable);
@@ -236,7 +236,7 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ((*read)[0], (*read)[1]); // the first run's, whose objects are waited for
     EXPECT_EQ((*read)[1], (*read)[2]);
-    EXPECT_DOUBLE_EQ(atMost_s(recipe), 1234.5 + 2 * 1800.0);
+    EXPECT_DOUBLE_EQ(maxDuration_s(recipe), 1234.5 + 2 * 1800.0);
 
     recipe.steps[0].object = "hand";
     Error error = readExperiments(recipe, noExample).error();

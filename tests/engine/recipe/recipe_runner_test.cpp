@@ -33,7 +33,7 @@ RecipeStep run(const char* file, Until until = Until::Time, double duration_s = 
     step.experiment = file;
     step.until = until;
     step.duration_s = duration_s;
-    step.atMost_s = 600.0;
+    step.maxDuration_s = 600.0;
     step.object = "left";
     return step;
 }
@@ -330,7 +330,7 @@ TEST_F(Runner, aHoldEndsItAndIsStoppedUnlessItIsAPersons) {
     snapshot.reasons = {{MessageCode::ReasonHeldByOperator, {}}};
     EXPECT_EQ(take(RunState::Holding), "");
     EXPECT_EQ(runner->end(), RecipeEnd::TakenOver);
-    EXPECT_EQ(at(0).state, State::Held);
+    EXPECT_EQ(at(0).state, State::Paused);
     begin({run("a"), run("b")});
     snapshot.reasons.clear();
     start();

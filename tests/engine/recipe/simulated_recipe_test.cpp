@@ -28,7 +28,7 @@ struct SimulatedRecipe : testing::Test {
         made.duration_s = duration_s;
         made.object = "left";
         made.temperature_K = kelvinFromCelsius(34.0);
-        made.atMost_s = 1800.0;
+        made.maxDuration_s = 1800.0;
         return made;
     }
     RecipeRunner runner(const std::vector<RecipeStep>& steps,

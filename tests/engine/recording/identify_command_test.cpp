@@ -65,7 +65,7 @@ TEST(SessionIdentification, FindsThePlantsRatesFromWrongBeliefs) {
     const QTemporaryDir folder;
     const QString path = folder.filePath("run.bask");
     Experiment experiment = threeObjects();
-    ASSERT_EQ(experiment.controller.believedRateErrorFactor, 4.0);
+    ASSERT_EQ(experiment.controller.estimatedRateErrorFactor, 4.0);
     for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
         experiment.simulation.seed = seed;
         ASSERT_NO_FATAL_FAILURE(record(experiment, path));
@@ -155,8 +155,8 @@ TEST(IdentifyCommand, TheNextRunStartsWithTheRatesFound) {
     ASSERT_TRUE(written) << describe(written.error());
     const auto nominal = nominalRates(experiment, experiment.environment_K);
     for (std::size_t i = 0; i < 3; ++i) {
-        ASSERT_TRUE(written->objects[i].believedRates);
-        const HeatRates& rates = *written->objects[i].believedRates;
+        ASSERT_TRUE(written->objects[i].estimatedRates);
+        const HeatRates& rates = *written->objects[i].estimatedRates;
         const auto& row = json["objects"][i];
         EXPECT_EQ(row["name"], experiment.objects[i].name);
         EXPECT_EQ(row["lambda1_K_s"]["value"], rates.lambda1) << "all digits";
@@ -167,7 +167,7 @@ TEST(IdentifyCommand, TheNextRunStartsWithTheRatesFound) {
         EXPECT_NEAR(row["areal_heat_capacity_J_m2K"].get<double>() /
                         experiment.objects[i].material.arealHeatCapacity_J_m2K(),
                     1.0, 0.03);
-        written->objects[i].believedRates.reset();
+        written->objects[i].estimatedRates.reset();
     }
     EXPECT_EQ(*written, experiment) << "nothing else is changed";
 
@@ -178,17 +178,17 @@ TEST(IdentifyCommand, TheNextRunStartsWithTheRatesFound) {
     for (std::size_t i = 0; i < 3; ++i) {
         // The first belief that is recorded is the controller's after its first step, with nothing learnt.
         const ObjectSample& sample = session->samples[1].objects[i];
-        EXPECT_NEAR(sample.lambda1 / start->objects[i].believedRates->lambda1, 1.0, 1e-9);
-        EXPECT_NEAR(sample.lambda2 / start->objects[i].believedRates->lambda2, 1.0, 1e-9);
+        EXPECT_NEAR(sample.lambda1 / start->objects[i].estimatedRates->lambda1, 1.0, 1e-9);
+        EXPECT_NEAR(sample.lambda2 / start->objects[i].estimatedRates->lambda2, 1.0, 1e-9);
     }
 }
 
 // Catches: rates of one object that change what the others start from.
 TEST(BelievedRates, AreTakenAsTheyStandAndLeaveTheOthersAlone) {
     Experiment experiment = threeObjects();
-    const auto before = believedRates(experiment, 298.15);
-    experiment.objects[1].believedRates = HeatRates{0.5, 3e-11, 0.2};
-    const auto after = believedRates(experiment, 298.15);
+    const auto before = estimatedRates(experiment, 298.15);
+    experiment.objects[1].estimatedRates = HeatRates{0.5, 3e-11, 0.2};
+    const auto after = estimatedRates(experiment, 298.15);
     EXPECT_EQ(after[0], before[0]);
     EXPECT_EQ(after[1], (HeatRates{0.5, 3e-11, 0.2}));
     EXPECT_EQ(after[2], before[2]);
@@ -212,7 +212,7 @@ TEST(IdentifyCommand, PrintsATableWithUnits) {
     EXPECT_NE(convection.out.find("h A/(m c)"), std::string::npos);
     EXPECT_NE(convection.out.find("circle: not usable: the record tells lambda2 within"), std::string::npos)
         << convection.out;
-    EXPECT_TRUE(readExperiment(next.toStdString())->objects[0].believedRates);
+    EXPECT_TRUE(readExperiment(next.toStdString())->objects[0].estimatedRates);
     EXPECT_NE(identify({session, "--free-ambient"}).out, outcome.out);
 }
 

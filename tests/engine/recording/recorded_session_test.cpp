@@ -56,8 +56,8 @@ protected:
         ASSERT_EQ(session.overview().stretches(), expected.stretches());
         for (std::size_t k = 0; k < expected.stretches(); ++k) {
             EXPECT_EQ(session.overview().from_s(k), expected.from_s(k));
-            EXPECT_EQ(session.overview().extremes(Quantity::Temperature, 1, k).greatest,
-                      expected.extremes(Quantity::Temperature, 1, k).greatest);
+            EXPECT_EQ(session.overview().extremes(Quantity::Temperature, 1, k).max,
+                      expected.extremes(Quantity::Temperature, 1, k).max);
         }
         const std::vector<std::pair<double, double>> steps{{at(0).time_s, 313.15}, {at(1500).time_s, 320.0}};
         EXPECT_EQ(session.targetSteps(0), steps);

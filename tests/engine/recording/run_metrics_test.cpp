@@ -141,7 +141,7 @@ TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
     EXPECT_NEAR(metrics.pathLength_m, 0.1, 1e-12);
     EXPECT_NEAR(metrics.turned_rad, 0.2, 1e-12);
     EXPECT_EQ(metrics.atVelocityLimit_s, 4.0);
-    EXPECT_EQ(metrics.heldBack_s, 5.0);
+    EXPECT_EQ(metrics.clamped_s, 5.0);
     EXPECT_EQ(metrics.atLimit_s[static_cast<std::size_t>(Limit::Workspace)], 1.0);
     EXPECT_EQ(metrics.atLimit_s[static_cast<std::size_t>(Limit::Rotation)], 1.0);
     double way_m = 0.0; // of a point 0.1 m off, by hand
@@ -162,7 +162,7 @@ TEST(RunMetrics, AHoldIsAtNoLimit) {
                      {8.0, {MessageCode::EventResumed, {}}},
                      {12.25, {MessageCode::EventHeld, {}}}};
     const RunMetrics metrics = runMetrics(record);
-    EXPECT_EQ(metrics.heldBack_s, 5.0 + 4.0); // the first command after a Resume comes with the next sample
+    EXPECT_EQ(metrics.clamped_s, 5.0 + 4.0); // the first command after a Resume comes with the next sample
     EXPECT_EQ(metrics.atVelocityLimit_s, 5.0 + 4.0);
 }
 

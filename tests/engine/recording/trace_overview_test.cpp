@@ -23,7 +23,7 @@ Extremes bruteForce(const std::vector<TraceSample>& samples, Quantity quantity, 
 
 bool same(const Extremes& a, const Extremes& b) {
     const auto equal = [](float x, float y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-    return equal(a.least, b.least) && equal(a.greatest, b.greatest);
+    return equal(a.min, b.min) && equal(a.max, b.max);
 }
 
 std::vector<TraceSample> samples(int count) {
@@ -66,11 +66,11 @@ TEST(TraceOverview, HasTheExtremesOfEveryStretch) {
 // Catches memory that grows with the run, and extremes lost where stretches are joined.
 TEST(TraceOverview, GrowsCoarserNotLarger) {
     const auto all = samples(1000);
-    for (const std::size_t most : {8u, 7u}) {
-        TraceOverview overview(2, most);
+    for (const std::size_t max : {8u, 7u}) {
+        TraceOverview overview(2, max);
         for (const TraceSample& sample : all)
             overview.add(sample);
-        EXPECT_LE(overview.stretches(), most);
+        EXPECT_LE(overview.stretches(), max);
         EXPECT_GT(overview.samplesPerStretch(), TraceOverview::kStretch);
         expectExtremes(overview, all);
     }

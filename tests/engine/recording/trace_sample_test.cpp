@@ -122,7 +122,7 @@ TEST(TraceSampleColumns, AnOverviewOfFewerQuantitiesIsReadAsUnknownInTheOthers) 
     TraceOverview old(1);
     ASSERT_TRUE(old.addBytes(std::string_view(bytes).substr(0, kTimes + 5 * kLine), quantityCount() - 1));
     EXPECT_EQ(old.samples(), TraceOverview::kStretch);
-    EXPECT_EQ(old.extremes(Quantity::Temperature, 0, 0).least, 300.0F);
+    EXPECT_EQ(old.extremes(Quantity::Temperature, 0, 0).min, 300.0F);
     EXPECT_TRUE(old.hasValues(Quantity::Temperature));
     EXPECT_FALSE(old.hasValues(Quantity::Speed));
     EXPECT_TRUE(all.hasValues(Quantity::Speed));

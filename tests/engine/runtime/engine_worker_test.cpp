@@ -238,9 +238,9 @@ TEST(EngineWorker, FollowsTheSourceWhenTimeIsSpedUp) {
     rig.send(Arm{});
     rig.send(Start{true});
     ASSERT_TRUE(rig.reaches(RunState::Running));
-    const auto isHeld = [&] { return rig.last.state == RunState::Holding; };
-    EXPECT_TRUE(rig.waitFor([&] { return isHeld() || rig.last.runTime_s > 40.0; }, 60000));
-    EXPECT_FALSE(isHeld()) << rig.last.runTime_s;
+    const auto isPaused = [&] { return rig.last.state == RunState::Holding; };
+    EXPECT_TRUE(rig.waitFor([&] { return isPaused() || rig.last.runTime_s > 40.0; }, 60000));
+    EXPECT_FALSE(isPaused()) << rig.last.runTime_s;
     EXPECT_LT((rig.last.latest.source - away).cwiseAbs().maxCoeff(), 0.01);
 }
 
@@ -276,7 +276,7 @@ TEST(EngineWorker, AnUnwritableRecordingIsRefusedBeforeTheRun) {
 TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     Rig rig;
     Experiment experiment = oneDisk();
-    experiment.safety.heldLimit_s = 1.0;
+    experiment.safety.pauseLimit_s = 1.0;
     rig.send(SetSimulationSpeed{20.0});
     rig.send(LoadExperiment{experiment});
     ASSERT_TRUE(rig.reaches(RunState::Ready));
@@ -308,9 +308,9 @@ TEST(EngineWorker, AHoldIsNotFastForwarded) {
     rig.send(SimulateFault{SimulatedFault::SensorLost});
     ASSERT_TRUE(rig.reaches(RunState::Holding));
     EXPECT_EQ(rig.last.simulationSpeed, 1.0);
-    const double held_s = rig.last.latest.time_s;
+    const double paused_s = rig.last.latest.time_s;
     EXPECT_FALSE(rig.waitFor([&] { return rig.last.state != RunState::Holding; }, 2000));
-    EXPECT_LT(rig.last.latest.time_s - held_s, 2.0 + 1e-3 * static_cast<double>(timer.elapsed()));
+    EXPECT_LT(rig.last.latest.time_s - paused_s, 2.0 + 1e-3 * static_cast<double>(timer.elapsed()));
     rig.send(SimulateFault{SimulatedFault::None});
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects[0].valid; }));
     rig.send(Resume{});
@@ -368,7 +368,7 @@ TEST(EngineWorker, ARecordingNeedsRoomOnTheDisk) {
     const QTemporaryDir folder;
     Rig rig;
     Experiment experiment = oneDisk();
-    experiment.safety.leastDisk_MB = 1e6; // a terabyte
+    experiment.safety.minDisk_MB = 1e6; // a terabyte
     rig.send(SetSimulationSpeed{20.0});
     rig.send(LoadExperiment{experiment});
     ASSERT_TRUE(rig.reaches(RunState::Ready));

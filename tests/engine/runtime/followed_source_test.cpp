@@ -208,9 +208,9 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     run.periods(1);
     ASSERT_TRUE(run.loop.hold()); // where it is
     EXPECT_FALSE(run.loop.motion().isMoving());
-    const Vector6d held = run.rig.simulatedRobot().coordinates();
+    const Vector6d paused = run.rig.simulatedRobot().coordinates();
     run.periods(3);
-    EXPECT_LT((run.rig.simulatedRobot().coordinates() - held).cwiseAbs().maxCoeff(), 5e-3);
+    EXPECT_LT((run.rig.simulatedRobot().coordinates() - paused).cwiseAbs().maxCoeff(), 5e-3);
 
     ASSERT_TRUE(run.loop.moveTo(goal));
     run.periods(1);

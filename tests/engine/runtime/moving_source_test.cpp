@@ -224,16 +224,16 @@ TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
     LoopOnRig run(experiment);
     run.startRun(true);
     const auto geometry = rigGeometry(experiment);
-    double least_m = 1.0;
+    double min_m = 1.0;
     for (int i = 0; i < 300; ++i) {
         run.periods(1);
-        least_m = std::min(
-            least_m,
+        min_m = std::min(
+            min_m,
             geometry->withSourceAt(run.rig.X_RS())->lowestPoint_m(run.rig.simulatedRobot().coordinates()));
     }
     EXPECT_EQ(run.loop.state(), RunState::Running);
-    EXPECT_LT(least_m, 0.0101);
-    EXPECT_GT(least_m, 0.006);
+    EXPECT_LT(min_m, 0.0101);
+    EXPECT_GT(min_m, 0.006);
 }
 
 // Catches a verdict over the robot's origin instead of over the source.
@@ -266,31 +266,31 @@ TEST(TemperatureProfile, TheMeasuredSourceFollowsTheRamp) {
 
 // Catches a plant that is what the controllers believe, and verdicts that know what they cannot.
 TEST(TrueMaterials, AreThePlantsAndNobodyElses) {
-    const Experiment believed = modelBased();
-    Experiment truly = believed;
-    truly.objects[0].simulatedMaterial = believed.objects[0].material;
+    const Experiment assumed = modelBased();
+    Experiment truly = assumed;
+    truly.objects[0].simulatedMaterial = assumed.objects[0].material;
     truly.objects[0].simulatedMaterial->absorptance = 0.3;
     truly.objects[0].simulatedMaterial->emittance = 0.3;
     truly.simulation.sourceEmittance = 0.5;
-    const auto a = jointVerdict(believed).conditions1, b = jointVerdict(truly).conditions1;
+    const auto a = jointVerdict(assumed).conditions1, b = jointVerdict(truly).conditions1;
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(a[i].neededViewFactor, b[i].neededViewFactor);
         EXPECT_EQ(a[i].reachableMax_K, b[i].reachableMax_K);
-        EXPECT_EQ(believedRates(believed, 298.15)[i].lambda1, believedRates(truly, 298.15)[i].lambda1);
+        EXPECT_EQ(estimatedRates(assumed, 298.15)[i].lambda1, estimatedRates(truly, 298.15)[i].lambda1);
     }
     // Half of the emittance again, a third of the absorptance: lambda1 by the heat balance.
-    EXPECT_NEAR(trueRates(truly)[0].lambda1 / trueRates(believed)[0].lambda1, 2.0 / 3.0, 1e-12);
-    EXPECT_NEAR(trueRates(truly)[1].lambda1 / trueRates(believed)[1].lambda1, 2.0, 1e-12);
-    EXPECT_EQ(trueRates(believed)[0].lambda1, nominalRates(believed, believed.environment_K)[0].lambda1);
-    LoopOnRig first(believed), second(truly);
+    EXPECT_NEAR(trueRates(truly)[0].lambda1 / trueRates(assumed)[0].lambda1, 2.0 / 3.0, 1e-12);
+    EXPECT_NEAR(trueRates(truly)[1].lambda1 / trueRates(assumed)[1].lambda1, 2.0, 1e-12);
+    EXPECT_EQ(trueRates(assumed)[0].lambda1, nominalRates(assumed, assumed.environment_K)[0].lambda1);
+    LoopOnRig first(assumed), second(truly);
     for (LoopOnRig* run : {&first, &second}) {
         run->startRun();
         ASSERT_TRUE(run->loop.hold());
         run->periods(10);
     }
-    const double rise_K = first.rig.trueTemperatures_K()[1] - believed.environment_K;
-    EXPECT_NEAR((second.rig.trueTemperatures_K()[1] - believed.environment_K) / rise_K, 2.0, 0.05);
-    EXPECT_NEAR((second.rig.trueTemperatures_K()[0] - believed.environment_K) / rise_K, 2.0 / 3.0, 0.02);
+    const double rise_K = first.rig.trueTemperatures_K()[1] - assumed.environment_K;
+    EXPECT_NEAR((second.rig.trueTemperatures_K()[1] - assumed.environment_K) / rise_K, 2.0, 0.05);
+    EXPECT_NEAR((second.rig.trueTemperatures_K()[0] - assumed.environment_K) / rise_K, 2.0 / 3.0, 0.02);
 }
 
 // Catches a single missing reading that holds, ends or shakes a run; a run that cannot begin for them.

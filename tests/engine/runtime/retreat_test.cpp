@@ -48,8 +48,8 @@ struct Bench {
                 events.push_back(event.message);
         }
     }
-    template <class Condition> bool until(Condition condition, double most_s) {
-        for (double s = 0.0; s < most_s && !condition(); s += experiment.sampling.period_s)
+    template <class Condition> bool until(Condition condition, double max_s) {
+        for (double s = 0.0; s < max_s && !condition(); s += experiment.sampling.period_s)
             periods(1);
         return condition();
     }
@@ -274,7 +274,7 @@ TEST(Pending, TellsWhatALostSensorWillLeadTo) {
     ASSERT_TRUE(pending);
     EXPECT_EQ(pending->action.code, MessageCode::ActionEndRun);
     EXPECT_EQ(pending->cause, (Message{MessageCode::SafetySensorOpen, {"left"}}));
-    EXPECT_NEAR(pending->in_s, rig.experiment.safety.heldLimit_s, 0.11);
+    EXPECT_NEAR(pending->in_s, rig.experiment.safety.pauseLimit_s, 0.11);
     EXPECT_EQ(rig.loop.remedy().code, MessageCode::RemedyStop);
     const double in_s = pending->in_s;
     rig.periods(static_cast<int>(in_s / 0.1) - 2);

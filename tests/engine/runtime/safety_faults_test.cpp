@@ -26,9 +26,9 @@ Experiment fastDisks() {
 struct Rig : LoopOnRig {
     explicit Rig(const Experiment& from = fastDisks()) : LoopOnRig(from) {}
     /// Until the condition holds; answers how long that took, a large number when it never did.
-    template <class Condition> double until(Condition condition, double most_s) {
+    template <class Condition> double until(Condition condition, double max_s) {
         const double from_s = rig.clock().now_s();
-        while (!condition() && rig.clock().now_s() < from_s + most_s) {
+        while (!condition() && rig.clock().now_s() < from_s + max_s) {
             periods(1);
             for (const TraceEvent& event : loop.takeRecord().events)
                 events.push_back(event.message);
@@ -395,7 +395,7 @@ TEST(Safety, ASourceHeatedByHandIsSaidToStayHot) {
         Result<void> heatOff() override { return source.heatOff(); }
         bool heating() const override { return source.heating(); }
         HeatState heatState() const override { return source.heatState(); }
-        bool isByHand() const override { return true; }
+        bool isManual() const override { return true; }
         HeatSource& source;
     };
     const Experiment experiment = fastDisks();
@@ -568,7 +568,7 @@ TEST(Safety, TheCauseStandsInTheEventAndTheRemedyFitsTheState) {
     EXPECT_TRUE(isRecorded(messageAbout(MessageCode::EventHeldFor, open)));
     EXPECT_TRUE(isRecorded(messageAbout(MessageCode::EventStoppedFor, open)));
     EXPECT_TRUE(isRecorded(
-        {MessageCode::EventSensorLostTooLong, {formatNumber(rig.experiment.safety.heldLimit_s), "right"}}));
+        {MessageCode::EventSensorLostTooLong, {formatNumber(rig.experiment.safety.pauseLimit_s), "right"}}));
     for (const Message& reason : rig.loop.reasons())
         EXPECT_EQ(describe(reason).find("resume"), std::string::npos) << describe(reason);
     EXPECT_EQ(rig.loop.remedy(), (Message{MessageCode::RemedyReset, {}}));

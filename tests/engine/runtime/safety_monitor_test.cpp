@@ -89,7 +89,7 @@ TEST(SafetyMonitor, ASourceColderThanTheRoomIsNotHeated) {
     EXPECT_TRUE(m.isActive(SafetyCondition::SourceCold));
     ASSERT_NE(m.monitor.forbidsReset(), nullptr);
     EXPECT_EQ(m.monitor.forbidsReset()->message.code, MessageCode::SafetySourceCold);
-    m.seen.isByHand = true; // typed by a person
+    m.seen.isManual = true; // typed by a person
     m.after(1.0);
     EXPECT_FALSE(m.isActive(SafetyCondition::SourceCold));
 }
@@ -310,7 +310,7 @@ TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
     m.seen.objects[1].jump = {m.experiment.safety.jumps, 40.0, 0.0, m.experiment.safety.trip_K + 5.0};
     (void)m.after(0.1);
     EXPECT_TRUE(m.isActive(SafetyCondition::ObjectHot));
-    m.seen.objects[1].jump.least_K = m.experiment.safety.warning_K - 20.0; // one of them was cold
+    m.seen.objects[1].jump.min_K = m.experiment.safety.warning_K - 20.0; // one of them was cold
     (void)m.after(0.1);
     (void)m.after(2.0);
     EXPECT_FALSE(m.isActive(SafetyCondition::ObjectHot));

@@ -39,10 +39,10 @@ bool toldOfCompromise(const RunOutcome& outcome) {
 /// Each seed has wrong beliefs of its own.
 void expectAllSettled(std::uint64_t seeds) {
     Experiment experiment = example("three-objects.json");
-    ASSERT_GE(experiment.controller.believedRateErrorFactor, 4.0);
+    ASSERT_GE(experiment.controller.estimatedRateErrorFactor, 4.0);
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         experiment.simulation.seed = seed;
-        const RunOutcome outcome = run(experiment, 120.0 + kHeldFor_s + 5.0);
+        const RunOutcome outcome = run(experiment, 120.0 + kInBandFor_s + 5.0);
         EXPECT_TRUE(outcome.settled) << "seed " << seed;
         for (const ObjectOutcome& object : outcome.objects) {
             ASSERT_TRUE(object.settlingTime_s) << object.name << ", seed " << seed;
@@ -87,18 +87,18 @@ TEST(SimulatedRun, CommandsKeepTheAcceleration) {
     experiment.robot.maxAngularAcceleration_rad_s2 = 0.02;
     experiment.robot.maxRotation_rad_s = 0.05;
     Vector6d last = Vector6d::Zero();
-    double most = 0.0, fastest_m_s = 0.0;
+    double max = 0.0, fastest_m_s = 0.0;
     SimulatedRunOptions options;
     options.duration_s = 60.0;
     options.progress = [&](double, const TraceSample& sample) {
         const Vector6d change = sample.twist - last;
-        most = std::max({most, change.head<3>().norm() / experiment.robot.maxAcceleration_m_s2,
-                         change.tail<3>().norm() / experiment.robot.maxAngularAcceleration_rad_s2});
+        max = std::max({max, change.head<3>().norm() / experiment.robot.maxAcceleration_m_s2,
+                        change.tail<3>().norm() / experiment.robot.maxAngularAcceleration_rad_s2});
         fastest_m_s = std::max(fastest_m_s, sample.twist.head<3>().norm());
         last = sample.twist;
     };
     ASSERT_TRUE(runSimulated(experiment, options));
-    EXPECT_LT(most, 1.0 + 1e-6);    // in a period of 1 s
+    EXPECT_LT(max, 1.0 + 1e-6);     // in a period of 1 s
     EXPECT_GT(fastest_m_s, 0.0079); // it has gathered speed over several periods
 }
 
@@ -108,7 +108,7 @@ TEST(Example, OverARectangularPlateBothSettleInUnder180Seconds) {
     ASSERT_TRUE(std::holds_alternative<Contour>(experiment.source.shape));
     for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         experiment.simulation.seed = seed;
-        const RunOutcome outcome = run(experiment, 180.0 + kHeldFor_s + 5.0);
+        const RunOutcome outcome = run(experiment, 180.0 + kInBandFor_s + 5.0);
         EXPECT_TRUE(outcome.settled) << "seed " << seed;
         for (const ObjectOutcome& object : outcome.objects)
             EXPECT_LT(object.settlingTime_s.value_or(1e9), 180.0) << object.name << ", seed " << seed;
@@ -195,7 +195,7 @@ TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
                 experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
             double overshoot_K = 0.0;
             SimulatedRunOptions options;
-            options.duration_s = 1.25 * bound_s + kHeldFor_s + 10.0;
+            options.duration_s = 1.25 * bound_s + kInBandFor_s + 10.0;
             options.progress = [&](double, const TraceSample& sample) {
                 for (const ObjectSample& object : sample.objects)
                     overshoot_K = std::max(overshoot_K, object.true_K - object.target_K);

@@ -24,9 +24,9 @@ LossRange lossesOf(double timeConstant_s) {
 struct Object {
     double noise_K = 0.02, resolution_K = 0.1;
     double loss_1_s = 1.0 / 450.0;
-    double belief = 1.0; ///< of the power, over the true one
-    double lag_s = 0.0;  ///< of its sensor
-    bool isFree = false; ///< its losses grow with the 1.25th power, as much at 50 K
+    double estimate = 1.0; ///< of the power, over the true one
+    double lag_s = 0.0;    ///< of its sensor
+    bool isFree = false;   ///< its losses grow with the 1.25th power, as much at 50 K
 
     /// When an alarm was given, s: a contradiction for 30 s, or the same value for so long. Infinite: never.
     double alarm_s(const std::function<double(double)>& power_K_s,
@@ -44,7 +44,7 @@ struct Object {
             double value = felt + noise(random);
             if (resolution_K > 0.0)
                 value = std::round(value / resolution_K) * resolution_K;
-            watch.add(t, reading ? reading(t, value) : value, belief * power_K_s(t));
+            watch.add(t, reading ? reading(t, value) : value, estimate * power_K_s(t));
             if (!watch.unfollowed())
                 followed_s = t;
             if (t - followed_s >= 30.0 ||
@@ -65,13 +65,13 @@ double approach(double t) { // the robot comes near in ten seconds and settles b
 // sensors.
 TEST(WarmingWatch, GivesNoAlarmForAnObjectThatFollows) {
     for (const double loss_1_s : {1.0 / 1500.0, 1.0 / 450.0, 1.0 / 90.0})
-        for (const double belief : {0.4, 1.0, 2.5})
+        for (const double estimate : {0.4, 1.0, 2.5})
             for (const double resolution_K : {0.0, 0.1, 0.5})
                 for (const double noise_K : {0.0, 0.02, 0.3})
                     for (const double lag_s : {0.0, 15.0}) {
-                        const Object object{noise_K, resolution_K, loss_1_s, belief, lag_s};
+                        const Object object{noise_K, resolution_K, loss_1_s, estimate, lag_s};
                         EXPECT_GT(object.alarm_s(approach), 1500.0)
-                            << loss_1_s << ' ' << belief << ' ' << resolution_K << ' ' << noise_K << ' '
+                            << loss_1_s << ' ' << estimate << ' ' << resolution_K << ' ' << noise_K << ' '
                             << lag_s;
                     }
 }
@@ -80,12 +80,12 @@ TEST(WarmingWatch, GivesNoAlarmForAnObjectThatFollows) {
 TEST(WarmingWatch, GivesNoAlarmInFreeConvection) {
     const auto hot = [](double t) { return 6.0 * approach(t); }; // to 100 K over the room
     for (const double loss_1_s : {1.0 / 900.0, 1.0 / 450.0, 1.0 / 90.0})
-        for (const double belief : {0.4, 1.0, 2.5})
+        for (const double estimate : {0.4, 1.0, 2.5})
             for (const bool isHot : {false, true}) {
-                Object object{0.02, 0.01, loss_1_s, belief};
+                Object object{0.02, 0.01, loss_1_s, estimate};
                 object.isFree = true;
                 EXPECT_GT(isHot ? object.alarm_s(hot) : object.alarm_s(approach), 1500.0)
-                    << loss_1_s << ' ' << belief << ' ' << isHot;
+                    << loss_1_s << ' ' << estimate << ' ' << isHot;
             }
 }
 

@@ -199,12 +199,12 @@ TEST(FitContourCommand, PicksOneOfSeveral) {
 TEST(FitContourCommand, TakesAUnitAndAFactorForDrawings) {
     const auto width_m = [](const char* name, const ContourImportOptions& options) {
         const auto file = readOutlines(test::dataPath(name), options);
-        double least = 1e9, most = -1e9;
+        double min = 1e9, max = -1e9;
         for (const auto& p : file.value().outlines[0].points_m) {
-            least = std::min(least, p.x());
-            most = std::max(most, p.x());
+            min = std::min(min, p.x());
+            max = std::max(max, p.x());
         }
-        return most - least;
+        return max - min;
     };
     const double px_m = width_m("svg/leaf_maple_mdi.svg", {});
     EXPECT_NEAR(width_m("svg/leaf_maple_mdi.svg", {.unit = LengthUnit::Millimetre}), px_m * 96.0 / 25.4,
@@ -256,10 +256,10 @@ TEST(FitContourCommand, ReportsAsJson) {
     EXPECT_NEAR(json.at("rms_mm"), 5.33114, 1e-3);
     ASSERT_EQ(json.at("warnings").size(), 1U);
     EXPECT_NE(json.at("warnings")[0].get<std::string>().find("crosses itself"), std::string::npos);
-    double most_mm = 0.0;
+    double max_mm = 0.0;
     for (const auto& point : json.at("outline"))
-        most_mm = std::max(most_mm, point.at(0).get<double>());
-    EXPECT_NEAR(most_mm, 70.0, 1e-9) << "in the file's coordinates";
+        max_mm = std::max(max_mm, point.at(0).get<double>());
+    EXPECT_NEAR(max_mm, 70.0, 1e-9) << "in the file's coordinates";
 }
 
 // Catches a file that Bask writes and cannot read.

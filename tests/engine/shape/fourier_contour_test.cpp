@@ -226,15 +226,15 @@ TEST(FitFourier, TellsTheHausdorffDistanceAndTheAreaError) {
                 outline.push_back(bunny.points_m[k] +
                                   s / 20.0 *
                                       (bunny.points_m[(k + 1) % bunny.points_m.size()] - bunny.points_m[k]));
-        double most = 0.0;
+        double max = 0.0;
         for (const auto& [from, to] : {std::pair(series, outline), std::pair(outline, series)})
             for (const auto& p : from) {
-                double least = 1.0;
+                double min = 1.0;
                 for (const auto& q : to)
-                    least = std::min(least, (p - q).norm());
-                most = std::max(most, least);
+                    min = std::min(min, (p - q).norm());
+                max = std::max(max, min);
             }
-        EXPECT_NEAR(fit->hausdorff_m, most, 2e-5) << h;
+        EXPECT_NEAR(fit->hausdorff_m, max, 2e-5) << h;
         EXPECT_LE(fit->hausdorff_m, fit->max_m + 1e-6);
         EXPECT_NEAR(fit->areaError, fit->contour.area() / contourArea(bunny) - 1.0, 1e-12);
     }
@@ -249,13 +249,12 @@ TEST(FitFourier, DistancesAreThoseToTheCurveInTheOutlinesFrame) {
         const std::vector<double> distances = distancesTo(*fit, points);
         ASSERT_EQ(distances.size(), points.size());
         for (std::size_t k = 0; k < points.size(); k += 7) {
-            double least = 1.0;
+            double min = 1.0;
             for (int s = 0; s < 20000; ++s) {
                 const Complex z = fit->contour.point(s / 20000.0);
-                least =
-                    std::min(least, (points[k] - fit->centre_m - Eigen::Vector2d(z.real(), z.imag())).norm());
+                min = std::min(min, (points[k] - fit->centre_m - Eigen::Vector2d(z.real(), z.imag())).norm());
             }
-            EXPECT_NEAR(distances[k], least, 8e-6) << h; // points 14 um apart stand for the curve
+            EXPECT_NEAR(distances[k], min, 8e-6) << h; // points 14 um apart stand for the curve
         }
         EXPECT_LE(*std::ranges::max_element(distances), fit->hausdorff_m + 1e-6);
     }

@@ -46,15 +46,15 @@ TEST(Hausdorff, EqualsBruteForce) {
     std::mt19937 random(11);
     for (int trial = 0; trial < 40; ++trial) {
         const test::Points a = randomRing(random, 3 + trial), b = randomRing(random, 3 + 2 * (trial % 7));
-        double most = 0.0;
+        double max = 0.0;
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
             for (std::size_t k = 0; k < from.size(); ++k)
                 for (int s = 0; s < 400; ++s)
-                    most = std::max(
-                        most, toEdges(from[k] + s / 400.0 * (from[(k + 1) % from.size()] - from[k]), to));
+                    max = std::max(
+                        max, toEdges(from[k] + s / 400.0 * (from[(k + 1) % from.size()] - from[k]), to));
         const double found = hausdorffDistance(a, b, 1e-6);
-        EXPECT_GT(found, most - 2e-6) << trial;
-        EXPECT_LT(found, most + 0.005) << trial;
+        EXPECT_GT(found, max - 2e-6) << trial;
+        EXPECT_LT(found, max + 0.005) << trial;
     }
 }
 

@@ -60,10 +60,10 @@ TEST(OutlineFile, PickedWithTheHolesThatFit) {
     for (int k = 0; k < 210; ++k)
         sieve.outlines.push_back(square(0.002, 0.1 + 0.003 * k, 0));
     sieve.arrange();
-    const auto most = pickOutline(sieve, std::nullopt, "");
-    ASSERT_TRUE(most);
-    EXPECT_EQ(most->holes.size(), kMaxHoles);
-    EXPECT_EQ(most->warnings.back(), (Message{MessageCode::HolesLeftOut, {"10", "200"}}));
+    const auto limited = pickOutline(sieve, std::nullopt, "");
+    ASSERT_TRUE(limited);
+    EXPECT_EQ(limited->holes.size(), kMaxHoles);
+    EXPECT_EQ(limited->warnings.back(), (Message{MessageCode::HolesLeftOut, {"10", "200"}}));
 }
 
 // Catches corners of holes thinned without need, without a word, or farther than is said.

@@ -161,13 +161,13 @@ TEST(Silhouettes, ArePhotographsTurnedByExif) {
             readContour(test::writeFile(".jpg", withOrientation(jpeg, static_cast<char>(orientation))),
                         {.scale_px_per_mm = 1.0});
         ASSERT_TRUE(contour) << orientation << describe(contour.error());
-        Vec least = contour->points_m[0], most = least;
+        Vec min = contour->points_m[0], max = min;
         for (const Vec& p : contour->points_m) {
-            least = least.cwiseMin(p);
-            most = most.cwiseMax(p);
+            min = min.cwiseMin(p);
+            max = max.cwiseMax(p);
         }
-        EXPECT_NEAR((most - least).x() * 1e3, width, 0.8) << orientation;
-        EXPECT_NEAR((most - least).y() * 1e3, height, 0.8) << orientation;
+        EXPECT_NEAR((max - min).x() * 1e3, width, 0.8) << orientation;
+        EXPECT_NEAR((max - min).y() * 1e3, height, 0.8) << orientation;
         EXPECT_NEAR(contourCentroid(*contour).x() * 1e3, x, 0.3) << orientation;
         EXPECT_NEAR(contourCentroid(*contour).y() * 1e3, y, 0.3) << orientation;
     }

@@ -22,7 +22,7 @@ TEST(BoardScript, AViewOfEachKindOfBoardCalibratesTheCamera) {
         camera.observe({10.0, Pose(Eigen::Translation3d(0, 0, 0.1)), Pose::Identity()});
         camera.setBoard(board);
         std::vector<CalibrationView> views;
-        for (int k = 0; k < kHeldViews; ++k) { // each while it is still
+        for (int k = 0; k < kBoardViews; ++k) { // each while it is still
             camera.observe({10.0 + stillTime_s(k) + config.delay_s, Pose(Eigen::Translation3d(0, 0, 0.1)),
                             Pose::Identity()});
             const auto frame = camera.newest();
@@ -30,7 +30,7 @@ TEST(BoardScript, AViewOfEachKindOfBoardCalibratesTheCamera) {
             if (auto view = findBoard((*frame)->picture, board, text))
                 views.push_back({std::to_string(k), *view});
         }
-        EXPECT_GE(views.size(), 0.9 * kHeldViews) << text;
+        EXPECT_GE(views.size(), 0.9 * kBoardViews) << text;
         const auto calibration = calibrateCamera(views, board, config.camera.width, config.camera.height, 5);
         ASSERT_TRUE(calibration) << text;
         EXPECT_FALSE(calibration->reasonAgainst()) << text;
@@ -54,9 +54,9 @@ TEST(BoardScript, MovesSteadilyAndStaysInThePicture) {
             const double ofFirst = board.kind == BoardKind::Chessboard ? board.square_m : 0.0;
             const Eigen::Vector2d first(ofFirst, ofFirst); // from the pattern's upper left
             Eigen::AlignedBox2d seen;
-            for (int k = 0; k < kHeldViews; ++k) {
+            for (int k = 0; k < kBoardViews; ++k) {
                 const Pose X_CB = boardPoseAt(board, camera, stillTime_s(k));
-                EXPECT_TRUE(X_CB.isApprox(heldBoardPose(board, camera, k)));
+                EXPECT_TRUE(X_CB.isApprox(scriptedBoardPose(board, camera, k)));
                 EXPECT_TRUE(X_CB.isApprox(boardPoseAt(board, camera, stillTime_s(k) + 0.49 * kBoardStill_s)));
                 for (int corner = 0; corner < cornerCount(board); ++corner) {
                     const Eigen::Vector2d p = cornerOf(board, corner) + first;
@@ -67,7 +67,7 @@ TEST(BoardScript, MovesSteadilyAndStaysInThePicture) {
             }
             EXPECT_GT(seen.volume(), 0.5 * width * height) << text << " corners of the picture are visited";
             Pose last = boardPoseAt(board, camera, 0.0);
-            for (double t = 0.0; t < stillTime_s(kHeldViews + 1); t += 0.01) {
+            for (double t = 0.0; t < stillTime_s(kBoardViews + 1); t += 0.01) {
                 const Pose now = boardPoseAt(board, camera, t);
                 ASSERT_LT((now.translation() - last.translation()).norm(), 0.1 * now.translation().norm());
                 ASSERT_LT(Eigen::AngleAxisd(now.linear() * last.linear().transpose()).angle(), 0.05);

@@ -51,7 +51,7 @@ void expectFound(const AlarmStudy& study) {
     const auto rows = runAlarmStudy(study, 0, {});
     ASSERT_TRUE(rows) << describe(rows.error());
     const AlarmSummary summary = summarize(*rows);
-    EXPECT_LE(summary.mostIn10min, 10);
+    EXPECT_LE(summary.maxIn10min, 10);
     EXPECT_NEAR(summary.shares[0], 0.05, 0.05) << "of priority 1, near what EEMUA 191 asks for";
     EXPECT_NEAR(summary.shares[2], 0.80, 0.15) << "of priority 3";
     for (const FaultSummary& fault : summary.faults) {

@@ -97,7 +97,7 @@ Vector6d randomPose(const RigGeometry& geometry, const Vector6d& rest, std::mt19
 }
 
 // Wanted: 99.9 % of what random poses hold is found feasible.
-void judgeHeldTargets(int count) {
+void judgeFixedTargets(int count) {
     for (const char* name : {"three-objects.json", "three-objects-in-line.json"}) {
         FeasibilityRequest request = feasibilityRequest(example(name, SourceModel::Gray));
         request.lookup = feasibilityLookup(request.geometry, request.rest);
@@ -115,10 +115,10 @@ void judgeHeldTargets(int count) {
 }
 
 TEST(WhatRandomPosesHoldIsFeasible, hundred) {
-    judgeHeldTargets(100);
+    judgeFixedTargets(100);
 }
 TEST(WhatRandomPosesHoldIsFeasible, thousand) {
-    judgeHeldTargets(1000);
+    judgeFixedTargets(1000);
 }
 
 /// Root of the sum of squared errors of the best pose that a fine grid and a compass search from its best
@@ -202,11 +202,11 @@ void judgeTargetsOutside(int count) {
         double square_K2 = 0.0;
         for (const double residual_K : verdict.residuals_K)
             square_K2 += residual_K * residual_K;
-        worse += std::sqrt(square_K2) > brute_K + kHeldWithin_K ? 1 : 0;
+        worse += std::sqrt(square_K2) > brute_K + kReachedWithin_K ? 1 : 0;
         if (brute_K >= 1.0) {
             ++outside;
             notFeasible += verdict.feasible ? 0 : 1;
-        } else if (brute_K < kHeldWithin_K) {
+        } else if (brute_K < kReachedWithin_K) {
             ++inside;
             wrongInside += verdict.feasible ? 0 : 1;
         }

@@ -132,9 +132,9 @@ TEST(RateEstimator, OneOutlierIsLeftOutWhereverItIs) {
 TEST(RateEstimator, HonestNoiseIsHardlyEverLeftOut) {
     const struct {
         double noise_K, step_K;
-        int most; ///< of 20000
+        int max; ///< of 20000
     } cases[] = {{0.0, 0.1, 0}, {0.02, 0.1, 0}, {0.05, 0.1, 2}, {0.02, 0.0, 0}, {0.3, 0.0, 300}};
-    for (const auto& [noise_K, step_K, most] : cases) {
+    for (const auto& [noise_K, step_K, max] : cases) {
         std::mt19937 random(13);
         std::normal_distribution<double> normal;
         RateEstimator estimator(10, 3);
@@ -147,7 +147,7 @@ TEST(RateEstimator, HonestNoiseIsHardlyEverLeftOut) {
             if (const auto estimate = estimator.estimate())
                 leftOut += estimate->leftOut ? 1 : 0;
         }
-        EXPECT_LE(leftOut, most) << noise_K << " " << step_K;
+        EXPECT_LE(leftOut, max) << noise_K << " " << step_K;
     }
 }
 

@@ -63,7 +63,7 @@ Path bySteadyHand() {
 
 struct Errors {
     double position2 = 0.0, angle2 = 0.0, pose = 0.0, all = 0.0; ///< sums; the last two normalised
-    int frames = 0, within95 = 0, unbelieved = 0;
+    int frames = 0, within95 = 0, rejected = 0;
     double worst_m = 0.0;
 
     double position_m() const { return std::sqrt(position2 / frames); }
@@ -79,7 +79,7 @@ void run(Scene& scene, const Path& path, double duration_s, Errors& errors) {
     PoseFilter filter = scene.begun(path(0.0));
     for (int k = 1; k * kFilterFrame_s < duration_s; ++k) {
         const double t = k * kFilterFrame_s;
-        errors.unbelieved += filter.take(t, scene.corners(path(t)), scene.camera).believed ? 0 : 1;
+        errors.rejected += filter.take(t, scene.corners(path(t)), scene.camera).accepted ? 0 : 1;
         if (t < 1.0)
             continue;
         const MotionState state = filter.at(t);
@@ -108,7 +108,7 @@ TEST(PoseFilter, ItsCovarianceIsHonestWhileTheSourceIsCarried) {
         Scene scene(seed);
         run(scene, bySteadyHand(), 10.0, errors);
     }
-    EXPECT_EQ(errors.unbelieved, 0);
+    EXPECT_EQ(errors.rejected, 0);
     EXPECT_LT(errors.nees(), 6.3);
     EXPECT_GT(errors.nees(), 3.0);
     EXPECT_LT(errors.neesOfAll(), 12.6);
@@ -123,7 +123,7 @@ TEST(PoseFilter, ABriskHandIsFollowed) {
         Scene scene(seed);
         run(scene, carried({0.18, 0.02, -0.08}, {0.1, 0.2, 0.5}, 1.0, 1.0), 3.0, errors);
     }
-    EXPECT_EQ(errors.unbelieved, 0);
+    EXPECT_EQ(errors.rejected, 0);
     EXPECT_LT(errors.worst_m, 1e-3);
     EXPECT_LT(errors.nees(), 6.5);
     EXPECT_GE(errors.share95(), 0.94);
@@ -157,13 +157,13 @@ TEST(PoseFilter, WhatDoesNotFitIsLeftOutAndTold) {
         for (int k = 1; k <= 100; ++k) {
             std::vector<SeenCorner> corners = scene.corners(X_CS);
             if (k <= 15) { // so little tells from one frame only which of four markers it is
-                ASSERT_TRUE(filter.take(k * kFilterFrame_s, corners, scene.camera).believed);
+                ASSERT_TRUE(filter.take(k * kFilterFrame_s, corners, scene.camera).accepted);
                 continue;
             }
             for (std::size_t c = 4; c < 4 + wrong; ++c)
                 corners[c].seen_px.x() += wrong == 1 ? 2.0 : 6.0;
             const FilterStep step = filter.take(k * kFilterFrame_s, corners, scene.camera);
-            ASSERT_TRUE(step.believed);
+            ASSERT_TRUE(step.accepted);
             for (std::size_t c = 4; c < 4 + wrong; ++c)
                 ASSERT_TRUE(std::ranges::count(step.left_out, c) == 1) << c << " in frame " << k;
             falselyOut += static_cast<int>(step.left_out.size() - wrong);
@@ -183,9 +183,9 @@ TEST(PoseFilter, HalfOfTheCornersElsewhereIsNotBelieved) {
     for (std::size_t c = 0; c < 8; ++c)
         corners[c].seen_px += Eigen::Vector2d(60.0, 30.0);
     const MotionState before = filter.at(kFilterFrame_s);
-    EXPECT_FALSE(filter.take(kFilterFrame_s, corners, scene.camera).believed);
+    EXPECT_FALSE(filter.take(kFilterFrame_s, corners, scene.camera).accepted);
     EXPECT_TRUE(filter.at(kFilterFrame_s).X_CP.isApprox(before.X_CP, 0.0));
-    EXPECT_FALSE(filter.take(2 * kFilterFrame_s, {}, scene.camera).believed);
+    EXPECT_FALSE(filter.take(2 * kFilterFrame_s, {}, scene.camera).accepted);
 }
 
 // Catches markers glued 0.3 mm off (0.5 px) that are left out for ever: the noise is learnt from what they
@@ -196,20 +196,20 @@ TEST(PoseFilter, BadlyPlacedMarkersMakeItLessSure) {
     for (unsigned seed = 1; seed <= kRuns; ++seed) {
         Scene scene(seed);
         std::normal_distribution<double> glue(0.0, 3e-4);
-        const MarkerLayout believed = scene.layout;
+        const MarkerLayout assumed = scene.layout;
         for (PlacedMarker& marker : scene.layout.markers)
             marker.X_PM.pretranslate(
                 Eigen::Vector3d(glue(scene.random), glue(scene.random), glue(scene.random)));
         const Pose X_CS = still()(0.0);
         PoseFilter filter = scene.begun(X_CS);
-        int unbelieved = 0;
+        int rejected = 0;
         for (int k = 1; k <= kFrames; ++k) {
             std::vector<SeenCorner> corners = scene.corners(X_CS);
             for (std::size_t c = 0; c < corners.size(); ++c)
-                corners[c].p_PQ = believed.markers[c / 4].corners()[c % 4];
-            unbelieved += filter.take(k * kFilterFrame_s, corners, scene.camera).believed ? 0 : 1;
+                corners[c].p_PQ = assumed.markers[c / 4].corners()[c % 4];
+            rejected += filter.take(k * kFilterFrame_s, corners, scene.camera).accepted ? 0 : 1;
         }
-        EXPECT_EQ(unbelieved, 0) << seed;
+        EXPECT_EQ(rejected, 0) << seed;
         EXPECT_LT(displacementBetween(filter.at(kFrames * kFilterFrame_s).X_CP, X_CS).head<3>().norm(), 2e-3);
         corner_px += filter.corner_px() / kRuns;
     }

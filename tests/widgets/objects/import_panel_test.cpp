@@ -161,12 +161,12 @@ TEST_F(ImportPanelTest, AKnownLengthGivesThePictureItsScale) {
     // The ruler begins across the outline: its box is as wide as is typed.
     type("importLength", "50");
     const Contour contour = imported().contour;
-    double least_m = 1.0, most_m = -1.0;
+    double min_m = 1.0, max_m = -1.0;
     for (const auto& p : contour.points_m) {
-        least_m = std::min(least_m, p.x());
-        most_m = std::max(most_m, p.x());
+        min_m = std::min(min_m, p.x());
+        max_m = std::max(max_m, p.x());
     }
-    EXPECT_NEAR(most_m - least_m, 0.05, 1e-5);
+    EXPECT_NEAR(max_m - min_m, 0.05, 1e-5);
 }
 
 // Catches clicks that miss the picture's pixels, and ends that cannot be dragged.

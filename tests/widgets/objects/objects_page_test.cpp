@@ -172,11 +172,11 @@ TEST_F(ObjectsPageTest, AToleranceOutOfReachIsToldWithWhatIsReached) {
     auto* verdict = child<QLabel>("toleranceVerdict");
     ASSERT_TRUE(QTest::qWaitFor([&] { return verdict->text().contains("cannot be reached"); }, 120000));
     const Contour& outline = example().objects[1].origin.outline;
-    double least_m = 1.0;
+    double min_m = 1.0;
     for (int h = 1; h <= kMaxHarmonics; ++h)
         if (const FourierFit fit = fitFourier(outline, h).value(); !fit.crossesItself)
-            least_m = std::min(least_m, fit.hausdorff_m);
-    EXPECT_TRUE(verdict->text().contains(QString::number(least_m * 1e3, 'f', 3)))
+            min_m = std::min(min_m, fit.hausdorff_m);
+    EXPECT_TRUE(verdict->text().contains(QString::number(min_m * 1e3, 'f', 3)))
         << verdict->text().toStdString();
     EXPECT_TRUE(verdict->isVisible());
     EXPECT_EQ(edited.count(), 0);
@@ -242,8 +242,10 @@ TEST_F(ObjectsPageTest, ThePreviewTellsTheDistancesOfTheFitShown) {
     const auto told = [&](int h) {
         const FourierFit fit = fitFourier(outline, h).value();
         const auto distances = distancesTo(fit, pointsAlong(outline, contourPerimeter(outline) / 1000.0));
-        const QString most = QString::number(*std::ranges::max_element(distances) * 1e3, 'f', 3);
-        return child<OutlinePreview>("outlinePreview")->accessibleDescription().contains(most + " mm from");
+        const QString largest = QString::number(*std::ranges::max_element(distances) * 1e3, 'f', 3);
+        return child<OutlinePreview>("outlinePreview")
+            ->accessibleDescription()
+            .contains(largest + " mm from");
     };
     EXPECT_TRUE(told(5));
     auto* slider = child<QSlider>("harmonicsSlider");
@@ -376,11 +378,11 @@ TEST_F(ObjectsPageTest, WhatThePageDoesNotShowOutlivesAnEdit) {
 TEST_F(ObjectsPageTest, AnotherMaterialTakesTheBelievedRatesAway) {
     Experiment experiment = example();
     for (ObjectSpec& object : experiment.objects)
-        object.believedRates = HeatRates{0.2, 2e-11, 0.16};
+        object.estimatedRates = HeatRates{0.2, 2e-11, 0.16};
     page.setExperiment(experiment);
     child<QDoubleSpinBox>("emittance")->setValue(0.5);
     const auto changed = std::ranges::count_if(
-        last().objects, [](const ObjectSpec& object) { return !object.believedRates.has_value(); });
+        last().objects, [](const ObjectSpec& object) { return !object.estimatedRates.has_value(); });
     EXPECT_EQ(changed, 1);
 }
 

@@ -73,7 +73,7 @@ TraceSample manyAt(int k) {
     return sampleAt(0.1 * k, k == kSpike ? 400.0 : 300.0 + 5.0 * std::sin(1e-4 * k), 313.0);
 }
 
-double greatest(const TraceStore::Line& line) {
+double max(const TraceStore::Line& line) {
     double out = -1.0;
     for (const double value : line.values)
         out = std::fmax(out, value);
@@ -95,13 +95,13 @@ TEST(TraceStore, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
               manyAt(kMany - 1).objects[0].measured_K);
     int reads = 0;
     const auto whole = columns.line(Quantity::Temperature, 0, 0.0, columns.lastTime_s(), 700, reads);
-    EXPECT_NEAR(greatest(whole), 400.0, 1e-4);
+    EXPECT_NEAR(max(whole), 400.0, 1e-4);
     EXPECT_LE(whole.values.size(), 1400u);
     EXPECT_NEAR(whole.times_s.front(), 0.0, 1e-9);
     EXPECT_NEAR(whole.times_s.back(), columns.lastTime_s(), 1e-9);
     const auto around =
         columns.line(Quantity::Temperature, 0, 0.1 * kSpike - 60.0, 0.1 * kSpike + 60.0, 700, reads);
-    EXPECT_NEAR(greatest(around), 400.0, 1e-4) << "older than the rows that are kept";
+    EXPECT_NEAR(max(around), 400.0, 1e-4) << "older than the rows that are kept";
     const auto newest =
         columns.line(Quantity::Temperature, 0, columns.lastTime_s() - 60.0, columns.lastTime_s(), 700, reads);
     EXPECT_GE(newest.values.size(), 600u) << "sample by sample";
@@ -147,7 +147,7 @@ TEST(TraceStore, SamplesDenserThanPixelsAreDrawnByTheirExtremes) {
     const auto line = columns.line(Quantity::Temperature, 0, 500.0, 1100.0, 700, reads); // 6000 samples
     EXPECT_LE(line.values.size(), 2U * 720U);
     EXPECT_GE(line.values.size(), 1200U) << "finer than the overview's 375 stretches";
-    EXPECT_EQ(greatest(line), 400.0);
+    EXPECT_EQ(max(line), 400.0);
     EXPECT_EQ(*std::ranges::min_element(line.values, {}, [](double v) { return std::isnan(v) ? 1e9 : v; }),
               250.0);
     EXPECT_GT(std::ranges::count_if(line.values, [](double v) { return std::isnan(v); }), 10) << "the gap";

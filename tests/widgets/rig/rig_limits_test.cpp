@@ -53,7 +53,7 @@ TEST_F(RigLimitsTest, EveryLimitIsTheExperiments) {
     type("safety.warning", "110");
     type("safety.trip", "140");
     const std::map<const char*, double SafetySpec::*> numbers{
-        {"safety.heldLimit", &SafetySpec::heldLimit_s},
+        {"safety.heldLimit", &SafetySpec::pauseLimit_s},
         {"safety.stalePeriods", &SafetySpec::stalePeriods},
         {"safety.frozen", &SafetySpec::frozen_s},
         {"safety.warming", &SafetySpec::warming_K},
@@ -61,7 +61,7 @@ TEST_F(RigLimitsTest, EveryLimitIsTheExperiments) {
         {"safety.sourceHeating", &SafetySpec::sourceHeating_s},
         {"safety.sourceBand", &SafetySpec::sourceBand_K},
         {"safety.sourceUnasked", &SafetySpec::sourceUnasked_K},
-        {"safety.leastDisk", &SafetySpec::leastDisk_MB},
+        {"safety.leastDisk", &SafetySpec::minDisk_MB},
     };
     double value = 11.0; // each another
     for (const auto& [name, limit] : numbers) {

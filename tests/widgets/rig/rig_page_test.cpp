@@ -224,7 +224,7 @@ TEST_F(RigPageTest, HeatOnTheRealRigAsksOnTheWayUpOnly) {
 TEST_F(RigPageTest, ATypedTemperatureReachesTheEngine) {
     useReal();
     Snapshot snapshot = test::quietSnapshot(experiment);
-    snapshot.isSourceByHand = true;
+    snapshot.isSourceManual = true;
     page.apply(snapshot, true);
     EXPECT_FALSE(child<QPushButton>("heatOn")->isVisible());
     auto* field = child<QuantitySpinBox>("typedSource");

@@ -66,11 +66,11 @@ TEST(LabelLayout, AnOptionalLabelGivesWay) {
 TEST(NiceRange, EndsOnWholeStepsAndHoldsTheInterval) {
     const NiceRange range = niceRange(23.4, 51.2, 5);
     EXPECT_DOUBLE_EQ(range.step, 10.0);
-    EXPECT_DOUBLE_EQ(range.least, 20.0);
-    EXPECT_DOUBLE_EQ(range.most, 60.0);
+    EXPECT_DOUBLE_EQ(range.min, 20.0);
+    EXPECT_DOUBLE_EQ(range.max, 60.0);
     const NiceRange empty = niceRange(25.0, 25.0, 5);
-    EXPECT_LE(empty.least, 25.0);
-    EXPECT_GT(empty.most, 25.0);
+    EXPECT_LE(empty.min, 25.0);
+    EXPECT_GT(empty.max, 25.0);
     EXPECT_GT(niceRange(std::nan(""), 3.0, 5).step, 0.0);
 }
 

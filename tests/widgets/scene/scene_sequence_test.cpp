@@ -171,7 +171,7 @@ TEST_F(SceneSequenceTest, PlaysRoundAndRound) {
     scene.setExperiment(oneDisk());
     SceneSequence sequence(scene);
     SurfaceFrame low, high;
-    high.held[kZ] = 0.05;
+    high.fixed[kZ] = 0.05;
     sequence.setFrames({low, high}, PoseSubset::Rotation, kZ);
     EXPECT_EQ(sequence.caption(1), QStringLiteral("z = 5.0 cm"));
     QSignalSpy shown(&sequence, &SceneSequence::shown);

@@ -37,7 +37,7 @@ Fields fieldsOf(const Experiment& experiment, PoseSubset subset = PoseSubset::Tr
                             surfaceAxes(subset, experiment.robot, step)};
     for (const ObjectSpec& object : experiment.objects)
         geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    geometry.held = experiment.start;
+    geometry.fixed = experiment.start;
     geometry.clearance_m = experiment.robot.clearance_m;
     const auto fields = targetFields(geometry);
     EXPECT_TRUE(fields);
@@ -539,10 +539,10 @@ TEST_F(TargetSceneTest, OverTheAnglesTheRobotsOwnAreShown) {
     TargetScene scene;
     scene.viewAlongMinusZ();
     show(scene);
-    const auto pictureOf = [&](double most_deg, bool free) {
+    const auto pictureOf = [&](double max_deg, bool free) {
         experiment.robot.free[kThetaX] = free;
-        experiment.robot.lower[kThetaX] = radFromDeg(-most_deg);
-        experiment.robot.upper[kThetaX] = radFromDeg(most_deg);
+        experiment.robot.lower[kThetaX] = radFromDeg(-max_deg);
+        experiment.robot.upper[kThetaX] = radFromDeg(max_deg);
         scene.setExperiment(experiment);
         scene.setSurfaces({square(0.0, 0.0, 0.3, 1.4)}, experiment.start, PoseSubset::Rotation);
         return grab(scene);

@@ -281,7 +281,7 @@ TEST_F(TargetsPageTest, TypedTargetsAreTried) {
 // Catches nearest targets offered that break what is to be kept.
 TEST_F(TargetsPageTest, KeptTargetsThatCannotBeHeldAreNotOverridden) {
     JointVerdict bad = joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)});
-    bad.heldKept = false;
+    bad.fixedKept = false;
     page.setVerdict(bad);
     EXPECT_FALSE(child<QPushButton>("useNearest")->isEnabled());
 }
