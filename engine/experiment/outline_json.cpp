@@ -1,6 +1,7 @@
 #include "engine/experiment/outline_json.h"
 
 #include "engine/base/message_code.h"
+#include "engine/shape/shape.h"
 
 #include <nlohmann/json.hpp>
 
@@ -96,8 +97,10 @@ FourierContour readCoefficients(Fields& fields, const std::string& key) {
     if (fields.failure())
         return {};
     std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
-    for (const auto& [order, value] : given)
-        coefficients[static_cast<std::size_t>(order + harmonics)] = value;
+    for (const auto& [order, value] : given) {
+        const int place = order + harmonics;
+        coefficients[static_cast<std::size_t>(place)] = value;
+    }
     return counterClockwise(std::move(coefficients));
 }
 

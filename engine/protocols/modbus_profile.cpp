@@ -51,11 +51,15 @@ std::string joined(const auto& words) {
     return out;
 }
 
+/// What is out of range is not taken: sums over it could overflow.
 void readWhole(Fields& fields, const std::string& key, int& out, int min, int max) {
-    fields.read(key, out);
-    if (fields.find(key) != nullptr && (out < min || out > max))
+    int value = out;
+    fields.read(key, value);
+    if (value >= min && value <= max)
+        out = value;
+    else if (fields.find(key) != nullptr)
         fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
-                    {std::to_string(out), std::to_string(min), std::to_string(max), ""});
+                    {std::to_string(value), std::to_string(min), std::to_string(max), ""});
 }
 
 void checkFaultWord(const Fields& fields, const std::string& word, const std::string& where) {
@@ -75,9 +79,9 @@ void readFaults(const json& j, const std::string& path, Failure& failure,
         const char* end = key.data() + key.size();
         const auto [stop, error] = std::from_chars(key.data(), end, number);
         if (error != std::errc() || stop != end)
-            fields.fail(MessageCode::JsonWrongType, path + '.' + plainWords(key), {"a number", "text"});
+            fields.fail(MessageCode::JsonWrongType, fields.pathOf(plainWords(key)), {"a number", "text"});
         fields.read(key, out[number]);
-        checkFaultWord(fields, out[number], path + '.' + key);
+        checkFaultWord(fields, out[number], fields.pathOf(key));
     }
 }
 

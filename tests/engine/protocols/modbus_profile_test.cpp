@@ -134,6 +134,8 @@ TEST(ModbusProfile, RefusesWithThePlace) {
          "p.json: channel.address"},
         {R"({"name": "x", "channel": {"address": 65535, "type": "float32"}, "channels": 1})",
          MessageCode::ValueOutOfRange, "p.json: channel.address"},
+        {R"({"name": "x", "channel": {"address": 2147483647, "type": "float32"}, "channels": 1})",
+         MessageCode::ValueOutOfRange, "p.json: channel.address"},
         {with(R"(, "function": 5)"), MessageCode::ValueOutOfRange, "p.json: channel.function"},
         {with(R"(, "type": "int8")"), MessageCode::ValueUnknown, "p.json: channel.type"},
         {with(R"(, "unit": "volt")"), MessageCode::ValueUnknown, "p.json: channel.unit"},
