@@ -75,7 +75,7 @@ struct StoredAs {
     int place = 0;
     const char* view = nullptr; ///< table for people that shows it
     const char* name = nullptr; ///< name of its column there, if it is not the key
-    bool isLater = false;       ///< whether files from before version 0.2 lack it
+    bool isLater = false;       ///< whether older files lack it: they are read with NaN
 };
 
 /// A log of the NeXus file: its path below the group of the object or the instrument, and its description.

@@ -11,6 +11,7 @@ namespace {
 
 using Row = SessionStore::Row;
 
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* kPoseColumns = "x_m, y_m, z_m, qw, qx, qy, qz";
 
 /// Reads the tables of one session into a record; the first failure ends it.
@@ -40,10 +41,21 @@ private:
                                   sample.coordinates = coordinatesOfColumns(row.subspan(1));
                                   sample.source = m_record.experiment.source.pose;
                                   sample.objects.resize(m_record.experiment.objects.size());
-                                  for (ObjectSample& object : sample.objects)
-                                      object.true_K = std::numeric_limits<double>::quiet_NaN();
+                                  forgetLater(kRunColumns, sample);
+                                  for (ObjectSample& object : sample.objects) {
+                                      forgetLater(kObjectColumns, object);
+                                      object.true_K = kUnknown;
+                                  }
                                   m_record.samples.push_back(std::move(sample));
                               });
+    }
+
+    /// Makes unknown what this version does not have.
+    template <class Sample, std::size_t N>
+    static void forgetLater(const std::array<SampleColumn<Sample>, N>& columns, Sample& sample) {
+        for (const SampleColumn<Sample>& column : columns)
+            if (column.stored.isLater)
+                column.value.set(sample, kUnknown);
     }
 
     /// Calls fill(sample, object, row) for each row of a table with one row a sample and object, in order.
