@@ -4,6 +4,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
+#include "engine/model/experiment_rig.h"
 
 #include <benchmark/benchmark.h>
 
@@ -49,14 +50,10 @@ BENCHMARK(fields)
 void surfaces(benchmark::State& state) {
     const Experiment experiment = example();
     const auto sampled = *targetFields(geometry(experiment));
-    const SourceSpec& source = experiment.source;
     std::vector<double> values;
     for (const ObjectSpec& object : experiment.objects)
-        values.push_back(heatRates(object.material,
-                                   netSourcePower_W_m2(source.model, source.temperature_K, source.emittance,
-                                                       experiment.environment_K),
-                                   experiment.environment_K)
-                             .steadyViewFactor(object.target_K));
+        values.push_back(
+            heatRates(object.material, surroundingsOf(experiment)).steadyViewFactor(object.target_K));
     std::size_t triangles = 0;
     for ([[maybe_unused]] auto _ : state) {
         const auto cut = targetSurfaces(sampled, values);

@@ -9,6 +9,7 @@
 #include "engine/exchange/field_file.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
+#include "engine/model/experiment_rig.h"
 
 #include <QCommandLineParser>
 
@@ -60,11 +61,7 @@ Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const E
 }
 
 FieldQuantity steadyTemperature(const Experiment& experiment, const ObjectSpec& object) {
-    const SourceSpec& source = experiment.source;
-    const HeatRates rates = heatRates(
-        object.material,
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K),
-        experiment.environment_K);
+    const HeatRates rates = heatRates(object.material, surroundingsOf(experiment));
     return {"steady_temperature", "K", [rates](double F) { return rates.steadyTemperature_K(F); }};
 }
 

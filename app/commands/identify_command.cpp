@@ -101,8 +101,7 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
 
 std::vector<Row> identifiedRows(const Request& request) {
     const Experiment& experiment = request.session->facts().experiment;
-    const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
-                                         experiment.source.emittance, experiment.environment_K);
+    const double J = surroundingsOf(experiment).netSourcePower_W_m2;
     const std::vector<IdentifiedRates> identified = request.records->identify(request.options);
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
     std::vector<Row> rows;

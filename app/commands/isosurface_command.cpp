@@ -12,6 +12,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
+#include "engine/model/experiment_rig.h"
 
 #include <QCommandLineParser>
 
@@ -160,14 +161,16 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     if (!chosen)
         return chosen.error();
     const ObjectSpec& object = **chosen;
-    const SourceSpec& source = experiment->source;
     const MountedContour mounted{RadiatingContour(object.shape), poseFromCoordinates(object.mounting)};
-    Request request{
-        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {mounted}, {}}, {}, {}, {}, {}};
-    request.rates = heatRates(
-        object.material,
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment->environment_K),
-        experiment->environment_K);
+    Request request{{RadiatingContour(experiment->source.shape),
+                     poseFromCoordinates(experiment->source.pose),
+                     {mounted},
+                     {}},
+                    {},
+                    {},
+                    {},
+                    {}};
+    request.rates = heatRates(object.material, surroundingsOf(*experiment));
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +
                         std::filesystem::path(input).filename().string();

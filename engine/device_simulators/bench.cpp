@@ -31,7 +31,7 @@ GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axe
 Bench::Bench(const SimulatedRigConfig& rig, const BenchDevices& devices)
     : m_config(rig), m_devices(devices), m_axes(devices.axes, rig.robot.start),
       m_robot(grblConfig(rig, m_axes)), m_source(rig.source),
-      m_plant(plantObjects(rig), rig.environment_K, rig.convection_W_m2K) {
+      m_plant(plantObjects(rig), rig.sourceModel, rig.environment_K, rig.convection_W_m2K) {
     for (const SimulatedObject& object : rig.objects)
         m_contours.emplace_back(object.shape);
     if (devices.thermometer) {

@@ -13,4 +13,13 @@ std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
                                          poseFromCoordinates(experiment.source.pose));
 }
 
+Surroundings surroundingsOf(const Experiment& experiment, double environment_K) {
+    const SourceSpec& source = experiment.source;
+    return surroundingsOf(source.model, source.temperature_K, source.emittance, environment_K);
+}
+
+Surroundings surroundingsOf(const Experiment& experiment) {
+    return surroundingsOf(experiment, experiment.environment_K);
+}
+
 } // namespace bask

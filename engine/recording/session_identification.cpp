@@ -32,8 +32,8 @@ HeatRecords::HeatRecords(const SessionRecord& facts)
     : m_until_s(controlledUntil_s(facts)), m_source(facts.experiment.source) {
     setEnvironment(m_options, facts);
     for (const ObjectSpec& object : facts.experiment.objects)
-        m_absorptanceOverEmittance.push_back(object.material.absorptance / object.material.emittance);
-    m_records.resize(m_absorptanceOverEmittance.size());
+        m_environmentShares.push_back(environmentShare(m_source.model, object.material));
+    m_records.resize(m_environmentShares.size());
 }
 
 double HeatRecords::power_W_m2(double T1_K) const {
@@ -71,7 +71,7 @@ std::vector<IdentifiedRates> HeatRecords::identify(const SessionIdentification& 
     options.convection = wanted.convection;
     std::vector<IdentifiedRates> out;
     for (std::size_t i = 0; i < m_records.size(); ++i) {
-        options.absorptanceOverEmittance = m_absorptanceOverEmittance[i];
+        options.environmentShare = m_environmentShares[i];
         out.push_back(identifyRates(m_records[i], options));
     }
     return out;

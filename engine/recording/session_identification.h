@@ -37,7 +37,7 @@ private:
     double m_until_s;
     SourceSpec m_source;
     IdentificationOptions m_options;
-    std::vector<double> m_absorptanceOverEmittance; ///< one for each object
+    std::vector<double> m_environmentShares;        ///< one for each object
     std::vector<std::vector<HeatSample>> m_records; ///< one for each object
     std::size_t m_every = 1, m_seen = 0;
 };

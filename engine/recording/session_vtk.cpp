@@ -1,4 +1,5 @@
 #include "engine/recording/session_vtk.h"
+#include "engine/model/experiment_rig.h"
 
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/target_surfaces.h"
@@ -40,10 +41,7 @@ std::vector<std::size_t> chosen(std::size_t samples) {
 }
 
 HeatRates ratesOf(const Experiment& e, const ObjectSpec& object) {
-    return object.estimatedRates.value_or(heatRates(
-        object.material,
-        netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K),
-        e.environment_K));
+    return object.estimatedRates.value_or(heatRates(object.material, surroundingsOf(e)));
 }
 
 class VtkExport {

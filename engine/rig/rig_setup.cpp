@@ -6,11 +6,10 @@
 namespace bask {
 
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K) {
-    const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
-                                         experiment.source.emittance, environment_K);
+    const Surroundings surroundings = surroundingsOf(experiment, environment_K);
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
-        rates.push_back(heatRates(object.material, J, environment_K));
+        rates.push_back(heatRates(object.material, surroundings));
     return rates;
 }
 
@@ -18,18 +17,17 @@ const Material& trueMaterial(const ObjectSpec& object) {
     return object.simulatedMaterial ? *object.simulatedMaterial : object.material;
 }
 
-double trueSourcePower_W_m2(const Experiment& experiment, double source_K) {
+Surroundings trueSurroundings(const Experiment& experiment, double source_K) {
     const SourceSpec& source = experiment.source;
-    return netSourcePower_W_m2(source.model, source_K,
-                               experiment.simulation.sourceEmittance.value_or(source.emittance),
-                               experiment.environment_K);
+    const double emittance = experiment.simulation.sourceEmittance.value_or(source.emittance);
+    return surroundingsOf(source.model, source_K, emittance, experiment.environment_K);
 }
 
 std::vector<HeatRates> trueRates(const Experiment& experiment) {
-    const double J = trueSourcePower_W_m2(experiment, experiment.source.temperature_K);
+    const Surroundings surroundings = trueSurroundings(experiment, experiment.source.temperature_K);
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
-        rates.push_back(heatRates(trueMaterial(object), J, experiment.environment_K));
+        rates.push_back(heatRates(trueMaterial(object), surroundings));
     return rates;
 }
 

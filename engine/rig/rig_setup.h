@@ -19,8 +19,8 @@ std::vector<HeatRates> trueRates(const Experiment& experiment);
 
 /// Returns the true material of a simulated object.
 const Material& trueMaterial(const ObjectSpec& object);
-/// Returns the net power of the simulated source at a temperature, W/m2.
-double trueSourcePower_W_m2(const Experiment& experiment, double source_K);
+/// Returns what the simulated objects exchange radiation with, the source having a temperature, K.
+Surroundings trueSurroundings(const Experiment& experiment, double source_K);
 
 /// Returns the start values of a controller: an object's given rates, else its material's with the
 /// experiment's random (seeded) error factors.

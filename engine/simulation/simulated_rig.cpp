@@ -16,7 +16,8 @@ std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
 } // namespace
 
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
-    : m_config(config), m_plant(plantObjects(config), config.environment_K, config.convection_W_m2K),
+    : m_config(config),
+      m_plant(plantObjects(config), config.sourceModel, config.environment_K, config.convection_W_m2K),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
       m_camera(config.camera), m_sourceContour(config.source),

@@ -6,15 +6,17 @@
 
 namespace bask {
 
-ThermalPlant::ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K)
-    : m_objects(std::move(objects)), m_environment_K(environment_K), m_convection_W_m2K(convection_W_m2K) {}
+ThermalPlant::ThermalPlant(std::vector<PlantObject> objects, SourceModel model, double environment_K,
+                           double convection_W_m2K)
+    : m_objects(std::move(objects)), m_model(model), m_environment_K(environment_K),
+      m_convection_W_m2K(convection_W_m2K) {}
 
 void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2) {
     if (F.size() != m_objects.size())
         throw std::invalid_argument("ThermalPlant: one view factor an object");
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         PlantObject& object = m_objects[i];
-        const HeatRates rates = heatRates(object.material, netSourcePower_W_m2, m_environment_K);
+        const HeatRates rates = heatRates(object.material, {m_model, netSourcePower_W_m2, m_environment_K});
         const double loss = m_convection_W_m2K / object.material.arealHeatCapacity_J_m2K();
         const auto rate = [&](double T_K) {
             return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K);

@@ -13,11 +13,12 @@ struct PlantObject {
     double temperature_K = 298.15;
 };
 
-/// Integrates dT/dt = alpha J F / C + (alpha T3^4 - eps T^4) sigma / C - h (T - T3) / C with C = m c / A, by
-/// Runge-Kutta 4.
+/// Integrates dT/dt = lambda1 F - lambda2 T^4 + lambda3 - h (T - T3) / C, with the rates of heatRates() and
+/// C = m c / A, by Runge-Kutta 4.
 class ThermalPlant {
 public:
-    ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K);
+    ThermalPlant(std::vector<PlantObject> objects, SourceModel model, double environment_K,
+                 double convection_W_m2K);
 
     /// Advances by dt_s, in as many steps as the thinnest object needs, with constant view factors F and net
     /// source power J (W/m2).
@@ -29,6 +30,7 @@ public:
 
 private:
     std::vector<PlantObject> m_objects;
+    SourceModel m_model;
     double m_environment_K;
     double m_convection_W_m2K;
 };

@@ -46,8 +46,7 @@ Material drawMaterial(StudyRandom& random) {
 double steadyTemperature_K(const Experiment& experiment, std::size_t i, double F) {
     const Material& material = trueMaterial(experiment.objects[i]);
     const HeatRates rates =
-        heatRates(material, trueSourcePower_W_m2(experiment, experiment.source.temperature_K),
-                  experiment.environment_K);
+        heatRates(material, trueSurroundings(experiment, experiment.source.temperature_K));
     const double loss_1_s = experiment.simulation.convection_W_m2K / material.arealHeatCapacity_J_m2K();
     double low_K = experiment.environment_K, high_K = std::max(low_K, rates.steadyTemperature_K(F));
     for (int k = 0; k < 60; ++k) {
@@ -94,7 +93,7 @@ void drawSource(StudyRandom& random, Experiment& experiment) {
         source.model = isLikely(random, 0.5) ? SourceModel::Gray : SourceModel::Paper;
         source.temperature_K = kelvinFromCelsius(uniform(random, 150.0, 300.0));
         source.emittance = uniform(random, 0.25, 0.95);
-    } while (trueSourcePower_W_m2(experiment, source.temperature_K) < kMinPower_W_m2);
+    } while (trueSurroundings(experiment, source.temperature_K).netSourcePower_W_m2 < kMinPower_W_m2);
 }
 
 void drawEstimates(StudyRandom& random, Experiment& experiment) {

@@ -99,16 +99,15 @@ bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
     double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
     for (const TimePoint<double>& point : rig.source.temperatureProfile)
         source_K = std::max(source_K, point.value);
-    const HeatRates rates =
-        heatRates(trueMaterial(rig.objects[object]), trueSourcePower_W_m2(rig, source_K), rig.environment_K);
+    const HeatRates rates = heatRates(trueMaterial(rig.objects[object]), trueSurroundings(rig, source_K));
     return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
 }
 
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
-    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.environment_K,
-                       rig.simulation.convection_W_m2K);
+    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.source.model,
+                       rig.environment_K, rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
     if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
@@ -123,7 +122,7 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
         }
         before_K = plant.temperature_K(0);
         const double time_s = step * kBoundStep_s;
-        const double J = trueSourcePower_W_m2(rig, sourceSetPoint_K(rig.source, time_s));
+        const double J = trueSurroundings(rig, sourceSetPoint_K(rig.source, time_s)).netSourcePower_W_m2;
         plant.advance(kBoundStep_s, {viewFactorAt(time_s)}, J);
     }
     return std::numeric_limits<double>::infinity();

@@ -14,6 +14,12 @@ double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double
                                       : kStefanBoltzmann * (sourceEmittance * source - environment);
 }
 
+Surroundings surroundingsOf(SourceModel model, double sourceTemperature_K, double sourceEmittance,
+                            double environment_K) {
+    return {model, netSourcePower_W_m2(model, sourceTemperature_K, sourceEmittance, environment_K),
+            environment_K};
+}
+
 double HeatRates::rate_K_s(double F, double T_K) const {
     return lambda1 * F - lambda2 * std::pow(T_K, 4) + lambda3;
 }
@@ -30,12 +36,17 @@ double HeatRates::timeConstant_s(double T_K) const {
     return 1.0 / (4.0 * lambda2 * std::pow(T_K, 3));
 }
 
-HeatRates heatRates(const Material& material, double netSourcePower, double environment_K) {
+double environmentShare(SourceModel model, const Material& material) {
+    return model == SourceModel::Gray ? 1.0 : material.absorptance / material.emittance;
+}
+
+HeatRates heatRates(const Material& material, const Surroundings& surroundings) {
     const double capacity = material.arealHeatCapacity_J_m2K();
+    const double fromEnvironment = environmentShare(surroundings.model, material) * material.emittance;
     HeatRates rates;
-    rates.lambda1 = material.absorptance * netSourcePower / capacity;
+    rates.lambda1 = material.absorptance * surroundings.netSourcePower_W_m2 / capacity;
     rates.lambda2 = material.emittance * kStefanBoltzmann / capacity;
-    rates.lambda3 = material.absorptance * kStefanBoltzmann * std::pow(environment_K, 4) / capacity;
+    rates.lambda3 = fromEnvironment * kStefanBoltzmann * std::pow(surroundings.environment_K, 4) / capacity;
     return rates;
 }
 

@@ -33,6 +33,19 @@ enum class SourceModel { Gray, Paper };
 double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double sourceEmittance,
                            double environment_K);
 
+/// What an object exchanges radiation with.
+struct Surroundings {
+    SourceModel model = SourceModel::Gray;
+    double netSourcePower_W_m2 = 0.0; ///< J, see netSourcePower_W_m2()
+    double environment_K = 298.15;    ///< T3
+
+    bool operator==(const Surroundings&) const = default;
+};
+
+/// Returns the surroundings of a source at a temperature.
+Surroundings surroundingsOf(SourceModel model, double sourceTemperature_K, double sourceEmittance,
+                            double environment_K);
+
 /// lambda1 (K/s), lambda2 (1/(K3 s)), lambda3 (K/s) of an object.
 struct HeatRates {
     double lambda1 = 0.0;
@@ -51,7 +64,12 @@ struct HeatRates {
     bool operator==(const HeatRates&) const = default;
 };
 
-/// Returns the rates of a material under net source power J (W/m2) and environment T3 (K).
-HeatRates heatRates(const Material& material, double netSourcePower_W_m2, double environment_K);
+/// Returns lambda3 / (lambda2 T3^4). With a gray source it is 1 by Kirchhoff's law: the room radiates at the
+/// wavelengths at which the object emits, so no object settles above the room without a source; alpha2 is for
+/// the source's radiation only. The paper's model takes alpha2 for both: alpha2 / eps2.
+double environmentShare(SourceModel model, const Material& material);
+
+/// Returns the rates of a material in its surroundings.
+HeatRates heatRates(const Material& material, const Surroundings& surroundings);
 
 } // namespace bask

@@ -105,7 +105,7 @@ private:
 };
 
 double Problem::loss(Column column, double T_K) const {
-    const double rest_K4 = std::pow(m_options.environment_K, 4) * m_options.absorptanceOverEmittance;
+    const double rest_K4 = std::pow(m_options.environment_K, 4) * m_options.environmentShare;
     switch (column) {
     case kCooling:
         return -(std::pow(T_K, 4) - (m_options.freeAmbient ? 0.0 : rest_K4));
@@ -304,7 +304,7 @@ void putEstimates(IdentifiedRates& out, const Problem& problem, const Fit& fit,
         }
     }
     if (!options.freeAmbient) {
-        const double rest_K4 = std::pow(options.environment_K, 4) * options.absorptanceOverEmittance;
+        const double rest_K4 = std::pow(options.environment_K, 4) * options.environmentShare;
         out.lambda3 = {out.lambda2.value * rest_K4, out.lambda2.standardError * rest_K4};
     }
 }

@@ -21,11 +21,11 @@ struct HeatSample {
 };
 
 struct IdentificationOptions {
-    double environment_K = 298.15;         ///< T3
-    double environmentDeviation_K = 0.0;   ///< standard error of T3, included in those of the rates
-    double absorptanceOverEmittance = 1.0; ///< of the object: lambda3 = lambda2 T3^4 alpha2 / eps2
-    bool freeAmbient = false;              ///< whether lambda3 is fitted by itself, not tied to lambda2
-    bool convection = false;               ///< whether h' is fitted; it is 0 otherwise
+    double environment_K = 298.15;       ///< T3
+    double environmentDeviation_K = 0.0; ///< standard error of T3, included in those of the rates
+    double environmentShare = 1.0;       ///< lambda3 / (lambda2 T3^4), see environmentShare()
+    bool freeAmbient = false;            ///< whether lambda3 is fitted by itself, not tied to lambda2
+    bool convection = false;             ///< whether h' is fitted; it is 0 otherwise
 };
 
 /// A value with its standard error; NaN if it was not requested or could not be determined.

@@ -30,8 +30,8 @@ public:
     explicit ObjectProperties(QWidget* parent = nullptr);
 
     void setObject(const ObjectSpec& object);
-    /// What the rates are computed with: net power of the source (W/m2), environment (K).
-    void setSurroundings(double netSourcePower_W_m2, double environment_K);
+    /// Sets what the rates are computed with.
+    void setSurroundings(const Surroundings& surroundings);
     void setTemperatureUnit(TemperatureUnit unit);
     void setReadOnly(bool readOnly);
 
@@ -55,8 +55,7 @@ private:
     void refreshTexts();
 
     ObjectSpec m_object;
-    double m_netSourcePower_W_m2 = 0.0;
-    double m_environment_K = kelvinFromCelsius(25.0);
+    Surroundings m_surroundings;
     bool m_showing = false;
     QLabel* m_headings[3]{};
     QLineEdit* m_name;

@@ -1,5 +1,6 @@
 #include "widgets/objects/objects_page.h"
 
+#include "engine/model/experiment_rig.h"
 #include "engine/model/mounting_check.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
@@ -541,10 +542,7 @@ void ObjectsPage::showSelected() {
         raw, series != nullptr ? series->harmonics() : 0, color,
         disk ? tr("A disk is used as it is; it needs no fit.")
              : tr("No imported outline is kept with this object, so it cannot be fitted again."));
-    const SourceSpec& source = m_experiment.source;
-    m_properties->setSurroundings(
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, m_experiment.environment_K),
-        m_experiment.environment_K);
+    m_properties->setSurroundings(surroundingsOf(m_experiment));
     m_properties->setObject(selected());
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/scene/target_picture.h"
 
 #include "engine/base/units.h"
+#include "engine/model/experiment_rig.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/cut_sheet.h"
@@ -88,15 +89,13 @@ bool TargetPicture::setExperiment(const Experiment& next) {
     if (known)
         return true;
     const SourceSpec& source = experiment.source;
-    const double power_W_m2 =
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K);
     std::vector<Shape> shapes;
     std::vector<Vector6d> mountings;
     rates.clear();
     for (const ObjectSpec& object : experiment.objects) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
-        rates.push_back(heatRates(object.material, power_W_m2, experiment.environment_K));
+        rates.push_back(heatRates(object.material, surroundingsOf(experiment)));
     }
     rig = std::make_unique<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
                                         poseFromCoordinates(source.pose));

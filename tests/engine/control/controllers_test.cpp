@@ -36,7 +36,7 @@ struct Bench {
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
                                                  std::vector<Vector6d>{Vector6d::Zero()}, limits);
         const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        rates = heatRates(painted, netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kT3_K), kT3_K);
+        rates = heatRates(painted, surroundingsOf(SourceModel::Gray, 473.15, 0.25, kT3_K));
         q[kZ] = 0.10;
         T_K = rates.steadyTemperature_K(F());
     }

@@ -23,10 +23,10 @@ struct PlannedRig {
         right[kX] = 0.04;
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}, Disk{0.015}},
                                                  std::vector<Vector6d>{left, right}, RobotLimits());
-        const double J = netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kRoom_K);
+        const Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, kRoom_K);
         for (const double thickness_m : {0.0005, 0.001})
             task.rates.push_back(
-                heatRates({"painted", 0.9, 0.9, 904.0, 2700.0, thickness_m, 1.0}, J, kRoom_K));
+                heatRates({"painted", 0.9, 0.9, 904.0, 2700.0, thickness_m, 1.0}, surroundings));
         task.from[kZ] = 0.2;
         task.temperature_K = Eigen::Vector2d::Constant(kRoom_K);
     }

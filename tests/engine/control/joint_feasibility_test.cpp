@@ -19,7 +19,7 @@ namespace {
 
 HeatRates ratesUnder(SourceModel model, const Material& material = {}) {
     const double room_K = kelvinFromCelsius(25.0);
-    return heatRates(material, netSourcePower_W_m2(model, kelvinFromCelsius(200.0), 0.25, room_K), room_K);
+    return heatRates(material, surroundingsOf(model, kelvinFromCelsius(200.0), 0.25, room_K));
 }
 
 Vector6d mountedAt(double x_m, double y_m) {

@@ -30,8 +30,7 @@ struct PaperBench {
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
                                                  std::vector<Vector6d>{Vector6d::Zero()}, limits);
         const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        rates =
-            heatRates(painted, netSourcePower_W_m2(SourceModel::Paper, 473.15, 0.25, kPaperT3_K), kPaperT3_K);
+        rates = heatRates(painted, surroundingsOf(SourceModel::Paper, 473.15, 0.25, kPaperT3_K));
         q[kZ] = 0.10;
         T_K = rates.steadyTemperature_K(F());
     }

@@ -22,8 +22,7 @@ FeasibilityRequest twoDisksAt(double first_degC, double second_degC) {
     request.rest[kZ] = 0.12;
     request.names = {"left", "right"};
     request.rates.assign(
-        2, heatRates({}, netSourcePower_W_m2(SourceModel::Gray, kelvinFromCelsius(200.0), 0.25, room_K),
-                     room_K));
+        2, heatRates({}, surroundingsOf(SourceModel::Gray, kelvinFromCelsius(200.0), 0.25, room_K)));
     request.targets_K = {kelvinFromCelsius(first_degC), kelvinFromCelsius(second_degC)};
     return request;
 }

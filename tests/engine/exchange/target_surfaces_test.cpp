@@ -122,8 +122,8 @@ TEST(TargetSurfaces, overOwnPositionsAreWhereTheObjectsCentresAre) {
 // and surfaces that cross the axis elsewhere than coaxial disks have those values.
 TEST(TargetSurfaces, ofThePapersTargetsCrossTheAxisWhereTheClosedFormSays) {
     const double room_K = kelvinFromCelsius(25.0);
-    const HeatRates rates = heatRates(
-        {}, netSourcePower_W_m2(SourceModel::Paper, kelvinFromCelsius(200.0), 0.25, room_K), room_K);
+    const HeatRates rates =
+        heatRates({}, surroundingsOf(SourceModel::Paper, kelvinFromCelsius(200.0), 0.25, room_K));
     TargetGeometry of{RadiatingContour(kSource), Pose::Identity(), {{RadiatingContour(Disk{0.015})}}, {}};
     of.axes = surfaceAxes(PoseSubset::Translation, {}, kSurfaceStep_m);
     const auto fields = targetFields(of);

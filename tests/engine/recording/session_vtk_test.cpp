@@ -165,7 +165,7 @@ TEST_F(SessionVtk, FieldsAreOverTheObjectsOwnCentresAtTheLastAngles) {
         EXPECT_NEAR(F->GetTuple1(k), rig->viewFactors(q).F[0], 1e-5);
         const ObjectSpec& object = session.experiment.objects[0];
         const HeatRates rates =
-            heatRates(object.material, netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, 298.15), 298.15);
+            heatRates(object.material, surroundingsOf(SourceModel::Gray, 473.15, 0.25, 298.15));
         EXPECT_NEAR(T->GetTuple1(k), rates.steadyTemperature_K(F->GetTuple1(k)), 1e-9);
         ++compared;
     }

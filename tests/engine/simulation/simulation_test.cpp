@@ -31,16 +31,26 @@ SimulatedRigConfig oneDisk() {
 } // namespace
 
 TEST(ThermalPlant, ReachesTheSteadyTemperatureOfTheHeatBalance) {
-    const double J = netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kRoom_K);
-    ThermalPlant plant({{kPainted, kRoom_K}}, kRoom_K, 0.0);
+    const Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, kRoom_K);
+    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, 0.0);
     for (int i = 0; i < 50000; ++i)
-        plant.advance(0.5, {0.4}, J);
-    EXPECT_NEAR(plant.temperature_K(0), heatRates(kPainted, J, kRoom_K).steadyTemperature_K(0.4), 1e-6);
+        plant.advance(0.5, {0.4}, surroundings.netSourcePower_W_m2);
+    EXPECT_NEAR(plant.temperature_K(0), heatRates(kPainted, surroundings).steadyTemperature_K(0.4), 1e-6);
+}
+
+// Catches a plant that takes the room's radiation by the absorptance for the source's.
+TEST(ThermalPlant, AnObjectFarFromTheSourceComesToTheRoomsTemperature) {
+    Material shiny = kPainted;
+    shiny.emittance = 0.7;
+    ThermalPlant plant({{shiny, kRoom_K + 20.0}}, SourceModel::Gray, kRoom_K, 0.0);
+    for (int i = 0; i < 50000; ++i)
+        plant.advance(0.5, {0.0}, 1000.0);
+    EXPECT_NEAR(plant.temperature_K(0), kRoom_K, 1e-6);
 }
 
 TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
     const double h = 7.0;
-    ThermalPlant plant({{kPainted, kRoom_K}}, kRoom_K, h);
+    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, h);
     for (int i = 0; i < 50000; ++i)
         plant.advance(0.5, {1.0}, 1000.0);
     const double T = plant.temperature_K(0);
@@ -52,7 +62,7 @@ TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
 TEST(ThermalPlant, AFoilIsStiffButNotUnstable) {
     Material foil = kPainted;
     foil.thickness_m = 5e-6;
-    ThermalPlant plant({{foil, kRoom_K}}, kRoom_K, 1000.0);
+    ThermalPlant plant({{foil, kRoom_K}}, SourceModel::Gray, kRoom_K, 1000.0);
     for (int i = 0; i < 100; ++i)
         plant.advance(0.1, {1.0}, 2000.0);
     const double T = plant.temperature_K(0);

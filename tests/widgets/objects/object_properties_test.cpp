@@ -23,7 +23,7 @@ struct ObjectPropertiesTest : testing::Test {
         object.material.specificHeat_J_kgK = 904.0;
         object.material.density_kg_m3 = 2700.0;
         object.material.thickness_m = 0.001;
-        form.setSurroundings(600.0, kelvinFromCelsius(25.0));
+        form.setSurroundings({SourceModel::Gray, 600.0, kelvinFromCelsius(25.0)});
     }
     ~ObjectPropertiesTest() override { QLocale::setDefault(QLocale()); }
     QString text(const char* name) {

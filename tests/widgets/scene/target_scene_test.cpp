@@ -1,4 +1,5 @@
 #include "engine/exchange/target_surfaces.h"
+#include "engine/model/experiment_rig.h"
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/theme.h"
@@ -45,11 +46,7 @@ Fields fieldsOf(const Experiment& experiment, PoseSubset subset = PoseSubset::Tr
 }
 
 HeatRates ratesOf(const Experiment& experiment, const ObjectSpec& object) {
-    const SourceSpec& source = experiment.source;
-    return heatRates(
-        object.material,
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K),
-        experiment.environment_K);
+    return heatRates(object.material, surroundingsOf(experiment));
 }
 
 std::vector<Isosurface> surfacesOf(const Experiment& experiment,
