@@ -12,12 +12,12 @@ using Condition = SafetyCondition;
 
 struct Consequence {
     Condition condition;
-    Condition cause;         ///< the nearest first, where a condition has several
-    bool isOfObject = false; ///< only if both are of the same object
-    bool isOfLine = false;   ///< only if thermometer and source are on one line
+    Condition cause;         ///< if a condition has several causes, the nearest first
+    bool isOfObject = false; ///< only if both are about the same object
+    bool isOfLine = false;   ///< only if thermometer and source share a line
 };
 
-// No condition leads back to itself.
+// The table has no cycles.
 constexpr std::array kConsequences{
     Consequence{Condition::RobotAlarm, Condition::RobotLost},
     Consequence{Condition::RobotSlow, Condition::RobotLost},
@@ -76,7 +76,7 @@ std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment)
     if (row.isOfObject)
         key += ':' + experiment.objects[finding.object].name;
     else if (finding.condition == Condition::RobotAlarm &&
-             finding.message.code == MessageCode::RobotAlarm) // another number is another alarm
+             finding.message.code == MessageCode::RobotAlarm) // another alarm number is another alarm
         key += ':' + finding.message.args.at(0).text();
     return key;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Which alarm follows from which: one lost link is one alarm, with what it leads to under it.
+// Which alarm is a consequence of which: a lost link is one alarm, and its consequences are listed under it.
 
 #include "engine/runtime/safety_monitor.h"
 
@@ -9,11 +9,12 @@
 
 namespace bask {
 
-/// The same for the same thing that is wrong with the same object or device, whatever its message says now.
+/// Returns the key of an alarm. It is the same for the same problem of the same object or device, whatever
+/// the message says now.
 std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment);
 
-/// The one of `present` that a condition follows from in the end; null: it is a cause itself. The condition
-/// may be among them.
+/// Returns the root cause of a condition among `present`; null if the condition is a cause itself. `present`
+/// may contain the condition.
 const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,
                              const Experiment& experiment);
 

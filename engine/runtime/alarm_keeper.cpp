@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kMaxFiles = 16;
 
-/// Held by one process, however that ends.
+/// Locked by one process until it ends, in whatever way.
 class FileLock {
 public:
     explicit FileLock(const std::string& path)
@@ -58,14 +58,14 @@ struct AlarmKeeper::Shared {
     void write();
 
     std::string file;
-    std::optional<FileLock> lock; ///< the thread's
-    std::mutex mutex;             ///< of all below
+    std::optional<FileLock> lock; ///< used by the thread only
+    std::mutex mutex;             ///< protects all members below
     std::optional<std::vector<Alarm>> newest;
     std::optional<Error> failure;
     bool isFailing = false;
 };
 
-/// Claims a file and takes over what those before have left.
+/// Claims a file and takes over the alarms that ended processes have left.
 AlarmKeeper::Before AlarmKeeper::Shared::read() {
     Before out;
     std::vector<std::string> left;
@@ -79,7 +79,7 @@ AlarmKeeper::Before AlarmKeeper::Shared::read() {
         FileLock held(each + ".lock");
         if (held.isTaken())
             continue;
-        if (!lock) { // also where the system cannot lock
+        if (!lock) { // also if the system cannot lock files
             lock.emplace(std::move(held));
             file = each;
             out.ownFile = number == 1 ? std::string() : each;

@@ -10,7 +10,8 @@
 
 namespace bask {
 
-/// What follows from a cause within this time was seen with it; a grave one that comes later was not.
+/// A consequence that appears within this time was acknowledged together with its cause; a serious one that
+/// comes later was not.
 constexpr double kAtOnce_s = 30.0;
 
 namespace {
@@ -54,13 +55,13 @@ void AlarmLog::use(bool isLive) {
     std::swap(m_alarms, m_others);
     m_isLive = isLive;
     std::ranges::move(along, std::back_inserter(m_alarms));
-    if (m_isLive) // its own watches tell
+    if (m_isLive) // the real rig's own checks decide now
         leave();
     forgetOver();
     sort();
 }
 
-// Nobody watches that source any more.
+// Nobody monitors that source any more.
 bool AlarmLog::isKept(const Alarm& alarm) const {
     return !m_isLive && outlastsItsRig(alarm);
 }
@@ -89,7 +90,7 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
         }
         alarm.isFirst = alarm.isFirst && !isFirst;
     }
-    // Causes first, so that what follows from one finds it.
+    // Causes first, so that their consequences find them.
     for (const bool isCause : {true, false})
         for (const AlarmCondition& condition : conditions) {
             if (condition.cause.empty() != isCause)
@@ -140,7 +141,7 @@ void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKe
     alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || isSeen;
 }
 
-// What is over and seen goes; what followed from it stands for itself.
+// Alarms that are over and acknowledged are removed; their consequences then stand alone.
 bool AlarmLog::forgetOver() {
     const auto erased = std::erase_if(m_alarms, [this](const Alarm& alarm) {
         return alarm.isAcknowledged && (!alarm.isActive || isKept(alarm)) && alarm.shelvedUntil_s == 0.0;
@@ -209,7 +210,7 @@ bool AlarmLog::unshelve(std::uint64_t id) {
 void AlarmLog::takeBack(Alarm& alarm) {
     alarm.shelvedUntil_s = 0.0;
     alarm.shelfReason.clear();
-    alarm.isAcknowledged = !alarm.isActive; // what is over meanwhile has been seen
+    alarm.isAcknowledged = !alarm.isActive; // what is over by now counts as seen
 }
 
 void AlarmLog::sort() {

@@ -6,10 +6,11 @@
 namespace bask {
 namespace {
 
-// A robot that has not come nearer for so long will not: one may obey late and start slowly.
+// A robot that has not come nearer for this time is stuck. The time is long, since a robot may obey late and
+// start slowly.
 constexpr double kStill_s = 15.0;
 constexpr double kStillPeriods = 3.0;
-constexpr double kNearer = 1e-4; ///< m, rad: less is the jitter of what it tells
+constexpr double kNearer = 1e-4; ///< m, rad: smaller changes are jitter of the readings
 
 } // namespace
 

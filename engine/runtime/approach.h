@@ -1,14 +1,14 @@
 #pragma once
-// Whether a robot comes nearer to where it was sent.
+// Detects whether a robot comes nearer to its goal.
 
 namespace bask {
 
 class Approach {
 public:
     void begin(double now_s);
-    /// Takes what is left of the way, m or rad.
+    /// Takes the remaining distance, m or rad.
     void add(double now_s, double left, double period_s);
-    /// It has not come nearer for so long that it will not.
+    /// Returns whether the robot has not come nearer for so long that it will not arrive.
     bool isStill() const { return m_isStill; }
 
 private:

@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// Shared with the thread, which may outlive its owner.
+/// Shared with the thread, which may outlive the owner.
 struct BackgroundThread::Queue {
     bool isIdle() const { return waiting.empty() && !isBusy; }
     void work() {
@@ -29,7 +29,7 @@ struct BackgroundThread::Queue {
         }
     }
 
-    std::mutex mutex; ///< of all below
+    std::mutex mutex; ///< protects all members below
     std::condition_variable changed;
     std::deque<std::function<void()>> waiting;
     bool isBusy = false, isOver = false;

@@ -1,5 +1,5 @@
 #pragma once
-// Work that the system may keep for long (a disk, a camera that is closed), away from whoever asks for it.
+// Runs work that the system may block for long (a disk, closing a camera), so that the caller does not wait.
 
 #include <chrono>
 #include <functional>
@@ -9,30 +9,30 @@
 
 namespace bask {
 
-/// Does one work after the other on a thread of its own. Nobody waits for that thread but by wait().
+/// Runs one task after the other on its own thread. Only wait() waits for that thread.
 class BackgroundThread {
 public:
     BackgroundThread();
-    /// What was posted is still done, unless the process ends before.
+    /// Posted tasks are still run, unless the process ends first.
     ~BackgroundThread();
     BackgroundThread(const BackgroundThread&) = delete;
     BackgroundThread& operator=(const BackgroundThread&) = delete;
 
-    /// `work` owns what it uses, since it may outlive whoever posts it; it throws nothing.
+    /// `work` must own what it uses, because it may outlive the caller, and must not throw.
     void post(std::function<void()> work);
-    /// The same with an answer; see isReady().
+    /// Posts work that returns an answer; see isReady().
     template <class Work> auto ask(Work work) -> std::future<decltype(work())> {
         auto task = std::make_shared<std::packaged_task<decltype(work())()>>(std::move(work));
         auto answer = task->get_future();
         post([task] { (*task)(); });
         return answer;
     }
-    /// Deletes `owned` there: what its end may wait for keeps nobody else.
+    /// Deletes `owned` on the thread, so that a slow destructor blocks nobody else.
     template <class Owned> void dispose(std::unique_ptr<Owned> owned) {
         if (owned)
             post([last = std::shared_ptr<Owned>(std::move(owned))]() mutable { last.reset(); });
     }
-    /// Returns false when not all that was posted is done after `bound`.
+    /// Returns false if not all posted tasks are done after `bound`.
     bool wait(std::chrono::milliseconds bound) const;
 
 private:
@@ -40,7 +40,7 @@ private:
     std::shared_ptr<Queue> m_queue;
 };
 
-/// Whether an answer was asked for and is there.
+/// Returns whether an answer was requested and has arrived.
 template <class Answer> bool isReady(const std::future<Answer>& answer) {
     return answer.valid() && answer.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
 }

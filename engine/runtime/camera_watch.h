@@ -1,5 +1,5 @@
 #pragma once
-// What the cameras are asked to look for: the rig's own, and one that was chosen instead of the simulated
+// Tells the cameras what to look for: the camera of the rig, and a camera chosen instead of the simulated
 // one.
 
 #include "engine/runtime/background_thread.h"
@@ -11,26 +11,27 @@
 
 namespace bask {
 
-/// A picture that is looked at, and a driver that hangs, take their time: cameras are closed by `closer`.
+/// Cameras are closed by `closer`, because processing a picture, or a driver that does not respond, may take
+/// long.
 class CameraWatch {
 public:
     explicit CameraWatch(BackgroundThread& closer);
     ~CameraWatch();
 
-    /// What a person wants to see, from now on.
+    /// Sets what a person wants to see from now on.
     void watch(EngineSession& session, const WatchCamera& wanted);
-    /// The same for another session or another task of it.
+    /// Applies the same to another session, or after the task of the session has changed.
     void watchOn(EngineSession& session) { watch(session, m_wanted); }
-    /// Puts the board away when a run begins, and out again after it: its search takes long, and a simulated
-    /// one hides the source.
+    /// Removes the calibration board when a run begins and restores it after the run: the search for it takes
+    /// long, and a simulated board hides the source.
     void followRun(EngineSession& session);
-    /// Another camera instead of the simulated one, by its name; empty: none. It is watched, never followed
-    /// by, since it does not see the simulated rig.
+    /// Uses another camera, by its name, instead of the simulated one; an empty name uses none. It is only
+    /// watched and does not follow the source, since it does not see the simulated rig.
     void choose(EngineSession& session, const std::string& name);
     void setTask(EngineSession& session);
-    void close(); ///< the chosen one
+    void close(); ///< closes the chosen camera
 
-    /// The newest look at what is watched, once finished; null: none. `session` may be null.
+    /// Returns the newest finished view of the watched camera; null if there is none. `session` may be null.
     std::shared_ptr<const VisionView> newest(const EngineSession* session) const;
 
 private:

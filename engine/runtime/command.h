@@ -1,5 +1,5 @@
 #pragma once
-// What the GUI asks of the engine: small values, queued.
+// Commands of the GUI to the engine: small values, queued.
 
 #include "engine/calibration/board.h"
 #include "engine/control/controller_settings.h"
@@ -17,26 +17,27 @@ namespace bask {
 
 struct LoadExperiment {
     Experiment experiment;
-}; ///< refused while a run is on
+}; ///< refused while a run is armed or on
 struct Arm {
     std::string recordingPath;
-}; ///< zeroes the sensors if that was not done, fills the estimator, opens the recording
+}; ///< zeroes the sensors if they are not zeroed; starts the recording, unless the path is empty
 struct Disarm {};
 struct Start {
     bool acceptInfeasible = false;
 };
-struct Hold {}; ///< zero velocity, controller state kept
+struct Hold {}; ///< zero velocity; the controller keeps its state, the heat stays on
 struct Resume {};
 struct Stop {};          ///< ends the run: retreat, heat off
-struct EmergencyStop {}; ///< zero velocity and heat off now, latched
-/// Takes the objects away from the source and switches the heat off, in every state in which the robot
-/// answers (Snapshot::canRetreat); does not clear a fault. Ends a run as Stop does.
+struct EmergencyStop {}; ///< zero velocity and heat off at once, latched
+/// Moves the objects away from the source and switches the heat off, in every state in which the robot can
+/// move (Snapshot::canRetreat). Does not clear a fault. Ends a run as Stop does.
 struct Retreat {};
-struct Reset {}; ///< clears a latched fault or stop; never restarts
+struct Reset {}; ///< clears a latched fault or emergency stop; never starts a run
 struct SetTargets {
     std::vector<double> targets_K;
 };
-/// Why the targets of a run that is on cannot be held, found out by whoever set them: an event of the run.
+/// Reports why the targets of the current run cannot be held, as found by the code that set them: an event of
+/// the run.
 struct ReportInfeasible {
     Message reason;
 };
@@ -48,20 +49,20 @@ struct AddNote {
 };
 struct SetSimulationSpeed {
     double factor = 1.0;
-}; ///< simulated s/s, 1..20; 1 in a hold, fewer where the camera that follows the source is behind
-/// Instead of the one before; None ends it.
+}; ///< simulated s/s, 1..20; 1 in a hold, less if the camera that follows the source is late
+/// Replaces the simulated fault before it; None ends it.
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
     std::size_t object = 0;
 };
 
-/// By its number in the snapshot: seen by a person.
+/// Acknowledges the alarm with this number in the snapshot.
 struct AcknowledgeAlarm {
     std::uint64_t id = 0;
 };
 struct AcknowledgeAll {};
-/// Puts an alarm aside for a time, 60 s to kLongest_s, of priority 1 to kLongestGrave_s; refused without a
-/// reason, and for one that follows from another. Nothing that the engine does changes.
+/// Shelves an alarm for 60 s to kLongest_s, one of priority 1 for at most kLongestGrave_s. Refused without a
+/// reason, and for an alarm that is a consequence of another one. Does not change what the engine does.
 struct ShelveAlarm {
     static constexpr double kLongest_s = 8.0 * 3600.0;
     static constexpr double kLongestGrave_s = 1800.0;
@@ -69,70 +70,73 @@ struct ShelveAlarm {
     double for_s = 600.0;
     std::string reason;
 };
-/// Back at once.
+/// Ends the shelving of an alarm at once.
 struct UnshelveAlarm {
     std::uint64_t id = 0;
 };
-/// Ends the recording that goes on after a run, until everything is cold; refused while a run is armed or on.
+/// Ends the recording that continues after a run until everything is cold. Refused while a run is armed or
+/// on.
 struct EndRecording {};
 
-/// Markers and calibrations: refused while a run is on.
+/// Sets markers and calibrations. Refused while a run is armed or on.
 struct SetVision {
     VisionSpec vision;
 };
-/// Live pictures with what is in them, for the window. A simulated rig holds the board before its camera; in
-/// a run there is none, and none is looked for.
+/// Shows live pictures with what was found in them. A simulated rig holds the board in front of its camera;
+/// while a run is armed or on there is no board, and none is searched for.
 struct WatchCamera {
     bool show = false;
     std::optional<Board> board;
 };
-/// The camera that is watched: a device, file, folder or address as VideoCamera has it; empty: the simulated
-/// one, which also follows the source. Refused while a run is on.
+/// Selects the camera that is watched: a device, file, folder or address as VideoCamera takes it. An empty
+/// name selects the simulated one, which also follows the source. Refused while a run is armed or on.
 struct ChooseCamera {
     std::string name;
 };
-/// End-effector to these coordinates in R, while no run is on; Hold ends it where it is.
+/// Moves the end-effector to these coordinates in R while no run is armed or on; Hold stops the move.
 struct MoveTo {
     Vector6d coordinates = Vector6d::Zero();
 };
 
-/// Moves the robot while it is held: the end-effector's twist in R axes (m/s, rad/s), within its limits,
-/// workspace and clearance; ends kJog_s after the last of them. While no run is armed or on.
+/// Moves the robot while a button is pressed: the end-effector's twist in R axes (m/s, rad/s), within its
+/// limits, workspace and clearance. Ends kJog_s after the last command. Only while no run is armed or on.
 struct Jog {
     static constexpr double kJog_s = 0.5;
     Vector6d twist = Vector6d::Zero();
 };
-/// Finds its place by its switches: it moves. While no run is armed or on.
+/// Homes the robot with its switches: it moves. Refused while a run is armed or on.
 struct HomeRobot {};
-/// After a person has seen to it; never moves. Also confirms that the robot is where it says.
+/// Clears the robot's alarm after a person has removed its cause; never moves the robot. Also confirms that
+/// the reported position is right.
 struct ClearRobotAlarm {};
-/// By hand, while no run is armed or on and no sensor is lost: heats towards this until it is switched off.
-/// Empty: off, in every state; a run is stopped.
+/// Manual heating to this set point until it is switched off, while no run is armed or on and no sensor is
+/// lost. Empty: heat off, in every state; this stops a run.
 struct SetHeat {
     std::optional<double> setPoint_K;
 };
-/// Of a heat source that a person keeps hot, as measured by that person.
+/// Temperature of a manually controlled heat source, as a person has measured it.
 struct TypeSourceTemperature {
     double temperature_K = 0.0;
 };
-/// Against each other, at ambient: kept while thermometer and number of objects stay. Refused while a run is
-/// armed or on, while heat is on, and where the objects are not at ambient.
+/// Zeroes the sensors against each other at ambient temperature. The result stays valid while the thermometer
+/// and the number of objects stay the same. Refused while a run is armed or on, while heat is on, and if the
+/// objects are not at ambient temperature.
 struct ZeroSensors {};
-/// A person has looked: the sensor is on its object and right, what it reads now is believed. Refused where
+/// A person confirms that the sensor is on its object and correct: its current reading is trusted. Refused if
 /// it gives no plausible value.
 struct ConfirmSensor {
     std::size_t object = 0;
 };
-/// Answered by Snapshot::ports.
+/// Asks for the serial ports; answered by Snapshot::ports.
 struct ListPorts {};
-/// One device alone, apart from the rig in use: answered by Snapshot::tried until another one, or one without
-/// a device, is tried. Its port must not be in use.
+/// Tries one device, separately from the rig in use. Answered by Snapshot::tried until another device is
+/// tried, or this command is sent without a device. The port must not be in use.
 struct TryDevice {
-    RigSpec rig; ///< with one device
+    RigSpec rig; ///< with this one device
 };
 
-/// Another device that answers in the place of the one that is remembered is the one from now on; the robot's
-/// place is not sure then. Refused while a run is armed or on, and while heat is on.
+/// Accepts the device that answers in the place of the remembered one. After that the position of the robot
+/// is unsure. Refused while a run is armed or on, and while heat is on.
 struct AcceptDevice {
     DeviceRole role = DeviceRole::Robot;
 };

@@ -51,7 +51,8 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.simulated = simulated != nullptr;
     snapshot.place = loop.motion().placeState();
     snapshot.placeAge_s = loop.motion().placeAge_s();
-    if (simulated && snapshot.place != PlaceState::Unknown) // it tells nobody then
+    // if it is unknown, the robot does not report its position
+    if (simulated && snapshot.place != PlaceState::Unknown)
         snapshot.latest.coordinates = simulated->simulatedRobot().coordinates();
     if (real)
         snapshot.devices = real->devices();

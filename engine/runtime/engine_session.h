@@ -1,5 +1,5 @@
 #pragma once
-// A rig, simulated or real, with the loop of one experiment on it.
+// A rig, simulated or real, with the servo loop of one experiment.
 
 #include "engine/rig/real_rig.h"
 #include "engine/runtime/fault_script.h"
@@ -10,22 +10,23 @@
 
 namespace bask {
 
-/// What stays from one session to the next.
+/// The devices that are kept from one session to the next.
 struct KeptRig {
     std::unique_ptr<RealRig> rig;
-    std::unique_ptr<VisionThread> watcher; ///< of its camera
+    std::unique_ptr<VisionThread> watcher; ///< reads its camera
 };
 
-/// Made anew with each experiment, on the engine's thread.
+/// Created again for each experiment, on the engine's thread.
 struct EngineSession {
-    /// On that rig, or on a simulated one.
+    /// Uses the kept rig, or a simulated one if there is none.
     EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept);
 
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
-    /// Writes what is known of rig and loop into a snapshot.
+    /// Writes the state of rig and loop into a snapshot.
     void tell(Snapshot& snapshot) const;
 
-    /// By the camera where the experiment has what that takes.
+    /// Follows the source by the camera if the experiment has all that this needs; otherwise, on a simulated
+    /// rig, by the true pose.
     struct Tracker final : SourceTracker {
         explicit Tracker(EngineSession& owner) : session(owner) {}
         Result<PoseReading> read() override;
@@ -33,9 +34,9 @@ struct EngineSession {
     };
 
     const Clock& steady;
-    std::unique_ptr<SimulatedRig> simulated; ///< this or the next
+    std::unique_ptr<SimulatedRig> simulated; ///< either this or `real` is set
     std::unique_ptr<RealRig> real;
-    std::unique_ptr<VisionThread> vision; ///< where there is a camera
+    std::unique_ptr<VisionThread> vision; ///< null without a camera
     Tracker tracker;
     ServoLoop loop;
     FaultScript script;
@@ -44,7 +45,7 @@ private:
     RigDevices devices();
 };
 
-/// Offsets that were found with one experiment hold for the other.
+/// Returns whether sensor offsets found with one experiment are valid for the other.
 bool haveSameSensors(const Experiment& a, const Experiment& b);
 
 } // namespace bask

@@ -19,16 +19,16 @@ namespace bask {
 namespace {
 
 constexpr int kTimer_ms = 20;
-constexpr int kRealTimer_ms = 4; ///< real devices are listened to so often
-constexpr int kOverdue_ms = 50;  ///< of the timer
+constexpr int kRealTimer_ms = 4; ///< period of serving real devices
+constexpr int kOverdue_ms = 50;  ///< of the timer, when it is late
 constexpr double kPublish_s = 0.05;
 constexpr double kLongestGap_s =
-    1.0; ///< of wall time that is made up for, after a suspended or stalled computer
+    1.0; ///< longest real time that is caught up after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
-constexpr double kDisk_s = 5.0;     ///< between looks at the room on the disk
-constexpr double kDelayed_s = 0.3;  ///< between two looks at real devices
-constexpr double kHearing_s = 0.15; ///< until they have said again how they are
-constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the command queue
+constexpr double kDisk_s = 5.0;     ///< between checks of the free disk space
+constexpr double kDelayed_s = 0.3;  ///< between two services of real devices: longer is a delay
+constexpr double kHearing_s = 0.15; ///< until the devices have reported their state again
+constexpr int kLongestStep_ms = 50; ///< of the rig, between checks of the command queue
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
@@ -37,7 +37,8 @@ double utc_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
-/// The newest rows, as many as are kept; a tenth is dropped at once, or each one would move all others.
+/// Appends rows and keeps the newest ones. A tenth is dropped at once, otherwise each new row would move all
+/// others.
 template <class Row> void append(std::vector<Row>& rows, std::vector<Row>& kept) {
     std::ranges::move(rows, std::back_inserter(kept));
     if (kept.size() > EngineWorker::kMaxKept)
@@ -45,7 +46,7 @@ template <class Row> void append(std::vector<Row>& rows, std::vector<Row>& kept)
                    kept.begin() + static_cast<std::ptrdiff_t>(kept.size() - EngineWorker::kMaxKept * 9 / 10));
 }
 
-/// It ends something, so it is carried out at once, whatever is under way.
+/// A command that ends something is carried out at once, whatever is in progress.
 bool isEnd(const Command& command) {
     const auto* heat = std::get_if<SetHeat>(&command);
     return std::holds_alternative<Stop>(command) || std::holds_alternative<EmergencyStop>(command) ||
@@ -53,7 +54,7 @@ bool isEnd(const Command& command) {
            std::holds_alternative<Retreat>(command) || (heat != nullptr && !heat->setPoint_K);
 }
 
-/// It begins something, so it is void once something was ended after it.
+/// A command that begins something is void if something was ended after it.
 bool isBegin(const Command& command) {
     return std::holds_alternative<Arm>(command) || std::holds_alternative<Start>(command) ||
            std::holds_alternative<Resume>(command) || std::holds_alternative<MoveTo>(command) ||
@@ -69,7 +70,7 @@ EngineWorker::EngineWorker(std::string alarmFile, std::string deviceFile, std::u
                      ? std::string()
                      : (std::filesystem::absolute(alarmFile).parent_path() / "guard.log").string()),
       m_keeper(std::move(alarmFile)), m_devices(std::move(deviceFile)), m_cameras(m_closer) {
-    // Here and not on the engine's thread: no disk is to hold that up.
+    // Here and not on the engine's thread, which must not wait for a disk.
     (void)guardProgram();
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
@@ -93,16 +94,16 @@ void EngineWorker::shutdown() {
     m_isEnding = true;
     if (m_timer)
         m_timer->stop();
-    if (m_isClosing) // by the load that this interrupts: it ends what is left
+    if (m_isClosing) // by the load that this call interrupts: it closes the rest
         return;
     if (m_session && m_session->loop.running())
         m_session->loop.emergencyStop();
     (void)closeSession(false);
-    publish(); // what was told at the end
+    publish(); // the last messages
 }
 
-// First of all the rig is made safe. Its last words take a moment, in which events are processed; one that
-// works on under another experiment needs none.
+// First the rig is made safe. Its last commands take a moment, in which events are processed; a rig that is
+// kept for another experiment needs none.
 KeptRig EngineWorker::closeSession(bool isRigKept) {
     m_isClosing = true;
     if (m_isEnding)
@@ -129,7 +130,7 @@ KeptRig EngineWorker::closeSession(bool isRigKept) {
     return kept;
 }
 
-/// The heat is off, or it was told that it is not.
+/// At this point the heat is off, or it was reported that it is not.
 void EngineWorker::waitForFiles() {
     const QDeadlineTimer deadline(kLastRows);
     const auto left = [&] { return std::chrono::milliseconds(deadline.remainingTime()); };
@@ -152,7 +153,7 @@ void EngineWorker::tellHeatNotOff() {
     m_pending.newEvents.push_back(event);
     LoopRecord rows;
     rows.events = {event};
-    (void)m_recordings.add(std::move(rows)); // it is about to be closed
+    (void)m_recordings.add(std::move(rows)); // errors do not matter: it is about to be closed
     std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
     conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
     if (m_alarms.update(utc_s(), conditions))
@@ -164,7 +165,7 @@ void EngineWorker::post(const bask::Command& command) {
         return;
     if (isEnd(command) && !m_isClosing) {
         dropBegun();
-    } else if (isBusy()) { // of several experiments the newest counts
+    } else if (isBusy()) { // if several experiments wait, only the newest is loaded
         if (std::holds_alternative<LoadExperiment>(command))
             std::erase_if(m_waiting,
                           [](const Command& each) { return std::holds_alternative<LoadExperiment>(each); });
@@ -173,13 +174,13 @@ void EngineWorker::post(const bask::Command& command) {
     }
     carryOut(command);
     carryOutWaiting();
-    // Posted events go before the timer: commands that come faster than they are answered would keep it
-    // waiting.
+    // Posted events are processed before the timer: commands that arrive faster than they are answered would
+    // delay it.
     if (m_timer && m_wall.elapsed() > kOverdue_ms)
         onTimer();
 }
 
-/// Arm and Start that are not answered yet, and what waits behind them, are void.
+/// Cancels an Arm and a Start that are not answered yet, and waiting commands that begin something.
 void EngineWorker::dropBegun() {
     if (m_judging)
         m_judging->stop.request_stop();
@@ -212,7 +213,7 @@ void EngineWorker::carryOut(const Command& command) {
 void EngineWorker::answer(const Result<void>& result) {
     if (m_session && m_session->real && !m_isClosing) {
         try {
-            m_session->real->work(); // what was asked for goes out now
+            m_session->real->work(); // sends what the command has asked for
         } catch (const std::exception& exception) {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }
@@ -260,7 +261,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     m_timer->setInterval(m_session->real ? kRealTimer_ms : kTimer_ms);
     m_cameras.watchOn(*m_session);
     if (known)
-        tick(); // its alarms go on
+        tick(); // its alarms continue
     return {};
 }
 
@@ -284,8 +285,8 @@ Result<void> EngineWorker::choose(const std::string& camera) {
     return {};
 }
 
-/// A port that hangs holds up whoever closes it: not this thread while there is heat or motion. Otherwise it
-/// is free at once for who opens it next.
+/// Closing a port that does not respond blocks the caller: not this thread while there is heat or motion.
+/// Otherwise the port is closed here, so that it is free at once for the next one that opens it.
 void EngineWorker::endTrial() {
     if (!m_tried)
         return;
@@ -351,14 +352,14 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
 Result<void> EngineWorker::armNow() {
     if (const auto may = m_session->loop.mayArm(); !may)
         return may;
-    closeRecording(); // of the run before, with its outcome
+    closeRecording(); // the recording of the previous run, with its outcome
     const auto armed = m_session->loop.arm();
     if (armed)
         ++m_runId;
     return armed;
 }
 
-/// Arm is answered once the file is there.
+/// Answers Arm after the file was created.
 void EngineWorker::finishArming() {
     auto done = m_recordings.made();
     if (!done)
@@ -372,7 +373,7 @@ void EngineWorker::finishArming() {
     answer(*done);
 }
 
-/// Start is answered once it is known whether the targets can be held.
+/// Start is answered after it is known whether the targets can be held.
 Result<void> EngineWorker::startWith(bool acceptInfeasible) {
     ServoLoop& loop = m_session->loop;
     if (acceptInfeasible || loop.state() != RunState::Armed)
@@ -385,7 +386,7 @@ Result<void> EngineWorker::startWith(bool acceptInfeasible) {
     return {};
 }
 
-/// Nothing has changed the targets meanwhile: commands wait, or have made it void.
+/// The targets are still the same: commands wait meanwhile, or have cancelled the start.
 void EngineWorker::finishJudging() {
     if (!m_judging || !isReady(m_judging->isFeasible))
         return;
@@ -516,7 +517,7 @@ void EngineWorker::tell(const Message& message) {
     m_pending.newEvents.push_back({m_session ? m_session->loop.runTime_s() : 0.0, message});
 }
 
-/// What disk and system have answered meanwhile.
+/// Takes the answers of disk and system.
 void EngineWorker::hearBackground() {
     if (auto before = m_keeper.takeBefore()) {
         m_alarms.addFromBefore(std::move(before->alarms));
@@ -541,7 +542,7 @@ void EngineWorker::hearBackground() {
     finishJudging();
 }
 
-/// Of a run that is over; one that is on has its own recording.
+/// Reports a failed recording of a run that is over; a run that is on has its own recording.
 void EngineWorker::tellUnfinished(const Error& error) {
     const Message reason{MessageCode::ReasonRecorderFailed, {describe(error)}};
     if (m_session && !isInUse())
@@ -554,11 +555,11 @@ void EngineWorker::watchDisk() {
     m_sinceDisk_s = 0.0;
     if (!m_recordings.isOn())
         m_session->loop.setDiskFree_MB({});
-    else if (!m_diskFree_MB.valid()) // a disk that has not answered is not asked again
+    else if (!m_diskFree_MB.valid()) // a disk is not asked again before it has answered
         m_diskFree_MB = m_system.ask([file = m_recordings.path()] { return diskFree_MB(file); });
 }
 
-/// Kept from it while there is heat; what it slept nevertheless is told.
+/// Keeps the computer awake while there is heat, and reports a suspend that happened nevertheless.
 void EngineWorker::watchSleep() {
     const double slept_s = m_suspend.slept_s();
     const bool isReal = m_session->real != nullptr;
@@ -621,7 +622,7 @@ void EngineWorker::tick() {
     updateAlarms();
 }
 
-/// A hold waits for a person, for a time that they can keep.
+/// In a hold the simulation runs in real time, so that a person can follow the countdown.
 double EngineWorker::simulationSpeed() const {
     return m_session && m_session->loop.state() == RunState::Holding ? 1.0 : m_speed;
 }
@@ -634,8 +635,7 @@ void EngineWorker::advanceSimulated(double wall_s) {
     double dt_s = std::min(wall_s * speed, std::max(wall_s, m_session->vision->lead_s()));
     QElapsedTimer spent;
     spent.start();
-    // What does not fit is dropped: simulated time then runs slower than asked, and commands are never kept
-    // waiting.
+    // Time that does not fit is dropped: the simulation then runs slower than asked, and commands never wait.
     while (dt_s > 0.0 && spent.elapsed() < kLongestStep_ms) {
         const double step_s = std::min(dt_s, m_untilTick_s);
         m_session->simulated->advance(step_s);
@@ -656,7 +656,8 @@ void EngineWorker::advanceSimulated(double wall_s) {
 void EngineWorker::workReal() {
     m_session->real->work();
     const double now_s = m_session->clock().now_s();
-    // Held up itself, it hears first what the devices have said meanwhile, and judges them then.
+    // After a delay of this thread, it first takes what the devices have sent meanwhile, and judges them
+    // then.
     if (now_s - m_worked_s > kDelayed_s)
         m_nextTick_s = now_s + kHearing_s;
     m_worked_s = now_s;
@@ -664,12 +665,12 @@ void EngineWorker::workReal() {
         return;
     const double period_s = m_session->loop.experiment().sampling.period_s;
     emit stepped(now_s - m_nextTick_s);
-    const double behind = std::floor((now_s - m_nextTick_s) / period_s); // whole periods, which are lost
+    const double behind = std::floor((now_s - m_nextTick_s) / period_s); // whole periods that are lost
     m_lateSteps += static_cast<std::uint64_t>(behind);
     m_nextTick_s += (1.0 + behind) * period_s;
     tick();
     m_devices.remember(*m_session->real, m_system);
-    m_session->real->work(); // what the tick has asked for goes out now
+    m_session->real->work(); // sends what the tick has asked for
 }
 
 Result<void> EngineWorker::endRecording() {

@@ -1,5 +1,5 @@
 #pragma once
-// The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session,
+// The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session and
 // publishes snapshots.
 
 #include "engine/base/suspend_watch.h"
@@ -28,42 +28,43 @@ Q_DECLARE_METATYPE(std::shared_ptr<const bask::VisionView>)
 
 namespace bask {
 
-/// Lives on a QThread; every slot is called through queued connections. Rig and loop are made, used and
-/// deleted there. What touches a file, or may wait in the system, is done on other threads.
+/// Lives on a QThread; every slot is called through queued connections. Rig and loop are created, used and
+/// deleted there. Work that touches a file, or may wait in the system, is done on other threads.
 class EngineWorker : public QObject {
     Q_OBJECT
 public:
-    /// After the heat is off: for what is still to be written.
+    /// Time to write the remaining data after the heat is off.
     static constexpr std::chrono::milliseconds kLastRows{3000};
-    /// Rows of each kind that wait for whoever takes snapshots; then the oldest are dropped. An hour at 10
-    /// Hz.
+    /// Maximum number of rows of each kind that wait for the receiver of snapshots; beyond it the oldest are
+    /// dropped. One hour at 10 Hz.
     static constexpr std::size_t kMaxKept = 36000;
 
-    /// `alarmFile` keeps the alarms over a restart, `deviceFile` which devices were met; empty: nothing does.
-    /// `awake` stands still while the computer sleeps.
+    /// `alarmFile` keeps the alarms across restarts, `deviceFile` the known devices; if a name is empty,
+    /// nothing is kept. `awake` is a clock that stops while the computer sleeps.
     explicit EngineWorker(std::string alarmFile = {}, std::string deviceFile = {},
                           std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>());
     ~EngineWorker() override;
 
-    /// After shutdown(), on the engine's thread: a real source was not seen to go off.
+    /// Returns whether a real source was not seen to go off. Call it after shutdown(), on the engine's
+    /// thread.
     bool isHeatLeft() const { return m_isHeatLeft; }
 
 public slots:
     void start();
     void post(const bask::Command& command);
-    /// Safe state, timer stopped, then the recording closed: kLastRows are given to that, and what is not
-    /// saved then is said on standard error. Call it blocking before the thread quits.
+    /// Enters the safe state, stops the timer and closes the recording. This may take kLastRows; data that is
+    /// not saved by then is reported on standard error. Call it blocking before the thread quits.
     void shutdown();
 
 signals:
-    /// At most Underway::kMax wait to be taken, besides the answers to commands: whoever hangs gets the
-    /// newest state, and all samples, events and notes up to kMaxKept, when it goes on. `token` is for
-    /// counting.
+    /// At most Underway::kMax wait in the receiver's queue, besides the answers to commands. A receiver that
+    /// was blocked then gets the newest state, and all samples, events and notes up to kMaxKept. `token` is
+    /// for counting.
     void published(const bask::Snapshot& snapshot, const std::shared_ptr<const int>& token);
-    /// A control step of a real rig has begun, so long after it was due; what is longer than a period is
-    /// steps that were lost.
+    /// A control step of a real rig has begun this long after it was due. Each full period of it is a step
+    /// that was lost.
     void stepped(double lateness_s);
-    /// A new look at the camera, while it is watched; as many wait as of snapshots.
+    /// A new view of the watched camera; limited in number as the snapshots are.
     void looked(const std::shared_ptr<const bask::VisionView>& view, const std::shared_ptr<const int>& token);
 
 private:
@@ -78,7 +79,7 @@ private:
     void closeRecording();
     void hearBackground();
     void waitForFiles();
-    /// What a next one may have.
+    /// Returns what the next session may use.
     KeptRig closeSession(bool isRigKept);
     void tellHeatNotOff();
     void publish();
@@ -94,11 +95,11 @@ private:
     Result<void> startWith(bool acceptInfeasible);
     void finishJudging();
     Result<void> applyFault(const SimulateFault& fault);
-    Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty: all
+    Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty for all alarms
     Result<void> shelve(const ShelveAlarm& alarm);
     Result<void> unshelve(std::uint64_t id);
     void updateAlarms();
-    void tell(const Message& message); ///< as an event
+    void tell(const Message& message); ///< adds an event
     void tellUnfinished(const Error& error);
     void watchDisk();
     Result<void> setVision(const VisionSpec& vision);
@@ -109,24 +110,24 @@ private:
     Result<void> accept(DeviceRole role);
     void watchSleep();
     void forwardView();
-    bool isInUse() const; ///< a run is armed or on
-    /// Commands wait: a rig is closed, or Arm or Start are not answered yet.
+    bool isInUse() const; ///< whether a run is armed or on
+    /// Commands wait: a rig is being closed, or Arm or Start is not answered yet.
     bool isBusy() const { return m_isClosing || m_recordings.isBeginning() || m_judging; }
 
-    SteadyClock m_steady; ///< longer than what is real
+    SteadyClock m_steady; ///< declared before the real rig, so that it outlives it
     std::unique_ptr<Clock> m_awakeClock;
     SuspendWatch m_suspend;
     SleepInhibitor m_sleep;
     bool m_isSleepTold = false;
     std::unique_ptr<EngineSession> m_session;
-    Recordings m_recordings; ///< Arm is answered when the begun one is there
-    /// Whether the targets of a run that is to be started can be held.
+    Recordings m_recordings; ///< Arm is answered when the file of the new recording exists
+    /// The check whether the targets of a run that is to be started can be held.
     struct Judging {
         std::stop_source stop;
         std::future<bool> isFeasible;
     };
     std::optional<Judging> m_judging;
-    std::string m_guardLog; ///< beside the alarms
+    std::string m_guardLog; ///< in the folder of the alarm file
     AlarmKeeper m_keeper;
     AlarmLog m_alarms;
     MetDevices m_devices;
@@ -135,17 +136,17 @@ private:
     std::future<std::vector<SerialPort>> m_ports;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
-    BackgroundThread m_closer; ///< of cameras, and of ports that were tried
+    BackgroundThread m_closer; ///< closes cameras, and ports that were tried
     CameraWatch m_cameras;
-    std::shared_ptr<const VisionView> m_view; ///< handed on last
+    std::shared_ptr<const VisionView> m_view; ///< sent last
     std::unique_ptr<DeviceTrial> m_tried;
     bool m_isClosing = false, m_isEnding = false;
     bool m_isHeatLeft = false;
-    std::deque<Command> m_waiting; ///< that came while isBusy()
+    std::deque<Command> m_waiting; ///< received while isBusy()
     double m_speed = 1.0;
-    double m_untilTick_s = 0.0; ///< of a simulated rig
-    double m_nextTick_s = 0.0;  ///< of a real one
-    double m_worked_s = 0.0;    ///< its devices, last
+    double m_untilTick_s = 0.0; ///< for a simulated rig
+    double m_nextTick_s = 0.0;  ///< for a real rig
+    double m_worked_s = 0.0;    ///< when its devices were served last
     std::uint64_t m_lateSteps = 0;
     std::uint64_t m_runId = 0, m_loadId = 0;
     int m_ticksSinceRate = 0;
@@ -156,7 +157,7 @@ private:
     Snapshot m_pending; ///< samples, events and notes since the last snapshot
     Underway m_snapshots, m_views;
     std::uint64_t m_sequence = 0;
-    BackgroundThread m_system; ///< room on the disk, list of ports
+    BackgroundThread m_system; ///< reads the free disk space and the list of ports
     BackgroundThread m_judge;
 };
 

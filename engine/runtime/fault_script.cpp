@@ -81,7 +81,7 @@ void clearFaults(SimulatedRig& rig) {
 
 std::vector<ScriptedFault> FaultScript::play(SimulatedRig& rig, double runTime_s) {
     std::vector<ScriptedFault> raised;
-    for (const bool isOn : {false, true}) { // those that end first: they may be of the same device
+    for (const bool isOn : {false, true}) { // those that end come first: they may be about the same device
         for (std::size_t i = 0; i < m_faults.size(); ++i) {
             const ScriptedFault& fault = m_faults[i];
             const bool isDue = runTime_s >= fault.time_s && !(fault.until_s && runTime_s >= *fault.until_s);

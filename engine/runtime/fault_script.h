@@ -9,9 +9,9 @@
 
 namespace bask {
 
-/// Raises it, or ends it. Of an object that there is not: nothing.
+/// Activates or clears the fault; no effect if `object` is out of range.
 void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool isOn);
-/// Ends all.
+/// Clears all faults.
 void clearFaults(SimulatedRig& rig);
 
 class FaultScript {
@@ -19,7 +19,8 @@ public:
     explicit FaultScript(std::vector<ScriptedFault> faults)
         : m_faults(std::move(faults)), m_isOn(m_faults.size(), false) {}
 
-    /// At a run time. Answers those that have been raised just now.
+    /// Activates and clears the faults that are due at this run time. Returns those that were activated by
+    /// this call.
     std::vector<ScriptedFault> play(SimulatedRig& rig, double runTime_s);
 
 private:

@@ -8,7 +8,8 @@
 namespace bask {
 
 LossRange lossRange(const HeatRates& estimated, double emittance, double environment_K) {
-    constexpr double kHot = 1.6; // radiation of an object 100 K over the room, over the linear law
+    // radiation of an object 100 K above room temperature, relative to the linear law
+    constexpr double kHot = 1.6;
     const double radiation_1_s = 1.0 / estimated.timeConstant_s(environment_K);
     const double capacity_J_m2K = emittance * kStefanBoltzmann / estimated.lambda2;
     return {radiation_1_s / kBorneFactor,

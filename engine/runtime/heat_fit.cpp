@@ -5,7 +5,7 @@
 namespace bask {
 
 HeatFit::HeatFit(LossRange losses) {
-    // Or errors of the energy would push constants that are at the edge out of it, and others with them.
+    // Otherwise errors of the energy would push constants at the edge out of the range, and others with them.
     constexpr double kBeyond = 1.25;
     const double minK = 1.0 / (kBeyond * kBorneFactor), maxK = kBeyond * kBorneFactor;
     const double minA = losses.min_1_s / kBeyond, maxA = kBeyond * losses.max_1_s;

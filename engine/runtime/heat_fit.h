@@ -1,5 +1,5 @@
 #pragma once
-// Which heating and losses of an object explain what its sensor told: all of them, not the best.
+// All combinations of heating and loss that explain an object's readings, not only the best one.
 
 #include "engine/runtime/heat_bounds.h"
 
@@ -9,16 +9,16 @@
 
 namespace bask {
 
-/// What lies between two moments: between which the absorbed energy (K, as estimated) and the time integral
-/// of the temperature over the room's (K s) are.
+/// What happened between two moments: the ranges of the absorbed energy (K, as estimated) and of the time
+/// integral of the temperature above room temperature (K s).
 struct HeatSpan {
     double minEnergy_K = 0.0, maxEnergy_K = 0.0;
     double minLoss_K_s = 0.0, maxLoss_K_s = 0.0;
 };
 
-/// The object's temperature changes by k E - a Q over a span, with constants k, by how much the estimated
-/// power is wrong, and a, its losses. Keeps every (k, a) that explains all changes that it was shown: a
-/// convex polygon, at first the whole of what may be.
+/// The object's temperature changes by k E - a Q over a span. The constants are k, the error factor of the
+/// estimated power, and a, the loss coefficient. Keeps every (k, a) that explains all changes learnt so far:
+/// a convex polygon, at first the full allowed range.
 class HeatFit {
 public:
     explicit HeatFit(LossRange losses);
@@ -26,12 +26,12 @@ public:
     struct Change {
         double min_K = 0.0, max_K = 0.0;
     };
-    /// Between which the temperature changes over a span, by all that is left.
+    /// Returns the range of the temperature change over a span, for all remaining (k, a).
     Change expected(const HeatSpan& span) const;
-    /// It changed by this, within the tolerance.
+    /// Removes all (k, a) that do not explain this change within the tolerance.
     void learn(const HeatSpan& span, double change_K, double tolerance_K);
-    /// No constants explain all that was shown: the sensor lags otherwise, the air began to move, the object
-    /// was changed.
+    /// Returns whether no constants explain all changes: the sensor has another lag, the air began to move,
+    /// or the object was changed.
     bool isEmpty() const { return m_corners.empty(); }
 
 private:

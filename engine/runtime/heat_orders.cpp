@@ -25,7 +25,7 @@ Result<void> HeatOrders::keep(double setPoint_K) {
 }
 
 void HeatOrders::off() {
-    // Of a dead link: the heat expires in the device.
+    // If the link is dead, the heat expires in the device.
     m_offProblem = m_readings.sourceProblem(m_devices.source.heatOff());
     m_asked_K.reset();
 }
@@ -36,7 +36,7 @@ void HeatOrders::keepOff() {
 }
 
 bool HeatOrders::isSourceDark() const {
-    constexpr double kDark_K = 10.0; // over the room
+    constexpr double kDark_K = 10.0; // above room temperature
     const auto& source_K = m_readings.source_K();
     const bool isCool = source_K && *source_K < m_experiment.environment_K + kDark_K;
     return !m_asked_K && (!m_devices.isReal || isCool);

@@ -8,13 +8,13 @@
 namespace bask {
 namespace {
 
-/// Of its words, which may be about less than its condition is at worst.
+/// Returns the priority of its message, which may be lower than that of its condition.
 int priorityOf(const LatchedFault& fault) {
     const int ofWords = alarmPriority(fault.message.code);
     return ofWords > 0 ? ofWords : fault.finding ? alarmEntry(fault.finding->condition).priority : 1;
 }
 
-// Seen over a link that works: what was lost before and is latched is not its cause.
+// These are seen over a working link, so a latched earlier loss is not their cause.
 bool heatsByItself(SafetyCondition condition) {
     return condition == SafetyCondition::SourceHeatsUnasked || condition == SafetyCondition::SourceNotCooling;
 }
@@ -58,13 +58,13 @@ const SafetyFinding* LatchedFaults::activeOne(const std::string& key) const {
     return found == active.end() ? nullptr : &*found;
 }
 
-/// Its message with the newest values, where the condition still holds.
+/// Returns its message with the newest values if the condition is still present.
 Message LatchedFaults::newest(const LatchedFault& fault) const {
     const SafetyFinding* const finding = activeOne(fault.key);
     return finding != nullptr ? finding->message : fault.message;
 }
 
-/// Returns whether its condition can be seen to be over, and is: the fault stays latched.
+/// Returns whether the end of its condition can be observed and was; the fault stays latched.
 bool LatchedFaults::isSeenOver(const LatchedFault& fault) const {
     return fault.finding && alarmEntry(fault.finding->condition).isSeenOver &&
            activeOne(fault.key) == nullptr;

@@ -1,5 +1,5 @@
 #pragma once
-// Faults that stay until a person resets them, beside what the safety monitor finds now.
+// Faults that stay until a person resets them, in addition to the current findings of the safety monitor.
 
 #include "engine/runtime/alarm_log.h"
 #include "engine/runtime/safety_monitor.h"
@@ -10,32 +10,33 @@
 
 namespace bask {
 
-/// Latched until reset: a message, with the condition that it is for.
+/// A fault that is latched until reset: a message, with the condition that caused it.
 struct LatchedFault {
     Message message;
-    std::string key; ///< of its alarm
+    std::string key; ///< key of its alarm
     std::optional<SafetyFinding> finding;
 };
 
 LatchedFault latchedFault(Message reason);
 LatchedFault latchedFault(const SafetyFinding& finding, const Experiment& experiment);
 
-/// Borrows its arguments for its life. One thread.
+/// Borrows its arguments for its lifetime. One thread.
 class LatchedFaults {
 public:
     LatchedFaults(const Experiment& experiment, const SafetyMonitor& safety);
 
-    /// Returns false, and changes nothing, if its alarm is latched already.
+    /// Adds a fault. Returns false, and changes nothing, if its alarm is already latched.
     bool add(LatchedFault fault);
     void clear() { m_faults.clear(); }
     bool isEmpty() const { return m_faults.empty(); }
     const std::vector<LatchedFault>& all() const { return m_faults; }
-    /// Those of the loop before; a finding of an object that is no more is forgotten.
+    /// Takes the faults of the previous loop. The finding of an object that no longer exists is removed from
+    /// its fault.
     void use(std::vector<LatchedFault> faults);
 
-    /// What is latched and what is found that keeps a run from going on, each cause once.
+    /// Returns the messages of what is latched and of what keeps a run from continuing, each cause once.
     std::vector<Message> reasons() const;
-    /// What is latched and found, the gravest first.
+    /// Returns the conditions of what is latched, then of what is found now.
     std::vector<AlarmCondition> alarmConditions() const;
 
 private:

@@ -9,7 +9,7 @@
 
 namespace bask {
 
-/// A histogram of 0.1 ms: it does not grow.
+/// A histogram with bins of 0.1 ms and constant size.
 class Lateness {
 public:
     void add(double lateness_s) {
@@ -20,11 +20,12 @@ public:
     }
     std::uint64_t count() const { return m_count; }
     double worst_s() const { return m_worst_s; }
-    /// So late or less was this share of the steps, to a bin; 0 without steps.
+    /// Returns the lateness that this share of the steps did not exceed, rounded up to a bin; 0 without
+    /// steps.
     double quantile_s(double share) const {
         const auto wanted = static_cast<std::uint64_t>(std::ceil(share * static_cast<double>(m_count)));
         std::uint64_t seen = 0;
-        for (std::size_t i = 0; i + 1 < kBins && m_count > 0; ++i) { // the last one has no end
+        for (std::size_t i = 0; i + 1 < kBins && m_count > 0; ++i) { // the last bin has no upper limit
             seen += m_bins[i];
             if (seen >= wanted)
                 return std::min(m_worst_s, kBin_s * static_cast<double>(i + 1));

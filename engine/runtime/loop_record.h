@@ -1,5 +1,5 @@
 #pragma once
-// Rows that a servo loop has made since they were last taken, and their way into the session file.
+// The rows that a servo loop has recorded since they were last taken, and writing them into the session file.
 
 #include "engine/model/trace.h"
 #include "engine/recording/session_file.h"
@@ -15,7 +15,7 @@ struct LoopRecord {
     std::vector<CommandRow> commands;
 };
 
-/// Adds all rows, in the order of their kinds; stops at the first failure.
+/// Adds all rows, kind by kind; stops at the first failure.
 Result<void> write(const LoopRecord& rows, SessionWriter& writer);
 
 } // namespace bask

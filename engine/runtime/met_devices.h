@@ -1,5 +1,5 @@
 #pragma once
-// Which devices were met at their ports, kept in a file, and the trial of one device alone.
+// The known devices at their ports, kept in a file, and the trial of one device alone.
 
 #include "engine/rig/real_rig.h"
 #include "engine/runtime/background_thread.h"
@@ -10,17 +10,17 @@
 
 namespace bask {
 
-/// The first device that is met at its place is remembered. No call but the constructor touches the disk.
+/// Remembers the first device that answers at each place. Only the constructor waits for the disk.
 class MetDevices {
 public:
-    /// Reads the file; an empty name keeps nothing.
+    /// Reads the file; with an empty name nothing is kept.
     explicit MetDevices(std::string file);
 
     const DeviceMemory& memory() const { return m_memory; }
-    /// Why the file could not be read; None: it could. It is written anew with the next device.
+    /// Why the file could not be read; None if it could. It is overwritten with the next new device.
     const Message& problem() const { return m_problem; }
     void remember(const RealRig& rig, BackgroundThread& disk);
-    /// Another device at that place is taken from now on.
+    /// Forgets the device at that place, so that another one is accepted there.
     void forget(RealRig& rig, DeviceRole role, BackgroundThread& disk);
 
 private:

@@ -6,10 +6,10 @@
 namespace bask {
 namespace {
 
-constexpr double kShare = 0.01; ///< of one reading in the variance
+constexpr double kShare = 0.01; ///< weight of one reading in the variance
 constexpr int kKnown = 100;     ///< readings until the noise is known
-constexpr int kResting = 5;     ///< more of one value in a row say nothing about the noise
-constexpr int kMinSame = 20;    ///< readings, whatever their period
+constexpr int kResting = 5;     ///< more equal values in a row say nothing about the noise
+constexpr int kMinSame = 20;    ///< minimum number of equal readings, whatever their period
 constexpr double kNoisy = 0.75; ///< deviation over the step: 20 in a row are then less likely than 1e-5
 
 } // namespace
@@ -27,7 +27,7 @@ void QuietWatch::add(double time_s, double value_K) {
     if (m_same > kResting)
         return;
     if (m_count > 1) {
-        // Of independent readings a second difference has six times their variance; a ramp has none.
+        // The second difference of independent readings has six times their variance; for a ramp it is zero.
         const double second_K = value_K - 2.0 * m_last_K[0] + m_last_K[1];
         const double share = std::max(kShare, 1.0 / (m_count - 1));
         m_variance_K2 += share * (second_K * second_K / 6.0 - m_variance_K2);

@@ -19,7 +19,7 @@ void Recordings::takeBegun() {
 
 void Recordings::dropBegun() {
     if (m_beginning)
-        m_beginning->finish("stopped"); // by a thread that nobody waits for, once the file is there
+        m_beginning->finish("stopped"); // by a thread that nobody waits for, after the file was created
     m_beginning.reset();
 }
 

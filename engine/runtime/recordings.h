@@ -1,6 +1,6 @@
 #pragma once
-// The recordings of an engine: the one that is being made, the one that is written, and those whose last rows
-// are on their way.
+// The recordings of an engine: the one that is being created, the one that is being written, and those whose
+// last rows are still being saved.
 
 #include "engine/runtime/session_recorder.h"
 
@@ -11,31 +11,33 @@
 
 namespace bask {
 
-/// Nothing here waits for a disk, but unsaved() for as long as it is told.
+/// Nothing here waits for a disk, except unsaved() within its time limit.
 class Recordings {
 public:
-    /// Begins to make a file; no effect on the one that is written.
+    /// Starts to create a file; no effect on the recording that is being written.
     void begin(const std::string& path, const Experiment& experiment, bool isSimulated, double minDisk_MB);
     bool isBeginning() const { return m_beginning != nullptr; }
-    /// Empty while the begun file is not there yet, and where none was begun.
+    /// Returns the result of creating the file; empty while it does not exist yet, and if none was started.
     std::optional<Result<void>> made() const;
-    /// The begun one is written from now on.
+    /// Writes into the new recording from now on.
     void takeBegun();
-    /// The begun one is void.
+    /// Gives up the new recording.
     void dropBegun();
 
     bool isOn() const { return m_current != nullptr; }
-    const std::string& path() const { return m_current->path(); } ///< of the one that is written
-    /// No effect where none is written. One that fails is given up.
+    /// path of the recording that is being written; only while isOn()
+    const std::string& path() const { return m_current->path(); }
+    /// Adds rows; no effect if nothing is being recorded. A recording that fails is given up.
     Result<void> add(LoopRecord rows);
-    /// Ends the one that is written, if there is one.
+    /// Ends the recording that is being written, if there is one.
     void close(const std::string& outcome);
 
-    /// Errors of those that have been finished since the last call.
+    /// Returns the errors of the recordings that have finished since the last call.
     std::vector<Error> takeFailures();
-    /// Waits until all that was closed is on the disk; says in words what is not by then.
+    /// Waits until all closed recordings are on the disk, at most `bound`. Returns in words which are not.
     std::vector<std::string> unsaved(std::chrono::milliseconds bound) const;
-    /// The one that is written, or else the one closed last; null: there was none lately.
+    /// Returns the recording that is being written, or the last closed one that is not yet finished; null if
+    /// there is none.
     const SessionRecorder* newest() const;
 
 private:

@@ -7,8 +7,8 @@
 namespace bask {
 namespace {
 
-constexpr double kRetreated = 1e-3;  ///< m, rad: it is where it goes
-constexpr double kNearlyAway = 5e-3; ///< m, rad: it is as good as there, and stands
+constexpr double kRetreated = 1e-3;  ///< m, rad: it has arrived
+constexpr double kNearlyAway = 5e-3; ///< m, rad: near enough if it stands still
 constexpr double kAnnounced_s = 10.0;
 
 double farthest(const Vector6d& a, const Vector6d& b) {
@@ -36,16 +36,16 @@ void RetreatMotion::end() {
 }
 
 RetreatMotion::Step RetreatMotion::step() {
-    // Never sideways near the source. A robot that does not know its place only goes off.
+    // It never moves sideways near the source. A robot with an unsure position only moves off the source.
     const RobotLimits& limits = m_experiment.robot;
     const Vector6d& q = m_readings.coordinates();
     const double now_s = m_clock.now_s();
     const double period_s = m_experiment.sampling.period_s;
-    if (m_motion.isHoming()) { // it takes no velocity until then
+    if (m_motion.isHoming()) { // it takes no velocity until homing has ended
         m_approach.begin(now_s);
         return Step::UnderWay;
     }
-    // A robot whose limits let it come no nearer is there as well.
+    // A robot that cannot come nearer because of its limits has also arrived.
     const auto isThere = [&](const Vector6d& goal) {
         const double left = farthest(goal, q);
         m_approach.add(now_s, left, period_s);

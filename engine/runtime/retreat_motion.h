@@ -1,5 +1,6 @@
 #pragma once
-// The way from the heat: off the source's plane first, then level; and the announced one out of a fault.
+// The motion away from the heat: first off the source's plane, then level. Also announces a retreat out of a
+// fault.
 
 #include "engine/runtime/robot_motion.h"
 
@@ -7,13 +8,13 @@
 
 namespace bask {
 
-/// Borrows its arguments for its life. One thread. When a retreat may begin is for its owner to say.
+/// Borrows its arguments for its lifetime. One thread. Its owner decides when a retreat may begin.
 class RetreatMotion {
 public:
     enum class Step {
         UnderWay,
         There,
-        Stuck ///< the robot does not come nearer
+        Stuck ///< the robot does not come nearer to its goal
     };
 
     RetreatMotion(const Experiment& experiment, const RigDevices& devices, const RigReadings& readings,
@@ -21,20 +22,20 @@ public:
 
     void begin();
     void end();
-    /// Moves on for a sampling period.
+    /// Continues the retreat for one sampling period.
     Step step();
-    /// What is left of the way at the last step, m.
+    /// Remaining distance at the last step, m.
     double left_m() const { return m_left_m; }
-    /// The end-effector is off the source, as far as a retreat goes.
+    /// Returns whether the end-effector is as far off the source as a retreat moves it.
     bool isAway() const;
 
-    /// Announces a retreat while it is wanted. Returns whether it is due.
+    /// Announces a retreat while it is wanted, and cancels it otherwise. Returns whether it is due.
     bool announce(bool isWanted);
-    /// The announced one begins then, on the clock; empty: none is.
+    /// Time on the clock when the announced retreat begins; empty if none is announced.
     const std::optional<double>& announced_s() const { return m_at_s; }
     void callOff() { m_at_s.reset(); }
 
-    /// By STOP, or by a robot that does not move: none begins by itself.
+    /// Whether no retreat begins by itself, because of STOP or of a robot that does not move.
     bool isRefused() const { return m_isRefused; }
     void setRefused(bool isRefused) { m_isRefused = isRefused; }
 
@@ -46,7 +47,7 @@ private:
     const Clock& m_clock;
     TraceSample& m_sample;
     Approach m_approach;
-    bool m_isRaised = false; ///< the way up is done
+    bool m_isRaised = false; ///< the motion off the source's plane is done
     double m_left_m = 0.0;
     std::optional<double> m_at_s;
     bool m_isRefused = false;

@@ -12,10 +12,12 @@
 namespace bask {
 namespace {
 
-// A real robot's steps are rounded: going along a limit, every second one would be outside, and not be sent.
+// A real robot's steps are rounded: when it moves along a limit, every second step would be outside, and not
+// be sent.
 constexpr double kMargin_m = 2e-5;
 constexpr double kMargin_rad = 1e-4;
-// A source that has moved by less is taken to lie still: less than the resolution of the sensors in any F.
+// A source that has moved by less counts as not moved: the effect on F is below the resolution of the
+// sensors.
 constexpr double kSourceStill_m = 2e-4;
 constexpr double kSourceStill_rad = 2e-3;
 constexpr double kConnecting_s = 3.0;
@@ -73,7 +75,7 @@ void RigReadings::takeSensors() {
         object.valid = fresh && !m_sensors.lastInvalid(i);
         object.measured_K = object.valid ? m_sensors.measured_K(i) : kNaN;
         const auto estimate = fresh ? m_sensors.estimate(i) : std::nullopt;
-        // After a reading that dropped out the estimate is carried on to now.
+        // After a missing reading the estimate is extrapolated to now.
         object.estimated_K =
             estimate ? estimate->temperature_K + estimate->rate_K_s * m_sensors.age_s(i, now_s) : kNaN;
         object.rate_K_s = estimate ? estimate->rate_K_s : kNaN;
@@ -88,7 +90,7 @@ void RigReadings::readSourcePose() {
     const auto reading = m_devices.tracker->read();
     if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite() || !facesObjects(reading->X_RS))
         return;
-    m_sourceSeen_s = reading->seen_s; // not time_s: a prediction is no sight
+    m_sourceSeen_s = reading->seen_s; // not time_s, because a prediction is not a sight
     m_sourceReading = *reading;
     const Pose moved = m_geometry->X_RS().inverse() * reading->X_RS;
     if (moved.translation().norm() < kSourceStill_m &&
@@ -98,8 +100,8 @@ void RigReadings::readSourcePose() {
     m_sample.source = coordinatesFromPose(reading->X_RS);
 }
 
-// A source that has all of them behind it is none that was moved but one mismeasured: to get off it the robot
-// would go down to where it truly is.
+// A measured pose with all objects behind the source is wrong: to move off the source, the robot would move
+// towards where the source truly is.
 bool RigReadings::facesObjects(const Pose& X_RS) const {
     const Pose X_SE = X_RS.inverse() * poseFromCoordinates(m_coordinates);
     return std::ranges::any_of(m_experiment.objects, [&](const ObjectSpec& object) {
@@ -121,7 +123,7 @@ void RigReadings::readRobot() {
 }
 
 void RigReadings::readViewFactors() {
-    // Inside of the source no object can be: a robot that says so has its axes' origins wrong.
+    // No object can be inside the source: a robot that reports this has wrong axis origins.
     if (m_devices.isReal && m_geometry->lowestPoint_m(m_coordinates) <= 0.0) {
         m_robot.isPlaceSure = false;
         for (ObjectSample& object : m_sample.objects)
@@ -159,7 +161,7 @@ double RigReadings::environment_K() const {
 }
 
 bool RigReadings::isSourceSeen() const {
-    constexpr double kUnseen_s = 3.0; // a hand before the marker is no loss
+    constexpr double kUnseen_s = 3.0; // a hand in front of the marker is not a loss
     constexpr double kUnseenPeriods = 3.0;
     const double max_s = std::max(kUnseen_s, kUnseenPeriods * m_experiment.sampling.period_s);
     return !m_experiment.source.tracked || m_clock.now_s() - m_sourceSeen_s <= max_s;
@@ -225,7 +227,7 @@ Message RigReadings::distrust(std::size_t object) const {
 
 bool RigReadings::allWithinBand() const {
     return !m_sample.objects.empty() && std::ranges::all_of(m_sample.objects, [](const ObjectSample& object) {
-        return std::abs(object.estimated_K - object.target_K) <= kSettledBand_K; // false when not a number
+        return std::abs(object.estimated_K - object.target_K) <= kSettledBand_K; // false for NaN
     });
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the devices of a rig tell, read once a sampling period, and what follows from that alone.
+// The readings of a rig's devices, taken once in each sampling period, and what follows from them alone.
 
 #include "engine/base/clock.h"
 #include "engine/control/rig_geometry.h"
@@ -19,35 +19,36 @@
 
 namespace bask {
 
-/// The devices of a rig, borrowed for the loop's life.
+/// The devices of a rig, borrowed for the loop's lifetime.
 struct RigDevices {
     Robot& robot;
     Thermometer& thermometer;
     HeatSource& source;
-    /// The plant's own temperatures, K, where the rig is simulated; empty function otherwise.
+    /// True temperatures of the plant, K, if the rig is simulated; otherwise an empty function.
     std::function<std::vector<double>()> truth;
-    /// Asked where the experiment's source is tracked; may be null.
+    /// Used if the experiment's source is tracked; may be null.
     SourceTracker* tracker = nullptr;
-    /// Faulted from the start, until a person has looked and reset; and its source is hot with the heat off.
+    /// A real rig starts in a fault until a person has looked and reset, and its source may be hot with the
+    /// heat off.
     bool isReal = false;
 };
 
-/// Which devices have answered, ever, since they were given to a loop first.
+/// Which devices have ever answered since they were first given to a loop.
 struct RigAnswers {
-    double made_s = 0.0; ///< when they were given
+    double made_s = 0.0; ///< when they were first given to a loop
     bool hasThermometer = false, hasRobot = false, hasSource = false;
 };
 
-/// Borrows its arguments for its life. One thread.
+/// Borrows its arguments for its lifetime. One thread.
 class RigReadings {
 public:
-    /// Writes what is measured into `sample` at each read().
+    /// Writes the measured values into `sample` at each read().
     RigReadings(const Experiment& experiment, const RigDevices& devices, const Clock& clock,
                 TraceSample& sample);
 
     /// Reads all devices.
     void read();
-    /// Takes the sensors' values into the sample again, as they are after zeroing.
+    /// Writes the sensors' values into the sample again, as they are after zeroing.
     void takeSensors();
 
     SensorChannels& sensors() { return m_sensors; }
@@ -55,53 +56,57 @@ public:
     const TraceSample& sample() const { return m_sample; }
     double sampleTime_s() const { return m_sampleTime_s; }
 
-    /// With the source where it was seen last; of a real rig a little inside of its limits.
+    /// Geometry with the source where it was seen last. For a real rig the limits are slightly tighter than
+    /// the experiment's.
     const std::shared_ptr<const RigGeometry>& geometry() const { return m_geometry; }
-    /// Pose coordinates of the end-effector, as the robot told them last; before, the experiment's start.
+    /// Pose coordinates of the end-effector, as last reported by the robot; before that, the experiment's
+    /// start.
     const Vector6d& coordinates() const { return m_coordinates; }
     const RobotState& robot() const { return m_robot; }
-    /// The robot answered at the last read().
+    /// Whether the robot answered at the last read().
     bool isRobotTelling() const { return m_isRobotTelling; }
 
-    /// Newest valid temperature of the source, K, or as typed; empty if it is invalid or does not answer.
+    /// Newest temperature of the source, K, measured or typed; empty if it is invalid or the source does not
+    /// answer.
     const std::optional<double>& source_K() const { return m_source_K; }
-    /// Age of sample().source_K, s; infinite while the source has told none.
+    /// Age of sample().source_K, s; infinite if the source has not given any value.
     double sourceAge_s() const;
-    /// Time of the source's newest valid temperature; before, of construction.
+    /// Time of the source's newest valid temperature; before the first one, the time of construction.
     double sourceRead_s() const { return m_sourceRead_s; }
-    /// Net power of the source as a fraction of what the experiment states.
+    /// Net power of the source as a fraction of the power at the experiment's source temperature.
     double sourceStrength() const { return m_sourceStrength; }
-    /// T3, K, as measured by zeroing; before, as the experiment states it.
+    /// T3, K, as measured by zeroing; before that, as the experiment states it.
     double environment_K() const;
 
     /// Whether the pose of a tracked source was measured lately; true for one that is not tracked.
     bool isSourceSeen() const;
-    /// Whether it was ever seen.
+    /// Whether the pose of a tracked source was ever measured.
     bool wasSourceSeen() const { return m_sourceSeen_s >= 0.0; }
-    /// Empty if the source is not tracked.
+    /// How the source is followed; empty if it is not tracked.
     std::optional<SourceTracking> tracking() const;
 
     const RigAnswers& answers() const { return m_answers; }
     void use(const RigAnswers& answers) { m_answers = answers; }
-    /// A device that has told nothing yet has still time to.
+    /// Returns whether a device has not answered yet, but still has time to.
     bool isConnecting() const;
-    /// Why a device does not answer, of code None if it does or has still time to.
+    /// Why a device does not answer; the code is None if it does, or if it still has time to.
     const Message& thermometerProblem() const { return m_thermometerProblem; }
     const Message& robotProblem() const { return m_robotProblem; }
     const Message& sourceProblem() const { return m_sourceProblem; }
-    /// The same of another answer of the source.
+    /// Returns the problem for another answer of the source, by the same rule.
     Message sourceProblem(const Result<void>& answer) const { return problemOf(answer, m_answers.hasSource); }
-    /// Devices that are not set up: nothing is wrong with them, and nothing can be begun.
+    /// Returns the devices that are not set up: this is not an error, but no run can begin.
     std::vector<Message> missing() const;
 
-    /// Errors: a sensor that is not believed, or has told nothing valid lately.
+    /// Errors: the sensor is not trusted, or it has given no valid value lately.
     Result<void> requireFreshSensor(std::size_t object) const;
     Result<void> requireFreshSensors() const;
-    /// What a sensor that is not believed tells, and where its object can be, if that is known.
+    /// Returns the message about an untrusted sensor: its reading, and the range in which its object can be,
+    /// if that is known.
     Message distrust(std::size_t object) const;
 
     bool allWithinBand() const;
-    /// Objects outside of the band with their errors: "circle +1.2 K, hand -0.8 K".
+    /// Returns the objects outside the band with their errors: "circle +1.2 K, hand -0.8 K".
     MessageArg objectsOffTarget() const;
 
 private:
@@ -125,7 +130,7 @@ private:
     SensorChannels m_sensors;
     double m_sampleTime_s = 0.0;
     RigAnswers m_answers;
-    Message m_thermometerProblem, m_robotProblem, m_sourceProblem; ///< None: none
+    Message m_thermometerProblem, m_robotProblem, m_sourceProblem; ///< code None: no problem
     RobotState m_robot;
     bool m_isRobotTelling = false;
     Vector6d m_coordinates;

@@ -16,8 +16,8 @@
 namespace bask {
 namespace {
 
-constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after so many
-constexpr double kHomingStarts_s = 2.0;  ///< from being asked for
+constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this number of periods
+constexpr double kHomingStarts_s = 2.0;  ///< longest time from the command until homing starts
 // Half of what a position-stepping robot resolves.
 constexpr double kThere_m = 6e-5;
 constexpr double kThere_rad = 3e-4;
@@ -50,11 +50,11 @@ void RobotMotion::backOff() {
 }
 
 void RobotMotion::standStill() {
-    // A dead link is known already; the velocity then expires in the robot.
+    // Errors are ignored: a dead link is known already, and the velocity expires in the robot.
     (void)m_devices.robot.halt();
     m_rates.setZero();
     m_sample.twist.setZero();
-    m_sample.limits = {}; // nothing is held back
+    m_sample.limits = {}; // no limit is active
 }
 
 Result<void> RobotMotion::moveTo(const Vector6d& goal) {
@@ -107,7 +107,7 @@ Result<void> RobotMotion::clearAlarm() {
 }
 
 Message RobotMotion::goOn() {
-    if (!m_goal) { // what was jogged has ended by itself
+    if (!m_goal) { // a jog has ended by itself
         if (!m_rates.isZero(0.0) && !isMoving())
             standStill();
         return {};

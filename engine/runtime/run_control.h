@@ -1,5 +1,5 @@
 #pragma once
-// The controller of a run: from what the rig tells to velocities, and what it has estimated and aims at.
+// The controller of a run: computes velocities from the rig's readings, and keeps its estimates and its aim.
 
 #include "engine/control/controller.h"
 #include "engine/runtime/rig_readings.h"
@@ -10,35 +10,36 @@
 
 namespace bask {
 
-/// Borrows its arguments for its life. One thread.
+/// Borrows its arguments for its lifetime. One thread.
 class RunControl {
 public:
     RunControl(const Experiment& experiment, const RigReadings& readings, const Clock& clock);
 
-    /// Makes the experiment's controller; its run begins now.
+    /// Creates the experiment's controller; the run begins now.
     void begin();
     void end() { m_controller.reset(); }
-    /// When the newest run began, on the clock.
+    /// Time on the clock when the newest run began.
     double began_s() const { return m_began_s; }
 
-    /// Returns what the robot is to do; empty while an object's temperature, or the source's, is not known.
-    /// `lastRates`: those commanded last.
+    /// Returns the command for the robot; empty if an object's temperature, or the source's, is not known.
+    /// `lastRates` are the last commanded rates.
     std::optional<ControlOutput> step(const Vector6d& lastRates);
-    /// The experiment has other targets.
+    /// Call when the experiment's targets have changed.
     void useTargets();
-    /// The experiment has other gains, or another kind of controller, which takes over what was estimated.
+    /// Call when the experiment's gains have changed, or its kind of controller; a new controller takes over
+    /// the estimates.
     void useSettings(bool isSameKind);
 
     /// How long all objects have been within the band, s.
     double withinBand_s() const { return m_clock.now_s() - m_withinBandSince_s; }
-    /// Begins to count anew.
+    /// Starts this time again.
     void countBandAnew() { m_withinBandSince_s = m_clock.now_s(); }
 
-    /// Of the controller, after its last step, for each object; NaN before the first run.
+    /// The controller's estimates after its last step, for each object; NaN before the first run.
     const std::vector<HeatRates>& estimates() const { return m_estimates; }
-    /// Predicted errors of the compromise aimed at, for each object; empty: none.
+    /// Predicted errors of the compromise that is the aim, for each object; empty if there is none.
     const std::vector<ObjectKelvin>& compromise() const { return m_compromise; }
-    /// True once for the targets of a run: what it answers is to be told.
+    /// Returns true once for each set of targets that needs a compromise, so that it is reported once.
     bool isCompromiseNew();
 
 private:
@@ -50,7 +51,7 @@ private:
     const Experiment& m_experiment;
     const RigReadings& m_readings;
     const Clock& m_clock;
-    std::shared_ptr<const RigGeometry> m_geometry; ///< as the controller has it
+    std::shared_ptr<const RigGeometry> m_geometry; ///< the controller's geometry
     std::unique_ptr<Controller> m_controller;
     double m_began_s = 0.0;
     double m_withinBandSince_s = 0.0;

@@ -16,13 +16,14 @@ namespace {
 using Condition = SafetyCondition;
 using Reaction = SafetyReaction;
 
-constexpr double kHysteresis_K = 2.0;     ///< of the objects' and the source's limits
-constexpr double kWhileSame_K = 0.5;      ///< a sensor that gives the very same value is frozen beyond this
+constexpr double kHysteresis_K = 2.0; ///< for the limits of objects and source
+/// a sensor with exactly the same value is frozen beyond this expected change
+constexpr double kWhileSame_K = 0.5;
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
-constexpr double kColder_K = 5.0;         ///< than the room
-constexpr double kHandWarm_K = 30.0;      ///< over the room: a source that is worth a warning
-constexpr double kLate_s = 1.0;           ///< of the loop
-constexpr double kCoolingTimes = 5.0;     ///< time constants until an object is as cold as the room
+constexpr double kColder_K = 5.0;         ///< below room temperature
+constexpr double kHandWarm_K = 30.0;      ///< above room temperature: a source that needs a warning
+constexpr double kLate_s = 1.0;           ///< delay of the loop
+constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
 
 // NOLINTNEXTLINE(readability-identifier-naming): as the table writes them
@@ -53,7 +54,7 @@ constexpr std::array kAlarmTable{
 };
 // clang-format on
 
-/// What is wrong with one sensor has one name, the one that it had first.
+/// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
     const std::string_view key = alarmEntry(a).key;
     return ofA == ofB && (a == b || (!key.empty() && key == alarmEntry(b).key));
@@ -127,7 +128,7 @@ SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
     end(seen, changes);
     sortByGravity(m_active);
     sortByGravity(changes.raised);
-    // A loose contact is one loss: what comes back and goes does not begin anew.
+    // A loose contact is one loss: a short return of the value does not start a new one.
     if (isLost()) {
         if (seen.now_s - m_lostLast_s >
             m_experiment.safety.pauseLimit_s + 1.5 * m_experiment.sampling.period_s)
@@ -152,13 +153,14 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     addSensor(i, seen);
     addWarming(i, seen);
-    // Too fast for heat, but as many times in a row as make a fault: it may have touched the source.
+    // Readings too fast for heat, but enough in a row to make a fault: the object may have touched the
+    // source.
     const bool isRejected = !object.measured_K && object.jump.inARow >= m_experiment.safety.jumps;
     const auto seen_K = isRejected ? std::optional(object.jump.min_K) : object.measured_K;
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
         const SafetyFinding* const active = activeOne(condition, i);
         const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
-        if (!seen_K && active && object.max_K > from_K) // nobody has seen that it is over
+        if (!seen_K && active && object.max_K > from_K) // its end was not observed
             add(condition, active->message, i);
         else if (seen_K && *seen_K > from_K)
             add(condition, {code, {name(i), roundedTemperatureArg(*seen_K), temperatureArg(limit_K)}}, i);
@@ -215,7 +217,7 @@ void SafetyMonitor::confirmSensor(std::size_t object) {
 
 void SafetyMonitor::atRest(const SafetyObservation& seen) {
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        m_objects[i].quiet.confirm(); // their offsets have changed
+        m_objects[i].quiet.confirm(); // because their offsets have changed
         if (seen.objects[i].measured_K)
             m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
     }
@@ -228,7 +230,7 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     watch.warming.add(seen.now_s, isNew ? object.measured_K : std::nullopt, power_K_s(i, seen));
     if (watch.frozenAt_K && object.measured_K && *watch.frozenAt_K != *object.measured_K)
         watch.frozenAt_K.reset();
-    if (watch.frozenAt_K) // also while it drops out
+    if (watch.frozenAt_K) // also while readings are missing
         add(Condition::SensorFrozen,
             {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
             i);
@@ -239,7 +241,8 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0 && !watch.frozenAt_K)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    // In a fault also what goes on heating them by itself; by hand, objects are taken off a hot rig.
+    // In a fault, also a source that heats them by itself. During manual work, objects are taken off a hot
+    // rig.
     const bool isHeated = seen.asked_K || (seen.isHeatUnwanted && !seen.isSourceDark);
     if (watch.frozenAt_K || !isHeated)
         return;
@@ -286,7 +289,7 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
     if (seen.isSourcePoseLost)
         add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
     const SafetyFinding* const hot = activeOne(Condition::SourceHot);
-    if (!seen.source_K && hot) // nobody has seen that it is over
+    if (!seen.source_K && hot) // its end was not observed
         add(Condition::SourceHot, hot->message);
     if (!seen.source_K)
         return;
@@ -325,8 +328,8 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
                                        {temperatureArg(*seen.asked_K), temperatureArg(*seen.readBack_K)}});
 }
 
-// A controller in another unit than its profile has heats far beyond what it is asked, or tells far more than
-// there is. No source is colder than the room.
+// A controller that uses another unit than its profile heats far beyond its command, or reports far more than
+// the true temperature. No source is colder than the room.
 void SafetyMonitor::addUnit(const SafetyObservation& seen) {
     if (!seen.isSourceSwitched)
         return;
@@ -350,8 +353,8 @@ void SafetyMonitor::addUnit(const SafetyObservation& seen) {
 }
 
 void SafetyMonitor::addRig(const SafetyObservation& seen) {
-    const bool isThermometerDue =
-        std::ranges::any_of(seen.objects, &ObservedObject::isLost); // one that answers again in time is fine
+    // A thermometer that answers again in time is fine.
+    const bool isThermometerDue = std::ranges::any_of(seen.objects, &ObservedObject::isLost);
     if (seen.thermometerProblem.code != MessageCode::None && isThermometerDue)
         add(Condition::ThermometerLost, seen.thermometerProblem);
     if (seen.sinceTick_s > m_experiment.sampling.period_s + kLate_s)
@@ -367,7 +370,7 @@ void SafetyMonitor::addRig(const SafetyObservation& seen) {
     addCrossCheck(seen);
 }
 
-// Cold objects before a cold source are as warm as the room, all of them; any other time they may differ.
+// Cold objects in front of a cold source all have room temperature; at any other time they may differ.
 void SafetyMonitor::addCrossCheck(const SafetyObservation& seen) {
     if (!seen.isSourceDark || seen.now_s - m_lastHeat_s < m_coldAfter_s)
         return;

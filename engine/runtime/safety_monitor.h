@@ -1,5 +1,5 @@
 #pragma once
-// What the engine watches in every state: the alarm table, and the monitor that finds its conditions.
+// What the engine watches in every state: the alarm table, and the monitor that detects its conditions.
 
 #include "engine/base/message.h"
 #include "engine/devices/thermometer.h"
@@ -16,16 +16,17 @@
 
 namespace bask {
 
-/// What is done, the gravest last. Retreats and halts end in a fault, latched until reset.
+/// The reaction to a condition, the most serious last. Retreats and halts end in a fault that is latched
+/// until reset.
 enum class SafetyReaction {
-    Note,    ///< told
-    Hold,    ///< zero velocity; of a run the heat goes on
-    Stop,    ///< heat off; a run retreats first, else the robot stays as it is
-    Retreat, ///< heat off; the robot takes the objects away also where no run is on
+    Note,    ///< reported only
+    Hold,    ///< zero velocity; the heat of a run stays on
+    Stop,    ///< heat off; a run retreats first, otherwise the robot is halted where it is
+    Retreat, ///< heat off; the robot moves the objects away, even if no run is on
     Halt     ///< heat off, zero velocity: the robot cannot be trusted
 };
 
-/// What can be wrong: the lines of the alarm table.
+/// The conditions that are detected: the lines of the alarm table.
 enum class SafetyCondition {
 #include "engine/base/condition_names.inc" // made by the build: "RobotLost," ...
 };
@@ -33,24 +34,24 @@ enum class SafetyCondition {
 /// A row of the alarm table, whose columns are explained in engine/base/alarm_table.inc.
 struct AlarmEntry {
     SafetyCondition condition;
-    const char* key; ///< several conditions of one key are one alarm
-    int priority;    ///< as an alarm, 1 the highest
+    const char* key; ///< conditions with the same key share one alarm
+    int priority;    ///< priority of the alarm, 1 is the highest
     SafetyReaction reaction;
     bool isOfObject;
-    bool isLoss;     ///< of a measured value
-    bool isSeenOver; ///< its end can be seen
-    double on_s;     ///< it must have been so for this time
-    double off_s;    ///< and must be gone for this time
+    bool isLoss;     ///< a measured value is lost
+    bool isSeenOver; ///< its end can be observed
+    double on_s;     ///< it must be present for this time
+    double off_s;    ///< and absent for this time
 };
 const AlarmEntry& alarmEntry(SafetyCondition condition);
 
-/// Of an experiment's sensors.
+/// Returns the limits for an experiment's sensors.
 SensorLimits sensorLimits(const Experiment& experiment);
 
-/// One object's sensor at a tick.
+/// The state of one object's sensor at a tick.
 struct ObservedObject {
-    bool isKnown = false; ///< has ever given a value, or said that it has none
-    bool isLost = false;  ///< nothing valid for too long
+    bool isKnown = false; ///< has ever given a value, valid or not
+    bool isLost = false;  ///< no valid reading for too long
     bool isInvalid = false;
     SensorFault fault = SensorFault::None;
     Jump jump;
@@ -58,95 +59,98 @@ struct ObservedObject {
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
     double viewFactor = 0.0;
-    double max_K = std::numeric_limits<double>::infinity(); ///< it can be by its heat balance
+    /// highest temperature that the heat balance allows
+    double max_K = std::numeric_limits<double>::infinity();
 };
 
-/// What is known at one tick. Messages of code None: no problem.
+/// What is known at one tick. A message with code None means no problem.
 struct SafetyObservation {
     double now_s = 0.0;
-    double sinceTick_s = 0.0; ///< since the tick before; 0: there was none
+    double sinceTick_s = 0.0; ///< since the previous tick; 0 if there was none
     std::vector<ObservedObject> objects;
     Message thermometerProblem;
-    Message robotProblem; ///< it does not answer
+    Message robotProblem; ///< why it does not answer
     Message robotAlarm;
     bool isPlaceSure = true;
-    double robotAge_s = 0.0; ///< of its state
-    Message sourceProblem;   ///< it does not answer
+    double robotAge_s = 0.0; ///< age of its state
+    Message sourceProblem;   ///< why it does not answer
     std::optional<double> source_K{};
-    double sourceAge_s = 0.0; ///< since a valid reading
+    double sourceAge_s = 0.0; ///< age of the last valid reading
     double sourceStrength = 1.0;
-    std::optional<double> asked_K{};    ///< set point, while the heat is asked for
-    std::optional<double> readBack_K{}; ///< set point, as the device has it
+    std::optional<double> asked_K{};    ///< commanded set point; empty if no heat is commanded
+    std::optional<double> readBack_K{}; ///< set point as read back from the device
     bool isManual = false;
-    bool isHeatUnwanted = false; ///< a fault or a stop wants it off
+    bool isHeatUnwanted = false; ///< heat must be off because of a fault or a stop
     Message heatOffProblem;
-    Message guardProblem;          ///< the heater's guard has taken over, or is gone
-    bool isSourceSwitched = false; ///< it cools when its heat is off: a real one
-    bool hasWatchdog = true;       ///< the source goes off by itself when nothing keeps it on
-    bool isSourceDark = true;      ///< it does not heat the objects: cold, or behind its shutter
+    Message guardProblem;          ///< why the heater's guard has taken over or is gone
+    bool isSourceSwitched = false; ///< a real source: it cools when its heat is off
+    bool hasWatchdog = true;       ///< the source switches off by itself unless it is kept on
+    bool isSourceDark = true; ///< it does not heat the objects: no heat is commanded, and a real one is cool
     bool isSourcePoseLost = false;
     std::optional<double> diskFree_MB{};
 };
 
-/// A condition that holds now.
+/// A condition that is present now.
 struct SafetyFinding {
     SafetyCondition condition{};
     std::size_t object = 0;
-    Message message; ///< with the newest values
+    Message message; ///< message with the newest values
 };
 
 struct SafetyChanges {
-    std::vector<SafetyFinding> raised; ///< the gravest first
+    std::vector<SafetyFinding> raised; ///< the most serious first
     std::vector<SafetyFinding> ended;
 };
 
-/// Pure: one observation a tick in, conditions out. Delays and hysteresis are here, reactions are the loop's.
+/// Pure: takes one observation for each tick and returns changes of conditions. It applies delays and
+/// hysteresis; the loop carries out the reactions.
 class SafetyMonitor {
 public:
     explicit SafetyMonitor(const Experiment& experiment);
 
     SafetyChanges watch(const SafetyObservation& seen);
-    /// The gravest first.
+    /// Active conditions, the most serious first.
     const std::vector<SafetyFinding>& active() const { return m_active; }
-    /// The gravest that forbids a reset; null: none.
+    /// Returns the most serious condition that forbids a reset; null if there is none.
     const SafetyFinding* forbidsReset() const;
 
-    /// The gravest that forbids a run to begin or to go on; null: none.
+    /// Returns the most serious condition that forbids a run to begin or continue; null if there is none.
     const SafetyFinding* forbidsResume() const;
     struct Delayed {
         SafetyFinding finding;
-        double in_s; ///< until it is found, if it stays so
+        double in_s; ///< time until it becomes active if it stays present
     };
-    /// What is nearly found: half of its delay or more has passed.
+    /// Returns the conditions that will soon be active: half of the delay or more has passed.
     std::vector<Delayed> delayed() const;
 
-    /// A sensor's value, or the source's place, is lost; null: none.
+    /// Returns the active loss of a sensor's value or of the source's pose; null if there is none.
     const SafetyFinding* lost() const;
     bool isLost() const { return lost() != nullptr; }
-    /// For longer than the held limit: what comes back and goes again is one loss.
+    /// Whether a loss has lasted longer than the pause limit. Losses with short gaps between them count as
+    /// one.
     bool isLostTooLong() const;
-    /// Until then, s, while it is lost.
+    /// Time until isLostTooLong(), s; only valid while isLost().
     double lostTooLongIn_s() const;
-    /// A sensor that is lost, not the source's place; null: none.
+    /// Returns the active loss of a sensor, not of the source's pose; null if there is none.
     const SafetyFinding* lostSensor() const;
-    /// The run begins or goes on: a new loss gets its own hold.
+    /// Call when a run begins or continues: a new loss then gets its full pause limit.
     void forgetLoss();
-    /// What each object absorbs, K/s, as it is estimated; NaN where its place is not known.
+    /// Returns the estimated power that each object absorbs, K/s; NaN if the object's position is not known.
     std::vector<double> powers_K_s(const SafetyObservation& seen) const;
-    /// It gives the very same value for too long.
+    /// Returns whether the sensor has given exactly the same value for too long.
     bool isSensorStill(std::size_t object) const;
-    /// A person says that the object's sensor is right: what it told before is forgotten.
+    /// A person confirms that the object's sensor is correct: its earlier readings are forgotten.
     void confirmSensor(std::size_t object);
-    /// The sensors have been zeroed: the objects are as they have been for long.
+    /// Call when the sensors have been zeroed: the objects are at rest at the room's temperature.
     void atRest(const SafetyObservation& seen);
-    /// Whether the source's heat was ever on, for the monitor that has the same one next.
+    /// Whether the source's heat was ever on; for the next monitor of the same source.
     bool wasSourceHeated() const { return m_source.wasHeated(); }
     void useHistory(bool wasSourceHeated) { m_source.use(wasSourceHeated); }
-    /// At a reset: what objects and source did before is forgotten.
+    /// Call at a reset: forgets what objects and source did before.
     void restart();
 
-    static constexpr double kSourceSilent_s = 3.0; ///< or the stale periods, if that is longer
-    static constexpr double kRobotSlow_s = 0.8;    ///< or the stale periods
+    static constexpr double kSourceSilent_s = 3.0; ///< or the stale periods, if they are longer
+    static constexpr double kRobotSlow_s = 0.8;    ///< or the stale periods, if they are longer
 
 private:
     struct Pending {
@@ -163,7 +167,7 @@ private:
     };
     void addObject(std::size_t i, const SafetyObservation& seen);
     void addSensor(std::size_t i, const SafetyObservation& seen);
-    double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed, as believed
+    double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated
     void addWarming(std::size_t i, const SafetyObservation& seen);
     void addRobot(const SafetyObservation& seen);
     void addSource(const SafetyObservation& seen);
@@ -183,12 +187,12 @@ private:
     Experiment m_experiment;
     std::vector<ObjectWatch> m_objects;
     SourceWatch m_source;
-    double m_coldAfter_s; ///< without heat all objects are as warm as the room
+    double m_coldAfter_s; ///< after this time without heat all objects are at the room's temperature
     double m_lastHeat_s = -1e300;
     double m_now_s = 0.0;
     double m_lostSince_s = 0.0;
     double m_lostLast_s = -1e300;
-    std::vector<SafetyFinding> m_present; ///< at this tick
+    std::vector<SafetyFinding> m_present; ///< conditions at this tick, before delays
     std::vector<SafetyFinding> m_active;
     std::vector<Pending> m_rising;
     std::vector<Pending> m_ending;

@@ -13,12 +13,12 @@ namespace {
 
 constexpr double kMinPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
 constexpr double kMaxPlausible_K = 1273.15;
-constexpr double kScatter_K = 2.0;    ///< of readings, noise and steps together: less is no jump
-constexpr double kLag_s = 5.0;        ///< of sensors behind their objects
-constexpr double kForgiven_s = 600.0; ///< a sensor that was believed for so long is like new
+constexpr double kScatter_K = 2.0; ///< of readings, noise and steps together: a smaller change is not a jump
+constexpr double kLag_s = 5.0;     ///< lag of sensors behind their objects
+constexpr double kForgiven_s = 600.0; ///< a sensor that was trusted for this time counts as good again
 constexpr int kMaxDoublings = 6;
 constexpr double kAmbientSpread_K = 2.0;   ///< PT100 class B and noise
-constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment
+constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment temperature
 
 bool plausible(const Reading& reading) {
     return reading.valid && std::isfinite(reading.value_K) && reading.value_K > kMinPlausible_K &&
@@ -57,9 +57,8 @@ void SensorChannels::advance(double dt_s, const std::vector<double>& powers_K_s)
     }
 }
 
-// What a hand or a draught does is always possible, and nothing is that is faster than the source can be at
-// its hottest. In between, and after a gap, whose length would let a reading be anywhere, the heat balance
-// tells where it can be.
+// A change as slow as by a hand or a draught is always possible; a change faster than the source can cause at
+// its hottest is not. In between, and after a gap, which would allow any reading, the heat balance decides.
 bool SensorChannels::isPossible(std::size_t i, const Reading& reading) const {
     const Channel& channel = m_channels[i];
     const HeatBounds* const within = bounds(i);
@@ -80,7 +79,7 @@ bool SensorChannels::isPossible(std::size_t i, const Reading& reading) const {
            std::ranges::none_of(channel.jumped_K, isWithin);
 }
 
-// Judged from the last reading that was believed.
+// Compares with the last accepted reading.
 bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     Channel& channel = m_channels[i];
     if (channel.window.empty())
@@ -91,7 +90,7 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
         return channel.jump.inARow > 0;
     const bool isFine = isPossible(i, reading);
     channel.agreed = isFine ? channel.agreed + 1 : 0;
-    // A loose contact that comes and goes is believed later each time.
+    // A loose contact that comes and goes is accepted later each time.
     const int enough = m_limits.jumps << std::clamp(channel.losses - 1, 0, kMaxDoublings);
     if (isFine && (!channel.isDistrusted || channel.agreed >= enough)) {
         if (channel.isDistrusted)

@@ -1,5 +1,5 @@
 #pragma once
-// The thermometers as the loop sees them: zeroed against each other, checked for age and plausibility, with
+// The thermometers as the loop uses them: zeroed against each other, checked for age and plausibility, with
 // their estimators.
 
 #include "engine/base/result.h"
@@ -15,56 +15,60 @@
 
 namespace bask {
 
-/// What is believed of a sensor's readings.
+/// Limits for accepting a sensor's readings.
 struct SensorLimits {
     double stalePeriods = 3.0;
-    std::vector<double> largestRates_K_s{}; ///< of each channel; empty: not watched
-    int jumps = 3;                          ///< so many in a row, and the sensor is distrusted
-    std::vector<HeatBounds> bounds{}; ///< of each channel's object; empty: age lets a reading be anything
+    std::vector<double> largestRates_K_s{}; ///< for each channel; empty: not checked
+    int jumps = 3;                          ///< after so many in a row the sensor is distrusted
+    /// for each channel's object; if empty, any reading is accepted after a long enough gap
+    std::vector<HeatBounds> bounds{};
 };
 
-/// A reading that came faster than heat can.
+/// A reading that changed faster than heat can explain.
 struct Jump {
-    int inARow = 0;        ///< 0: the newest reading is none
+    int inARow = 0;        ///< 0 if the newest reading is not a jump
     double rate_K_s = 0.0; ///< of the first of them
     double time_s = 0.0;   ///< of the newest
-    double min_K = 0.0;    ///< of the newest that make a fault
+    double min_K = 0.0;    ///< minimum of the newest jumped readings that make a fault
 };
 
-/// One sensor a channel, in the objects' order. A sensor whose readings jump, or come back after a gap where
-/// the heat cannot have brought the object, is distrusted: no reading of it is taken until some in a row
-/// agree with the heat balance, where that tells them from the wrong ones or tells the temperature to
-/// kTold_K, or until a person confirms it.
+/// One sensor for each channel, in the objects' order. A sensor is distrusted if its readings jump, or come
+/// back after a gap at a temperature that the heat cannot explain. Its readings are then rejected until
+/// several in a row agree with the heat balance, if that distinguishes them from the wrong ones or determines
+/// the temperature to kTold_K, or until a person confirms the sensor.
 class SensorChannels {
 public:
     SensorChannels(std::size_t channels, const SamplingSpec& sampling, SensorLimits limits = {});
 
-    /// Takes new readings; invalid, implausible or repeated ones never enter an estimator.
+    /// Takes new readings; invalid, implausible or repeated ones do not enter an estimator.
     void add(const std::vector<Reading>& readings);
 
-    /// The objects have absorbed these powers, K/s, since the last call, which was so long ago.
+    /// Call with the powers, K/s, that the objects have absorbed since the last call, dt_s ago.
     void advance(double dt_s, const std::vector<double>& powers_K_s);
     bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
     bool isTrusted(std::size_t i) const { return !isDistrusted(i) && !isDoubted(i); }
-    /// It was seen not to follow its object's heat. Its readings are taken all the same, so that what is hot
-    /// is seen, until a person confirms it.
+    /// Marks a sensor that does not follow its object's heat, until a person confirms it. Its readings are
+    /// still accepted, so that a hot object is detected.
     void doubt(std::size_t i) { m_channels[i].isDoubted = true; }
     bool isDoubted(std::size_t i) const { return m_channels[i].isDoubted; }
-    /// Where the object is by the heat balance.
+    /// Returns the temperature range of the object by the heat balance; null if it is not computed.
     const HeatBounds* bounds(std::size_t i) const;
-    /// Those that were distrusted or doubted before are so still. Of the same sensors; not of more channels.
+    /// Keeps distrust and doubt from `before`, which has the same sensors; additional channels are not
+    /// changed.
     void useDistrust(const SensorChannels& before);
-    /// Newest plausible reading, believed or not; NaN: there is none, or it is older than some periods.
+    /// Newest plausible reading, trusted or not; NaN if there is none, or it is older than the stale periods.
     double told_K(std::size_t i, double now_s) const;
-    /// Believes what the sensor tells now, and forgets what it told before. False: it tells nothing.
+    /// Accepts the sensor's current reading and forgets its earlier ones. Returns false if there is no
+    /// current plausible reading.
     bool confirm(std::size_t i, double now_s);
 
     static constexpr double kTold_K = 5.0;
 
     std::size_t size() const { return m_channels.size(); }
-    /// The newest valid reading is not older than some periods: one that drops out is not a lost sensor.
+    /// Whether the newest accepted reading is not older than the stale periods: a single missing reading is
+    /// not a lost sensor.
     bool fresh(std::size_t i, double now_s) const;
-    /// Age of the newest valid reading, s.
+    /// Age of the newest accepted reading, s; infinite if there is none.
     double age_s(std::size_t i, double now_s) const;
     bool lastInvalid(std::size_t i) const { return m_channels[i].lastInvalid; }
     SensorFault lastFault(std::size_t i) const { return m_channels[i].lastFault; }
@@ -72,34 +76,35 @@ public:
     double largestRate_K_s(std::size_t i) const;
     double measured_K(std::size_t i) const;
     std::optional<RateEstimate> estimate(std::size_t i) const { return m_channels[i].estimator.estimate(); }
-    /// All estimators have a full window.
+    /// Whether all estimators have a full window.
     bool full() const;
     int minCount() const;
 
-    /// Offsets that make all channels agree at ambient, from the window's readings, and T3. Refuses when the
-    /// window is not full or the readings are not those of objects at rest at ambient.
+    /// Finds the offsets that make all channels agree at ambient temperature, from the window's readings, and
+    /// T3. Refuses if the window is not full, or the readings are not those of objects at rest at ambient
+    /// temperature.
     Result<Zeroing> findZero(double expectedEnvironment_K) const;
-    /// One offset a channel. Throws std::invalid_argument on another number.
+    /// Applies one offset to each channel. Throws std::invalid_argument for another number of offsets.
     void use(const Zeroing& zeroing);
     const std::optional<Zeroing>& zeroing() const { return m_zeroing; }
 
 private:
     struct Channel {
         RateEstimator estimator;
-        std::vector<Reading> window{}; ///< raw
+        std::vector<Reading> window{}; ///< readings without the offset
         double offset_K = 0.0;
         bool lastInvalid = false;
         SensorFault lastFault = SensorFault::None;
         Jump jump{};
-        std::vector<double> jumped_K{}; ///< newest that were not believed
+        std::vector<double> jumped_K{}; ///< newest rejected readings
         bool isDistrusted = false;
         bool isDoubted = false;
-        bool isKnown = false;    ///< its window has been full: before, its first readings may be wrong
-        double power_K_s = 0.0;  ///< most of the last seconds: a sensor lags behind its object
-        int losses = 0;          ///< how often it was distrusted, not long apart
-        double lossEnds_s = 0.0; ///< of the last of them
-        int agreed = 0;          ///< readings in a row, while it is distrusted
-        Reading told{};          ///< newest plausible one
+        bool isKnown = false;    ///< its window was full once; before that, its first readings may be wrong
+        double power_K_s = 0.0;  ///< maximum of the last seconds, since a sensor lags behind its object
+        int losses = 0;          ///< number of recent times that it was distrusted
+        double lossEnds_s = 0.0; ///< end of the last of them
+        int agreed = 0;          ///< agreeing readings in a row, while it is distrusted
+        Reading told{};          ///< newest plausible reading
     };
     bool isJump(std::size_t i, const Reading& reading);
     bool isPossible(std::size_t i, const Reading& reading) const;

@@ -46,7 +46,7 @@ void ServoLoop::use(const RigKnowledge& known) {
     m_retreat.setRefused(known.isRetreatRefused);
     m_readings.sensors().useDistrust(known.sensors);
     m_safety.useHistory(known.wasSourceHeated);
-    m_record = {}; // there is no start to tell of
+    m_record = {}; // there is no start-up to report
 }
 
 bool ServoLoop::running() const {
@@ -93,7 +93,7 @@ namespace {
 
 std::string quoted(const std::string& text) {
     std::string out = "\"";
-    for (const char letter : text) { // names and reasons may have any
+    for (const char letter : text) { // names and reasons may contain any character
         if (letter == '"' || letter == '\\')
             out += '\\';
         out += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
@@ -158,13 +158,13 @@ Result<void> ServoLoop::arm() {
         netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, m_readings.environment_K());
     if (!(power_W_m2 > 0.0))
         return Error(MessageCode::SourceTooWeak, {}, {formatNumber(power_W_m2, 3)});
-    if (!m_outcome.empty()) // what the objects did in the last run is over
+    if (!m_outcome.empty()) // forget what the objects did in the last run
         m_safety.restart();
     m_outcome.clear();
     m_isCooling = false;
     m_latest.time_s = 0.0;
     m_state = RunState::Armed;
-    command("arm", zeroingJson(*m_readings.sensors().zeroing())); // it may have been long before
+    command("arm", zeroingJson(*m_readings.sensors().zeroing())); // the zeroing may be old
     event(MessageCode::EventArmed);
     return {};
 }
@@ -275,7 +275,7 @@ void ServoLoop::beginRetreat() {
     m_heat.endManual();
     m_retreat.begin();
     m_heat.off();
-    retreat(); // at once: the last velocity must not go on sideways
+    retreat(); // at once: the last velocity must not continue sideways
 }
 
 void ServoLoop::emergencyStop() {
@@ -298,7 +298,7 @@ void ServoLoop::makeSafe() {
 }
 
 void ServoLoop::endRun(const std::string& outcome) {
-    if (m_runOn || m_outcome.empty()) // what comes after a run is not its outcome
+    if (m_runOn || m_outcome.empty()) // events after a run do not change its outcome
         m_outcome = outcome;
     makeSafe();
     m_control.end();
@@ -312,7 +312,7 @@ Result<void> ServoLoop::reset() {
     if (m_state != RunState::Fault)
         return refusal(CommandVerb::Reset);
     m_devices.source.renewGuard();
-    m_safety.restart(); // what the source and the objects did is over; what they do now is not
+    m_safety.restart(); // forget what source and objects did; present conditions stay
     look();
     watch();
     if (const SafetyFinding* finding = m_safety.forbidsReset())
@@ -405,7 +405,8 @@ Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
     }
     if (!isManual())
         return refusal(CommandVerb::Heat);
-    if (auto fresh = m_readings.requireFreshSensors(); !fresh) // or nobody sees how hot the objects get
+    // otherwise nobody sees how hot the objects become
+    if (auto fresh = m_readings.requireFreshSensors(); !fresh)
         return fresh;
     if (const SafetyFinding* lost = m_safety.lostSensor())
         return Error(lost->message.code, {}, lost->message.args);
@@ -439,7 +440,7 @@ Result<Zeroing> ServoLoop::findZero() const {
 void ServoLoop::take(Zeroing found) {
     found.utc_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
     m_readings.sensors().use(found);
-    m_readings.takeSensors(); // or the first step would see them as they were before
+    m_readings.takeSensors(); // otherwise the first step would use the old values
     m_safety.atRest(observe());
     event(MessageCode::EventZeroed);
 }
@@ -485,7 +486,7 @@ std::vector<Message> ServoLoop::reasons() const {
     for (std::size_t i = 0; i < sensors.size(); ++i)
         if (sensors.isDoubted(i))
             out.push_back(m_readings.distrust(i));
-    if (!m_readings.isSourceSeen() && !m_readings.wasSourceSeen()) // which is no alarm
+    if (!m_readings.isSourceSeen() && !m_readings.wasSourceSeen()) // this is not an alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !sensors.full())
         out.push_back({MessageCode::ReasonEstimatorFilling,

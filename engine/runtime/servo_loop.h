@@ -1,7 +1,7 @@
 #pragma once
-// The run's state machine and its loop: sensors in, controller, robot and heat out, every way out through one
-// safe state. Verbs are in servo_loop.cpp, a sampling period in servo_tick.cpp, what is done about alarms in
-// servo_reactions.cpp.
+// The state machine and the control loop of a run: reads the sensors, runs the controller, commands robot and
+// heat; every exit goes through one safe state. Verbs are in servo_loop.cpp, a sampling period is in
+// servo_tick.cpp, reactions to alarms are in servo_reactions.cpp.
 
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
@@ -22,18 +22,18 @@
 
 namespace bask {
 
-/// What is known of a real rig, for the loop that has it next.
+/// What is known about a real rig, for the next loop that uses it.
 struct RigKnowledge {
-    std::vector<LatchedFault> faults; ///< empty: a person has looked at the rig and reset
+    std::vector<LatchedFault> faults; ///< empty if a person has looked at the rig and reset
     RigAnswers answers;
-    bool isRetreatRefused = false; ///< by STOP, or by a robot that does not move
-    SensorChannels sensors;        ///< with those that are distrusted
+    bool isRetreatRefused = false; ///< because of STOP, or of a robot that does not move
+    SensorChannels sensors;        ///< including which ones are distrusted
     bool wasSourceHeated = false;
 };
 
-/// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
-/// in words when they do not fit the state. No exception leaves tick(): it becomes a fault with the heat off
-/// and the robot standing. One thread.
+/// One experiment on one rig. The owner calls tick() once in every sampling period of the clock. A verb that
+/// does not fit the state is refused with a message. No exception leaves tick(): it becomes a fault with the
+/// heat off and the robot at a standstill. One thread.
 class ServoLoop {
 public:
     ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock);
@@ -48,97 +48,99 @@ public:
     Result<void> mayArm() const;
     Result<void> arm();
     Result<void> disarm();
-    /// `acceptInfeasible` is recorded: whether the targets can be held takes too long to be found out here,
-    /// so who starts a run asks jointVerdict() before.
+    /// Starts the run. `acceptInfeasible` is recorded: checking here whether the targets can be held would
+    /// take too long, so the caller asks jointVerdict() first.
     Result<void> start(bool acceptInfeasible);
     Result<void> hold();
     Result<void> resume();
     Result<void> stop();
     void emergencyStop();
-    /// Heat off, and the robot takes the objects away, in every state; of a run as stop(). Refused where the
-    /// robot does not answer or cannot move. Clears no fault.
+    /// Switches the heat off and moves the objects away, in every state; a run is stopped as by stop().
+    /// Refused if the robot does not answer or cannot move. Does not clear a fault.
     Result<void> retreatNow();
     Result<void> reset();
     Result<void> setTargets(const std::vector<double>& targets_K);
     Result<void> setController(const ControllerSettings& settings);
 
-    // By an operator, while no run is armed or on.
+    // For an operator, while no run is armed or on.
 
-    /// Sends the end-effector to coordinates within workspace and clearance, fixed axes as they are. Hold,
-    /// Arm, STOP and faults end it.
+    /// Moves the end-effector to coordinates within workspace and clearance; fixed axes keep their values.
+    /// Hold, Arm, STOP and faults end the move.
     Result<void> moveTo(const Vector6d& goal);
     Result<void> jog(const Vector6d& twist);
-    /// Also in a fault.
+    /// Homes the robot, also in a fault.
     Result<void> home();
     Result<void> clearRobotAlarm();
-    /// Empty: off, which is never refused.
+    /// Sets the manual heat; empty means off. Off stops a run, and is never refused.
     Result<void> setHeat(std::optional<double> setPoint_K);
-    /// Refused while heat is on, and where the objects are not at ambient.
+    /// Refused while heat is on, and if the objects are not at ambient temperature.
     Result<void> zeroSensors();
-    /// What that would find now.
+    /// Returns the zeroing that zeroSensors() would find now.
     Result<Zeroing> findZero() const;
     Result<void> setVision(const VisionSpec& vision);
-    /// In every state. A person says that the sensor is on its object and right: what it tells now is
-    /// believed, what it told before is forgotten. Errors: no such object, a sensor that tells nothing
-    /// plausible.
+    /// A person confirms that the sensor is on its object and correct; allowed in every state. Its current
+    /// reading is trusted, its earlier ones are forgotten. Errors: no such object, or a sensor without a
+    /// plausible reading.
     Result<void> confirmSensor(std::size_t object);
 
-    // What others have seen.
+    // Reports from outside the loop.
 
-    /// Safe state, latched: for failures that the loop does not see itself (the recorder).
+    /// Enters the safe state with a latched fault: for failures that the loop does not detect itself.
     void fault(Message reason);
-    /// A run retreats first, then the latched fault: for failures that leave the robot able to move.
+    /// A run retreats first and then ends in a latched fault: for failures after which the robot can still
+    /// move.
     void stopFor(Message reason);
-    /// Zero velocity and heat off, in whatever state.
+    /// Zero velocity and heat off, in every state.
     void makeSafe();
-    /// The computer slept for so long: a fault where there was heat or motion.
+    /// Reports that the computer was suspended for this time: a fault if there was heat or motion.
     void reportSuspended(double slept_s);
-    /// Why it cannot be kept awake: an event.
+    /// Reports why the computer cannot be kept awake: an event.
     void reportMaySleep(const std::string& why) { event(MessageCode::EventMaySleep, {why}); }
-    /// An event, while a run is on.
+    /// Adds an event while a run is on and does not stop.
     void reportInfeasible(const Message& reason);
-    /// Free where the recording goes; empty: none is made.
+    /// Free disk space of the recording; empty if nothing is recorded.
     void setDiskFree_MB(std::optional<double> free_MB) { m_diskFree_MB = free_MB; }
-    /// Its row in the record.
+    /// Adds its row to the record.
     void reportAcknowledged(const Alarm& alarm);
-    void reportShelved(const Alarm& alarm, double for_s); ///< 0: it is back
-    /// An event, for the record of a simulated fault.
+    void reportShelved(const Alarm& alarm, double for_s); ///< 0: the shelving has ended
+    /// Adds an event about a simulated fault.
     void reportFault(SimulatedFault simulated, std::size_t object);
     void addNote(const std::string& text);
 
-    // From one loop to the next on the same rig.
+    // For handing over from one loop to the next on the same rig.
 
     RigKnowledge knowledge() const;
-    /// Instead of the fault of the start: the loop before had the very same devices.
+    /// Replaces the start-up fault: the previous loop had the same devices.
     void use(const RigKnowledge& known);
-    /// Of the same sensors, found before.
+    /// Uses a zeroing found earlier with the same sensors.
     void useZeroing(const Zeroing& zeroing) { m_readings.sensors().use(zeroing); }
 
-    // What is so.
+    // State.
 
     RunState state() const { return m_state; }
-    /// A run is on, from Start until it has stopped; or a retreat, with or without one.
+    /// A run is on, from Start until it has stopped; or a retreat is on, with or without a run.
     bool running() const;
     bool isArmedOrOn() const; ///< running(), or a run is armed
-    /// A run has ended by a fault or STOP: its record and its time go on until the objects are cold and the
-    /// heat is off, or a person ends it.
+    /// A run has ended by a fault or STOP, or its heat is not confirmed off. Record and time continue until
+    /// the objects are cold and the heat is off, or a person ends the recording.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
     double runTime_s() const;
-    /// "settled", "stopped", "emergency-stop" or "fault": of the last run.
+    /// Outcome of the last run: "settled", "stopped", "emergency-stop" or "fault".
     const std::string& outcome() const { return m_outcome; }
-    /// Why it is not ready, holds or is in a fault.
+    /// Why it is not ready, in a hold, or in a fault.
     std::vector<Message> reasons() const;
-    /// What a person can do now about the reasons, in this state; None: nothing, or the reasons say it.
+    /// What a person can do now about the reasons, in this state; code None if there is nothing, or the
+    /// reasons say it.
     Message remedy() const;
-    /// What it will do by itself next, the soonest.
+    /// The next action that it will take by itself; empty if there is none.
     std::optional<PendingAction> pending() const;
-    /// Why it cannot retreat now; None: it can.
+    /// Why it cannot retreat now; code None if it can.
     Message keepsFromRetreat() const;
-    /// Latched faults and what the safety monitor finds, the gravest first.
+    /// Latched faults, then what the safety monitor finds, then a compromise.
     std::vector<AlarmCondition> alarmConditions() const;
     SensorTrust sensorTrust(std::size_t object) const;
-    /// Of the run, or of the operator; empty: off.
+    /// Set point of the run, or manual set point; empty if off.
     std::optional<double> heatSetPoint_K() const;
     const Experiment& experiment() const { return m_experiment; }
     const TraceSample& latest() const { return m_latest; }
@@ -149,7 +151,7 @@ public:
 
 private:
     // servo_tick.cpp
-    void look(); ///< at everything there is
+    void look(); ///< reads all devices
     void control();
     void retreat();
     void noteSettling();
@@ -158,27 +160,27 @@ private:
     void updateReadiness();
 
     // servo_reactions.cpp
-    void watch(); ///< finds what is wrong, by the alarm table, and reacts
+    void watch(); ///< detects the conditions of the alarm table and reacts
     SafetyObservation observe() const;
     void react(const SafetyFinding& finding);
     void tellEnd(const SafetyFinding& finding);
     void watchLoss();
-    void watchHeatInFault(); ///< an object that is too hot is taken away also then, after a countdown
-    const SafetyFinding* hot() const; ///< what is to be retreated from; null: nothing
+    void watchHeatInFault();          ///< retreats also in a fault if something is too hot, after a countdown
+    const SafetyFinding* hot() const; ///< the condition that demands a retreat; null if there is none
     void refusedByRobot(const Message& reason);
     void noteRefusedRetreat(const Message& problem);
     void addFault(LatchedFault fault);
     LatchedFault latched(const SafetyFinding& finding) const { return latchedFault(finding, m_experiment); }
-    void holdFor(const SafetyFinding& finding); ///< a run, or a move of the operator's
+    void holdFor(const SafetyFinding& finding); ///< pauses a run, or ends an operator's move
     void faultWith(LatchedFault reason);
     void stopWith(LatchedFault reason);
-    void retreatFor(const SafetyFinding& finding); ///< with or without a run
+    void retreatFor(const SafetyFinding& finding); ///< retreats with or without a run
 
     // servo_loop.cpp
     Result<void> stopBy(const Message& event);
     void beginRetreat();
     void endRun(const std::string& outcome);
-    bool isManual() const; ///< no run is armed or on, and nothing is latched
+    bool isManual() const; ///< no run is armed or on, and no fault
     bool isHeatedManually() const;
     void keepHeating();
     void take(Zeroing found);
@@ -191,7 +193,7 @@ private:
     Experiment m_experiment;
     RigDevices m_devices;
     const Clock& m_clock;
-    TraceSample m_latest; ///< its parts are written by those below
+    TraceSample m_latest; ///< written by the members below
     RigReadings m_readings;
     RobotMotion m_motion;
     HeatOrders m_heat;
@@ -201,11 +203,11 @@ private:
     LatchedFaults m_faults;
 
     RunState m_state = RunState::NotReady;
-    bool m_runOn = false; ///< from Start to the end of its retreat
+    bool m_runOn = false; ///< true from Start to the end of the retreat
     bool m_isCooling = false;
     bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
-    std::optional<double> m_tick_s; ///< the one before
+    std::optional<double> m_tick_s; ///< time of the previous tick
     std::string m_outcome;
     LoopRecord m_record;
 };

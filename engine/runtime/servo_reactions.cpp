@@ -1,4 +1,4 @@
-// What the servo loop does about what the safety monitor finds, by the alarm table.
+// The reactions of the servo loop to the findings of the safety monitor, by the alarm table.
 
 #include "engine/base/message_code.h"
 #include "engine/runtime/servo_loop.h"
@@ -9,15 +9,15 @@
 namespace bask {
 namespace {
 
-// Off the source a robot can go that has lost its place, and one that refused a step, or was late with one,
-// may take another; one that is in an alarm or held cannot.
+// A robot that has lost its position can still move off the source, and one that refused a step, or was late
+// with one, may accept another; a robot in an alarm or paused cannot move.
 bool mayRetreatAllTheSame(const Message& alarm) {
     return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
            alarm.code == MessageCode::RobotElsewhere || alarm.code == MessageCode::RobotRefused ||
            alarm.code == MessageCode::RobotSlow;
 }
 
-/// A device that is not set up is no problem.
+/// Returns the problem; None for a device that is not set up.
 Message wrong(const Message& problem) {
     return problem.code == MessageCode::RigIncomplete ? Message{} : problem;
 }
@@ -51,7 +51,7 @@ SafetyObservation ServoLoop::observe() const {
     seen.isPlaceSure = m_readings.robot().isPlaceSure;
     const bool isTelling = m_readings.answers().hasRobot &&
                            m_readings.robotProblem().code == MessageCode::None &&
-                           !m_motion.isHoming(); // then Grbl is silent
+                           !m_motion.isHoming(); // Grbl is silent while homing
     seen.robotAge_s = isTelling ? seen.now_s - m_readings.robot().time_s : 0.0;
     seen.sourceProblem = wrong(m_readings.sourceProblem());
     seen.source_K = m_readings.source_K();
@@ -98,7 +98,7 @@ void ServoLoop::watchLoss() {
             args.push_back(m_experiment.objects[lost.object].name);
         event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
               std::move(args));
-        stopWith(latched(lost)); // whoever holds: nobody sees how hot the object is
+        stopWith(latched(lost)); // also in a hold by a person: nobody sees how hot the object is
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedManually()) {
         stopWith(latched(*lost));
@@ -137,7 +137,7 @@ void ServoLoop::refusedByRobot(const Message& reason) {
     faultWith(latched(SafetyFinding{SafetyCondition::RobotAlarm, 0, reason}));
 }
 
-/// Another retreat by itself would be refused, too.
+/// After a refused retreat no other one begins by itself: it would be refused, too.
 void ServoLoop::noteRefusedRetreat(const Message& problem) {
     if (m_state == RunState::Stopping && problem.code == MessageCode::RobotRefused)
         m_retreat.setRefused(true);
@@ -145,7 +145,7 @@ void ServoLoop::noteRefusedRetreat(const Message& problem) {
 
 void ServoLoop::holdFor(const SafetyFinding& finding) {
     if (m_motion.isMoving()) {
-        if (!m_motion.isHoming()) // broken off, it would lose its place
+        if (!m_motion.isHoming()) // if homing were stopped, it would lose its position
             m_motion.breakOff();
     } else if (m_state == RunState::Running || m_state == RunState::Settled) {
         m_state = RunState::Holding;
@@ -188,7 +188,8 @@ void ServoLoop::stopWith(LatchedFault reason) {
 }
 
 void ServoLoop::retreatFor(const SafetyFinding& finding) {
-    if (running() || m_state == RunState::Fault) // a fault stands still until it has said that it will move
+    // in a fault the robot stands still until its motion was announced
+    if (running() || m_state == RunState::Fault)
         return stopWith(latched(finding));
     addFault(latched(finding));
     beginRetreat();

@@ -10,8 +10,10 @@
 namespace bask {
 namespace {
 
-constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
-constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
+/// a run is settled after all objects were within the band for this time
+constexpr double kSettledAfter_s = 30.0;
+/// share of the clearance; below it the source has come nearer, or the robot obeys late
+constexpr double kTooNear = 0.8;
 
 } // namespace
 
@@ -57,7 +59,7 @@ void ServoLoop::look() {
 void ServoLoop::control() {
     keepHeating();
     if (m_state != RunState::Running && m_state != RunState::Settled)
-        return; // the heat source is lost and the retreat has begun: its velocity stands
+        return; // the heat source is lost and the retreat has begun: keep its velocity
     const std::optional<ControlOutput> output = m_control.step(m_motion.rates());
     if (!output)
         return m_motion.standStill();
@@ -89,7 +91,7 @@ void ServoLoop::retreat() {
     if (step == RetreatMotion::Step::UnderWay)
         return;
     if (step == RetreatMotion::Step::Stuck) {
-        m_retreat.setRefused(true); // another one by itself would not move either
+        m_retreat.setRefused(true); // another retreat would not move either
         return fault(
             {MessageCode::RobotDoesNotMove, {formatNumber(std::round(m_retreat.left_m() * 1e3) * 0.1, 3)}});
     }
@@ -110,7 +112,7 @@ bool ServoLoop::isCold() const {
     constexpr double kOverRoom_K = 5.0;
     const bool isHeatOff =
         !m_heat.asked_K() && (m_devices.source.isManual() || m_heat.state() == HeatState::Off);
-    const bool areApart = m_heat.isSourceDark() || m_retreat.isAway(); // or they go on warming
+    const bool areApart = m_heat.isSourceDark() || m_retreat.isAway(); // otherwise they continue to warm up
     return isHeatOff && areApart && std::ranges::all_of(m_latest.objects, [&](const ObjectSample& object) {
                return object.estimated_K < std::max(kCold_K, m_readings.environment_K() + kOverRoom_K);
            });

@@ -38,17 +38,17 @@ struct SessionRecorder::Shared {
         }
         Result<void> result = file ? writeAll(**file) : Result<void>(file.error());
         if (file)
-            file->reset(); // its log is folded in
+            file->reset(); // merges its write-ahead log
         const std::lock_guard lock(mutex);
         finished = std::move(result);
     }
     Result<void> writeAll(SessionWriter& writer);
 
     std::atomic<std::size_t> rows = 0;
-    std::mutex mutex; ///< of all below
+    std::mutex mutex; ///< protects all members below
     std::condition_variable wake;
     std::vector<LoopRecord> waiting;
-    Steady::time_point waits; ///< since when the first of them does
+    Steady::time_point waits; ///< since when the first of them waits
     std::optional<std::string> outcome;
     std::optional<Result<void>> made, finished;
     bool isOver = false;
@@ -75,7 +75,7 @@ Result<void> SessionRecorder::Shared::writeAll(SessionWriter& writer) {
     for (;;) {
         wake.wait_for(lock, kCommit, [this] { return isOver; });
         const bool isLast = isOver;
-        const auto last = outcome; // with the rows before it, and no others
+        const auto last = outcome; // belongs to the rows taken here
         const auto taken = std::exchange(waiting, {});
         lock.unlock();
         Result<void> done;

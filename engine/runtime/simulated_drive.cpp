@@ -16,7 +16,8 @@ SimulatedRigConfig config(const Experiment& experiment) {
     return config;
 }
 
-/// The camera, looked at once a period of the loop, or twice; null where the source is not followed by one.
+/// Creates the tracker of the camera, which is read once or twice in each period of the loop; null unless a
+/// camera follows the source.
 std::unique_ptr<CameraSourceTracker> cameraTracker(const Experiment& experiment, SimulatedRig& rig) {
     const VisionSpec& vision = experiment.vision;
     if (!experiment.source.tracked || !vision.followsSource())
@@ -43,13 +44,13 @@ void SimulatedDrive::period() {
             m_loop.reportFault(raised.fault, raised.object);
     try {
         advance();
-    } catch (const std::exception& exception) { // a source that is moved through the objects
+    } catch (const std::exception& exception) { // for example a source that is moved through the objects
         m_loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
     }
     m_loop.tick();
 }
 
-// One marker is believed once a second look agrees, while the first is not forgotten.
+// A single marker is accepted when a second look agrees with it, before the first is forgotten.
 void SimulatedDrive::advance() {
     const double before_s = m_camera && m_period_s > PartTracker::kPredicted_s ? kLookBefore_s : 0.0;
     m_rig.advance(m_period_s - before_s);

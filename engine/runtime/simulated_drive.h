@@ -1,5 +1,5 @@
 #pragma once
-// A simulated rig and its loop, advanced together as fast as the machine goes.
+// A simulated rig and its loop, advanced together as fast as the computer can.
 
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
@@ -12,12 +12,12 @@ namespace bask {
 
 class SimulatedDrive {
 public:
-    /// Of an experiment that validates.
+    /// `experiment` must be valid.
     explicit SimulatedDrive(const Experiment& experiment);
 
     ServoLoop& loop() { return m_loop; }
     const Clock& clock() { return m_rig.clock(); }
-    /// A sampling period of the rig, its faults that are due, and a tick.
+    /// Advances the rig by one sampling period, after activating its faults that are due, and ticks the loop.
     void period();
 
 private:
@@ -25,7 +25,7 @@ private:
 
     double m_period_s;
     SimulatedRig m_rig;
-    std::unique_ptr<CameraSourceTracker> m_camera; ///< where the camera follows the source
+    std::unique_ptr<CameraSourceTracker> m_camera; ///< null unless a camera follows the source
     ServoLoop m_loop;
     FaultScript m_script;
 };

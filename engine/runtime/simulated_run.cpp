@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kFillingWindows = 4;
 
-/// Keeps, sample by sample, since when each object's true temperature has been within the band.
+/// Tracks since when each object's true temperature has been within the band.
 class SettlingWatch {
 public:
     explicit SettlingWatch(std::size_t objects) : m_since_s(objects) {}
@@ -20,7 +20,7 @@ public:
     void add(const TraceSample& sample) {
         for (std::size_t i = 0; i < m_since_s.size(); ++i) {
             const ObjectSample& object = sample.objects[i];
-            if (!(std::abs(object.true_K - object.target_K) <= kSettledBand_K)) // also when not a number
+            if (!(std::abs(object.true_K - object.target_K) <= kSettledBand_K)) // also for NaN
                 m_since_s[i].reset();
             else if (!m_since_s[i])
                 m_since_s[i] = sample.time_s;
@@ -43,7 +43,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         return valid.error();
     SimulatedDrive drive(experiment);
     ServoLoop& loop = drive.loop();
-    const int patience = kFillingWindows * experiment.sampling.window; // readings drop out
+    const int patience = kFillingWindows * experiment.sampling.window; // readings may be missing
     for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)
         drive.period();
     if (const auto armed = loop.arm(); !armed)
@@ -89,7 +89,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     }
 
     outcome.fault = loop.state() == RunState::Fault;
-    // The record of a fault goes on until all is cold.
+    // The record of a fault continues until everything is cold.
     const double recordEnds_s = loop.runTime_s() + kFaultRecord_s;
     while (writer && loop.isCooling() && !options.stop.stop_requested() && loop.runTime_s() < recordEnds_s) {
         drive.period();
@@ -123,7 +123,7 @@ Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, 
     options.stop = stop;
     Experiment seen = experiment;
     seen.simulation.faults.clear();
-    seen.vision = {}; // a followed source by its true pose: pictures take ten times as long
+    seen.vision = {}; // a followed source uses its true pose, since pictures take ten times as long
     const auto outcome = runSimulated(seen, options);
     if (!outcome)
         return outcome.error();

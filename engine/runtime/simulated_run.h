@@ -1,6 +1,6 @@
 #pragma once
-// A whole run on the simulated rig, as fast as the machine goes: what `bask run` and the whole-engine tests
-// do.
+// A whole run on the simulated rig, as fast as the computer can; used by `bask run` and by the whole-engine
+// tests.
 
 #include "engine/runtime/lateness.h"
 #include "engine/runtime/servo_loop.h"
@@ -17,12 +17,13 @@ namespace bask {
 struct SimulatedRunOptions {
     std::optional<double>
         duration_s; ///< empty: until all have been settled for kSettledFor_s, at most the experiment's limit
-    std::string sessionPath;                                         ///< empty: not recorded
-    std::function<void(double time_s, const TraceSample&)> progress; ///< called every sample; may be empty
-    std::stop_token stop = {};                                       ///< ends the run where it is
+    std::string sessionPath; ///< empty: the run is not recorded
+    /// called for every sample; may be empty
+    std::function<void(double time_s, const TraceSample&)> progress;
+    std::stop_token stop = {}; ///< ends the run at once
 };
 
-/// Outcome for one object, judged on the plant's true temperature.
+/// Outcome for one object, judged by the plant's true temperature.
 struct ObjectOutcome {
     std::string name;
     double target_K = 0.0;
@@ -32,24 +33,29 @@ struct ObjectOutcome {
 
 struct RunOutcome {
     std::vector<ObjectOutcome> objects;
-    bool settled = false; ///< all objects, for the last kInBandFor_s at least (or the whole of a shorter run)
+    /// all objects are in the band for at least the last kInBandFor_s (or the whole of a shorter run)
+    bool settled = false;
     double simulated_s = 0.0;
     std::vector<TraceEvent> events;
     bool fault = false; ///< the loop ended in a fault; the reasons are in the events
-    Lateness lateness;  ///< of the control steps, from Start to Stop; none on a simulated rig
+    /// lateness of the control steps, from Start to Stop; without steps on a simulated rig
+    Lateness lateness;
 };
 
-inline constexpr double kFaultRecord_s = 3600.0; ///< a recorded fault is followed until all is cold, at most
-inline constexpr double kSettledFor_s = 120.0;   ///< ends a run without a duration
-inline constexpr double kInBandFor_s = 30.0;     ///< passing through the band at the end is not settled
+/// longest time that a recorded fault is followed until everything is cold
+inline constexpr double kFaultRecord_s = 3600.0;
+inline constexpr double kSettledFor_s = 120.0; ///< a run without a duration ends after this time in the band
+/// so that only passing through the band at the end is not settled
+inline constexpr double kInBandFor_s = 30.0;
 
 /// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not
 /// validate, a session that cannot be written.
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options);
 
-/// When the experiment's controller has all objects within kSettledBand_K of their targets for good, by a
-/// whole run on the simulated rig, s; empty: not within the experiment's duration limit, or stopped. A
-/// second or a few of work for a thousand simulated seconds. Errors: those of runSimulated.
+/// Returns the time, s, after which the experiment's controller keeps all objects within kSettledBand_K of
+/// their targets, by a whole run on the simulated rig. Empty if that does not happen within the experiment's
+/// duration limit, or if stopped. Takes a few seconds for a thousand simulated seconds. Errors: those of
+/// runSimulated.
 Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop = {});
 
 } // namespace bask

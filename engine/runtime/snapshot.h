@@ -1,5 +1,6 @@
 #pragma once
-// What the engine tells the GUI, by value, about 20 times a second; faults and state changes at once.
+// What the engine sends to the GUI, by value, about 20 times a second; faults and state changes are sent at
+// once.
 
 #include "engine/base/message.h"
 #include "engine/base/run_state.h"
@@ -18,96 +19,99 @@
 
 namespace bask {
 
-bool isRunOn(RunState state); ///< also held, and in its retreat
+bool isRunOn(RunState state); ///< true also in a hold and in the retreat
 
 /// How the source is followed.
 struct SourceTracking {
     bool isSeen = false;
-    bool isPredicted = false;                 ///< carried on from what was seen last
-    double age_s = 0.0;                       ///< of what was seen last
-    double latency_s = 0.0;                   ///< from the light caught to the pose known; 0: not told
-    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations; 0: not told
+    bool isPredicted = false;                 ///< extrapolated from the last sight
+    double age_s = 0.0;                       ///< age of the last sight
+    double latency_s = 0.0;                   ///< from exposure to pose; 0 if unknown
+    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations; 0 if unknown
 };
 
-/// How far an object's sensor is believed.
+/// How far an object's sensor is trusted.
 enum class SensorTrust {
     Trusted,
-    Stale,     ///< it gives no new value, or the very same one for longer than its noise lets it
-    Distrusted ///< it left what the heat can do, and nobody has confirmed it
+    Stale,     ///< no new value, or exactly the same value for longer than its noise allows
+    Distrusted ///< its readings did not fit the heat balance, and nobody has confirmed it
 };
 
-/// What is known of where the robot is.
+/// How well the robot's position is known.
 enum class PlaceState {
     Sure,
-    Unsure, ///< it says where it is, and may be wrong: restarted, not homed, homing
-    Unknown ///< it does not answer, or has told nothing new for too long
+    Unsure, ///< it reports a position that may be wrong: restarted, not homed, homing
+    Unknown ///< it does not answer, or has reported nothing new for too long
 };
 
-/// What a device says that is tried.
+/// The state of a device that is being tried.
 struct TriedDevice {
     RigDeviceState state;
-    std::vector<double> temperatures_K; ///< of all channels of a thermometer, or of the source; NaN: no value
+    std::vector<double> temperatures_K;  ///< all channels of a thermometer, or the source; NaN: no value
     std::optional<Vector6d> coordinates; ///< of a robot
 };
 
-/// What the engine will do by itself unless something changes.
+/// The next action that the engine takes by itself unless something changes.
 struct PendingAction {
     Message action; ///< ActionHold, ActionEndRun, ActionHeatOff or ActionRetreat
-    Message cause;  ///< the alarm, or what will be one
+    Message cause;  ///< the alarm, or the condition that will become one
     double in_s = 0.0;
 };
 
-/// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
-/// none is dropped.
+/// State of the engine at one moment. `newSamples`, `newEvents` and `newNotes` contain everything since the
+/// last snapshot, up to EngineWorker::kMaxKept rows of each.
 struct Snapshot {
     std::uint64_t sequence = 0;
     RunState state = RunState::Idle;
-    std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
-    Message remedy;               ///< what to do now, in this state, about the reasons; None: nothing
-    std::optional<PendingAction> pending; ///< the next thing that the engine does by itself
+    std::vector<Message> reasons;         ///< why it is not ready, in a hold or in a fault
+    Message remedy;                       ///< what to do now about the reasons; code None: nothing
+    std::optional<PendingAction> pending; ///< the next action that the engine takes by itself
     bool canRetreat = false;              ///< the robot answers and can move
-    std::vector<Alarm> alarms;            ///< as AlarmLog sorts them
+    std::vector<Alarm> alarms;            ///< sorted by AlarmLog
     bool simulated = true;
-    std::uint64_t loadId = 0;           ///< grows with each experiment that is loaded
-    double clock_s = 0.0;               ///< of the rig, simulated where that is; another one after each load
-    std::uint64_t runId = 0;            ///< grows with each Arm: a new trace begins
-    double runTime_s = 0.0;             ///< since Start; 0 before
-    TraceSample latest;                 ///< newest readings, also outside a run
-    double sampleTime_s = 0.0;          ///< of the newest readings, by the rig's clock
-    double sampleAge_s = 0.0;           ///< of them
-    std::vector<SensorTrust> sensors;   ///< of each object
-    std::vector<double> readingAges_s;  ///< of each object's newest believed reading; infinite: there is none
-    std::vector<double> toldReadings_K; ///< newest plausible value of each sensor, believed or not; NaN: none
+    std::uint64_t loadId = 0;         ///< increases with each loaded experiment
+    double clock_s = 0.0;             ///< of the rig (simulated time if simulated); restarts with each load
+    std::uint64_t runId = 0;          ///< increases with each Arm: a new trace begins
+    double runTime_s = 0.0;           ///< since Start; 0 before
+    TraceSample latest;               ///< newest readings, also outside of a run
+    double sampleTime_s = 0.0;        ///< time of the newest readings on the rig's clock
+    double sampleAge_s = 0.0;         ///< age of the newest readings
+    std::vector<SensorTrust> sensors; ///< for each object
+    /// for each object's newest accepted reading; infinite if there is none
+    std::vector<double> readingAges_s;
+    /// newest plausible value of each sensor, trusted or not; NaN if there is none
+    std::vector<double> toldReadings_K;
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;
-    std::string recordingPath; ///< empty: nothing recorded, and the last recording is closed
+    std::string recordingPath; ///< empty if nothing is recorded and the last recording is closed
     std::size_t recordedRows = 0;
-    double loopRate_Hz = 0.0;    ///< control steps a wall second
-    std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
+    double loopRate_Hz = 0.0;    ///< control steps per second of real time
+    std::uint64_t lateSteps = 0; ///< control steps that were late or lost
     double simulationSpeed = 1.0;
-    std::optional<double> source_K; ///< its newest valid reading, or as typed; empty: none
-    /// Of latest.source_K, which is kept; infinite: there was none yet.
+    /// newest valid or typed temperature of the source; empty if there is none
+    std::optional<double> source_K;
+    /// Age of latest.source_K, which is kept; infinite if there was none yet.
     double sourceAge_s = std::numeric_limits<double>::infinity();
     PlaceState place = PlaceState::Unknown; ///< of the robot
-    /// Of latest.coordinates; infinite: it has told none.
+    /// Age of latest.coordinates; infinite if the robot has reported none.
     double placeAge_s = std::numeric_limits<double>::infinity();
-    HeatState heat = HeatState::Unknown; ///< of the source, as the device confirms it
-    bool heatOn = false;   ///< wanted, or not yet seen to be off; says nothing of a source that is lost
-    bool isMoving = false; ///< the robot, by MoveTo
-    std::optional<SourceTracking> tracking;       ///< empty: the source is not followed
-    std::vector<RigDeviceState> devices;          ///< of a real rig; a simulated one has none
-    Message robotAlarm;                           ///< what keeps the robot from moving; None: nothing
-    bool isPlaceSure = true;                      ///< of the robot
-    std::optional<double> heatSetPoint_K;         ///< asked for now, by hand or by the run; empty: off
-    bool isSourceManual = false;                  ///< a person keeps it hot and types its temperature
+    HeatState heat = HeatState::Unknown; ///< heat of the source, as the device confirms it
+    bool heatOn = false;   ///< commanded, or not yet confirmed off; says nothing about a source that is lost
+    bool isMoving = false; ///< the robot moves by MoveTo, Jog or HomeRobot
+    std::optional<SourceTracking> tracking;       ///< empty if the source is not followed
+    std::vector<RigDeviceState> devices;          ///< devices of a real rig; empty for a simulated one
+    Message robotAlarm;                           ///< why the robot cannot move; code None if it can
+    bool isPlaceSure = true;                      ///< whether the position of the robot is sure
+    std::optional<double> heatSetPoint_K;         ///< set point now, manual or of the run; empty if off
+    bool isSourceManual = false;                  ///< a person heats the source and types its temperature
     std::optional<std::vector<SerialPort>> ports; ///< once, after ListPorts
     std::optional<TriedDevice> tried;
-    std::optional<Zeroing> zeroing; ///< of the sensors, newest
-    Message zeroProblem;            ///< why they cannot be zeroed now; None: they can
+    std::optional<Zeroing> zeroing; ///< newest zeroing of the sensors
+    Message zeroProblem;            ///< why the sensors cannot be zeroed now; code None if they can
     ControllerSettings controller;
     std::vector<double> targets_K;
-    Message refusal; ///< last command refused, code None if none since the last snapshot
+    Message refusal; ///< the last refused command; code None if there was none since the last snapshot
 };
 
 } // namespace bask

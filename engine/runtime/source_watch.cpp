@@ -22,7 +22,7 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_turned_s = time_s;
     const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
     const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K
-                                 : temperature_K <= m_from_K; // cooling is what it should do
+                                 : temperature_K <= m_from_K; // cooling is right
     if (isBegun || isNearEnough || isTurning || isProgress) {
         m_from_K = temperature_K;
         m_since_s = time_s;
@@ -54,7 +54,7 @@ std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
 }
 
 std::optional<double> SourceWatch::roomInFahrenheit_degC() const {
-    constexpr double kWithin_K = 5.0; // about a room that may be 2.8 K another one
+    constexpr double kWithin_K = 5.0; // the room may differ from the stated one by 2.8 K
     const double told_degC = celsiusFromKelvin(m_temperature_K);
     const double room_degF = displayTemperature(m_room_K, TemperatureUnit::Fahrenheit);
     const bool isAtRest = !m_wasHeated && m_restSince_s && m_time_s - *m_restSince_s >= kAtRest_s;

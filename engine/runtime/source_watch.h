@@ -1,5 +1,5 @@
 #pragma once
-// Whether the source heats when it is asked to, and does not when it is not.
+// Checks that the source heats when commanded, and does not heat otherwise.
 
 #include "engine/model/safety_spec.h"
 
@@ -11,46 +11,49 @@ class SourceWatch {
 public:
     SourceWatch(const SafetySpec& limits, double room_K) : m_limits(limits), m_room_K(room_K) {}
 
-    /// A valid reading; the set point while its heat is on. Times grow.
+    /// Takes a valid reading, and the set point while its heat is commanded. Times must increase.
     void add(double time_s, double temperature_K, std::optional<double> setPoint_K);
 
-    /// How long it has come no nearer to a set point far above it, s; empty: it heats as it should.
+    /// How long the source has not come nearer to a set point far above it, s; empty if it heats as it
+    /// should.
     std::optional<double> notHeatingFor_s() const;
     struct Warming {
         double gained_K = 0.0;
         double time_s = 0.0;
     };
-    /// With its heat off.
+    /// The warming since the minimum with the heat off; empty if it is within the limit.
     std::optional<Warming> heatsUnasked() const;
-    /// How long it has become no cooler with its heat off, s, where it is hotter than this; empty: it cools,
-    /// or is too slow to tell yet.
+    /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
+    /// if it cools, or if the time is too short to tell.
     std::optional<double> notCoolingFor_s(double above_K) const;
 
-    /// Ever: one that cools slowly may pass the room's number, too.
+    /// Whether the source was ever heated: one that cools slowly may also pass the number of the room's
+    /// temperature.
     bool wasHeated() const { return m_wasHeated; }
     void use(bool wasHeated) { m_wasHeated = wasHeated; }
-    /// What its heat did before is over; where it rests is not.
+    /// Forgets the earlier heating and cooling, but not the temperature at which the source rests.
     void restart();
-    /// As it tells and keeps it, degC, where a source that was not heated stands at the number that the room
-    /// has in degrees Fahrenheit; empty: it does not.
+    /// The reading, degC, if a source that was never heated stays at the number that the room's temperature
+    /// has in degrees Fahrenheit; otherwise empty.
     std::optional<double> roomInFahrenheit_degC() const;
 
 private:
-    static constexpr double kAtRest_s = 120.0;   ///< so long it has kept its temperature
-    static constexpr double kAtRest_K = 0.5;     ///< a source that cools does not
-    static constexpr double kCoolingTimes = 3.0; ///< as slow as heating may be: nothing drives it
-    static constexpr double kOffTime_s = 1.5;    ///< until the order is taken, and seen in the readings
+    /// the source is at rest if it has kept its temperature for this time
+    static constexpr double kAtRest_s = 120.0;
+    static constexpr double kAtRest_K = 0.5;     ///< a cooling source changes by more
+    static constexpr double kCoolingTimes = 3.0; ///< cooling may be slower than heating by this factor
+    static constexpr double kOffTime_s = 1.5;    ///< until a command takes effect in the readings
     SafetySpec m_limits;
     double m_room_K;
     bool m_wasOn = false;
-    double m_turned_s = -1e300;                      ///< on or off
-    double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest
-    double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
-    double m_from_K = 0.0;                           ///< temperature then
+    double m_turned_s = -1e300;                      ///< time when the heat was last switched on or off
+    double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest reading
+    double m_since_s = 0.0; ///< time of the last progress; with heat off, of the minimum
+    double m_from_K = 0.0;  ///< temperature at m_since_s
     bool m_wasHeated = false;
-    std::optional<double> m_restSince_s{}; ///< within kAtRest_K of the next since then
+    std::optional<double> m_restSince_s{}; ///< since when the temperature is within kAtRest_K of m_restAt_K
     double m_restAt_K = 0.0;
-    double m_coolSince_s = 0.0, m_coolFrom_K = 0.0; ///< the last time it had become cooler
+    double m_coolSince_s = 0.0, m_coolFrom_K = 0.0; ///< when it had last become cooler
 };
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Bounds what is on its way to a thread that may not take it.
+// Limits the number of queued signals to a thread that may not process them.
 
 #include <cstddef>
 #include <memory>
@@ -7,7 +7,8 @@
 
 namespace bask {
 
-/// A queued signal keeps its arguments until it was delivered: one of them is a token that is counted here.
+/// A queued signal keeps its arguments until it is delivered. One of them is a token, and this class counts
+/// the tokens that still exist.
 class Underway {
 public:
     static constexpr std::size_t kMax = 2;

@@ -8,20 +8,21 @@ namespace {
 
 constexpr double kBin_s = 6.0;
 constexpr double kMinBin_s = 2.0;
-constexpr double kBinsOfLoss = 0.02; // shortest bin, times the shortest time constant that may be
-constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // bins that are learnt from
-constexpr double kResting_s = 20.0;                            // the very same value for longer tells nothing
+constexpr double kBinsOfLoss = 0.02; // length of a bin as a share of the longest time constant
+constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // lengths of learnt spans, bins
+constexpr double kResting_s = 20.0; // a value that stays the same for longer gives no information
 constexpr double kNoiseShare = 0.05;
-constexpr double kNoiseTimes = 8.0;     // so many deviations more are asked for
-constexpr double kToleranceTimes = 5.0; // deviations of a change that is learnt from: there are hundreds
-constexpr double kTolerance_K = 0.1;    // and besides: steps of a sensor
-constexpr double kMaxLaw = 2.4; // where free convection of a bare metal is, by ΔT to the 1.25th up to 50 K
-constexpr double kWrongThen = 0.06; // share of energy and losses, as pose and air change while it learns
-constexpr double kWrongNow = 0.05;  // and from then to now
+constexpr double kNoiseTimes = 8.0;     // the change must exceed this many deviations in addition
+constexpr double kToleranceTimes = 5.0; // in deviations, for learnt changes: there are hundreds of them
+constexpr double kTolerance_K = 0.1;    // in addition, for the steps of a sensor
+constexpr double kMaxLaw = 2.4; // free convection of bare metal, with ΔT to the power of 1.25 up to 50 K
+// relative error of energy and losses while it learns, as pose and air change
+constexpr double kWrongThen = 0.06;
+constexpr double kWrongNow = 0.05; // and from learning to now
 constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
 constexpr double kRoomDrift_K_s = 2.0 / 3600.0;
 
-/// Between which it is by any of the fits.
+/// Returns the range of the change over all fits.
 template <class SpanOf> HeatFit::Change ofAll(const std::vector<HeatFit>& fits, SpanOf spanOf) {
     HeatFit::Change change{1e300, -1e300};
     for (std::size_t fit = 0; fit < fits.size(); ++fit) {
@@ -31,7 +32,7 @@ template <class SpanOf> HeatFit::Change ofAll(const std::vector<HeatFit>& fits, 
     return change;
 }
 
-/// That it amounts to at least, with its sign; 0 where it may be either.
+/// Returns the smallest possible change, with its sign; 0 if the sign is not certain.
 double smallest_K(const HeatFit::Change& change) {
     return change.min_K > 0.0 ? change.min_K : std::min(change.max_K, 0.0);
 }
@@ -74,7 +75,7 @@ void WarmingWatch::integrate(double dt_s, double power_K_s) {
 }
 
 void WarmingWatch::add(double time_s, std::optional<double> temperature_K, double power_K_s) {
-    if (std::isnan(power_K_s)) // its place is not known
+    if (std::isnan(power_K_s)) // the object's position is not known
         return reset();
     const bool isFirst = m_now.count == 0;
     if (isFirst && !temperature_K)
@@ -87,7 +88,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     if (!temperature_K)
         return;
     const bool isSame = !isFirst && *temperature_K == m_now.temperature_K;
-    if (m_now.count > 1 && !isSame) { // or long rests would make steps look small
+    if (m_now.count > 1 && !isSame) { // otherwise long constant values would make the noise look small
         const double second_K = (*temperature_K - 2.0 * m_now.temperature_K + m_before_K) / std::sqrt(6.0);
         m_noise_K =
             std::sqrt((1.0 - kNoiseShare) * m_noise_K * m_noise_K + kNoiseShare * second_K * second_K);
@@ -147,11 +148,11 @@ void WarmingWatch::learn(Fits& fits, std::size_t end) const {
             fits[fit].learn(span(from, to, fit, kWrongThen), to.temperature_K - from.temperature_K,
                             tolerance_K);
     }
-    if (std::ranges::all_of(fits, &HeatFit::isEmpty)) // the model has failed: anew
+    if (std::ranges::all_of(fits, &HeatFit::isEmpty)) // the model has failed: start again
         fits = m_anything;
 }
 
-// A bin is full: the newest are judged, and what has become old enough is learnt from.
+// Called when a bin is full: judges the newest readings and learns from those that have become old enough.
 void WarmingWatch::judge() {
     m_unfollowed.reset();
     if (m_bins.empty())
@@ -189,8 +190,8 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
     return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};
 }
 
-/// It fell by more than any rates explain: also by little, as a sensor that comes off and cools slowly. What
-/// rises so has its limits.
+/// The temperature fell by more than any rates explain. A small fall also counts, such as that of a sensor
+/// that comes off and cools slowly. An impossible rise is limited elsewhere.
 std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     const HeatFit::Change change = expected(m_anything, from, kWrongNow);
     const double gained_K = m_now.temperature_K - from.temperature_K;
@@ -199,9 +200,9 @@ std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
 }
 
-/// While a reading stays, losses are as large all the time, whatever they are. The energy that stays with
-/// them is then on a straight line; farther from it than the reading may hide, the smallest k explains no
-/// rest.
+/// While a reading stays the same, the losses are constant, whatever they are. The energy that balances them
+/// then lies on a straight line. If it deviates from the line by more than the reading may hide, even the
+/// smallest k does not explain the constant reading.
 std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middle, double min_K) const {
     const double share = (middle.time_s - m_same.time_s) / (m_now.time_s - m_same.time_s);
     std::array<double, kLags_s.size()> bend_K{};
@@ -217,7 +218,7 @@ std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middl
     return Unfollowed{expected_K, 0.0, m_now.time_s - m_same.time_s};
 }
 
-// Up to the first of the same readings all were good: they are learnt from.
+// All readings up to the first of the equal ones were good: they are learnt from.
 std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double min_K, bool isQuiet) const {
     const double wrong = isQuiet ? 0.0 : kWrongNow;
     Fits fits = m_fits;
