@@ -1,5 +1,5 @@
 #pragma once
-// Help > About: the exact version, so that a report can name it.
+// Help > About: the exact version, so that a problem report can name it.
 
 #include <QString>
 
@@ -7,7 +7,7 @@ class QWidget;
 
 namespace bask {
 
-/// "0.1.0 (a1b2c3d)"; the revision is missing when the source was no checkout.
+/// Returns "0.1.0 (a1b2c3d)"; without the revision if the source was not a checkout.
 QString exactVersion();
 
 void showAbout(QWidget* parent);

@@ -1,5 +1,5 @@
 #pragma once
-// Every action of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
+// All actions of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
 // allows.
 
 #include "app/horn.h"
@@ -26,10 +26,10 @@ enum class Verb { Arm, Start, Hold, Resume, Stop, Retreat, EmergencyStop, Reset 
 inline constexpr int kVerbs = 8;
 inline constexpr int kPages = 6;
 
-/// Whether the engine takes the verb now; nothing else enables a button.
+/// Returns whether the engine accepts the verb now; nothing else enables a button.
 bool allows(const Snapshot& snapshot, Verb verb);
 
-/// Sensors, robot or source of another experiment may be put in: no run is on and none is armed.
+/// Returns whether another experiment, or other sensors, robot or source may be used: no run is armed or on.
 bool allowsEdits(RunState state);
 
 class Actions : public QObject {
@@ -58,13 +58,13 @@ public:
     QMenu* languageMenu() const { return m_languageMenu; }
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
-    QAction *undo, *redo; ///< their texts are UndoActions'
+    QAction *undo, *redo; ///< UndoActions sets their texts
     QAction *endRecording, *acknowledgeAlarms;
     QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
 signals:
     void verbTriggered(bask::Verb verb);
-    /// The key of a verb that is not possible now.
+    /// The key of a verb was pressed that is not possible now.
     void verbRefused(bask::Verb verb);
     void pageChosen(int page);
     void unitChosen(bask::TemperatureUnit unit);
@@ -92,12 +92,12 @@ private:
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
     std::array<QShortcut*, kVerbs>
-        m_deafKeys{}; ///< the same keys while the verb is not possible; null: no key
+        m_deafKeys{}; ///< the same keys while the verb is not possible; null for a verb without a key
     std::array<QAction*, kPages> m_pages{};
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_hornGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{}, m_horns{};
     QList<QAction*> m_textSizes, m_languages;
-    std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null: of objects
+    std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null for faults of objects
     std::array<QMenu*, kSimulatedFaults> m_objectFaults{};
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
         *m_themeMenu, *m_textSizeMenu, *m_hornMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;

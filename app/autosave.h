@@ -1,5 +1,5 @@
 #pragma once
-// Keeps what is edited and not saved in a file, so that a crash loses the last seconds at most.
+// Keeps unsaved edits in a file, so that a crash loses only the last seconds.
 
 #include "app/document.h"
 #include "app/unsaved_file.h"
@@ -14,8 +14,8 @@
 
 namespace bask {
 
-/// Follows the document: written kDelay after an edit, removed when all is saved or undone. The disk is not
-/// waited for but at the end.
+/// Follows the document: the file is written kDelay after an edit, and removed when everything is saved or
+/// undone. Only the destructor waits for the disk.
 class Autosave : public QObject {
     Q_OBJECT
 
@@ -23,16 +23,16 @@ public:
     static constexpr std::chrono::milliseconds kDelay{2000};
 
     Autosave(Document& document, const QString& folder, QObject* parent = nullptr);
-    /// What is not saved then is written and stays: nobody was asked.
+    /// Writes unsaved edits and keeps the file, since nobody was asked.
     ~Autosave() override;
 
-    /// The person has saved or given up what there was: removes the file, and writes no other.
+    /// Call when the person has saved or given up all edits: removes the file, and writes no other.
     void end();
-    /// What was unsaved in this file is opened next; it is kept there from now on.
+    /// Call before the edits of this file are opened; they are kept in this file from then on.
     void adopt(std::shared_ptr<UnsavedFile> file);
 
 signals:
-    /// Once, until it can be written again.
+    /// The file cannot be written; sent once, until writing succeeds again.
     void failed(const bask::Error& error);
 
 private:
@@ -41,11 +41,11 @@ private:
 
     Document& m_document;
     QString m_folder;
-    std::shared_ptr<UnsavedFile> m_file; ///< used in the pool only, but by the last of its owners
+    std::shared_ptr<UnsavedFile> m_file; ///< used by the pool's thread only, and destroyed by its last owner
     QTimer m_timer;
-    QThreadPool m_pool; ///< one thread: writing and removing in their order
+    QThreadPool m_pool; ///< one thread, so that writing and removing stay in order
     std::atomic_bool m_failing = false;
-    bool m_kept = false; ///< the file is there, or on its way
+    bool m_kept = false; ///< the file exists or is being written
     bool m_ended = false;
 };
 

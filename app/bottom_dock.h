@@ -15,8 +15,8 @@ class AlarmList;
 class EventList;
 class RecipePanel;
 
-/// Object names: "eventDock", its tabs "dockTabs". A new alarm that is no notice brings its tab to the
-/// front; the keyboard stays where it is.
+/// Object names: "eventDock", its tabs "dockTabs". A new alarm that is not a notice brings its tab to the
+/// front; the keyboard focus does not move.
 class BottomDock : public QDockWidget {
     Q_OBJECT
 
@@ -26,20 +26,19 @@ public:
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// A recorded run is looked at: its own events are on the page, and only alarms are here, if any.
+    /// A recorded run is shown: its events are on the page, and the dock shows only alarms, if there are any.
     void setReviewing(bool isReviewing);
     void showAlarm(std::uint64_t id);
     RecipePanel& recipe() { return *m_recipe; }
     void showRecipe();
-    /// Of the present or last run.
+    /// Events of the current or last run.
     const std::vector<TraceEvent>& events() const { return m_events; }
 
 signals:
     void commandIssued(const bask::Command& command);
-    /// Of an event or a note, since Start.
+    /// Time of a chosen event or note, s since Start.
     void timeChosen(double time_s);
-    /// What is in front now needs this height, at once: the dock looks at its height again before layouts
-    /// follow by themselves.
+    /// The front tab needs this height at once: the dock checks its height again before the layouts do.
     void heightWanted(int height);
 
 protected:
@@ -62,14 +61,14 @@ private:
     EventList* m_eventList;
     RecipePanel* m_recipe;
     std::vector<Alarm> m_alarms;
-    AlarmGroups m_groups; ///< of them
+    AlarmGroups m_groups; ///< the listed alarms in groups
     std::uint64_t m_runId = 0;
     std::vector<TraceEvent> m_events;
     std::vector<TraceNote> m_notes;
     bool m_isReviewing = false;
-    int m_height = 0;              ///< before it was hidden
-    int m_lowHeight = 0;           ///< before the recipe was in front; 0: it is not
-    bool m_isBackToEvents = false; ///< after the review
+    int m_height = 0;              ///< height before it was hidden
+    int m_lowHeight = 0;           ///< height before the recipe was in front; 0 if it is not
+    bool m_isBackToEvents = false; ///< show the events again after the review
 };
 
 } // namespace bask

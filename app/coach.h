@@ -1,5 +1,5 @@
 #pragma once
-// The first five minutes, as the manual has them: one thing to do at a time, seen when it is done.
+// The first five minutes, as in the manual: one task at a time, which is ticked when it is done.
 
 #include "app/edit_history.h"
 #include "engine/base/units.h"
@@ -13,8 +13,8 @@ namespace bask {
 
 class MessageBar;
 
-/// In a bar over the pages; it never does anything itself and never keeps a person from anything. For a
-/// simulated rig only.
+/// Shown in a bar above the pages; it never does anything itself and never blocks a person. For a simulated
+/// rig only.
 class Coach : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ public:
     /// Asks whether to begin.
     void offer();
     void begin();
-    /// Empty: it has not begun, or has ended.
+    /// The current step; empty if it has not begun or has ended.
     std::optional<Step> step() const { return m_step; }
 
     // What a person did
@@ -55,9 +55,9 @@ public:
     void retranslate();
 
 signals:
-    /// Where the present step is done: a page, and a control on it by its object name if there is one.
+    /// Where the current step is done: a page, and a control on it by its object name if there is one.
     void showWanted(bask::Page page, const QString& control);
-    /// The offer was answered, or the bar closed: no reason to ask again.
+    /// The offer was answered, or the bar closed: do not ask again.
     void answered();
 
 private:
@@ -74,7 +74,7 @@ private:
     std::optional<Step> m_step;
     bool m_isSimulated = true;
     RunState m_state = RunState::Idle;
-    bool m_hasRun = false; ///< since it began
+    bool m_hasRun = false; ///< a run has begun since the coach began
     bool m_isFaultOn = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// What the words after `bask` ask for: a subcommand, a text on the console, or the window.
+// What the arguments of `bask` ask for: a subcommand, a text on the console, or the window.
 
 #include <QStringList>
 
@@ -7,16 +7,17 @@
 
 namespace bask {
 
-/// What to do. With an exit code everything has been done.
+/// What to do. If it has an exit code, everything has been done.
 struct Dispatch {
     std::optional<int> exitCode;
-    QString file; ///< for the window; empty: the first example
+    QString file; ///< file for the window; empty for the first example
 };
 
-/// Takes main()s arguments. Prints --help, --version and complaints; runs subcommands on a QCoreApplication.
+/// Takes the arguments of main(). Prints --help, --version and complaints; runs subcommands on a
+/// QCoreApplication.
 Dispatch dispatch(int& argc, char** argv);
 
-/// The sentence to print when the window has no display to open on; empty when it has.
+/// Returns the sentence to print if there is no display for the window; empty if there is one.
 QString missingDisplay();
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Tells at the start that the program ended in the middle of a run: nobody has stopped the rig then.
+// Reports at the start that the program ended in the middle of a run: then nobody has stopped the rig.
 
 #include "engine/recording/session_header.h"
 #include "engine/runtime/snapshot.h"
@@ -15,20 +15,20 @@ namespace bask {
 
 class MessageBar;
 
-/// While a run is on, a file of this process, locked by it, names the recording. A file that no process has
-/// is that of a run that was cut off; it stays until a person has read of it.
+/// During a run, a file locked by this process names the recording. A file that no process has locked is that
+/// of a run that was cut off; it stays until a person has read the report.
 class CutOffRun : public QObject {
     Q_OBJECT
 
 public:
     CutOffRun(MessageBar& bar, QString folder, QObject* parent = nullptr);
-    /// Leaves the mark of a run of which nobody has said that it is over.
+    /// Keeps the mark of a run that was not reported as over.
     ~CutOffRun() override;
 
     void begin();
-    /// Marks the run that is on, and that it is over.
+    /// Marks the current run, and removes the mark when it is over.
     void apply(const Snapshot& snapshot);
-    /// The engine has ended: so has the run.
+    /// Call when the engine has ended: the run is over.
     void end();
     void retranslate();
 
@@ -49,8 +49,8 @@ private:
 
     MessageBar& m_bar;
     QString m_folder;
-    Mark m_own;               ///< of this process' run
-    std::vector<Mark> m_left; ///< of others, this one's from now on
+    Mark m_own;               ///< mark of this process's run
+    std::vector<Mark> m_left; ///< marks of other processes, now owned by this one
     SessionHeader m_told;
     LatestJob<std::vector<SessionHeader>> m_read;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Where the program keeps what is not settings: BASK_SETTINGS_DIR, or the user's own folder for its data.
+// Where the program keeps data other than settings: BASK_SETTINGS_DIR, or the user's data folder.
 
 #include <QDir>
 #include <QString>
@@ -7,9 +7,9 @@
 namespace bask {
 
 QDir dataFolder();
-/// The alarms over a restart; the folder is made. Empty: it cannot be.
+/// Returns the file that keeps the alarms across restarts, and creates its folder; empty if that fails.
 QString alarmFile();
-/// Which devices this computer has met; the same.
+/// Returns the file of the known devices, in the same way.
 QString deviceFile();
 
 } // namespace bask

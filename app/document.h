@@ -1,5 +1,5 @@
 #pragma once
-// The experiment that is open: its value, its file, its edits and whether any is not saved.
+// The open experiment: its value, its file, its edits and whether any of them is not saved.
 
 #include "app/edit_history.h"
 #include "engine/model/experiment.h"
@@ -13,7 +13,7 @@
 
 namespace bask {
 
-/// GUI thread. Only valid experiments get in. Whoever edits the experiment does it here, so that it can be
+/// GUI thread. Accepts only valid experiments. All edits of the experiment are made here, so that they can be
 /// undone.
 class Document : public QObject {
     Q_OBJECT
@@ -22,47 +22,48 @@ public:
     explicit Document(QObject* parent = nullptr);
 
     const Experiment& experiment() const { return m_experiment; }
-    /// Of the newest experiment that was for a real rig; empty: there was none.
+    /// Robot limits of the newest experiment for a real rig; empty if there was none.
     const std::optional<RobotLimits>& realRobot() const { return m_realRobot; }
     QString path() const { return m_path; }
-    /// Not as it was opened or saved last; true again or not after an undo, as it happens.
+    /// Whether it differs from what was opened or saved last; an undo may change this in both directions.
     bool modified() const { return !m_history.isSaved(); }
-    /// Grows with every change: what is read for its place later asks whether it is still the same.
+    /// Increases with every change: a reader of a file compares it later, to see whether the experiment is
+    /// still the same.
     int generation() const { return m_generation; }
-    /// File name, else title, else a word for "untitled".
+    /// The file name, or the title, or a word for "untitled".
     QString displayName() const;
 
-    /// Another experiment; `path` empty: it has no file yet.
+    /// Opens another experiment; with an empty `path` it has no file yet.
     void open(const Experiment& experiment, const QString& path);
-    /// The same of one whose file, if it has any, does not hold what it is.
+    /// Opens an experiment that differs from its file, or has none.
     void openUnsaved(const Experiment& experiment, const QString& path);
     void markSaved(const QString& path);
 
-    /// Refused edits leave everything as it was. `page`: where it was made, if it is not the usual one.
+    /// Applies an edit; a refused one changes nothing. `page`: where it was made, if not on the usual page.
     Result<void> edit(const Experiment& experiment, std::optional<Page> page = {});
     Result<void> setTargets(const std::vector<double>& targets_K);
-    /// Markers and calibrations; the rest stays.
+    /// Sets markers and calibrations; the rest is not changed.
     Result<void> setVision(const VisionSpec& vision);
     Result<void> setController(const ControllerSettings& settings);
 
-    /// Null: nothing to undo, to redo.
+    /// The edit to undo or to redo; null if there is none.
     const EditStep* toUndo() const { return m_history.toUndo(); }
     const EditStep* toRedo() const { return m_history.toRedo(); }
     void undo();
     void redo();
 
-    /// What File > New makes: one painted disk over the default source.
+    /// The experiment of File > New: one painted disk over the default source.
     static Experiment blank();
 
 signals:
     void opened();
-    // Of an edit, undone or redone ones too, the narrowest:
+    // For each edit, also an undone or redone one, the narrowest of these signals:
     /// Objects, source or robot: the engine needs the whole experiment again.
     void edited();
     void targetsChanged();
     void controllerChanged();
     void visionChanged();
-    /// After any of the above or a save: experiment, file, what is modified, what can be undone.
+    /// After any of the above or a save: experiment, file, modified state or undo list have changed.
     void changed();
 
 private:
@@ -73,7 +74,7 @@ private:
 
     Experiment m_experiment;
     std::optional<RobotLimits> m_realRobot{};
-    std::shared_ptr<const Experiment> m_shared; ///< the same, as the history has it
+    std::shared_ptr<const Experiment> m_shared; ///< the same value, shared with the history
     QString m_path;
     EditHistory m_history;
     int m_generation = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The edits of the experiment that can be undone and redone, and where among them it was saved.
+// The edits of the experiment that can be undone and redone, and at which of them it was saved.
 
 #include "app/experiment_edit.h"
 
@@ -16,21 +16,21 @@ struct EditStep {
     std::shared_ptr<const Experiment> before, after; ///< shared by neighbours
 };
 
-/// Edits of one thing, each shortly after the one before, are one step: a slider dragged, a key held.
+/// Edits of the same thing in quick succession are one step: a dragged slider, a key kept pressed.
 class EditHistory {
 public:
     using Time = std::chrono::steady_clock::time_point;
     static constexpr std::chrono::milliseconds kSameStep{1000};
     static constexpr std::size_t kMaxSteps = 200;
 
-    /// Empty again. `saved`: as the experiment is now, it is in its file.
+    /// Removes all edits. `saved`: the experiment in its present state is in its file.
     void clear(bool saved);
     void add(EditStep step, Time now);
 
-    /// Null: nothing to undo, to redo.
+    /// The edit to undo or to redo; null if there is none.
     const EditStep* toUndo() const { return m_done > 0 ? &m_steps[m_done - 1] : nullptr; }
     const EditStep* toRedo() const { return m_done < m_steps.size() ? &m_steps[m_done] : nullptr; }
-    /// Only where there is one.
+    /// Only if there is one.
     void undo();
     void redo();
 
@@ -41,9 +41,10 @@ private:
     bool continues(const EditStep& step, Time now) const;
 
     std::vector<EditStep> m_steps;
-    std::size_t m_done = 0;                 ///< steps that are not undone
-    std::optional<std::size_t> m_saved = 0; ///< as many were done then; empty: none of these states
-    std::optional<Time> m_last;             ///< of the newest edit; empty: the next one is a step of its own
+    std::size_t m_done = 0; ///< number of steps that are not undone
+    /// value of m_done when it was saved; empty if none of these states was saved
+    std::optional<std::size_t> m_saved = 0;
+    std::optional<Time> m_last; ///< time of the newest edit; empty if the next edit starts a new step
 };
 
 } // namespace bask

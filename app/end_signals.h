@@ -1,5 +1,5 @@
 #pragma once
-// Ctrl+C, a log-out, a closed terminal: the window's program ends as after its own Quit, with a rig made
+// Ctrl+C, a log-out or a closed terminal ends the window's program as its own Quit does, with the rig made
 // safe.
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace bask {
 
-/// Takes SIGINT, SIGTERM and SIGHUP while it lives, and ends the application's event loop for them without a
-/// question. One at a time.
+/// Handles SIGINT, SIGTERM and SIGHUP during its lifetime, and ends the application's event loop without a
+/// question. Only one object at a time.
 class EndSignals {
 public:
     EndSignals();
@@ -17,14 +17,14 @@ public:
     EndSignals(const EndSignals&) = delete;
     EndSignals& operator=(const EndSignals&) = delete;
 
-    /// Done at once, on a thread of its own: the event loop may hang.
+    /// Sets what is done first, at once and on another thread, since the event loop may hang.
     void setFirst(std::function<void()> first);
 
 private:
     void listen();
 
     std::mutex m_mutex;
-    std::function<void()> m_first; ///< under the mutex
+    std::function<void()> m_first; ///< protected by the mutex
     std::thread m_thread;
 };
 

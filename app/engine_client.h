@@ -1,6 +1,6 @@
 #pragma once
-// The GUI's side of the engine: owns its thread, sends commands, hands on snapshots, says when no answer
-// comes.
+// The GUI's side of the engine: owns its thread, sends commands, forwards snapshots, and reports when no
+// answer comes.
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -19,40 +19,42 @@ namespace bask {
 
 class EngineWorker;
 
-/// The one GUI-side class that knows the worker. Nothing here waits for the engine but shutDown, and that
-/// only so long.
+/// The only GUI class that knows the worker. Only shutDown() waits for the engine, and only up to its bound.
 class EngineClient : public QObject {
     Q_OBJECT
 
 public:
     static constexpr std::chrono::milliseconds kSilence{2000};
     static constexpr std::chrono::milliseconds kEnd{
-        8000}; ///< a heat source is given 2 s to go off, files then 3 s
+        8000}; ///< 2 s for a heat source to go off, then 3 s for files, with a margin
 
     explicit EngineClient(QObject* parent = nullptr);
-    ~EngineClient() override; ///< shutDown with a bound of kEnd
+    ~EngineClient() override; ///< Calls shutDown with a bound of kEnd.
 
-    /// `alarmFile` keeps the alarms over a restart, `deviceFile` which devices were met; empty: nothing does.
+    /// `alarmFile` keeps the alarms across restarts, `deviceFile` the known devices; if a name is empty,
+    /// nothing is kept.
     void start(const QString& alarmFile = {}, const QString& deviceFile = {});
     void send(const Command& command);
 
-    /// Safe state, recording closed, thread ended. False when the engine did not answer in time; its thread
-    /// is then left to the end of the process, and the devices' own watchdogs act.
+    /// Enters the safe state, closes the recording and ends the thread. Returns false if the engine did not
+    /// answer in time; its thread then runs until the process ends, and the devices' own watchdogs act.
     bool shutDown(std::chrono::milliseconds bound);
 
-    /// Begins the same from any thread, also when this one hangs. What it gives may outlive this.
+    /// Returns a function that starts the same from any thread, even if this one hangs. The function may
+    /// outlive this object.
     std::function<void()> ender() const;
 
-    /// After shutDown: a real source was not seen to go off. Its guard goes on without Bask.
+    /// Whether a real source was not seen to go off; valid after shutDown(). Its guard continues without
+    /// Bask.
     bool isHeatLeft() const { return m_isHeatLeft; }
 
     bool answering() const { return m_answering; }
 
 signals:
     void snapshot(const bask::Snapshot& snapshot);
-    /// A new look at the camera, while it is watched (WatchCamera).
+    /// A new view of the watched camera (WatchCamera).
     void looked(const std::shared_ptr<const bask::VisionView>& view);
-    /// False when no snapshot has come for kSilence; true with the next one.
+    /// False if no snapshot has come for kSilence; true with the next one.
     void answeringChanged(bool answering);
 
 private:

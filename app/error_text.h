@@ -7,11 +7,11 @@
 
 namespace bask {
 
-/// Sentence of a message. Arguments that are words of the engine (the command and state of a refusal) are
-/// translated too.
+/// Returns the sentence of a message. Arguments that are words of the engine (the command and state of a
+/// refusal) are also translated.
 QString sentence(const Message& message);
 
-/// "file: sentence", or the sentence alone when the error names no place.
+/// Returns "file: sentence", or only the sentence if the error has no place.
 QString sentence(const Error& error);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The examples that come with Bask, inside the binary, so that the first start works from any folder.
+// The examples inside the program file, so that the first start works from any folder.
 
 #include "engine/recipe/recipe.h"
 
@@ -8,13 +8,13 @@
 
 namespace bask {
 
-/// Names without suffix, "three-objects" first.
+/// Returns the names without suffix, "three-objects" first.
 QStringList exampleNames();
 
-/// Reads an example with the contours it refers to. Unpacks them to a temporary folder: run it as a job.
+/// Reads an example with the contours it refers to. Writes them to a temporary folder: run it as a job.
 Result<Experiment> readExample(const QString& name);
 
-/// Recipes of such experiments.
+/// Returns the names of the example recipes.
 QStringList exampleRecipeNames();
 Result<Recipe> readExampleRecipe(const QString& name);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What an edit of the experiment is about, found by comparing the experiments before and after it.
+// What an edit of the experiment changes, found by comparing the experiments before and after it.
 
 #include "app/page.h"
 #include "engine/model/experiment.h"
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// What the engine has to be told of it: the narrowest command. Which states allow it follows.
+/// The narrowest command that tells the engine about the edit. It determines which states allow the edit.
 enum class EditScope { Targets, Controller, Vision, All };
 
 enum class EditKind {
@@ -40,19 +40,20 @@ enum class EditKind {
 
 struct ExperimentEdit {
     EditKind kind = EditKind::Other;
-    int object = -1; ///< the one it is about; -1: none or several
+    int object = -1; ///< the object concerned; -1 for none or several
     EditScope scope = EditScope::All;
-    Page page = Page::Objects; ///< where it is seen
+    Page page = Page::Objects; ///< the page that shows it
     bool operator==(const ExperimentEdit&) const = default;
 };
 
-/// Of two that differ. The way back has the same kind, scope and page, but for additions and removals.
+/// Compares two different experiments. The reverse edit has the same kind, scope and page, except for
+/// additions and removals.
 ExperimentEdit compared(const Experiment& before, const Experiment& after);
 
-/// In the window's language, as in "Undo: move of “bunny”".
+/// Returns the edit in words in the window's language, as in "Undo: move of “bunny”".
 QString editWords(const ExperimentEdit& edit, const Experiment& before, const Experiment& after);
 
-/// A slider that is dragged and a key that is held make many such edits in a row.
+/// Returns whether a dragged slider or a key kept pressed makes many such edits in a row.
 bool mayBeOneOfMany(EditKind kind);
 
 } // namespace bask

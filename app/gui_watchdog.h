@@ -1,6 +1,6 @@
 #pragma once
-// How long the GUI thread is not available: the longest gap between ticks of a 5 ms timer, painting not
-// counted.
+// Measures how long the GUI thread is not available: the longest gap between ticks of a 5 ms timer, without
+// painting.
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// A QApplication that knows how much of its time went into painting.
+/// A QApplication that measures its painting time.
 class MeasuredApplication : public QApplication {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ private:
     QElapsedTimer m_timer;
 };
 
-/// Runs while it lives; needs a MeasuredApplication to leave painting out.
+/// Runs during its lifetime; needs a MeasuredApplication to exclude painting.
 class GuiWatchdog : public QObject {
     Q_OBJECT
 

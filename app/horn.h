@@ -1,5 +1,5 @@
 #pragma once
-// Sounds the desktop's bell until every alarm that still is so has been acknowledged or shelved.
+// Sounds the desktop's bell until every active alarm is acknowledged or shelved.
 
 #include "engine/runtime/snapshot.h"
 
@@ -16,8 +16,9 @@ namespace bask {
 /// When the horn sounds.
 enum class HornMode { Off, RealRig, Always };
 
-/// Priority 1 every kGrave_ms, priority 2 every kLesser_ms, priority 3 once, a notice never. An engine that
-/// does not answer sounds like priority 1, kUnanswered times: there is nothing to acknowledge.
+/// Sounds for priority 1 every kGrave_ms, for priority 2 every kLesser_ms, for priority 3 once, and for a
+/// notice never. An engine that does not answer sounds like priority 1, kUnanswered times, since there is
+/// nothing to acknowledge.
 class Horn : public QObject {
     Q_OBJECT
 
@@ -31,9 +32,9 @@ public:
     void setMode(HornMode mode);
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
-    /// Once, so that a person hears what it is like, or that the desktop has no bell.
+    /// Sounds once, so that a person hears the sound, or that the desktop has no bell.
     void sample() { m_sound(); }
-    /// Instead of the desktop's bell.
+    /// Replaces the desktop's bell.
     void setSound(std::function<void()> sound) { m_sound = std::move(sound); }
     bool isSounding() const { return m_again.isActive(); }
 
@@ -44,8 +45,9 @@ private:
     HornMode m_mode = HornMode::RealRig;
     bool m_isSimulated = true;
     bool m_isAnswering = true;
-    int m_priority = 0;                             ///< of the gravest that calls; 0: none
-    std::set<std::pair<std::uint64_t, int>> m_once; ///< those of priority 3 that called, by id and count
+    int m_priority = 0; ///< priority of the most serious alarm that sounds; 0 for none
+    /// alarms of priority 3 that have sounded, by id and count
+    std::set<std::pair<std::uint64_t, int>> m_once;
     int m_unanswered = 0;
     std::function<void()> m_sound;
     QTimer m_again;

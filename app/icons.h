@@ -7,7 +7,8 @@
 
 namespace bask {
 
-/// Icon :/icons/NAME.svg with its black replaced by the palette's button text, normal and disabled.
+/// Returns the icon :/icons/NAME.svg with its black replaced by the palette's button text, normal and
+/// disabled.
 QIcon themedIcon(const QString& name, const QPalette& palette);
 
 } // namespace bask

@@ -1,12 +1,12 @@
 #pragma once
-// Before a run whose targets cannot be held: why, and an explicit tick to start all the same.
+// The dialog before a run whose targets cannot be held: the reason, and a tick box to start anyway.
 
 #include <QDialog>
 #include <QString>
 
 namespace bask {
 
-/// Not modal to the program: STOP stays reachable. Accepted only with the tick. Object names:
+/// Not modal to the program, so that STOP stays reachable. Accepted only if ticked. Object names:
 /// "infeasibleDialog", "acceptInfeasible" (tick box), "startAnyway", "cancelStart".
 class InfeasibleDialog : public QDialog {
     Q_OBJECT

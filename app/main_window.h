@@ -1,6 +1,6 @@
 #pragma once
-// The window: state bar, pages, alarms and events, status line. Composition only; every part does its own
-// work.
+// The window: state bar, pages, alarms and events, status line. It only composes the parts; every part does
+// its own work.
 
 #include "app/actions.h"
 #include "app/autosave.h"
@@ -37,7 +37,7 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Starts the engine and opens a file, over the first example where it is no experiment.
+    /// Starts the engine and opens a file; the first example is also opened if the file is not an experiment.
     void begin(const QString& path);
 
     SessionActions& files() { return m_files; }
@@ -48,12 +48,12 @@ public:
     Horn& horn() { return m_horn; }
     const Snapshot& lastSnapshot() const { return m_last; }
     RecipeControl& recipe() { return *m_recipe; }
-    /// Asks the person, unless a test answers.
+    /// Replaces the question to the person, for tests.
     void setCloseQuestion(std::function<Closing()> question) { m_closeQuestion = std::move(question); }
 
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
-    void setTextSize(int percent); ///< of the next start
+    void setTextSize(int percent); ///< takes effect at the next start
     void setTemperatureUnit(TemperatureUnit unit);
     void setHornMode(HornMode mode);
 
@@ -88,19 +88,19 @@ private:
     void showManual(const QString& page);
     void reportProblem();
     void showTitle();
-    void takeAges();  ///< of the calibrations
-    void showNotes(); ///< in the list behind the chip
+    void takeAges();  ///< updates the ages of the calibrations
+    void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();
     void restyle();
     bool runIsOn() const;
     bool mayClose();
     void endRun();
     void closeAtRest();
-    bool endEngine(); ///< false: it did not answer
+    bool endEngine(); ///< returns false if it did not answer
     void showSilence();
 
     SettingsStore m_settings;
-    const int m_textSize_percent = m_settings.textSize_percent(); ///< as it was at the start
+    const int m_textSize_percent = m_settings.textSize_percent(); ///< text size at the start
     Language m_language;
     Document m_document;
     Autosave m_autosave;
@@ -121,13 +121,13 @@ private:
     ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
-    QStringList m_ages;            ///< of the calibrations, in words
-    std::optional<Verb> m_refused; ///< the message bar says why it cannot be done
+    QStringList m_ages;            ///< ages of the calibrations, in words
+    std::optional<Verb> m_refused; ///< the verb that the message bar says is not possible
     std::function<Closing()> m_closeQuestion;
-    bool m_closesAtRest = false; ///< a person has said so
-    bool m_isHeatLeft = false;   ///< of a real source, at the engine's end
+    bool m_closesAtRest = false; ///< a person asked to close when the run has ended
+    bool m_isHeatLeft = false;   ///< a real source was not seen to go off at the engine's end
     QElapsedTimer m_sinceAnswer;
-    QTimer m_silence; ///< ages go on while the engine does not answer
+    QTimer m_silence; ///< updates ages while the engine does not answer
 };
 
 } // namespace bask

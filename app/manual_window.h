@@ -1,6 +1,5 @@
 #pragma once
-// Help > Manual: the files of docs/, as they are in the program, in the window's language where they are
-// translated.
+// Help > Manual: the files of docs/ inside the program, in the window's language if they are translated.
 
 #include <QWidget>
 
@@ -13,24 +12,23 @@ namespace bask {
 
 class Language;
 
-/// A window of its own, so that it can stand beside the rig's. Object names: "manual", its text
+/// A separate window, so that it can be placed beside the rig's window. Object names: "manual", its text
 /// "manualText", "manualBack", "manualContents", "manualFind".
 class ManualWindow : public QWidget {
     Q_OBJECT
 
 public:
-    /// `parent`'s window is stayed above and closed with. `language` is that of the pages, now and after each
-    /// LanguageChange; it has to outlive this.
+    /// The manual stays above `parent`'s window and closes with it. `language` is that of the pages, now and
+    /// after each LanguageChange; it must outlive this object.
     ManualWindow(const Language& language, QWidget* parent);
 
-    /// "safety.md", "../safety.md", "manual.md#keys"; a name that is not there shows the contents. Headings
-    /// go by the page's own language or by English.
+    /// Opens "safety.md", "../safety.md" or "manual.md#keys"; an unknown name shows the contents. Headings
+    /// are found in the page's own language or in English.
     void open(const QString& page);
 
-    /// The names of all pages, each of which is there in English.
+    /// Returns the names of all pages; each of them exists in English.
     static QStringList pages();
-    /// The text of a page's headings as a link names them: "The first five minutes" is
-    /// "the-first-five-minutes".
+    /// Returns the link name of a heading: "The first five minutes" becomes "the-first-five-minutes".
     static QString anchorOf(const QString& heading);
 
 protected:
@@ -38,7 +36,7 @@ protected:
 
 private:
     void follow(const QString& link);
-    /// In Markdown.
+    /// Returns the shown text in Markdown.
     QString shownText(const QString& page) const;
     void show(const QString& page, const QString& anchor);
     void showAgain();
@@ -49,7 +47,7 @@ private:
 
     const Language& m_language;
     QTextBrowser* m_text;
-    QTextDocument* m_document = nullptr; ///< the page, once there is one
+    QTextDocument* m_document = nullptr; ///< the page; null before the first
     QPushButton *m_back, *m_contents;
     QLineEdit* m_find;
     QString m_page;

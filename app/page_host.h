@@ -1,5 +1,5 @@
 #pragma once
-// The six pages with the message bar over them, wired to the document and the engine.
+// The six pages with the message bar above them, connected to the document and the engine.
 
 #include "app/document.h"
 #include "app/page.h"
@@ -29,16 +29,15 @@ class RigPage;
 class RunPage;
 class TargetsPage;
 
-/// Edits go to the document, which refuses or takes them; what the engine must know goes out as
-/// commandIssued. Object names: "pages", "messageBar", "cutOffBar", "questionBar",
-/// "coachBar".
+/// Edits go to the document, which accepts or refuses them; changes for the engine are sent as commandIssued.
+/// Object names: "pages", "messageBar", "cutOffBar", "questionBar", "coachBar".
 class PageHost : public QWidget {
     Q_OBJECT
 
 public:
     PageHost(Document& document, SessionActions& files, QWidget* parent = nullptr);
 
-    /// The pages', which are scrolled: bars take their room from them, not from the screen.
+    /// The minimum of the pages, which scroll: bars take their space from the pages, not from the screen.
     QSize minimumSizeHint() const override;
 
     void show(Page page);
@@ -47,17 +46,17 @@ public:
     void show(const VisionView& view);
     void setTemperatureUnit(TemperatureUnit unit);
     void showMoment(double time_s);
-    /// Where an edit was undone or redone: its page, unless a run is on, which is not taken from view.
+    /// Shows the page of an undone or redone edit, unless a run is on: then the page does not change.
     void showUndone(const EditStep& step);
     void showRedone(const EditStep& step);
-    /// Opens any file that Bask reads, as after a drop, or says why not.
+    /// Opens any file that Bask reads, as after a drop, or says why it cannot.
     void takeFile(const QString& path);
 
     PageMessages& messages() { return m_messages; }
     void showProblem(const QString& sentence) { m_messages.showProblem(sentence); }
     void showNote(const QString& sentence) { m_messages.showNote(sentence); }
 
-    /// Over all, for what waits for an answer.
+    /// The bar above all others, for questions that wait for an answer.
     MessageBar& cutOffBar() { return *m_cutOff; }
     MessageBar& recipeBar() { return *m_recipe; }
     MessageBar& questionBar() { return *m_question; }
@@ -70,7 +69,7 @@ public:
 signals:
     void commandIssued(const bask::Command& command);
     void pageChanged(bask::Page page);
-    /// "manual.md#review"
+    /// Opens a page of the manual, such as "manual.md#review".
     void manualRequested(const QString& page);
 
 protected:
@@ -104,11 +103,11 @@ private:
     ReviewDesk m_reviewDesk;
     PageMessages m_messages;
 
-    std::vector<double> m_told_K; ///< newest reading of each sensor, believed or not
+    std::vector<double> m_told_K; ///< newest reading of each sensor, trusted or not
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_editable = true;
     bool m_targetsEditable = true;
-    bool m_verdictUntold = false; ///< the engine has targets whose verdict it was not told
+    bool m_verdictUntold = false; ///< the engine has targets whose verdict it has not been sent
 };
 
 } // namespace bask

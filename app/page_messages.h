@@ -1,5 +1,5 @@
 #pragma once
-// What is said over the pages, and for how long.
+// The messages above the pages, and how long each is shown.
 
 #include "engine/runtime/snapshot.h"
 
@@ -13,7 +13,7 @@ class PageMessages {
 public:
     explicit PageMessages(MessageBar& bar) : m_bar(bar) {}
 
-    /// A sentence over the pages, until it is closed.
+    /// Shows a sentence above the pages until it is closed.
     void showProblem(const QString& sentence);
     void showNote(const QString& sentence);
     void clear();
@@ -21,24 +21,25 @@ public:
     void showOfEdit(const QString& note); ///< gone with the next edit
     void dropOfEdit();
     void showRefusal(const QString& sentence); ///< gone with the next edit
-    /// The engine's: gone with the next edit or command, and with the state or the reason that it is about.
+    /// Shows a refusal of the engine: it disappears with the next edit or command, and when its state or
+    /// reason ends.
     void showRefusal(const QString& sentence, const Snapshot& snapshot, const Message& refusal);
-    /// Of the engine or of a verb: something else was asked for.
+    /// Removes a refusal of the engine or of a verb, because something else was requested.
     void dropRefusal();
-    /// What was refused for a state or a reason is not said any longer than that lasts.
+    /// Removes a refusal when its state or reason has ended.
     void keepRefusal(const Snapshot& snapshot);
-    /// Gone as soon as keepWhile() says something else, or nothing.
+    /// Shows a sentence until keepWhile() gets another one, or an empty one.
     void showWhile(const QString& sentence);
-    /// Changes or clears what showWhile() has said. False: it is shown no more.
+    /// Updates or clears the sentence of showWhile(). Returns false if it is no longer shown.
     bool keepWhile(const QString& sentence);
 
 private:
     MessageBar& m_bar;
-    QString m_ofEdit;      ///< said last of the newest edit
-    QString m_ofMoment;    ///< said for as long as it is so
-    QString m_refusalSaid; ///< the engine's last one
+    QString m_ofEdit;      ///< the message about the newest edit
+    QString m_ofMoment;    ///< the message of showWhile()
+    QString m_refusalSaid; ///< the engine's last refusal
     Message m_refusal;
-    bool m_isOfReason = false; ///< it is one of the reasons for the state
+    bool m_isOfReason = false; ///< it is one of the reasons of the state
     RunState m_refusedIn = RunState::Idle;
 };
 

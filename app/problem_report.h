@@ -11,13 +11,13 @@ class QPlainTextEdit;
 
 namespace bask {
 
-/// In English: who reads it may not know the window's language. Paths outside of the experiment are not in
-/// it, but those of the rig's ports are.
+/// Returns the report in English, since its reader may not know the window's language. It contains the paths
+/// of the rig's ports, but no other paths outside of the experiment.
 QString problemReport(const Snapshot& snapshot, const std::vector<TraceEvent>& events,
                       const Experiment& experiment);
 
-/// The text, to be read, added to and shortened. Not modal. Object names: "problemDialog", "problemText",
-/// "problemSave", "problemClose".
+/// Shows the text, to be read, extended or shortened. Not modal. Object names: "problemDialog",
+/// "problemText", "problemSave", "problemClose".
 class ProblemDialog : public QDialog {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 #pragma once
-// The recipe of the window: its file, its edits, and its way through the engine.
+// The recipe of the window: its file, its edits, and its execution by the engine.
 
 #include "app/session_actions.h"
 #include "engine/recipe/recipe_runner.h"
@@ -21,19 +21,19 @@ class RecipeControl : public QObject {
     Q_OBJECT
 
 public:
-    /// `bar` tells over every page that a recipe is on: between its steps the engine is at rest.
+    /// `bar` shows on every page that a recipe is on: between its steps the engine is idle.
     RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, MessageBar& bar,
                   QWidget* window);
 
     void open(const QString& path);
-    /// Unsaved edits of the recipe may be lost: asks. False: stay.
+    /// Asks if unsaved edits of the recipe would be lost. Returns false to stay.
     bool mayDiscard();
     void apply(const Snapshot& snapshot);
-    /// A person is about to stop or hold the rig.
+    /// Call before a person stops or holds the rig.
     void takeOver(bool isHold = false);
-    /// Ends it and its run, as asked for.
+    /// Ends the recipe and its run, as requested.
     void stopNow();
-    /// A person is about to move or heat the rig by hand, which a run under way refuses.
+    /// Call before a person moves or heats the rig manually, which is refused during a run.
     void takeOverAtRest();
     bool isOn() const { return m_runner && !m_runner->isOver(); }
 
@@ -41,7 +41,7 @@ signals:
     void commandIssued(const bask::Command& command);
     void problem(const QString& sentence);
     void told(const QString& sentence);
-    /// The panel is to be seen.
+    /// The panel must be shown.
     void showWanted();
 
 private:
@@ -69,9 +69,9 @@ private:
     Recipe m_recipe;
     QString m_path;
     bool m_isModified = false;
-    std::optional<RecipeRunner> m_runner; ///< of the recipe as it is: an edit forgets it
+    std::optional<RecipeRunner> m_runner; ///< runs the present recipe; an edit resets it
     Snapshot m_last;
-    bool m_isStartable = false; ///< no run is armed or on, nothing is latched
+    bool m_isStartable = false; ///< no run is armed or on, and no fault is latched
     LatestJob<Result<RecipeExperiments>> m_read;
 };
 

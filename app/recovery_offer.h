@@ -1,5 +1,5 @@
 #pragma once
-// Offers what an earlier Bask did not get to save: in the bar over the pages, never as a dialog.
+// Offers unsaved edits of an earlier Bask, in the bar above the pages, never as a dialog.
 
 #include "app/unsaved_file.h"
 #include "widgets/common/latest_job.h"
@@ -16,13 +16,13 @@ class Document;
 class MessageBar;
 class SessionActions;
 
-/// One at a time, the newest first: recovered as unsaved edits of their file, or discarded. What is put off
-/// or not come to is offered again at the next start.
+/// Offers one at a time, the newest first: it is recovered as unsaved edits of its file, or discarded. What
+/// is postponed is offered again at the next start.
 class RecoveryOffer : public QObject {
     Q_OBJECT
 
 public:
-    /// What goes wrong is told as a problem of `files`.
+    /// Errors are reported as problems of `files`.
     RecoveryOffer(MessageBar& bar, Document& document, Autosave& autosave, SessionActions& files,
                   QObject* parent = nullptr);
 

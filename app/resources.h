@@ -3,8 +3,8 @@
 
 namespace bask {
 
-/// Makes ":/icons" and ":/i18n" known. Needed once, since a static library's resources are not
-/// found by themselves.
+/// Registers ":/icons" and ":/i18n". Call it once, since the resources of a static library are not found
+/// without it.
 void initResources();
 
 } // namespace bask

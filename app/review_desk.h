@@ -20,17 +20,17 @@ class ReviewDesk : public QObject {
 public:
     ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent = nullptr);
 
-    void showList();                        ///< of the folder of sessions
-    void setRecording(const QString& path); ///< the file that is being recorded into; empty: none
-    void setEditable(bool editable) { m_editable = editable; } ///< of the open experiment
+    void showList();                        ///< shows the list of the sessions' folder
+    void setRecording(const QString& path); ///< the file that is being recorded; empty for none
+    void setEditable(bool editable) { m_editable = editable; } ///< whether the open experiment can be edited
     void retranslate();
 
 signals:
-    void opening(); ///< another session: what was said is over
-    void opened();  ///< it is shown
+    void opening(); ///< another session is being opened: earlier messages no longer apply
+    void opened();  ///< the session is shown
     void problem(const QString& sentence);
     void told(const QString& sentence);
-    /// "manual.md#review"
+    /// Opens a page of the manual, such as "manual.md#review".
     void manualRequested(const QString& page);
 
 private:
@@ -49,8 +49,9 @@ private:
     SessionCount m_count;
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
-    std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had
-    bool m_isDamageTold = false;                     ///< of m_session
+    /// numbers of m_session; null if they are being computed or not available
+    std::shared_ptr<const SessionNumbers> m_numbers;
+    bool m_isDamageTold = false; ///< the damage of m_session was reported
     bool m_editable = true;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-// Files: experiments opened and saved, sessions opened, copied and exported. All but saving an experiment
-// (some 100 kB) runs off the GUI thread.
+// Files: opens and saves experiments, opens, copies and exports sessions. Everything except saving an
+// experiment (some 100 kB) runs off the GUI thread.
 
 #include "app/document.h"
 #include "app/session_export.h"
@@ -26,9 +26,9 @@ struct FileQuestion {
     enum class Kind { OpenFile, SaveFile, Folder };
     Kind kind = Kind::OpenFile;
     QString title;
-    QString folder; ///< for SaveFile with the proposed name
+    QString folder; ///< for SaveFile, with the proposed name
     QString filter;
-    QString suffix; ///< added to a name typed without one
+    QString suffix; ///< added if the typed name has none
 };
 
 class SessionActions : public QObject {
@@ -37,55 +37,56 @@ class SessionActions : public QObject {
 public:
     SessionActions(Document& document, SettingsStore& settings, QWidget* window);
 
-    /// Answers file questions instead of the dialog; empty means cancelled.
+    /// Answers file questions instead of the dialog; an empty answer means cancelled.
     void setFileChooser(std::function<QString(const FileQuestion&)> chooser) {
         m_chooser = std::move(chooser);
     }
-    /// Whether a run forbids another experiment, asked before it is put in.
+    /// Sets the check whether a run forbids another experiment, called before one is opened.
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
-    /// Whether a recipe is on: between its runs, too, nothing is drawn that takes long.
+    /// Sets the check whether a recipe is on: also between its runs, nothing is drawn that takes long.
     void setRecipeGuard(std::function<bool()> recipeIsOn) { m_recipeIsOn = std::move(recipeIsOn); }
     void setRecording(const QString& path);
-    /// Empty: cancelled.
+    /// Returns the chosen file; empty if cancelled.
     QString ask(const FileQuestion& question);
     QString lastFolder() const;
     TemperatureUnit temperatureUnit() const;
-    /// Among the recent files.
+    /// Adds the file to the recent files.
     void remember(const QString& path);
 
     void newExperiment();
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
-    /// The folder whose runs are listed; another one is asked for. Empty: it stays.
+    /// The folder whose runs are listed; asks for another one. Empty if it does not change.
     QString sessionFolder() const;
     QString askSessionFolder();
-    /// *.bask is a session; a .json says whether it is a recipe, a rig or an experiment.
+    /// Opens a file: *.bask is a session; the content of a .json shows whether it is a recipe, a rig or an
+    /// experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
-    /// The open session in another form, into a folder or file that is asked for. Figures and reports not
-    /// during a run or recipe, whether it is on or begins meanwhile: drawing them takes the window's time.
+    /// Exports the open session in another form, to a folder or file that is asked for. Figures and reports
+    /// are not exported while a run or recipe is on or if one begins, since drawing blocks the window.
     void exportSession(SessionForm form);
     static bool isSession(const QString& path);
-    /// The devices of a rig file; the open experiment's into one.
+    /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();
     void saveRig();
-    /// A problem report, as it was read.
+    /// Saves a problem report, as the person has read it.
     void saveReport(const QString& text);
 
-    /// A changed experiment may be lost: asks to save. False: stay.
+    /// Asks to save if a changed experiment would be lost. Returns false to stay.
     bool mayDiscard();
-    /// A run is on, and it is told that this forbids another experiment.
+    /// Returns whether a run is on, and then tells that this forbids another experiment.
     bool refusedByRun();
-    /// Neither of the two stands against another experiment.
+    /// Returns whether neither of the two forbids another experiment.
     bool mayReplace() { return !refusedByRun() && mayDiscard(); }
-    /// What was asked for at generation `since` of the document has been read; there are unsaved edits of
-    /// after that, and it is told that `name` is not opened over them.
+    /// Returns whether there are unsaved edits after generation `since` of the document, when the file was
+    /// requested; then tells that `name` is not opened over them.
     bool refusedByEdits(int since, const QString& name);
 
-    /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
+    /// Returns the file for the next run, and creates its folder; empty if that is impossible (reported as a
     /// problem).
     QString nextRecordingPath();
     bool hasRecording() const { return !m_recording.isEmpty(); }
@@ -95,7 +96,7 @@ signals:
     void told(const QString& sentence);
     void sessionOpened(std::shared_ptr<bask::RecordedSession> session);
     void rigRead(const bask::RigSpec& rig);
-    /// A recipe file is to be opened.
+    /// A recipe file was chosen to be opened.
     void recipeChosen(const QString& path);
     void recentChanged();
     void recordingChanged();

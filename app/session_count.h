@@ -1,5 +1,5 @@
 #pragma once
-// What takes all samples of a recorded run: its metrics, the way of its objects, its heat rates. One pass
+// Results that need all samples of a recorded run: metrics, the path of its objects, heat rates. One pass
 // over the file, off the GUI thread.
 
 #include "app/session_rates.h"
@@ -18,11 +18,11 @@ namespace bask {
 
 struct SessionNumbers {
     RunMetrics metrics;
-    std::vector<TraceSample> way; ///< some samples from all over the run
+    std::vector<TraceSample> way; ///< a selection of samples from the whole run
     Result<SessionRates> rates;
 };
 
-/// Any thread; `done` goes up to the number of samples. Errors: those of readSamples.
+/// Any thread; `done` increases up to the number of samples. Errors: those of readSamples.
 Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samples,
                                     std::atomic<std::size_t>& done, const std::stop_token& stop = {});
 
@@ -30,11 +30,11 @@ class SessionCount : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int kInterval_ms = 100; ///< between progressed()
+    static constexpr int kInterval_ms = 100; ///< interval between progressed() signals
 
     SessionCount();
 
-    /// Instead of the one that may be on.
+    /// Starts counting and replaces a count in progress.
     void start(const RecordedSession& session);
     void stop();
 

@@ -1,5 +1,5 @@
 #pragma once
-// A recorded session written in another form from the window.
+// Exports a recorded session in another form from the window.
 
 #include "app/commands/session_outputs.h"
 #include "widgets/common/latest_job.h"
@@ -13,8 +13,8 @@
 
 namespace bask {
 
-/// Reads and computes off the GUI thread; figures and reports are drawn on it, up to a minute of a run of 24
-/// h.
+/// Reads and computes off the GUI thread; figures and reports are drawn on it, which takes up to a minute for
+/// a run of 24 h.
 class SessionExport : public QObject {
     Q_OBJECT
 
@@ -22,14 +22,15 @@ public:
     using QObject::QObject;
 
     static bool isReport(SessionForm form);
-    /// Drawn on the GUI thread.
+    /// Whether the form is drawn on the GUI thread.
     static bool isDrawn(SessionForm form) { return form == SessionForm::Figures || isReport(form); }
 
-    /// Asked when all is read, before drawing; false: nothing is drawn, and whoever says so tells it.
+    /// Sets a check that is called after reading, before drawing. If it returns false, nothing is drawn, and
+    /// the check itself tells the person.
     void setDrawGuard(std::function<bool()> mayDraw) { m_mayDraw = std::move(mayDraw); }
 
-    /// To a folder, or of a report to a file that ends in .html or .pdf. `language` is the window's.
-    /// Different forms may be on their way at the same time.
+    /// Exports to a folder, or a report to a file that ends in .html or .pdf. `language` is the window's.
+    /// Several forms may be exported at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
                const QString& language);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The recorded runs of a folder, for the list on the Review page: read, tagged, closed, laid over another.
+// The recorded runs of a folder, for the list on the Review page: read, tagged, closed, overlaid on another.
 
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_header.h"
@@ -17,13 +17,13 @@ namespace bask {
 
 class SessionList;
 
-/// All work on files is done on one thread, in the order in which it was asked for: what is written is what
-/// is read next. A header is read again only when its file has changed.
+/// All file work is done on one thread, in the order of the requests, so that a written change is read next.
+/// A header is read again only if its file has changed.
 class SessionLibrary : public QObject {
     Q_OBJECT
 
 public:
-    /// Fills and serves the list, which outlives it.
+    /// Fills and serves the list, which must outlive it.
     explicit SessionLibrary(SessionList& list);
     ~SessionLibrary() override;
 
@@ -32,15 +32,15 @@ public:
 
 signals:
     void problem(const QString& sentence);
-    /// An interrupted recording is to be given its end: who reads it lets it go. It has it now, or keeps
-    /// none.
+    /// An interrupted recording is about to be closed: its readers must release it. It has its end now, or
+    /// stays without one.
     void closing(const QString& path);
     void closed(const QString& path, bool isDone);
     void overlayRead(std::shared_ptr<bask::RecordedSession> session);
 
 private:
     struct Known {
-        std::string stamp; ///< of file and log
+        std::string stamp; ///< sizes and times of file and log
         SessionHeader header;
     };
     using Headers = std::map<std::string, Known>;
@@ -54,8 +54,8 @@ private:
 
     SessionList& m_list;
     QString m_folder;
-    int m_listings = 0;                                             ///< asked for and not answered yet
-    std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< the pool's
+    int m_listings = 0; ///< number of requested lists that are not answered yet
+    std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< used by the pool's thread
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);
     QThreadPool m_pool;
 };

@@ -10,22 +10,22 @@
 
 namespace bask {
 
-/// In the session's order; lambda1 at its source's set temperature.
+/// Rates in the session's order of objects; lambda1 at the set temperature of its source.
 struct SessionRates {
     std::vector<IdentifiedRates> identified;
     std::vector<HeatRates> material;
 };
 
-/// Takes some 0.1 s, of a long run some seconds: run it as a job. A record that cannot be judged is an Error.
+/// Takes about 0.1 s, for a long run some seconds: run it as a job. Error: the record cannot be evaluated.
 Result<SessionRates> sessionRates(const SessionRecord& facts, const HeatRecords& records);
 
 struct StartValues {
     Experiment experiment;
-    std::vector<std::string> objects; ///< that got them
+    std::vector<std::string> objects; ///< objects that received start values
 };
 
-/// The experiment with the usable rates as believed ones, in the objects that have the name and the material
-/// of those recorded under the same source and environment.
+/// Returns the experiment with the usable rates as estimated ones, for the objects with the same name and
+/// material as those recorded under the same source and environment.
 StartValues withStartValues(const Experiment& experiment, const Experiment& recorded,
                             const SessionRates& rates);
 

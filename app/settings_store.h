@@ -1,5 +1,5 @@
 #pragma once
-// What Bask remembers between starts: recent files, units, theme, language, window places.
+// The settings that Bask keeps between starts: recent files, units, theme, language, window positions.
 
 #include "app/data_folder.h"
 #include "app/horn.h"
@@ -14,8 +14,8 @@
 
 namespace bask {
 
-/// An INI file in the user's configuration folder, or in the folder that BASK_SETTINGS_DIR names. Unknown
-/// values read as the defaults.
+/// An INI file in the user's configuration folder, or in the folder BASK_SETTINGS_DIR. Unknown values read as
+/// the defaults.
 class SettingsStore {
 public:
     static constexpr int kMaxRecent = 8;
@@ -29,32 +29,33 @@ public:
     Theme theme() const;
     void setTheme(Theme theme);
 
-    /// Of text and all that is drawn with it, one of kTextSizes_percent; from the program's start on.
+    /// Size of text and of what is drawn with it, one of kTextSizes_percent; takes effect at the program's
+    /// start.
     int textSize_percent() const;
     void setTextSize_percent(int percent);
 
-    /// On a real rig, unless it was chosen otherwise.
+    /// The horn sounds for a real rig, unless another mode was chosen.
     HornMode hornMode() const;
     void setHornMode(HornMode mode);
 
-    /// One of Language::codes(); the desktop's language when it was never chosen.
+    /// One of Language::codes(); the desktop's language if none was chosen.
     QString language() const;
     void setLanguage(const QString& code);
 
-    /// Newest first.
+    /// Recent files, the newest first.
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
     void removeRecentFile(const QString& path);
     void clearRecentFiles();
 
-    /// Whether the first five minutes were offered, and answered.
+    /// Whether the offer of the first five minutes was answered.
     bool isCoachAnswered() const;
     void setCoachAnswered();
 
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
-    /// Whose runs the Review page lists: where Bask records, unless another was chosen.
+    /// Folder whose runs the Review page lists: where Bask records, unless another was chosen.
     QString sessionFolder() const;
     void setSessionFolder(const QString& folder);
 
@@ -66,12 +67,12 @@ private:
     QSettings m_settings;
 };
 
-/// Where runs are recorded: AppLocalDataLocation/sessions, or BASK_SETTINGS_DIR/sessions.
+/// Folder where runs are recorded: AppLocalDataLocation/sessions, or BASK_SETTINGS_DIR/sessions.
 QString recordingFolder();
-/// Where unsaved edits are kept until they are saved: AppLocalDataLocation/unsaved, or
+/// Folder where unsaved edits are kept until they are saved: AppLocalDataLocation/unsaved, or
 /// BASK_SETTINGS_DIR/unsaved.
 QString unsavedFolder();
-/// Where runs that are on are marked.
+/// Folder of the marks of current runs.
 QString runMarkFolder();
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
 // The bar that is always visible: SIMULATED or LIVE, the run's state, its verbs in order of use, the clock,
-// the gravest alarm, STOP.
+// the most serious alarm, STOP.
 
 #include "app/actions.h"
 
@@ -17,8 +17,8 @@ class StopButton;
 
 /// Object names: "rigTag", "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume),
 /// "stopRunButton", "retreatButton", "resetButton", "runClock", "alarmButton" (only with alarms),
-/// "stopButton". Where it is narrow its buttons and its tag lose their words, then its clock goes: STOP stays
-/// whole. Its verbs have the same places in every state and with every alarm.
+/// "stopButton". In a narrow window first buttons and tag lose their words, then the clock disappears: STOP
+/// is always complete. The verbs have the same places in every state and with every alarm.
 class StateBar : public QFrame {
     Q_OBJECT
 
@@ -61,7 +61,7 @@ private:
     bool m_answering = true;
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
-    QString m_fitted; ///< what was last given room, and how much
+    QString m_fitted; ///< the last content that was fitted, and its width
     QFrame* m_tag;
     QLabel* m_tagIcon;
     QLabel* m_tagWord;

@@ -1,6 +1,6 @@
 #pragma once
-// The line at the window's foot: the source and its heat, as far as they are known, age of the readings or of
-// each device's answers, loop rate and late steps, how the source is followed, recording, unit, language.
+// The line at the bottom of the window: the source and its heat, as far as known, age of the readings or of
+// each device's answers, loop rate and late steps, tracking of the source, recording, unit, language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
@@ -47,8 +47,8 @@ private:
     std::size_t m_rows = 0;
     QString m_recording;
     std::optional<SourceTracking> m_tracking;
-    std::vector<RigDeviceState> m_devices; ///< of a real rig
-    Snapshot m_source;                     ///< what it says of the source
+    std::vector<RigDeviceState> m_devices; ///< devices of a real rig
+    Snapshot m_source;                     ///< state of the source that is shown
     TemperatureUnit m_temperatureUnit = TemperatureUnit::Celsius;
     QLabel* m_ageLabel;
     QLabel* m_loopLabel;

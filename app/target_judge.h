@@ -1,6 +1,6 @@
 #pragma once
-// What there is to know of an experiment's targets before a run: whether they can be held, how long a run
-// takes, which temperatures of each two objects go together.
+// Judges an experiment's targets before a run: whether they can be held, how long a run takes, and which
+// temperatures of each pair of objects can be combined.
 
 #include "engine/control/reachable_pairs.h"
 #include "engine/model/experiment.h"
@@ -14,42 +14,42 @@
 
 namespace bask {
 
-/// GUI thread; everything is computed off it. The verdict follows every change and is stale until it is
-/// there; the prediction and the maps are made when they are asked for. A newer question stops the work on an
-/// older one.
+/// GUI thread; everything is computed off it. The verdict follows every change and is stale until the new one
+/// arrives; prediction and maps are computed on request. A newer request stops the work on an older one.
 class TargetJudge : public QObject {
     Q_OBJECT
 
 public:
-    /// What is other than in the experiment before.
+    /// What differs from the previous experiment.
     enum class Change { All, Targets, Controller };
     void setExperiment(const Experiment& experiment, Change change);
-    /// Targets that the nearest feasible ones shall keep; another number of them than of objects counts as
-    /// none.
+    /// Sets which targets the nearest feasible ones must keep; a list whose length is not the number of
+    /// objects means none.
     void setKept(const std::vector<bool>& kept);
-    /// Judges targets that are only being considered. While one try is judged the newest of those that follow
-    /// waits; setExperiment ends them.
+    /// Judges targets that are only being considered. During a judgement only the newest of the following
+    /// ones waits; setExperiment ends them.
     void tryTargets(const std::vector<double>& targets_K);
 
-    /// None of the tried targets is taken: the verdict is on the experiment's again.
+    /// No tried target is accepted: the verdict is about the experiment again.
     void dropTries();
 
-    /// Empty before the first.
+    /// The newest verdict; empty before the first.
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool isStale() const { return m_stale; }
-    /// Whether verdict and maps are, or will be, of targets that are only tried.
+    /// Whether verdict and maps are, or will be, about targets that are only tried.
     bool isTrying() const { return m_judged != m_experiment; }
 
-    /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
-    /// of work.
+    /// Simulates a run with the experiment's targets and controller, if they can be held: takes a few
+    /// seconds.
     void predict();
     bool predicted() const { return m_predicted; }
-    /// Once predicted: when all objects have settled; empty: not within the experiment's duration limit.
+    /// After a prediction, the time when all objects have settled; empty if not within the experiment's
+    /// duration limit.
     const std::optional<double>& predictedSettling_s() const { return m_predictedSettling_s; }
 
-    /// Maps of all pairs of objects are made, and follow edits, only while they are wanted.
+    /// Maps of all pairs of objects are computed, and follow edits, only while they are wanted.
     void wantPairs(bool wanted);
-    /// Of the present objects, source and robot; each says for which targets. Empty: not made yet.
+    /// Maps of the present objects, source and robot; each states its targets. Empty if not computed yet.
     const std::optional<std::vector<ReachableMap>>& pairs() const { return m_pairs; }
 
 signals:
@@ -59,7 +59,7 @@ signals:
 
 private:
     struct Judgement {
-        std::optional<JointVerdict> verdict; ///< empty: stopped
+        std::optional<JointVerdict> verdict; ///< empty if it was stopped
         std::shared_ptr<const PoseLookup> lookup;
     };
     void judgeTargets();
@@ -69,9 +69,9 @@ private:
     void mapPairs();
 
     Experiment m_experiment;
-    Experiment m_judged; ///< m_experiment, or with targets that are tried
+    Experiment m_judged; ///< m_experiment, or the same with tried targets
     std::vector<bool> m_kept;
-    std::shared_ptr<const PoseLookup> m_lookup; ///< of the present objects, source and robot
+    std::shared_ptr<const PoseLookup> m_lookup; ///< for the present objects, source and robot
     std::optional<JointVerdict> m_verdict;
     bool m_stale = true;
     LatestJob<Judgement> m_judge;
@@ -84,7 +84,7 @@ private:
     LatestJob<std::optional<double>> m_predict;
 
     bool m_pairsWanted = false;
-    bool m_pairsPlaced = false; ///< m_pairs are of the present targets
+    bool m_pairsPlaced = false; ///< m_pairs are for the present targets
     std::optional<std::vector<ReachableMap>> m_pairs;
     LatestJob<std::optional<std::vector<ReachableMap>>> m_map;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Edit > Undo and Redo, on every page: what they would do, whether it may be done now, and doing it.
+// Edit > Undo and Redo, on every page: what they would do, whether they are allowed now, and doing it.
 
 #include "app/document.h"
 #include "engine/runtime/snapshot.h"
@@ -11,9 +11,8 @@ class QWidget;
 
 namespace bask {
 
-/// An undo is an edit: during a run only targets and gains can be, and where it allows a real rig more than
-/// before a person is asked first ("undoQuestion"). Ctrl+Z in a field with text that is not entered yet
-/// remains the field's.
+/// An undo is an edit: during a run only targets and gains can be undone, and if it loosens a limit of a real
+/// rig, a person is asked first ("undoQuestion"). In a field with unentered text, Ctrl+Z is the field's own.
 class UndoActions : public QObject {
     Q_OBJECT
 
@@ -21,7 +20,7 @@ public:
     UndoActions(Document& document, QAction* undo, QAction* redo, QWidget* window);
 
     void setState(RunState state);
-    /// Texts, in the window's language.
+    /// Updates the texts in the window's language.
     void refresh();
 
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -42,7 +41,7 @@ private:
     RunState m_state = RunState::Idle;
 };
 
-/// Whether the engine takes such an edit in that state.
+/// Returns whether the engine accepts such an edit in that state.
 bool allowsEdit(RunState state, EditScope scope);
 
 } // namespace bask

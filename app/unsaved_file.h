@@ -1,5 +1,5 @@
 #pragma once
-// A file that keeps unsaved edits over a crash.
+// A file that keeps unsaved edits across a crash.
 
 #include "engine/base/result.h"
 #include "engine/model/experiment.h"
@@ -12,32 +12,32 @@
 
 namespace bask {
 
-/// An experiment with what its file does not have.
+/// An experiment with edits that are not in its file.
 struct UnsavedEdits {
     Experiment experiment;
-    QString path; ///< of its file; empty: it has none yet
-    QString name; ///< as the window calls it
+    QString path; ///< path of its file; empty if it has none yet
+    QString name; ///< name in the window
 };
 
-/// A line of JSON (format, version, pid, path, name), then the experiment as in its own file. A lock beside
-/// it is held by the process that owns it and ends with it, however it ends. Any thread, one at a time.
+/// A line of JSON (format, version, pid, path, name), then the experiment as in its own file. The owning
+/// process keeps a lock beside it, which ends with the process in whatever way. Any thread, one at a time.
 class UnsavedFile {
 public:
-    /// Of this process, under a name of its own; made with the first write.
+    /// A file of this process with a unique name; it is created with the first write.
     explicit UnsavedFile(const QString& folder);
-    ~UnsavedFile(); ///< lets the lock go; the file stays
+    ~UnsavedFile(); ///< releases the lock; the file stays
     UnsavedFile(const UnsavedFile&) = delete;
     UnsavedFile& operator=(const UnsavedFile&) = delete;
 
-    /// Those of processes that are gone, newest first; they are this one's from now on.
+    /// Returns the files of processes that have ended, the newest first; this process owns them from then on.
     static std::vector<std::shared_ptr<UnsavedFile>> left(const QString& folder);
 
-    /// Whole or not at all.
+    /// Writes all or nothing.
     Result<void> write(const UnsavedEdits& edits);
     Result<UnsavedEdits> read() const;
     void remove();
 
-    QString name() const; ///< of what is in it
+    QString name() const; ///< name of the experiment in it
     QDateTime time() const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// Why a verb of the run cannot be done now: what its button or key says instead of doing nothing.
+// Why a verb of the run is not possible now: its button or key shows this instead of doing nothing.
 
 #include "app/actions.h"
 
@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// One translated sentence that names what to do first; empty while `allows(snapshot, verb)`.
+/// Returns one translated sentence that names what to do first; empty if `allows(snapshot, verb)`.
 QString whyNot(const Snapshot& snapshot, Verb verb);
 
 } // namespace bask

@@ -1,6 +1,5 @@
 #pragma once
-// Headless subcommands of the one binary: figures on standard output, progress and messages on standard
-// error.
+// Subcommands without a window: figures on standard output, progress and messages on standard error.
 
 #include <QStringList>
 
@@ -8,7 +7,8 @@
 
 namespace bask {
 
-/// Exit codes of every subcommand. An output that cannot be written, standard output too, is bad input.
+/// Exit codes of every subcommand. An output that cannot be written, also standard output, counts as bad
+/// input.
 enum ExitCode { kExitDone = 0, kExitFault = 1, kExitBadInput = 2, kExitNegative = 3 };
 
 /// A subcommand; `run` gets the arguments after its name and returns an ExitCode.
@@ -16,7 +16,7 @@ struct Subcommand {
     const char* name;
     const char* summary;
     int (*run)(const QStringList& arguments);
-    bool drawsFigures = false; ///< runs on a QApplication, off screen, whatever display there is
+    bool drawsFigures = false; ///< runs on a QApplication off screen, with any display or none
 };
 
 std::span<const Subcommand> subcommands();

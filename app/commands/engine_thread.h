@@ -1,5 +1,5 @@
 #pragma once
-// What a command needs that drives a real rig: the engine on its thread, and the signals that end it.
+// What a command needs to drive a real rig: the engine on its thread, and the signals that end it.
 
 #include "app/data_folder.h"
 #include "engine/runtime/engine_worker.h"
@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// Signals are counted while it lives. One at a time.
+/// Counts signals during its lifetime. Only one object at a time.
 class SignalCount {
 public:
     SignalCount();
@@ -18,11 +18,11 @@ public:
     int now() const;
 };
 
-/// The engine has a thread of its own: a terminal that takes no more text must not hold it up.
+/// Runs the engine on its own thread, so that a blocked terminal does not delay it.
 class EngineThread {
 public:
     EngineThread();
-    ~EngineThread(); ///< safe state first
+    ~EngineThread(); ///< enters the safe state first
     template <class Work> void ask(Work work, Qt::ConnectionType how = Qt::QueuedConnection) {
         QMetaObject::invokeMethod(&worker, std::move(work), how);
     }

@@ -1,5 +1,5 @@
 #pragma once
-// What subcommands that take an experiment have in common on the command line.
+// What subcommands with an experiment share on the command line.
 
 #include "engine/model/experiment.h"
 
@@ -12,15 +12,15 @@ class QCommandLineParser;
 
 namespace bask {
 
-/// A value of `option` that is not what is expected, in words.
+/// Returns the error for a value of `option` that is not as expected, in words.
 Error badValue(const QString& option, const QString& value, const char* expected);
 
-/// What --targets ("50,40,40", degC) and --source-model say in place of the experiment's, where they are
+/// Replaces the experiment's values by those of --targets ("50,40,40", degC) and --source-model, if they are
 /// given. The result is not validated.
 Result<void> replaceTargets(const QCommandLineParser& parser, Experiment& experiment);
 Result<void> replaceSourceModel(const QCommandLineParser& parser, Experiment& experiment);
 
-/// Files that reading the experiment read: itself and the outlines beside it.
+/// Returns the files that were read for the experiment: itself and the outlines beside it.
 std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment);
 
 } // namespace bask

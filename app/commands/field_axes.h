@@ -1,5 +1,5 @@
 #pragma once
-// The grid of `bask field` as it is typed: axes, held coordinates and the named presets.
+// The grid of `bask field` as typed: axes, fixed coordinates and the named presets.
 
 #include "engine/radiation/field_sampler.h"
 
@@ -17,7 +17,7 @@ Result<std::vector<FieldAxis>> parseFieldAxes(const std::string& text);
 Result<void> parseFixed(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& fixed,
                         const std::string& option = "--hold");
 
-/// Where the paper samples.
+/// The sampling grid of the paper.
 struct PresetGrid {
     std::vector<FieldAxis> axes;
     Vector6d fixed = Vector6d::Zero();

@@ -1,6 +1,6 @@
 #pragma once
-// What a person at the command line says of a real robot's place before a run, and the order that makes it
-// sure.
+// What a person states at the command line about a real robot's position before a run, and the command that
+// makes it sure.
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -11,19 +11,20 @@ namespace bask {
 
 enum class LivePlace {
     AsFound,   ///< it must be sure already
-    Confirmed, ///< it is where its controller says
-    Home       ///< it is to be found by the robot's switches: it moves
+    Confirmed, ///< the position that its controller reports is right
+    Home       ///< home the robot with its switches: it moves
 };
 
 class PlaceOrders {
 public:
     explicit PlaceOrders(LivePlace place) : m_place(place) {}
 
-    /// Whether there is something to do or to wait for still: a robot that answers and is not sure.
+    /// Returns whether something must still be done or awaited: the robot answers and its position is not
+    /// sure.
     bool isPending(const Snapshot& snapshot) const {
         return m_place != LivePlace::AsFound && !snapshot.isPlaceSure;
     }
-    /// At most one in kAgain_s, and none while the robot moves.
+    /// Returns at most one command in kAgain_s, and none while the robot moves.
     std::optional<Command> next(const Snapshot& snapshot) {
         constexpr double kAgain_s = 2.0;
         if (!isPending(snapshot) || snapshot.isMoving || snapshot.clock_s < m_next_s)

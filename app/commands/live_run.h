@@ -6,9 +6,9 @@
 
 namespace bask {
 
-/// Makes the robot's place sure as it is told to, resets what a start on a real rig is faulted with, arms,
-/// starts; ends when all have been settled for kSettledFor_s or after the duration, by Stop and the retreat.
-/// SIGINT and SIGTERM stop it, the second one is STOP. The objects' final temperatures are those measured.
+/// Makes the robot's position sure as told, resets the start-up fault of a real rig, arms and starts. Ends,
+/// by Stop and the retreat, when all objects have been settled for kSettledFor_s, or after the duration.
+/// SIGINT and SIGTERM stop the run, a second one is STOP. The final temperatures are the measured ones.
 /// Errors: a rig that is not ready within a minute, with its reasons; refused verbs.
 Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options, LivePlace place);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The paper's experiments as files: which figure each belongs to, what the paper saw, what is expected here.
+// The paper's experiments as files: the figure of each, the paper's result, and the result expected here.
 
 #include "engine/model/experiment.h"
 
@@ -12,11 +12,11 @@
 
 namespace bask {
 
-/// How a run ended, judged on the plant's true temperatures.
+/// How a run ended, judged by the plant's true temperatures.
 enum class RunEnding {
     Settled,    ///< every object within the settled band until the end
-    NotSettled, ///< some object outside at the end
-    Compromise, ///< the same, and the controller had said that no pose holds all targets together
+    NotSettled, ///< at least one object outside at the end
+    Compromise, ///< as NotSettled, and the controller reported that no pose holds all targets together
     Fault,
 };
 const char* runEndingName(RunEnding ending); ///< "settled", "not settled", "best compromise", "fault"
@@ -24,21 +24,21 @@ const char* runEndingName(RunEnding ending); ///< "settled", "not settled", "bes
 struct ExpectedEnding {
     RunEnding ending = RunEnding::Settled;
     std::string reason; ///< one sentence
-    /// It creeps along the edge of the settled band: whether it is in at the end is chance, of a contour's
-    /// last digit or the processor's; Settled and NotSettled are both expected, with every error below 1 K.
+    /// The run ends near the edge of the settled band: whether it is inside depends on a contour's last digit
+    /// or on the processor. Settled and NotSettled are both expected, with every error below 1 K.
     bool atTheEdge = false;
 
     bool holds(RunEnding ended, double largestError_K) const;
     const char* name() const; ///< runEndingName, or "at the edge"
 };
 
-/// By the paper's controller, which is the one of the file, and by the level servo.
+/// Index of the runs by the paper's controller, which is that of the file, and by the level servo.
 inline constexpr std::size_t kByThePaper = 0, kByTheLevelServo = 1;
 
 struct PaperExperiment {
-    std::string name; ///< of its file, without ".json"
+    std::string name; ///< name of its file, without ".json"
     Experiment experiment;
-    ExpectedEnding paper; ///< what the paper reports, in its reason
+    ExpectedEnding paper; ///< the paper's result, in its reason
     std::array<ExpectedEnding, 2> expected;
 };
 
@@ -51,12 +51,11 @@ struct PaperFigure {
 };
 
 /// Reads expected.json in `folder` and the experiments that it names, beside it. `only` is the name of a
-/// figure or of an experiment, empty: everything. Errors: what readExperiment says; what is missing in the
-/// JSON; an unknown name (with the known ones).
+/// figure or of an experiment; empty for all. Errors: those of readExperiment; missing JSON entries; an
+/// unknown name (with the known ones).
 Result<std::vector<PaperFigure>> readPaperFigures(const std::string& folder, const std::string& only);
 
-/// Where the files of the program itself are read from: copies them below `folder`. Returns the path for
-/// readPaperFigures.
+/// Copies the program's own files below `folder`. Returns the path for readPaperFigures.
 Result<std::string> unpackPaperExperiments(const QString& folder);
 
 } // namespace bask

@@ -7,8 +7,8 @@
 
 namespace bask {
 
-/// Parses a subcommand's arguments. An exit code means: done (help was printed) or refused (said on standard
-/// error). `positionals` below zero: at least so many.
+/// Parses a subcommand's arguments. An exit code means that it is done (help was printed) or refused
+/// (reported on standard error). A negative `positionals` is a minimum number.
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
                                 int positionals);
 

@@ -9,14 +9,14 @@ namespace bask {
 
 struct RecipeRequest {
     QString recipe;
-    QString folder;  ///< for the sessions, none of which may be there yet; empty: none are recorded
+    QString folder;  ///< for the sessions, none of which may exist yet; empty: nothing is recorded
     QString summary; ///< JSON; empty: none
     bool isLive = false;
     LivePlace place = LivePlace::AsFound;
-    bool mayLoosenLimits = false; ///< of the real rig
+    bool mayLoosenLimits = false; ///< whether limits of the real rig may be loosened
 };
 
-/// An ExitCode.
+/// Runs the recipe. Returns an ExitCode.
 int runRecipe(const RecipeRequest& request);
 
 } // namespace bask

@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// Runs to the recipe's end. SIGINT, SIGTERM and SIGHUP stop it, the second one is STOP.
+/// Runs until the end of the recipe. SIGINT, SIGTERM and SIGHUP stop it, a second one is STOP.
 void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place);
 
 } // namespace bask

@@ -10,8 +10,8 @@ namespace bask {
 
 struct ReportPicture {
     QByteArray png;
-    QString words;       ///< what it shows, for those who do not see it
-    bool isWide = false; ///< takes the page's whole width, not half of it
+    QString words;       ///< description for those who cannot see the picture
+    bool isWide = false; ///< uses the full width of the page instead of half
 };
 
 /// The pictures of a plot of expected.json:

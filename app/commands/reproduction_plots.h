@@ -8,10 +8,10 @@ namespace bask {
 
 struct ReportPlot {
     std::string_view name;
-    bool showsExperiments = true; ///< else it needs none
+    bool showsExperiments = true; ///< false: it needs no experiments
 };
 
-/// What each of them shows: reportPictures().
+/// Returns all plots; reportPictures() describes them.
 constexpr std::array<ReportPlot, 8> reportPlots() {
     return {{{"overlay"},
              {"errors"},

@@ -8,16 +8,16 @@
 
 namespace bask {
 
-/// Near the beginning of every file of the report: what holds it may be replaced.
+/// Mark near the beginning of every file of the report; a file with it may be replaced.
 inline constexpr const char* kReproductionMark = "Bask reproduction";
 
 struct ReportFigure {
     const PaperFigure* figure = nullptr;
-    std::vector<const ReproducedExperiment*> experiments; ///< its own
+    std::vector<const ReproducedExperiment*> experiments; ///< experiments of this figure
     std::vector<ReportPicture> pictures;
 };
 
-/// Summary, table of all experiments, a section a figure. UTF-8.
+/// Returns a summary, a table of all experiments and one section for each figure, in UTF-8.
 std::string reproductionHtml(const std::vector<ReportFigure>& figures);
 
 } // namespace bask

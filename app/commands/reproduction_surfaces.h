@@ -5,11 +5,11 @@
 
 namespace bask {
 
-/// Over the translations and over the rotations, a disk of 1.5 cm over the source of 10 cm.
+/// Surfaces over the translations and over the rotations, for a disk of 1.5 cm over the source of 10 cm.
 Result<std::vector<ReportPicture>> subsetPictures();
 /// Translations at three inclinations; rotations at three heights and at three distances aside.
 Result<std::vector<ReportPicture>> panelPictures();
-/// Of two objects that move in parallel to the source: surfaces of 30, 40 and 50 degC of each and of both;
+/// For two objects that move parallel to the source: surfaces of 30, 40 and 50 degC for each and for both;
 /// then, for each experiment and controller, the surfaces of the targets and the paths of the centres.
 Result<std::vector<ReportPicture>> steadySurfacePictures(const std::vector<const ReproducedExperiment*>& all);
 

@@ -1,6 +1,6 @@
 #pragma once
-// The studies of `bask study`, each with its options checked: does the work, writes its files into `folder`,
-// prints its summary and returns an exit code.
+// The studies of `bask study`, called with checked options: each does the work, writes its files into
+// `folder`, prints its summary and returns an exit code.
 
 #include "engine/studies/alarm_draw.h"
 #include "engine/studies/closed_loop_study.h"
@@ -13,7 +13,7 @@ int viewFactorStudyCommand(const QString& folder, int maxElements);
 
 enum class StudyMounting { Triangle, Line, Random };
 
-/// What is asked of the closed-loop study; the rig is the one of the three-object examples.
+/// Options of the closed-loop study; the rig is that of the three-object examples.
 struct ClosedLoopRequest {
     ControllerKind controller = ControllerKind::LevelServo;
     SourceModel sourceModel = SourceModel::Gray;
@@ -28,9 +28,9 @@ struct AlarmRequest {
     AlarmDraw draw = AlarmDraw::Healthy;
     int count = 200;
     std::uint64_t seed = 1;
-    int first = 1; ///< draw that is run first
+    int first = 1; ///< first random draw
 };
-/// Answers kExitNegative when an alarm was false, or a fault that showed itself was not found.
+/// Returns kExitNegative if there was a false alarm, or if a fault with effects was not detected.
 int alarmStudyCommand(const QString& folder, const AlarmRequest& request);
 
 } // namespace bask

@@ -17,23 +17,23 @@ enum class StudyMethod {
 };
 const char* studyMethodName(StudyMethod method);
 
-/// One evaluation. What a method does not have is 0 or none.
+/// One evaluation. Values that a method does not have are 0 or empty.
 struct StudyRow {
     StudyMethod method = StudyMethod::SurfaceIntegral;
-    int elements = 0;       ///< of either face
-    int harmonics = 0;      ///< of the object's outline
-    int points = 0;         ///< Simpson's subintervals on either contour
-    double tolerance = 0.0; ///< asked of the solver
+    int elements = 0;       ///< number of elements of each face
+    int harmonics = 0;      ///< number of harmonics of the object's outline
+    int points = 0;         ///< number of Simpson's subintervals on each contour
+    double tolerance = 0.0; ///< tolerance of the solver
     double value = 0.0;     ///< F21
-    double error = 0.0;     ///< absolute, against the whole outline
-    /// Absolute, against the exact value of the same truncated outline.
+    double error = 0.0;     ///< absolute error, relative to the whole outline's value
+    /// Absolute error, relative to the exact value of the same truncated outline.
     std::optional<double> quadratureError = std::nullopt;
-    double time_us = 0.0; ///< median
+    double time_us = 0.0; ///< median of the time
 };
 
 struct ViewFactorStudy {
     double exact = 0.0; ///< F21 of the whole outline, by the solver to 1e-12
-    int corners = 0;    ///< of the outline
+    int corners = 0;    ///< number of corners of the outline
     std::vector<StudyRow> rows;
 };
 
@@ -45,7 +45,7 @@ inline constexpr double kStudyDistance_m = 0.05;
 /// seconds.
 Result<ViewFactorStudy> runViewFactorStudy(int maxElements);
 
-/// The table as CSV, with what it is about in comment lines before the header.
+/// Returns the table as CSV, with a description in comment lines before the header.
 std::string studyCsv(const ViewFactorStudy& study);
 
 } // namespace bask

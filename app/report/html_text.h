@@ -1,17 +1,17 @@
 #pragma once
-// Pieces of HTML that browsers and QTextDocument both draw.
+// Pieces of HTML that both browsers and QTextDocument can draw.
 
 #include <QString>
 #include <QStringList>
 
 namespace bask::html {
 
-/// A table being written: cells are texts, escaped; the columns of `numbers` are on the right.
+/// A table that is being written: cells are escaped texts; the columns in `numbers` are right-aligned.
 class Table {
 public:
     explicit Table(const QStringList& header, QList<int> numbers = {});
     void add(const QStringList& cells);
-    /// HTML of the finished table; empty without a row.
+    /// Returns the HTML of the finished table; empty if it has no rows.
     QString text() const;
 
 private:
@@ -25,7 +25,7 @@ private:
 QString heading(const QString& text);
 QString subheading(const QString& text);
 QString paragraph(const QString& text, const char* kind = "");
-/// Names and values in two columns.
+/// Returns a table of names and values in two columns.
 QString facts(const QList<std::pair<QString, QString>>& rows);
 
 } // namespace bask::html

@@ -16,27 +16,27 @@
 
 namespace bask {
 
-/// A quantity against time; empty: the trajectories.
+/// A quantity over time; empty for the trajectories.
 using RunFigure = std::optional<Quantity>;
-/// All, in the order of the report.
+/// Returns all figures in the order of the report.
 std::vector<RunFigure> runFigures();
 
-/// "temperatures": a file's name without its ending, the same in every language.
+/// Returns "temperatures": a file name without its suffix, the same in every language.
 std::string runFigureStem(RunFigure figure);
-/// What is to be seen, in a sentence or two.
+/// Returns what the figure shows, in one or two sentences.
 QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit);
 
-/// What every figure file holds as its description, so that an export replaces its own files and no others.
+/// The description in every figure file, so that an export replaces only its own files.
 inline const QString kRunFigureMark = QStringLiteral("Bask figure of a run");
 
-/// Draws figures of one record in the window's language; numbers at dotted lines are those of the record's
-/// events that are marked. Needs a QApplication and its thread, no display.
+/// Draws figures of one record in the window's language; numbers at dotted lines are those of the marked
+/// events. Needs a QApplication and its thread, but no display.
 class RunFigures {
 public:
     RunFigures(const SessionRecord& session, TemperatureUnit unit);
     ~RunFigures();
 
-    /// Without samples: empty axes.
+    /// Draws a figure; without samples, empty axes.
     QByteArray draw(RunFigure figure, FigureFormat format) const;
 
     RunFigures(const RunFigures&) = delete;
@@ -47,8 +47,8 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Number of an event in figures and tables, from 1; 0: it is not marked. All alarms, holds, changes and the
-/// end, the first kMaxMarked of them.
+/// Returns the number of each event in figures and tables, from 1; 0 if it is not marked. Alarms, holds,
+/// changes and the end are marked, the first kMaxMarked of them.
 std::vector<int> markedEvents(const std::vector<TraceEvent>& events);
 inline constexpr int kMaxMarked = 30;
 

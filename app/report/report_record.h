@@ -11,9 +11,9 @@ QString metricsSection(const SessionRecord& session, TemperatureUnit unit);
 QString eventsSection(const SessionRecord& session, TemperatureUnit unit);
 QString originSection(const RunReportInput& input);
 
-/// How the run ended, in a sentence.
+/// Returns how the run ended, in a sentence.
 QString outcomeWords(const SessionRecord& session);
 
-inline constexpr int kMaxReportRows = 400; ///< of events; the rest is counted
+inline constexpr int kMaxReportRows = 400; ///< maximum number of listed events; the rest is only counted
 
 } // namespace bask

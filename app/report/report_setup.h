@@ -1,5 +1,5 @@
 #pragma once
-// Sections of a run's report: what it was run with, whether its targets could be held, its calibration. HTML.
+// Sections of a run's report: its setup, whether its targets could be held, its calibration. HTML.
 
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
@@ -10,12 +10,12 @@
 namespace bask {
 
 QString setupSection(const SessionRecord& session, TemperatureUnit unit);
-/// `verdict` of `targets_K`, the last ones of the run; empty: it was not asked for.
+/// `verdict` is that of `targets_K`, the last ones of the run; empty if it was not computed.
 QString feasibilitySection(const SessionRecord& session, const std::vector<double>& targets_K,
                            const std::optional<JointVerdict>& verdict, TemperatureUnit unit);
 QString calibrationSection(const SessionRecord& session);
 
-/// The targets at the end of the run, those of the experiment where there is no sample.
+/// Returns the targets at the end of the run, or the experiment's if there is no sample.
 std::vector<double> lastTargets_K(const SessionRecord& session);
 
 } // namespace bask

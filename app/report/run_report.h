@@ -13,22 +13,22 @@
 
 namespace bask {
 
-/// What a report is made of. It is in the window's language.
+/// The content of a report. The report is in the window's language.
 struct RunReportInput {
     SessionRecord session;
-    std::optional<JointVerdict> verdict; ///< of lastTargets_K(session); empty: not computed
-    QString sha256;                      ///< of the session file, hexadecimal
+    std::optional<JointVerdict> verdict; ///< verdict on lastTargets_K(session); empty if not computed
+    QString sha256;                      ///< checksum of the session file, hexadecimal
     qint64 fileBytes = 0;
-    QDateTime now; ///< when the report is made
+    QDateTime now; ///< when the report is created
     TemperatureUnit unit = TemperatureUnit::Celsius;
-    QString language = QStringLiteral("en"); ///< Language's code of what it is in
+    QString language = QStringLiteral("en"); ///< language code of the report
 };
 
-/// Both need a QApplication and its thread, no display.
+/// Both functions need a QApplication and its thread, but no display.
 QByteArray runReportHtml(const RunReportInput& input);
 QByteArray runReportPdf(const RunReportInput& input);
 
-/// Marks of Bask's own reports, within so many bytes from the start or end of the file.
+/// Marks of Bask's own reports, within this number of bytes from the start or end of the file.
 inline constexpr const char* kReportMark = "Bask run report";
 
 } // namespace bask
