@@ -10,7 +10,7 @@
 namespace bask {
 namespace {
 
-/// Step p and multipliers of min (y+p)'H(y+p)/2 - f'(y+p) with the working rows held.
+/// Step p and multipliers of min (y+p)'H(y+p)/2 - f'(y+p) with the working rows as equalities.
 struct KktStep {
     Eigen::VectorXd p;
     Eigen::VectorXd multipliers;
@@ -32,9 +32,10 @@ KktStep kktStep(const Eigen::MatrixXd& H, const Eigen::VectorXd& residual, const
     return {solution.head(n), solution.tail(m)};
 }
 
-/// Whether row i is a sum of the working rows: then a step along them goes against it by rounding only.
+/// Whether row i is a linear combination of the working rows: then only rounding makes a step along them
+/// violate it.
 bool depends(const Eigen::MatrixXd& G, const std::vector<int>& working, int i) {
-    constexpr double kDependent = 1e-9; // share of the row's length
+    constexpr double kDependent = 1e-9; // relative to the row's length
     if (working.empty())
         return false;
     Eigen::MatrixXd held(G.cols(), static_cast<Eigen::Index>(working.size()));
@@ -45,8 +46,8 @@ bool depends(const Eigen::MatrixXd& G, const std::vector<int>& working, int i) {
     return (row - held * share).norm() <= kDependent * row.norm();
 }
 
-/// Place in `working` of the row of least index that pulls the wrong way, or -1. The least index (Bland's
-/// rule): where many rows meet, the worst one could go in circles.
+/// Index in `working` of the row with the smallest number that has a multiplier of the wrong sign, or -1. The
+/// smallest number (Bland's rule) prevents cycles where many rows meet.
 int wrongRow(const std::vector<int>& working, const Eigen::VectorXd& multipliers, double tolerance) {
     int wrong = -1;
     for (int k = 0; k < static_cast<int>(working.size()); ++k) {

@@ -21,11 +21,11 @@ double errorAfterStep(const ModelBasedGains& gains, double t_s) {
     const double square = gains.K - a * a; // of the damped frequency
     const double w = std::sqrt(std::abs(square));
     const double x = w * t_s;
-    if (x < 1e-6) // also critical: sin x / w = t
+    if (x < 1e-6) // also critical damping: sin x / w = t
         return std::exp(-a * t_s) * (1.0 + a * t_s);
     if (square > 0.0)
         return std::exp(-a * t_s) * (std::cos(x) + a / w * std::sin(x));
-    // The two exponentials by themselves: cosh would overflow.
+    // The two exponentials separately, since cosh would overflow.
     return 0.5 * ((1.0 + a / w) * std::exp((w - a) * t_s) + (1.0 - a / w) * std::exp((-w - a) * t_s));
 }
 

@@ -13,10 +13,10 @@ namespace {
 
 constexpr int kPoses = 128;
 constexpr double kDependent = 1e-3; ///< of the largest singular value
-constexpr double kStill = 1e-5;     ///< 1/m: less is what the view factors' own errors make
+constexpr double kStill = 1e-5;     ///< 1/m: smaller values are errors of the view factors
 constexpr double kAlike = 1e-6;     ///< difference of two view factors
 
-/// Van der Corput's sequence: spreads over (0, 1), in no step with that of another prime.
+/// Van der Corput's sequence: spreads over (0, 1), independently of that of another prime.
 double spread(int index, int prime) {
     double out = 0.0;
     double digit = 1.0;
@@ -53,7 +53,7 @@ std::vector<int> membersOf(unsigned set) {
     return out;
 }
 
-/// Beside the whole matrix, since one row by itself has nothing to be small against.
+/// Relative to the whole matrix, since a single row has no scale of its own.
 bool independent(const Eigen::MatrixXd& J, const std::vector<int>& rows) {
     if (std::cmp_greater(rows.size(), J.cols()))
         return false;
@@ -74,7 +74,7 @@ struct Sample {
     }
 };
 
-/// Empty when all objects are independent somewhere.
+/// Empty if all objects are independent at some pose.
 Sample dependentSample(const RigGeometry& rig, const Vector6d& fixed) {
     std::vector<int> all(static_cast<std::size_t>(rig.objects()));
     std::iota(all.begin(), all.end(), 0);

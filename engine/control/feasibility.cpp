@@ -8,8 +8,8 @@
 namespace bask {
 namespace {
 
-/// Least or largest value that `row` times the steady temperatures takes within the workspace; `bound_K` is
-/// one that it cannot pass.
+/// Minimum or maximum of `row` times the steady temperatures within the workspace; `bound_K` is a limit that
+/// it cannot exceed.
 double extreme_K(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
     const int starts =
         row.cwiseAbs().sum() > 1.0 ? 8 : 2; // differences have more minima at the workspace's edge

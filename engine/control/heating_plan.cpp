@@ -11,22 +11,22 @@
 namespace bask {
 namespace {
 
-constexpr int kLegSteps = 8;      ///< of a way between poses
+constexpr int kLegSteps = 8;      ///< of a path between poses
 constexpr int kStaySteps = 8;     ///< of a stay
-constexpr double kHere_s = 0.05;  ///< a way this short is none
-constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
-constexpr double kHotShare = 2.2; ///< of the slowest object's time a kelvin, for every kelvin too hot
+constexpr double kHere_s = 0.05;  ///< a path shorter than this is left out
+constexpr double kFar_K = 8.0;    ///< above this, squared errors grow linearly
+constexpr double kHotShare = 2.2; ///< of the slowest object's time per kelvin, for every kelvin too hot
 constexpr double kHotSteepness_1_K = 10.0;
-constexpr double kFastShare = 0.3; ///< of the slowest object's time, the least that a fast object counts
+constexpr double kFastShare = 0.3; ///< of the slowest object's time, the minimum that a fast object counts
 constexpr double kMinPull = 0.05;  ///< of the view factor, for the time to heat or cool
 // Within these an error counts little, so that noise does not keep the robot moving.
 constexpr double kNearCold_K = 0.25;
 constexpr double kNearHot_K = 0.05;
 constexpr double kNearWeight = 0.05;
-constexpr double kMissedRest = 2.0;    ///< time constants for which a rest that misses the aim is paid
+constexpr double kMissedRest = 2.0;    ///< time constants for which a rest that misses the aim is penalised
 constexpr double kTravelPrice_s = 0.5; ///< of the squared time of travel
 
-constexpr double kLengthStep_m = 2e-4;        // of the differences; well below the way to a kink
+constexpr double kLengthStep_m = 2e-4;        // of the differences; well below the distance to a kink
 constexpr double kTimePerLength_s_m = 1000.0; // 1 cm of a stay's pose counts as 10 s of its time
 
 /// Variables of a plan: the free coordinates and the time of each stay, all as lengths.
@@ -35,7 +35,7 @@ public:
     explicit Variables(const RigGeometry& geometry) : m_geometry(geometry) {}
     Eigen::Index count() const { return 2 * (free() + 1); }
 
-    /// `plan` moved by `step`; its poses may leave workspace and clearance.
+    /// `plan` changed by `step`; its poses may be outside workspace and clearance.
     HeatingPlan moved(const HeatingPlan& plan, const Eigen::VectorXd& step) const {
         HeatingPlan out = plan;
         Eigen::Index k = 0;
@@ -67,7 +67,7 @@ public:
         }
     }
 
-    /// `plan` with its poses put back into workspace and clearance.
+    /// `plan` with its poses moved back into workspace and clearance.
     HeatingPlan inside(HeatingPlan plan) const {
         for (Stay& stay : plan.stays)
             putBack(stay.pose);
@@ -138,7 +138,8 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
     m_hot_s_K = kHotShare * max_s_K;
 }
 
-/// View factors where a plan is looked at, in the order of the way: a difference leaves most of them alone.
+/// View factors at the sampled points of a plan, in the order of the path: a difference changes only few of
+/// them.
 struct PlanCost::Places {
     Places() { q.fill(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())); }
 
@@ -147,10 +148,10 @@ struct PlanCost::Places {
     std::array<Eigen::VectorXd, kCount> F;
 };
 
-/// Temperatures along a plan, and the residuals that they make.
+/// Temperatures along a plan, and the residuals from them.
 class PlanCost::Walk {
 public:
-    /// `known`: of a plan like it; `seen`: filled with those of this one.
+    /// `known`: view factors of a similar plan; `seen`: filled with those of this one.
     Walk(const PlanCost& cost, const Places* known, Places* seen)
         : m_cost(cost), m_geometry(cost.m_geometry), m_task(cost.m_task), m_known(known), m_seen(seen),
           m_at(m_task.from), m_T(m_task.temperature_K), m_toGo_s(m_T.size()), m_F(m_T.size()),
@@ -181,19 +182,20 @@ public:
             return;
         }
         lookAt(m_at);
-        // Short steps first, where temperatures change: what a coarse one leaves out, plans would use.
+        // Short steps first, where temperatures change: otherwise plans would exploit the error of a coarse
+        // step.
         for (int k = 0; k < kStaySteps; ++k)
             step(time_s * (2 * k + 1) / (kStaySteps * kStaySteps));
     }
 
-    /// For ever at this pose: errors decay to those of its steady temperatures.
+    /// If the robot stays at this pose, errors decay to those of its steady temperatures.
     void rest() {
         lookAt(m_at);
         for (Eigen::Index i = 0; i < m_T.size(); ++i) {
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
             const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
-            // Waiting must not be cheaper than acting: too hot is as steep here as on the way.
+            // Waiting must not be cheaper than acting: too hot is as steep here as on the path.
             const double error_K = m_T[i] - m_task.aim_K[i];
             const double off_s = error_K > 0.0 ? m_toGo_s[i] : -m_cost.m_cold_s_K[i] * felt_K(error_K);
             const double missed_s = plainToGo_s(i, steady_K);
@@ -217,8 +219,8 @@ private:
         }
     }
 
-    /// How long an object is from its aim, signed: cold, the time to heat it, in which large errors grow as a
-    /// root, so that their squares grow linearly; hot, steeply.
+    /// Signed time that an object needs to reach its aim. Cold: the time to heat it, in which large errors
+    /// grow as a root, so that their squares grow linearly. Hot: steeply.
     double toGo_s(Eigen::Index i) const {
         const double error_K = m_T[i] - m_task.aim_K[i];
         const double size_K = felt_K(error_K);
@@ -229,14 +231,14 @@ private:
         return -m_cost.m_cold_s_K[i] * std::sqrt((2.0 * size_K - kFar_K) * kFar_K);
     }
 
-    /// Size of an error, less within the band in which nothing need be done.
+    /// Size of an error, reduced within the band in which nothing need be done.
     static double felt_K(double error_K) {
         const double near_K = error_K > 0.0 ? kNearHot_K : kNearCold_K;
         const double size_K = std::abs(error_K);
         return size_K < near_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * near_K;
     }
 
-    /// In proportion to the error: beliefs about the far future are not sure enough for more.
+    /// Proportional to the error: estimates of the far future are too uncertain for more.
     double plainToGo_s(Eigen::Index i, double T_K) const {
         const double error_K = T_K - m_task.aim_K[i];
         return error_K * (error_K > 0.0 ? m_cost.m_hot_s_K : m_cost.m_cold_s_K[i]);
@@ -309,7 +311,7 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
         for (int attempt = 0; attempt < 3 && !better; ++attempt) {
             const Eigen::MatrixXd damped = H + damping * Eigen::MatrixXd::Identity(n, n);
             const Eigen::VectorXd step = solveBounded(damped, f, G, h).y;
-            if (!step.allFinite()) // of costs that are beyond all bounds
+            if (!step.allFinite()) // the costs overflowed
                 return best;
             const HeatingPlan next = variables.inside(variables.moved(best.plan, step));
             Eigen::VectorXd there = residuals(next, nullptr, &tried);

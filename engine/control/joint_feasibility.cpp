@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kStarts = 48;
 
-/// Least squares of all targets, those of `heavy` before the others.
+/// Least squares of all targets, with those in `heavy` weighted first.
 SteadyAim aimAt(const std::vector<double>& targets_K, const std::vector<bool>& heavy) {
     constexpr double kHeavy = 1e3;
     const auto N = static_cast<Eigen::Index>(targets_K.size());
@@ -40,7 +40,7 @@ PoseMargin marginAt(const SteadySearch& search, const Vector6d& q) {
             singularRange(search.geometry(), search.at(q).dT, kRadianLength_m).smallest};
 }
 
-/// The nearest targets with the held ones as they are, where the best compromise does not keep them.
+/// The nearest targets with the kept ones unchanged, if the best compromise does not keep them.
 void findNearest(const SteadySearch& search, const FeasibilityRequest& request, JointVerdict& out) {
     const SteadyPose found = search.best(aimAt(request.targets_K, request.fixed), kStarts, 0.0);
     out.nearestPose = found.q;
@@ -58,7 +58,8 @@ void findNearest(const SteadySearch& search, const FeasibilityRequest& request, 
 void answerJointly(const SteadySearch& search, const FeasibilityRequest& request, JointVerdict& out) {
     const auto N = static_cast<double>(request.targets_K.size());
     const double enough_K2 = N * kReachedWithin_K * kReachedWithin_K;
-    // Ends early at a thousandth of what counts as held: where there is a solution it is found to the digits.
+    // Ends early at a thousandth of the tolerance for held targets: if there is a solution, it is found to
+    // the digits.
     const SteadyPose found = search.best(aimAt(request.targets_K, {}), kStarts, 1e-6 * enough_K2);
     if (search.stopped())
         return;
@@ -80,7 +81,7 @@ void answerJointly(const SteadySearch& search, const FeasibilityRequest& request
     }
 }
 
-/// Why one object by itself cannot be; `name` as in the request.
+/// Why one object alone cannot be held; `name` as in the request.
 Message objectReason(const std::string& name, const TargetVerdict& v) {
     if (v.verdict == FeasibilityVerdict::TooHot && v.target_K > v.highest_K)
         return {MessageCode::TargetAboveCeiling,
@@ -95,7 +96,7 @@ Message objectReason(const std::string& name, const TargetVerdict& v) {
             {name, formatNumber(v.neededViewFactor, 3), formatNumber(v.reachableMin_F, 3)}};
 }
 
-/// Told of the one that is to be the hotter.
+/// Reported for the object with the higher target.
 Message pairReason(const std::vector<std::string>& names, const PairVerdict& v) {
     const bool flipped = v.wanted_K < 0.0;
     const std::string& hotter = names[static_cast<std::size_t>(flipped ? v.second : v.first)];
@@ -108,7 +109,7 @@ Message pairReason(const std::vector<std::string>& names, const PairVerdict& v) 
             {hotter, colder, differenceArg(wanted_K, 3), differenceArg(tooMuch ? largest_K : min_K, 3)}};
 }
 
-/// The condition that is missed by most; the joint one where both necessary ones hold.
+/// The condition with the largest violation; the joint one if both necessary ones are met.
 Message reasonOf(const FeasibilityRequest& request, const JointVerdict& verdict) {
     if (!verdict.anyPose)
         return {MessageCode::TargetsNoPose, {}};
@@ -154,7 +155,7 @@ std::optional<JointVerdict> jointFeasibility(const FeasibilityRequest& request, 
     JointVerdict out;
     out.anyPose = !search.empty();
     if (out.anyPose) {
-        // The conditions beside the search: neither sees what the other writes.
+        // Computes the conditions in parallel with the search: neither reads what the other writes.
         auto conditions = std::async(std::launch::async, [&] {
             return std::pair(targetVerdicts(search, request.targets_K),
                              pairVerdicts(search, request.targets_K));

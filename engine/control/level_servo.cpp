@@ -11,34 +11,35 @@
 namespace bask {
 namespace {
 
-constexpr double kLargestGain_1_K = 1.0; ///< a kelvin of error asks for the whole range of F at most
-constexpr double kOff_K = 0.3;           ///< an object off its aim by this is still to be brought there
-constexpr int kRefinements = 12;         ///< of a pose from the look-up
-constexpr int kTouches = 3;              ///< of a pose that was right a moment ago
+constexpr double kLargestGain_1_K = 1.0; ///< one kelvin of error demands at most the whole range of F
+constexpr double kOff_K = 0.3;   ///< an object farther than this from its aim must still be moved there
+constexpr int kRefinements = 12; ///< for a pose from the look-up
+constexpr int kTouches = 3;      ///< for a pose that was right recently
 
-constexpr double kRestPeriod_s = 5.0; ///< how often poses that hold the targets are looked for
+constexpr double kRestPeriod_s = 5.0; ///< period of the search for poses that hold the targets
 constexpr int kRestCandidates = 10;
-constexpr int kRests = 3;             ///< kept of them
-constexpr double kRestsApart_s = 1.0; ///< travel between two of them
+constexpr int kRests = 3;             ///< number of them that are kept
+constexpr double kRestsApart_s = 1.0; ///< minimum travel between two of them
 constexpr double kRestMiss_K = 0.05;  ///< a rest this good stays where it is
 constexpr double kRestTravelPrice_K2_s = 1e-3;
-constexpr double kDriftShare = 1.0; ///< time constants of an object over which its drift is learnt at least
+/// minimum time over which an object's drift is learnt, in its time constants
+constexpr double kDriftShare = 1.0;
 
-constexpr int kLevelPoses = 3;       ///< hot poses that plans are proposed from
-constexpr int kFollowIterations = 4; ///< of the plan in use, at each step
-constexpr int kSearchIterations = 6; ///< of a proposal
+constexpr int kLevelPoses = 3;       ///< hot poses from which plans are proposed
+constexpr int kFollowIterations = 4; ///< for the plan in use, at each step
+constexpr int kSearchIterations = 6; ///< for a proposal
 constexpr double kSearchPeriod_s = 2.0;
 constexpr double kCalmSearchPeriod_s = 10.0; ///< while every object is within kCalm_K
 constexpr double kCalm_K = 0.4;
-constexpr double kBetter = 0.97;     ///< share of the present plan's cost below which another one replaces it
-constexpr double kSurprise = 1.2;    ///< growth of the cost from one step to the next that asks for a search
+constexpr double kBetter = 0.97;     ///< relative cost below which another plan replaces the present one
+constexpr double kSurprise = 1.2;    ///< growth of the cost from one step to the next that starts a search
 constexpr double kWorthGoing = 0.25; ///< periods; a stay shorter than this is left out
 
-constexpr double kComeToRest_K = 0.1; ///< a pose that holds the aim this well is held
-constexpr double kLeaveRest_K = 0.2;  ///< until it holds it worse than this
+constexpr double kComeToRest_K = 0.1; ///< the robot stays at a pose that holds the aim this well
+constexpr double kLeaveRest_K = 0.2;  ///< and leaves it if the error is larger than this
 
-constexpr double kSure_K = 0.3;  ///< identified rates are sure enough to judge by
-constexpr double kUnmet_K = 0.4; ///< a compromise begins when the best pose misses a target by this
+constexpr double kSure_K = 0.3;  ///< identified rates with a smaller error are used for judging
+constexpr double kUnmet_K = 0.4; ///< a compromise begins if the best pose misses a target by this
 constexpr double kMet_K = 0.3;   ///< and ends below this
 
 // The look-up gives starting points only: it may be this far behind a moving source.
@@ -77,7 +78,7 @@ void LevelServo::setTargets(const std::vector<double>& targets_K) {
 }
 
 void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
-    // What was planned over the source goes with it.
+    // Plans over the source move with it.
     const Pose moved = geometry->X_RS() * m_model.geometry->X_RS().inverse();
     if (m_plan)
         m_plan->plan.move(moved, geometry->limits());
@@ -108,7 +109,7 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
 }
 
 void LevelServo::learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s) {
-    // What was not foreseen while nobody looked, or by rates that are guesses, is not drift.
+    // A change during a pause, or predicted with guessed rates, is not drift.
     const auto i = static_cast<Eigen::Index>(k);
     if (m_expected_K.size() == 0 || time_s - m_time_s > 1.5 * dt_s || !sure(k))
         return;
@@ -127,7 +128,7 @@ PoseQuery LevelServo::level(const HeatingTask& task) const {
         const double rate_K_s = (task.aim_K[i] - task.temperature_K[i]) / timeConstant_s;
         out.wanted[i] =
             std::clamp(rate_K_s / rates.lambda1 + rates.steadyViewFactor(task.temperature_K[i]), 0.0, 1.0);
-        // A fast object must be held more closely than a slow one, which must not be forgotten either.
+        // A fast object must be controlled more tightly than a slow one, which must not be forgotten either.
         out.weights[i] = rates.lambda1;
     }
     out.weights /= out.weights.maxCoeff();
@@ -221,7 +222,7 @@ std::vector<HeatingPlan> LevelServo::restingPlans(const HeatingTask& task) const
     std::vector<HeatingPlan> out;
     const double time_s = restStay_s(task);
     const PoseQuery query = steady(task, m_aim_K);
-    for (const Vector6d& found : m_rests) { // some steps ago, by other beliefs
+    for (const Vector6d& found : m_rests) { // some steps ago, with other estimates
         const Vector6d rest = refinePose(*m_model.geometry, query, found, kTouches);
         out.push_back({{Stay{rest, time_s}, Stay{rest, time_s}}, rest});
     }
@@ -303,7 +304,7 @@ VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& las
     const RigGeometry& geometry = *m_model.geometry;
     const Stay last{m_plan->plan.rest, restStay_s(task)};
     for (int k = 0; k < 2 && m_plan->plan.stays[0].time_s < kWorthGoing * dt_s; ++k)
-        m_plan->plan.spend(dt_s, last); // no use to go there
+        m_plan->plan.spend(dt_s, last); // moving there is of no use
     const double travel_s = travelTime_s(geometry.limits(), task.from, m_plan->plan.stays[0].pose);
     if (travel_s > 0.5 * dt_s)
         return velocityTowards(geometry, task.from, m_plan->plan.stays[0].pose, dt_s, lastRates);
@@ -312,7 +313,7 @@ VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& las
     m_plan->plan.spend(dt_s - travel_s, last);
     VelocitySolution out = velocityTowards(geometry, task.from, goal, dt_s, lastRates);
     if (here_s < dt_s &&
-        !geometry.limits().limitsAcceleration()) // leave within the step, by going slower for the whole of it
+        !geometry.limits().limitsAcceleration()) // leave within the step, at a lower speed for all of it
         out.rates *= 1.0 - here_s / dt_s;
     return out;
 }

@@ -94,7 +94,7 @@ NormBoundedSolution solveNormBounded(const SmallMatrix& H, const SmallVector& f,
     SmallRows J;
     out.y = program.H().llt().solve(program.f());
     program.evaluate(out.y, c, J);
-    if (c.size() == 0 || c.minCoeff() >= 0.0) { // mostly nothing is in the way
+    if (c.size() == 0 || c.minCoeff() >= 0.0) { // usually no bound is active
         out.converged = true;
         return out;
     }

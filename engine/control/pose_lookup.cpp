@@ -27,14 +27,14 @@ std::vector<int> samplesPerCoordinate(const std::vector<int>& free, int samples)
     return counts;
 }
 
-/// Heights crowd towards the source, where the view factor changes fastest.
+/// Heights are denser near the source, where the view factor changes fastest.
 double coordinateAt(int coordinate, double fraction, double lower, double upper) {
     const double bent = coordinate == kZ ? std::pow(fraction, 1.5) : fraction;
     return lower + bent * (upper - lower);
 }
 
-/// A second of travel in the look-up, beside weighted squared errors of F: prefers the nearer of equally good
-/// poses.
+/// Weight of a second of travel in the look-up, relative to weighted squared errors of F: prefers the nearer
+/// of equally good poses.
 constexpr double kTravelPrice = 5e-5;
 
 } // namespace
@@ -72,12 +72,12 @@ double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
 }
 
 std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const {
-    constexpr std::size_t kSome = 64; // from which those in neighbouring cells are left out
+    constexpr std::size_t kSome = 64; // before those in neighbouring cells are left out
     Eigen::ArrayXd misses = Eigen::ArrayXd::Zero(m_F.rows());
     for (Eigen::Index i = 0; i < m_F.cols(); ++i)
         misses += query.weights[i] * (m_F.col(i) - query.wanted[i]).square();
     const TravelTime travel(m_geometry->limits(), query.from);
-    std::vector<std::pair<double, std::size_t>> cheapest; // a heap, the dearest first
+    std::vector<std::pair<double, std::size_t>> cheapest; // a heap, the most expensive first
     for (std::size_t k = 0; k < m_poses.size(); ++k) {
         const double missed = misses[static_cast<Eigen::Index>(k)];
         const bool full = cheapest.size() == kSome;

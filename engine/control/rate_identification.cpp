@@ -21,7 +21,7 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
     const double cooling = std::pow(temperature_K, 4) - rest;
     if (!std::isfinite(temperature_K) || !std::isfinite(heating))
         return;
-    // After a pause one trapezoid would have to stand for all that happened.
+    // After a pause a single trapezoid would have to represent all changes.
     const auto count = m_samples.size();
     if (count >= 2) {
         const double usual_s = m_samples[count - 1].time_s - m_samples[count - 2].time_s;

@@ -15,7 +15,7 @@ SteadySearch searchFor(const FeasibilityRequest& request, std::stop_token stop) 
     return SteadySearch(request.geometry, lookup, request.rates, std::move(stop));
 }
 
-/// That the two objects of the map have these temperatures.
+/// The condition that the two objects of the map have these temperatures.
 SteadyAim aimAt(const SteadySearch& search, const ReachableMap& map, const Eigen::Vector2d& pair_K) {
     SteadyAim aim{Eigen::MatrixXd::Zero(2, search.geometry().objects()), pair_K};
     aim.rows(0, map.first) = 1.0;
@@ -42,7 +42,7 @@ void placeTarget(ReachableMap& map, const SteadySearch& search, const std::vecto
     map.distance_K = map.targetReachable ? toBoundary_K(map) : std::sqrt(found.cost_K2);
 }
 
-/// One map in the making.
+/// A map that is being computed.
 class Mapping {
 public:
     Mapping(const SteadySearch& search, int first, int second) : m_search(search) {
@@ -70,7 +70,7 @@ private:
         return m_map.lower_K + m_map.cell_K().cwiseProduct(Eigen::Vector2d(x, y));
     }
 
-    /// What the samples span, and two cells more on each side for what lies between and beyond them.
+    /// The range of the samples, and two cells more on each side for what lies between and beyond them.
     void frame() {
         for (int axis = 0; axis < 2; ++axis) {
             const auto T_K = m_search.table_K().col(axis == 0 ? m_map.first : m_map.second);
@@ -97,7 +97,8 @@ private:
             m_map.reachable.push_back(share > 0.0);
     }
 
-    /// From a pose in a cell beside it: does one come into this cell, as near to its centre as can be?
+    /// Starts from a pose in a neighbouring cell: does a pose exist in this cell, as near to its centre as
+    /// possible?
     bool reach(int x, int y, const Vector6d& from) {
         const Eigen::Vector2d half_K = 0.5 * m_map.cell_K();
         const Eigen::Vector2d centre_K = corner_K(x, y) + half_K;
@@ -111,7 +112,7 @@ private:
         return true;
     }
 
-    /// Goes from each reachable cell to its neighbours until nothing is added.
+    /// Extends each reachable cell to its neighbours until nothing is added.
     void grow() {
         std::vector<std::pair<int, int>> edge;
         for (int y = 0; y < kSide; ++y)

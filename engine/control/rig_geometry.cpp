@@ -9,9 +9,9 @@ namespace bask {
 namespace {
 
 constexpr double kTableTolerance = 1e-6;
-constexpr double kSlack = 1e-9; ///< of places, m and rad
+constexpr double kSlack = 1e-9; ///< tolerance of positions, m and rad
 
-/// Faces in one plane have no view factor: even without a clearance objects stop this short of it.
+/// Faces in one plane have no view factor: objects stop this far above it even without a clearance.
 constexpr double kMinClearance_m = 1e-4;
 
 std::optional<Pose> inverseUnlessIdentity(const Pose& X) {

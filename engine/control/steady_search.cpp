@@ -17,8 +17,8 @@ double lengthOf(int coordinate) {
     return coordinate < 3 ? 1.0 : kRadianLength_m;
 }
 
-/// q inside the workspace's box, and lifted along the clearance's gradient where a step along its tangent has
-/// sunk below it.
+/// q clamped to the workspace's box, and moved along the clearance's gradient if a step along its tangent
+/// went below it.
 Vector6d repaired(const RigGeometry& geometry, Vector6d q) {
     constexpr int kLifts = 3;
     const RobotLimits& limits = geometry.limits();
@@ -81,7 +81,7 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
     };
     double cost_K2 = costOf(q, residual);
     double damping = 1e-3;
-    int still = 0; // steps in a row that gained next to nothing
+    int still = 0; // number of steps in a row with almost no gain
     for (int i = 0; i < kIterations && still < 3 && !stopped(); ++i) {
         if (cost_K2 < kExact_K2)
             break;
@@ -127,7 +127,7 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
 }
 
 std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) const {
-    constexpr Eigen::Index kSome = 1024; // from which those in neighbouring cells are left out
+    constexpr Eigen::Index kSome = 1024; // before those in neighbouring cells are left out
     Eigen::ArrayXd cost_K2 = Eigen::ArrayXd::Zero(m_T_K.rows());
     for (Eigen::Index k = 0; k < aim.rows.rows(); ++k) {
         Eigen::ArrayXd residual_K = Eigen::ArrayXd::Constant(m_T_K.rows(), -aim.wanted[k]);
@@ -162,7 +162,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
     int tried = 0;
     for (const Vector6d& start : startsFor(aim, starts)) {
         const bool enough = tried % kBatch == 0 && best.cost_K2 <= enough_K2;
-        if (tried++ > 0 && (stopped() || enough)) // whoever stops it gets temperatures nevertheless
+        if (tried++ > 0 && (stopped() || enough)) // a stopped search also returns temperatures
             break;
         SteadyPose found = refine(aim, start);
         const double margin_m = nearestLimit(*m_geometry, found.q).distance_m;

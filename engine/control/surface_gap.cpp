@@ -8,8 +8,8 @@
 namespace bask {
 namespace {
 
-/// Nearest pose to `centre` at its angles, within workspace and clearance, at which the object settles at its
-/// target: least squares with so weak a pull that the temperature gives way by some 0.1 mK only.
+/// Nearest pose to `centre` with its angles, within workspace and clearance, at which the object settles at
+/// its target: least squares with a pull so weak that it shifts the temperature only by about 0.1 mK.
 std::optional<Vector6d> nearestOnSurface(const SteadySearch& search, int object, double target_K,
                                          const Vector6d& centre, const Vector6d& start) {
     constexpr double kPull_K_m = 1.0;

@@ -21,7 +21,7 @@ Vector6d brakedRates(const RigGeometry& geometry, const Vector6d& q, const Vecto
         return Vector6d::Zero();
     const double speed = lastRates.head<3>().norm();
     const double rotation = (rotationAxes(q) * lastRates.tail<3>()).norm();
-    double share = 1.0; // of the velocity that is taken away
+    double share = 1.0; // of the velocity that is removed
     if (limits.maxAcceleration_m_s2 > 0.0 && speed > 0.0)
         share = std::min(share, limits.maxAcceleration_m_s2 * dt_s / speed);
     if (limits.maxAngularAcceleration_rad_s2 > 0.0 && rotation > 0.0)
@@ -105,7 +105,7 @@ void addNorms(Scaled& s, const RigGeometry& geometry, const VelocityProblem& pro
     }
 }
 
-/// Scale of each free coordinate: what the limits leave to it in one step.
+/// Scale of each free coordinate: the change that the limits allow in one step.
 SmallVector scales(const RigGeometry& geometry, double dt_s) {
     const RobotLimits& limits = geometry.limits();
     const auto smaller = [&](double speed, double acceleration) {
@@ -151,7 +151,7 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
         for (Eigen::Index i = 0; i < h.size(); ++i) {
             const double max =
                 std::max(fastestTowards(-h[i], -G.row(i).dot(last), problem.dt_s, braking_s),
-                         -G.row(i).dot(braked)); // from a start that no braking helps, at least that
+                         -G.row(i).dot(braked)); // if braking cannot help at the start, at least that
             s.h[i] = -max - G.row(i).dot(braked);
         }
     }
@@ -159,8 +159,8 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
     return s;
 }
 
-/// The pose keeps its clearance on the way of one step and of the braking after it, which the linearised rows
-/// may miss by their curvature.
+/// The pose keeps its clearance during one step and the braking after it, which the linearised rows may miss
+/// because of curvature.
 bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double dt_s,
                 double min_m) {
     const RobotLimits& limits = geometry.limits();
@@ -263,7 +263,7 @@ double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d
 Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
     const RobotLimits& limits = geometry.limits();
     const Eigen::Vector3d n = geometry.away();
-    int steepest = -1; // the free axis that leads away most: its end is the goal's
+    int steepest = -1; // the free axis that moves away fastest: its end is the goal's
     for (int k = 0; k < 3; ++k)
         if (limits.free[static_cast<std::size_t>(k)] && n[k] != 0.0 &&
             (steepest < 0 || std::abs(n[k]) > std::abs(n[steepest])))
@@ -300,7 +300,7 @@ double shareOfSpeed(double path_s, double last, double braking_s, double dt_s) {
     return std::min({1.0, last, step * (m + (left - 0.5 * (m * m + m)) / (m + 1.0))});
 }
 
-/// The nearest velocity to `wanted` that the limits allow; it slides along what is in the way.
+/// The allowed velocity nearest to `wanted`; it slides along active limits.
 VelocitySolution nearestVelocity(const RigGeometry& geometry, const Vector6d& q, const Vector6d& wanted,
                                  double dt_s, const Vector6d& lastRates) {
     VelocityProblem problem;
@@ -315,7 +315,7 @@ VelocitySolution nearestVelocity(const RigGeometry& geometry, const Vector6d& q,
     return solveVelocity(geometry, problem);
 }
 
-/// What `rates` is of `wanted`, in its direction.
+/// The component of `rates` along `wanted`, relative to `wanted`.
 double shareOf(const Vector6d& rates, const Vector6d& wanted) {
     return rates.dot(wanted) / wanted.squaredNorm();
 }
@@ -347,7 +347,7 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     const bool stuck = !open && out.rates.norm() < 0.05 * straight.norm() &&
                        (out.limits.has(Limit::Clearance) || !limits.limitsAcceleration());
     const Eigen::Vector3d off = (poseOffSource(geometry, q) - q).head<3>();
-    if (stuck && off.norm() > 0.0) { // away from the source is always open
+    if (stuck && off.norm() > 0.0) { // moving away from the source is always allowed
         Vector6d away = Vector6d::Zero();
         away.head<3>() = std::min(limits.maxSpeed_m_s, off.norm() / dt_s) * off.normalized();
         out = nearestVelocity(geometry, q, away, dt_s, lastRates);

@@ -9,7 +9,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr std::size_t kMaxAsked = 4096; // points of one outline looked for in the other
+constexpr std::size_t kMaxAsked = 4096; // maximum number of points of one outline tested against the other
 
 // The rings of a shape in S with no two neighbours of the outline farther apart than a 512th of the way
 // round; the outline first.
@@ -58,7 +58,7 @@ bool isInside(const std::vector<Points>& rings, const Eigen::Vector2d& p, double
                        [&](const Points& hole) { return placeIn(hole, p, margin) == Place::Outside; });
 }
 
-// A point well inside: the middle of the widest stretch of face on the line through the middle of its height.
+// A point well inside: the middle of the widest part of the face on the horizontal line at half its height.
 Eigen::Vector2d innerPoint(const std::vector<Points>& rings) {
     const auto [low, high] =
         std::ranges::minmax(rings.front(), {}, [](const Eigen::Vector2d& p) { return p.y(); });
@@ -98,7 +98,7 @@ bool overlapInPlane(const Shape& source, const Shape& object, const Pose& X_SO) 
         }
         return false;
     };
-    // Equal faces have no corner inside each other: their own insides decide.
+    // Equal faces have no corner inside each other: then their inner points decide.
     const Eigen::Vector2d inner = innerPoint(b);
     return anyInside(b, a) || anyInside(a, b) || (isInside(a, inner, margin) && isInside(b, inner, margin));
 }

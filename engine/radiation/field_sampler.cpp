@@ -17,10 +17,10 @@
 namespace bask {
 namespace {
 
-constexpr int kOutlinePoints = 64;  // of a curved outline, for its height
-constexpr std::size_t kChunk = 256; // samples a thread takes at a time
+constexpr int kOutlinePoints = 64;  // points of a curved outline, for its height
+constexpr std::size_t kChunk = 256; // samples that a thread takes at a time
 constexpr double kProgressStep = 0.01;
-constexpr double kMinStep = 1e-11; // of the largest value: finer ones drown in rounding
+constexpr double kMinStep = 1e-11; // relative to the largest value: smaller steps are lost in rounding
 constexpr double kMinTolerance = 1e-14;
 constexpr double kMaxTolerance = 1e-2;
 constexpr int kMaxThreads = 1024;
@@ -111,14 +111,14 @@ struct Grid {
 
     const FieldRequest& request;
     Pose X_SR;
-    bool isMoved;   ///< else the product with X_SR is left out, which costs more than the rest of a pose
+    bool isMoved;   ///< false: the product with X_SR is left out, which costs more than the rest of a pose
     bool isMounted; ///< the same of X_EO
     std::vector<std::vector<Turn>> turns; ///< one list an axis, empty for a translation
     std::vector<Eigen::Vector2d> outline; ///< of the object, where its height matters
     std::size_t samples = 1;
 };
 
-/// Walks the grid, first axis fastest; the rotation is made anew only where an angle has changed.
+/// Iterates over the grid, first axis fastest; the rotation is recomputed only if an angle has changed.
 class Cursor {
 public:
     Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_RE(grid.request.fixed.head<3>()) {
@@ -154,7 +154,8 @@ public:
         return min_m && m_X_SO.translation().z() + m_lowest_m < *min_m;
     }
 
-    /// By the pose coordinates, from the gradient by position and rotation in S axes about O's origin.
+    /// Gradient by the pose coordinates, from the gradient by position and rotation in S axes about O's
+    /// origin.
     void writeGradient(const Vector6d& aboutO, double* out) const {
         Vector6d aboutE = gradientAbout(aboutO, m_X_SO.translation(), m_X_SO.translation() - m_arm);
         if (m_grid.isMoved) {
@@ -246,7 +247,7 @@ public:
         }
     }
 
-    /// After all threads have ended: true when every sample was taken.
+    /// Call after all threads have ended: true if every sample was taken.
     bool finish() {
         if (m_failure)
             std::rethrow_exception(m_failure);
@@ -275,7 +276,7 @@ private:
 
     Tally sample(std::size_t begin, std::size_t end) {
         const FieldQuantity& quantity = m_grid.request.quantity;
-        // An estimate holds the rule's share and what rounding leaves.
+        // An estimate contains the error of the rule and of rounding.
         const double reached = 1.01 * m_grid.request.tolerance;
         Tally tally;
         Cursor cursor(m_grid, begin);
@@ -292,7 +293,8 @@ private:
         return tally;
     }
 
-    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane or are left out.
+    /// Writes also the gradient of sample i. NaN if object and source overlap in one plane or the sample is
+    /// left out.
     double viewFactorAt(const Cursor& cursor, std::size_t i, double& error) {
         constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
         const FieldRequest& request = m_grid.request;
@@ -338,7 +340,7 @@ void workOnThreads(Sampling& sampling, int asked, std::size_t samples) {
         for (std::size_t i = 1; i < count; ++i)
             others.emplace_back([&] { sampling.work(false); });
     } catch (const std::system_error&) {
-        // The system gives no more threads: those that there are do it.
+        // The system gives no more threads: the existing ones do the work.
     }
     sampling.work(true);
 }

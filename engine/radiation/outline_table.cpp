@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kMinArea_m2 = 1e-22; // of a face; smaller ones meet the guards against division by zero
+constexpr double kMinArea_m2 = 1e-22; // of a face; smaller ones reach the guards against division by zero
 constexpr int kTrapezoidPoints[] = {8, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 constexpr double kGaussDistances[] = {1.0, 0.5, 0.25, 0.125, 0.0625}; // in perimeters
 
@@ -197,8 +197,8 @@ void RadiatingContour::Impl::tabulateSmooth() {
     strip = AnalyticStrip(m_coefficients, harmonics, perimeter);
 }
 
-// Points on an edge so many that a rule of order n leaves rounding only: the half length over the distance
-// gives the ellipse in which the field is smooth.
+// Number of points on an edge for which a rule of order n leaves only rounding errors: the ratio of half
+// length and distance gives the ellipse in which the field is smooth.
 void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
     const auto& points = polygon.points_m;
     const std::size_t n = points.size();
@@ -230,7 +230,7 @@ void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
     }
 }
 
-// Branch and bound: an interval of the parameter is no nearer than its middle less half its length. The
+// Branch and bound: the distance of an interval is at least that of its middle minus half its length. The
 // scanned points come first; only intervals that may be nearest are halved.
 double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
     constexpr double kGoodEnough = 0.7;
@@ -319,8 +319,7 @@ template <class F> double rootBetween(const F& f, double a, double fa, double b,
 
 } // namespace
 
-// Changes of sign between scanned points, and the pairs that hide where the height turns back between two of
-// them.
+// Changes of sign between scanned points, and pairs of them where the height turns back between two points.
 std::vector<double> RadiatingContour::Impl::crossings(const HeightPlane& height) const {
     std::vector<double> found;
     const auto value = [&](double phi) {

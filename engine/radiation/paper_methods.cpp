@@ -59,7 +59,7 @@ struct Elements {
 };
 
 Elements elementsOf(const Shape& shape, const Pose& X_SF, const Eigen::Vector3d& normal, int count) {
-    constexpr int kOutlinePoints = 2048; // of a smooth outline, for telling in from out
+    constexpr int kOutlinePoints = 2048; // of a smooth outline, for the inside test
     const double side = std::sqrt(shapeArea(shape) / count);
     Elements result{{}, side * side, normal};
     for (const Eigen::Vector2d& p : squaresInside(shapeRings(shape, kOutlinePoints), side))

@@ -15,7 +15,7 @@ namespace bask {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kMaxPanels = 20000; // of a Fourier outline: an end where the point all but lies on it
+constexpr int kMaxPanels = 20000; // for a Fourier outline: a limit for points that almost lie on it
 
 /// The element. With r = s - p, F = -1/(2 pi) loop of n . (r x dr)/|r|^2 over the outline of the part with
 /// n . r > 0 (Lambert): each straight edge gives the angle it subtends times the cosine to its plane's
@@ -26,14 +26,14 @@ struct Element {
     Eigen::Vector3d to(double x, double y) const { return {x - p.x(), y - p.y(), -p.z()}; }
     double height(double x, double y) const { return n.dot(to(x, y)); }
 
-    /// Share of the straight way from r = a to r = b in the loop, without the factor.
+    /// Contribution of the straight line from r = a to r = b to the loop, without the factor.
     double edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
         const Eigen::Vector3d cross = a.cross(b);
         const double length = cross.norm();
         return length > 0.0 ? n.dot(cross) / length * std::atan2(length, a.dot(b)) : 0.0;
     }
-    /// The same on the line where the element's plane meets the source plane. The pieces of a source that is
-    /// not convex are joined there in the order of the outline: what is run through twice cancels.
+    /// The same on the line where the element's plane meets the source plane. The pieces of a non-convex
+    /// source are joined there in the order of the outline: parts that are passed twice cancel.
     double edgeOnHorizon(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
         return std::atan2(n.dot(a.cross(b)), a.dot(b));
     }
@@ -88,7 +88,7 @@ double circulation(const Disk& disk, const Element& element) {
         return 0.0;
     if (middle >= tilt)
         return arc.share(-kPi, kPi);
-    // Seen is the arc of +-half about the direction of the normal.
+    // Visible is the arc of +-half about the direction of the normal.
     const double direction = std::atan2(element.n.y(), element.n.x());
     const double half = std::acos(-middle / tilt);
     const auto rim = [&](double angle) {
@@ -99,7 +99,7 @@ double circulation(const Disk& disk, const Element& element) {
 }
 
 double circulation(const Contour& polygon, const Element& element) {
-    // The pieces are joined along the horizon by way of its point nearest to the element.
+    // The pieces are joined along the horizon through its point nearest to the element.
     const Eigen::Vector3d nearest = element.n.z() * element.n - Eigen::Vector3d::UnitZ();
     double sum = 0.0;
     const auto& points = polygon.points_m;
@@ -138,8 +138,8 @@ template <class F> std::vector<std::pair<double, bool>> signChanges(const F& f, 
     return found;
 }
 
-/// So many that a dip of the outline below the horizon between two samples is worth less than 1e-12: it goes
-/// with the fifth power of the step.
+/// Enough samples that a dip of the outline below the horizon between two of them contributes less than
+/// 1e-12: its effect is of fifth order in the step.
 int samplesOf(const FourierContour& contour) {
     return 512 + 64 * contour.harmonics();
 }
@@ -186,11 +186,11 @@ double circulation(const FourierContour& contour, const Element& element) {
         const Eigen::Vector3d r = at(phi);
         return element.n.dot(r.cross(Eigen::Vector3d(slope.real(), slope.imag(), 0.0))) / r.squaredNorm();
     };
-    // Close to the outline the rounding of its points is seen under a wide angle.
+    // Close to the outline, rounding of its points appears under a wide angle.
     const double size = contour.perimeter();
     const auto noise = [&](double phi) { return 1e-15 * size / std::max(at(phi).norm(), 1e-15 * size); };
     Halving integral(integrand, noise, 1e-13, kMaxPanels);
-    // Starts with panels of a quarter wave, lest whole and halves agree by chance.
+    // Starts with panels of a quarter wave, so that whole and halves do not agree by chance.
     const auto stretch = [&](double from, double to) {
         const int panels =
             std::max(1, static_cast<int>(std::ceil((to - from) * 4 * (contour.harmonics() + 1))));
@@ -229,7 +229,7 @@ bool isOnEdge(const Contour& polygon, const Eigen::Vector2d& p) {
     return false;
 }
 
-// Edges are of the face.
+// The edges belong to the face.
 bool isInside(const Disk& disk, const Eigen::Vector2d& p) {
     return p.norm() <= disk.radius_m;
 }

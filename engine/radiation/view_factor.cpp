@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-// Within rounding of the source's plane: a hair above it the face sees its own size, a hair below nothing.
+// Within rounding of the source's plane: just above it the face sees a source of its own size, just below it
+// nothing.
 void refuseOverlapInPlane(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                           const Sight& sight) {
     const HeightPlane& height = sight.overSource;
@@ -25,8 +26,8 @@ void refuseOverlapInPlane(const RadiatingContour::Impl& source, const RadiatingC
         throw std::invalid_argument("object and source overlap in one plane: there is no view factor");
 }
 
-// What rounding alone leaves, m2: a few relative epsilons of the potential's size times the length of the
-// way, and more than was ever seen.
+// Rounding error, m2: a few relative epsilons times the size of the potential and the length of the path;
+// larger than any observed error.
 double roundingFloor(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                      const Sight& sight) {
     const Eigen::Vector3d p = sight.X_SO.translation();
@@ -75,7 +76,8 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
     outcome.floor_m2 = roundingFloor(source, object, sight);
     outcome.visibility =
         seen == PlaneSide::Front && side == PlaneSide::Front ? Visibility::Full : Visibility::Partial;
-    // What is seen of either face bounds A2 F21: a sliver is not worth the many points that it asks for.
+    // The visible part of each face bounds A2 F21: a sliver does not justify the many points that it would
+    // need.
     const double seen_m2 =
         std::min(visibleArea(source, sight.overObject, seen), visibleArea(object, sight.overSource, side));
     if (2.0 * std::numbers::pi * seen_m2 <= allowed_m2) {
@@ -83,7 +85,7 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
         return outcome;
     }
     constexpr double kShare =
-        0.6; // of the tolerance, so that the parts of an estimate add up to less than it
+        0.6; // of the tolerance, so that the sum of the parts of an estimate is less than it
     const IntegralGoal goal{std::max(kShare * allowed_m2, outcome.floor_m2), source.perimeter, maxPoints};
     if (!source.disk)
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
@@ -97,8 +99,8 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
     return outcome;
 }
 
-// A2 F21 is linear in either face, so the circulations of all pairs of outlines add up, those of a hole with
-// the opposite sign. Each pair gets an equal share of the error.
+// A2 F21 is linear in each face, so the circulations of all pairs of outlines add up, those of a hole with
+// the opposite sign. Each pair gets an equal part of the error.
 template <bool kMoments>
 Outcome withHoles(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                   const Sight& sight, double allowed_m2, int maxPoints) {
@@ -140,7 +142,7 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
 }
 
 double asFraction(double circulation, double area) {
-    return std::clamp(-circulation / (2.0 * std::numbers::pi * area), 0.0, 1.0) + 0.0; // no minus zero
+    return std::clamp(-circulation / (2.0 * std::numbers::pi * area), 0.0, 1.0) + 0.0; // avoids minus zero
 }
 
 } // namespace

@@ -15,7 +15,7 @@ kernels::Edge edgeBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return {a.x(), a.y(), step.x() / length, step.y() / length, length};
 }
 
-// An edge is seen from its own line under the angle pi, from the kept side: its B is pi times the object's
+// From its own line an edge appears under the angle pi, from the kept side: its B is pi times the object's
 // normal, with the sign of the edge's direction.
 Vector6d fieldOnLine(const kernels::Edge& edge, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                      const Eigen::Vector3d& o, const Eigen::Vector3d& normal) {
@@ -189,7 +189,7 @@ double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, dou
     return reached;
 }
 
-// Gauss panels, each short beside its distance from the object's points.
+// Gauss panels, each short compared with its distance from the object's points.
 double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
                              double nearest_m, double exponent) {
     constexpr double kMinHalf = 1e-12;
@@ -209,7 +209,7 @@ double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d&
             open.emplace_back(middle, to);
             continue;
         }
-        if (half > kMinHalf) // what is shorter does not matter
+        if (half > kMinHalf) // shorter panels have no effect
             reached = std::min(reached, max);
         const GaussRule rule = gaussRule(gaussOrder(room, exponent));
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

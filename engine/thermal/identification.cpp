@@ -11,14 +11,14 @@
 namespace bask {
 namespace {
 
-constexpr double kRecordWindows = 16.0; ///< into which a record is cut, unless they become too short
+constexpr double kRecordWindows = 16.0; ///< number of windows of a record, unless they become too short
 constexpr double kMinWindow_s = 10.0;
 constexpr double kWindowPeriods = 10.0;
 constexpr std::size_t kMinReadings = 4; ///< in a window
-constexpr double kLargestGap = 0.25;    ///< between readings, of the window
+constexpr double kLargestGap = 0.25;    ///< largest gap between readings, as a share of the window
 constexpr double kOutlierDeviations = 6.0;
-constexpr double kMinOutlier_K = 0.1; ///< rounding of usual sensors is no outlier
-constexpr int kPasses = 20;           ///< of leaving out
+constexpr double kMinOutlier_K = 0.1; ///< rounding of usual sensors is not an outlier
+constexpr int kPasses = 20;           ///< maximum number of passes that leave out readings
 constexpr double kWorstCondition = 1e6;
 constexpr double kWorstError = 0.25;    ///< standard error over value
 constexpr double kMinVariation = 0.02;  ///< of the view factor, between its 5 % and 95 % quantiles
@@ -91,7 +91,8 @@ public:
 private:
     double heating(std::size_t k) const { return m_record[k].viewFactor * m_record[k].sourceStrength; }
     double loss(Column column, double T_K) const; ///< integrand of the other columns
-    /// One a column, from reading a to reading b; not finite where the heating between them is not known.
+    /// One integral for each column, from reading a to reading b; not finite if the heating between them is
+    /// not known.
     Eigen::VectorXd integrals(std::size_t a, std::size_t b) const;
     void close(Window& window, std::vector<Eigen::VectorXd>& rows);
 
@@ -124,7 +125,7 @@ Eigen::VectorXd Problem::integrals(std::size_t a, std::size_t b) const {
     for (std::size_t c = 0; c < m_columns.size(); ++c) {
         double sum = 0.0;
         if (m_columns[c] == kHeating)
-            for (std::size_t k = a; k < b; ++k) // also over rows whose reading is missing
+            for (std::size_t k = a; k < b; ++k) // also over rows without a reading
                 sum += 0.5 * (m_record[k + 1].time_s - m_record[k].time_s) * (heating(k) + heating(k + 1));
         else
             sum = 0.5 * dt_s *
@@ -152,7 +153,7 @@ void Problem::close(Window& window, std::vector<Eigen::VectorXd>& rows) {
     rows.clear();
 }
 
-/// Cuts the record into windows; one ends early where readings are missing or the heating is not known.
+/// Divides the record into windows; a window ends early if readings are missing or the heating is not known.
 void Problem::cut() {
     m_windows.clear();
     Window window;
@@ -177,7 +178,7 @@ void Problem::cut() {
     close(window, rows);
 }
 
-/// Least squares with the windows' means taken out, which is the same as a T0 fitted in each.
+/// Least squares with the windows' means subtracted, which is the same as a fitted T0 for each.
 Fit Problem::solve() const {
     const auto p = static_cast<Eigen::Index>(m_columns.size());
     const auto centred = [](const auto& M) { return (M.rowwise() - M.colwise().mean()).eval(); };
@@ -222,8 +223,8 @@ Fit Problem::solve() const {
     return fit;
 }
 
-/// Takes readings far off the fit out of use, those at least half as far off as the worst, which bends the
-/// fit. False: there is none.
+/// Excludes readings far from the fit: those at least half as far as the worst, which distorts the fit.
+/// Returns false if there is none.
 bool Problem::leaveOut(const Fit& fit) {
     std::vector<double> off_K;
     for (const Window& window : m_windows) {
@@ -264,7 +265,7 @@ struct Named {
     const Estimate& estimate;
 };
 
-/// What keeps the fitted rates from being used, if anything does.
+/// Why the fitted rates cannot be used, if there is a reason.
 Message verdict(const IdentifiedRates& rates, double variation_F) {
     const Named rows[] = {{"lambda1", rates.lambda1}, {"lambda2", rates.lambda2}, {"lambda3", rates.lambda3}};
     for (const auto& [name, estimate] : rows) {
@@ -309,7 +310,7 @@ void putEstimates(IdentifiedRates& out, const Problem& problem, const Fit& fit,
     }
 }
 
-/// The fit with T3 as given; its reason is set when there are no rates.
+/// The fit with the given T3; its reason is set if there are no rates.
 IdentifiedRates fitted(const std::vector<HeatSample>& record, const IdentificationOptions& options,
                        double& variation_F) {
     Problem problem(record, options);
@@ -345,7 +346,7 @@ IdentifiedRates fitted(const std::vector<HeatSample>& record, const Identificati
     return out;
 }
 
-/// Adds what the error of T3 makes, from a second fit with T3 off by it.
+/// Adds the effect of the error of T3, from a second fit with T3 changed by it.
 void addEnvironmentError(IdentifiedRates& out, const std::vector<HeatSample>& record,
                          IdentificationOptions options) {
     if (!(options.environmentDeviation_K > 0.0))

@@ -36,7 +36,7 @@ std::optional<int> outlier(const Eigen::MatrixXd& A, const Eigen::VectorXd& b, d
     for (int i = 0; i < residual.size(); ++i) {
         const double left = 1.0 - Q.row(i).squaredNorm(); // 1 - leverage
         if (left < 1e-9)
-            continue; // nothing else says what it ought to be
+            continue; // no other sample determines its value
         const double others = std::max(0.0, total - residual[i] * residual[i] / left) / freedom;
         const double deviation = std::max(std::sqrt(others), floor_K);
         const double studentised = std::abs(residual[i]) / (deviation * std::sqrt(left));
@@ -103,7 +103,7 @@ std::optional<RateEstimate> RateEstimator::estimate() const {
     const Sample& before = m_samples[static_cast<std::size_t>(m_window) - 2];
     if (out.leftOut == m_window - 1 &&
         std::abs(newest.temperature_K - before.temperature_K) <= kOnset_K_s * (newest.time_s - before.time_s))
-        out.leftOut.reset(); // what an object can do; the next sample will tell
+        out.leftOut.reset(); // it may be a real change; the next sample decides
     if (out.leftOut) {
         A.row(*out.leftOut).setZero();
         b[*out.leftOut] = 0.0;
