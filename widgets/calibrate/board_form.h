@@ -1,5 +1,5 @@
 #pragma once
-// The setting of the calibration board that is shown to the camera.
+// The settings of the calibration board that is shown to the camera.
 
 #include "engine/calibration/board.h"
 
@@ -21,9 +21,9 @@ class BoardForm : public QWidget {
 public:
     explicit BoardForm(QWidget* parent = nullptr);
 
-    /// As it stands there; the errors are parseBoard's.
+    /// Returns the entered board. Errors: those of parseBoard.
     Result<Board> board() const;
-    /// Without changed().
+    /// Sets the board without emitting changed().
     void setBoard(const Board& board);
 
 signals:

@@ -1,5 +1,5 @@
 #pragma once
-// The Calibrate page: the live picture, and beside it what can be calibrated, a tab each.
+// The Calibrate page: the live picture, and beside it one tab for each calibration.
 
 #include "engine/model/experiment.h"
 #include "engine/vision/vision_view.h"
@@ -29,14 +29,14 @@ public:
 
     void setExperiment(const Experiment& experiment);
     void setView(const VisionView& view);
-    /// End-effector in R; `mayMove`: no run is armed or on.
+    /// Coordinates of the end-effector in R; `mayMove`: no run is armed or on.
     void setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove);
     CameraPanel* cameraPanel() const { return m_cameraPanel; }
 
 signals:
-    /// Pictures are wanted while the page is seen, with this board looked for.
+    /// Pictures are wanted while the page is visible, with a search for this board.
     void watchWanted(bool show, const std::optional<bask::Board>& board);
-    /// A device, file, folder or address; empty: the simulated one.
+    /// A camera was chosen: a device, file, folder or address; empty for the simulated one.
     void cameraWanted(const QString& name);
     void visionEdited(const bask::VisionSpec& vision);
     void sourceMeasured(const bask::VisionSpec& vision, const bask::Vector6d& pose);
@@ -58,8 +58,8 @@ private:
     void retranslate();
 
     Experiment m_experiment;
-    std::optional<Board> m_board; ///< looked for
-    QString m_camera;             ///< chosen
+    std::optional<Board> m_board; ///< the board to search for
+    QString m_camera;             ///< the chosen camera
     QLabel* m_choiceLabel;
     QComboBox* m_choice;
     LivePicture* m_picture;

@@ -1,5 +1,5 @@
 #pragma once
-// How old an experiment's calibrations are, in words: for the checklist and the page.
+// The age of an experiment's calibrations in words, for the checklist and the page.
 
 #include "engine/model/vision_spec.h"
 
@@ -8,13 +8,13 @@
 
 namespace bask {
 
-/// Now, as VisionSpec has its dates.
+/// Returns the current time in the date format of VisionSpec.
 std::string calibrationDate();
 
-/// "3 hours ago"; "at an unknown time" for a date that is none.
+/// Returns "3 hours ago"; "at an unknown time" if the date is invalid.
 QString ageText(const std::string& date, const QDateTime& now = QDateTime::currentDateTimeUtc());
 
-/// A sentence each for the camera, where it stands, and where the source is; none for a rig without markers
+/// Returns one sentence each for the camera, its pose, and the source's pose; none for a rig without markers
 /// and camera.
 QStringList calibrationAges(const VisionSpec& vision, const QDateTime& now = QDateTime::currentDateTimeUtc());
 

@@ -1,5 +1,5 @@
 #pragma once
-// A camera's intrinsics: views of a board taken as they come, solved off the GUI thread, judged, kept as
+// A camera's intrinsics: takes views of a board, solves off the GUI thread, judges the result, keeps it in
 // files.
 
 #include "engine/calibration/view_collector.h"
@@ -24,15 +24,15 @@ class CoverageView;
 class MessageBar;
 class ViewList;
 
-/// Hears of fits from the pool's thread.
+/// Receives the progress of fits from the pool's thread.
 class FitProgress : public QObject {
     Q_OBJECT
 signals:
     void fitted(int done, int of);
 };
 
-/// Once a camera was asked for, every view added or left out solves it again, so that what is shown belongs
-/// to the views that are ticked. Object names: "captureStart", "captureAutomatic", "captureTake",
+/// After a camera was requested, every view added or left out solves it again, so that the shown result
+/// belongs to the ticked views. Object names: "captureStart", "captureAutomatic", "captureTake",
 /// "captureStatus", "captureAgain", "cameraMessage" (MessageBar), "solve", "solveProgress", "solveCancel",
 /// "leaveOut", and those of BoardForm, CoverageView, ViewList, CameraResult.
 class CameraPanel : public QWidget {
@@ -42,24 +42,24 @@ public:
     explicit CameraPanel(QWidget* parent = nullptr);
     ~CameraPanel() override;
 
-    /// What the camera shows; each frame counts once.
+    /// Takes what the camera shows; each frame counts once.
     void setView(const VisionView& view);
-    /// From the camera to the source: where errors are told in mm. 0.6 m until it is set.
+    /// Sets the distance from camera to source at which errors are given in mm; 0.6 m by default.
     void setDistance(double distance_m);
     /// The camera in use.
     void setCamera(const std::optional<CameraModel>& camera);
-    /// The board at hand, such as one printed and measured. The views of another are dropped.
+    /// Sets the available board, such as one printed and measured. The views of another board are dropped.
     void setBoard(const Board& board);
 
-    /// Read and written off the GUI thread; what goes wrong is said in the panel.
+    /// Files are read and written off the GUI thread; the panel shows errors.
     void loadCamera(const QString& path);
     void saveCamera(const QString& path, bool asRos);
 
 signals:
-    /// Look for this board in the pictures; none: look for no board.
+    /// Search for this board in the pictures; empty for no board.
     void boardWanted(const std::optional<bask::Board>& board);
     void cameraChosen(const bask::CameraModel& camera);
-    /// To be drawn over the picture; none: nothing.
+    /// The heat map to draw over the picture; empty for none.
     void heatMapChanged(const std::optional<bask::HeatMap>& map);
     /// This part of the panel must be seen.
     void attentionWanted(QWidget* part);
@@ -93,11 +93,11 @@ private:
     void updateEnabled();
     void retranslate();
 
-    VisionView m_view; ///< newest
+    VisionView m_view; ///< the newest view
     std::optional<ViewCollector> m_collector;
-    std::optional<Board> m_other; ///< offered instead of the one set
-    bool m_cameraWanted = false;  ///< solve again as views change
-    bool m_isAsked = false;       ///< the answer is waited for: show it
+    std::optional<Board> m_other; ///< board offered instead of the selected one
+    bool m_cameraWanted = false;  ///< solve again when views change
+    bool m_isAsked = false;       ///< a person waits for the result: show it
     std::vector<int> m_outstanding;
     QString m_folder;
 

@@ -1,5 +1,5 @@
 #pragma once
-// A camera's numbers with how sure they are, the verdict on it, and what can be done with it.
+// A camera's numbers with their uncertainty, the verdict on it, and what can be done with it.
 
 #include "engine/calibration/camera_calibration.h"
 
@@ -23,12 +23,12 @@ class CameraResult : public QWidget {
 public:
     explicit CameraResult(QWidget* parent = nullptr);
 
-    /// Just calibrated.
+    /// Shows a new calibration.
     void setCalibration(const CameraCalibration& calibration);
-    /// From a file of that name; or, without one, the camera in use.
+    /// Shows a camera from a file of that name; without a name, the camera in use.
     void setCamera(const CameraModel& camera, const QString& file);
     void clear();
-    /// At which errors are told in mm.
+    /// Sets the distance at which errors are given in mm.
     void setDistance(double distance_m);
     void setInUse(const std::optional<CameraModel>& camera);
     const std::optional<CameraModel>& camera() const { return m_camera; }
@@ -49,7 +49,7 @@ private:
     QString factsText() const;
 
     std::optional<CameraModel> m_camera;
-    std::optional<CameraCalibration> m_calibration; ///< that it came from, here
+    std::optional<CameraCalibration> m_calibration; ///< calibration of the shown camera, if it was made here
     QString m_file;
     std::optional<CameraModel> m_inUse;
     double m_distance_m = 0.6;

@@ -1,5 +1,5 @@
 #pragma once
-// How well the views cover what a calibration needs: four bars, and in words what to do next.
+// How well the views cover what a calibration needs: four bars, and the next step in words.
 
 #include "engine/calibration/view_collector.h"
 
@@ -25,7 +25,7 @@ public:
     bool isMapWanted() const;
 
 signals:
-    /// The heat map is to be drawn over the picture, or no more.
+    /// Whether to draw the heat map over the picture.
     void mapWanted(bool wanted);
 
 protected:

@@ -1,5 +1,5 @@
 #pragma once
-// What the camera sees, with what was found in it drawn over it.
+// The camera's picture, with what was found in it drawn over it.
 
 #include "engine/calibration/view_collector.h"
 #include "engine/vision/vision_view.h"
@@ -10,8 +10,8 @@
 
 namespace bask {
 
-/// The frame's pixels are drawn from where they are, never copied. A camera that does not answer is said over
-/// its last picture, which is dimmed and hatched.
+/// The frame's pixels are drawn without copying. If the camera does not answer, this is shown over its last
+/// picture, which is dimmed and hatched.
 class LivePicture : public QWidget {
     Q_OBJECT
 
@@ -19,15 +19,15 @@ public:
     explicit LivePicture(QWidget* parent = nullptr);
 
     void setView(const VisionView& view);
-    /// By which axes are drawn; none without.
+    /// Sets the camera for drawing axes; without it no axes are drawn.
     void setCamera(const std::optional<CameraModel>& camera);
-    /// That is looked for: its rows get their colours.
+    /// Sets the board that is searched for: its rows get their colours.
     void setBoard(const std::optional<Board>& board);
-    /// Drawn over the picture.
+    /// Sets the heat map that is drawn over the picture.
     void setHeatMap(const std::optional<HeatMap>& map);
 
-    QString sentence() const;   ///< over the picture; empty while the camera answers
-    QString statusText() const; ///< below it: size, rate, latency, age
+    QString sentence() const;   ///< text over the picture; empty while the camera answers
+    QString statusText() const; ///< text below the picture: size, rate, latency, age
 
     QSize sizeHint() const override { return {800, 480}; }
     QSize minimumSizeHint() const override { return {320, 200}; }
@@ -44,7 +44,7 @@ private:
     void paintSentence(QPainter& painter, const QRectF& place) const;
 
     VisionView m_view;
-    double m_age_s = 0.0; ///< of the picture, when the view came
+    double m_age_s = 0.0; ///< age of the picture when the view arrived
     std::optional<CameraModel> m_camera;
     std::optional<Board> m_board;
     std::optional<HeatMap> m_heatMap;

@@ -1,5 +1,5 @@
 #pragma once
-// The markers of a rig: what each sits on, its id, side and place, and whether the camera sees it.
+// The markers of a rig: the part of each, its id, side and pose, and whether the camera sees it.
 
 #include "engine/model/vision_spec.h"
 #include "engine/vision/vision_view.h"
@@ -27,7 +27,7 @@ public:
     explicit MarkerEditor(QWidget* parent = nullptr);
 
     void setVision(const VisionSpec& vision);
-    void setView(const VisionView& view); ///< which are seen
+    void setView(const VisionView& view); ///< shows which markers are seen
 
 signals:
     void visionEdited(const bask::VisionSpec& vision);
@@ -46,7 +46,7 @@ private:
     void showForm();
     void showSeen();
     void retranslate();
-    int freeId() const; ///< one that is seen and not listed, else the lowest
+    int freeId() const; ///< a seen id that is not listed, otherwise the lowest free one
 
     VisionSpec m_vision;
     std::vector<ViewedMarker> m_seen;

@@ -1,5 +1,5 @@
 #pragma once
-// Where the camera stands and where the source is, by markers: listed, measured, judged, checked.
+// The poses of camera and source from markers: listed, measured, judged, checked.
 
 #include "engine/base/message_code.h"
 #include "engine/calibration/hand_eye.h"
@@ -43,11 +43,11 @@ public:
 
 signals:
     void visionEdited(const bask::VisionSpec& vision);
-    /// Both at once: calibrations with their dates, and where the source is in R.
+    /// Sends both: calibrations with their dates, and the source's pose in R.
     void sourceMeasured(const bask::VisionSpec& vision, const bask::Vector6d& pose);
-    void followWanted(bool follow); ///< the source, during runs
+    void followWanted(bool follow); ///< whether to follow the source during runs
     void moveWanted(const bask::Vector6d& coordinates);
-    void holdWanted(); ///< the robot shall stop where it is
+    void holdWanted(); ///< stop the robot where it is
     /// This part of the panel must be seen.
     void attentionWanted(QWidget* part);
 
@@ -58,11 +58,11 @@ private:
     enum class Task { None, PlaceHere, PlaceTour, PlaceCheck, Source };
     struct Outcome {
         std::optional<HandEye> place;
-        PoseSpread spread; ///< of `place`, at the source
+        PoseSpread spread; ///< spread of `place` at the source
         std::optional<HandEyeCheck> check;
         std::optional<RelativePose> source;
-        Pose X_RS = Pose::Identity(); ///< by `source`
-        Message trouble;              ///< code None: none
+        Pose X_RS = Pose::Identity(); ///< pose of the source, from `source`
+        Message trouble;              ///< code None if there was none
     };
 
     QWidget* buildPlace();
@@ -70,25 +70,25 @@ private:
     QWidget* buildSource();
     void begin(Task task);
     void cancel();
-    void forget(); ///< what was measured with another camera or other markers
+    void forget(); ///< forgets measurements with another camera or other markers
     void advance();
     void solve();
     void take(Task task, Outcome outcome);
     void usePlace();
     void useSource();
-    bool isPlaceUsed() const;  ///< m_place is
-    bool isSourceUsed() const; ///< m_source is
+    bool isPlaceUsed() const;  ///< whether m_place is in use
+    bool isSourceUsed() const; ///< whether m_source is in use
     void showProgress();
     void showPlace();
     void showSource();
     void showEnabled();
-    QString whyNot() const; ///< measuring is not possible now
+    QString whyNot() const; ///< why measuring is not possible now
     void retranslate();
 
     Experiment m_experiment;
-    std::uint64_t m_frame = 0; ///< number of the last one
-    std::string m_cameraName;  ///< of the last view
-    Message m_problem;         ///< why pictures cannot be measured in; code None: they can
+    std::uint64_t m_frame = 0; ///< number of the last frame
+    std::string m_cameraName;  ///< camera of the last view
+    Message m_problem;         ///< why pictures cannot be used for measuring; code None if they can
     bool m_hasFrame = false;
     Vector6d m_robot = Vector6d::Zero();
     bool m_mayMove = false;
@@ -97,9 +97,9 @@ private:
     Task m_task = Task::None;
     RigSurvey m_survey;
     LatestJob<Outcome> m_solving;
-    std::optional<HandEye> m_place;      ///< measured last
-    PoseSpread m_placeSpread;            ///< of it, at the source
-    std::optional<HandEyeCheck> m_check; ///< of it, or of the one in use
+    std::optional<HandEye> m_place;      ///< the last measurement
+    PoseSpread m_placeSpread;            ///< spread of m_place at the source
+    std::optional<HandEyeCheck> m_check; ///< check of m_place, or of the pose in use
     std::optional<RelativePose> m_source;
     Pose m_X_RS = Pose::Identity();
 

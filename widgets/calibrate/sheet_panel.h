@@ -1,5 +1,5 @@
 #pragma once
-// Sheets to be printed, with a board or markers, and what their ruler measures on the print.
+// Sheets to be printed, with a board or markers, and the length of their ruler measured on the print.
 
 #include "widgets/calibrate/board_sheet.h"
 
@@ -26,14 +26,14 @@ class SheetPanel : public QWidget {
 public:
     explicit SheetPanel(QWidget* parent = nullptr);
 
-    /// What is offered to be printed.
+    /// Sets the board that is offered to be printed.
     void setBoard(const Board& board);
     void setMarkers(const std::string& dictionary, const std::vector<int>& ids, double side_m);
-    /// Writes the PDF; the panel says what came of it.
+    /// Writes the PDF; the panel shows the result.
     void saveTo(const QString& path);
 
 signals:
-    /// As the ruler on the print says.
+    /// The board with its size corrected by the ruler on the print.
     void boardMeasured(const bask::Board& board);
     void markersMeasured(const std::string& dictionary, const std::vector<int>& ids, double side_m);
 
@@ -44,16 +44,16 @@ private:
     QWidget* buildForm();
     void connectAll();
     bool isMarkers() const;
-    double scale() const;        ///< of the print; 0 when it is not measured
-    std::string ids() const;     ///< as typed
-    std::string setting() const; ///< of the markers
+    double scale() const;        ///< scale of the print; 0 if it was not measured
+    std::string ids() const;     ///< the typed ids
+    std::string setting() const; ///< setting of the markers
     void refresh();
     void showTrueLength();
     void say(const QString& sentence, bool isProblem);
     void use();
     void retranslate();
 
-    std::vector<BoardSheet> m_sheets; ///< empty: the setting cannot be printed
+    std::vector<BoardSheet> m_sheets; ///< empty if the setting cannot be printed
 
     SheetPreview* m_preview;
     QLabel* m_pages;

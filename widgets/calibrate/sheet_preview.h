@@ -1,5 +1,5 @@
 #pragma once
-// The first of the sheets to be printed, drawn to scale.
+// The first sheet to be printed, drawn to scale.
 
 #include "widgets/calibrate/board_sheet.h"
 
@@ -26,7 +26,7 @@ protected:
 
 private:
     std::optional<BoardSheet> m_sheet;
-    QPixmap m_picture; ///< of the sheet, at this size; null: to be painted
+    QPixmap m_picture; ///< picture of the sheet at this size; null if it must be painted
 };
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The views of a calibration: a small picture each, how far its corners lie off, and whether it counts.
+// The views of a calibration: for each a small picture, its residual, and whether it is used.
 
 #include <QTreeWidget>
 
@@ -7,17 +7,17 @@ class QImage;
 
 namespace bask {
 
-/// A ticked view counts. Object name: "viewList".
+/// A ticked view is used. Object name: "viewList".
 class ViewList : public QTreeWidget {
     Q_OBJECT
 
 public:
     explicit ViewList(QWidget* parent = nullptr);
 
-    /// Next number, counting.
+    /// Adds a view with the next number, ticked.
     void add(const QImage& picture);
     int count() const { return topLevelItemCount(); }
-    /// `residual_px` none: not known; `standsOut`: marked, in words too.
+    /// `residual_px` is empty if not known; `standsOut` marks the view, also in words.
     void setResidual(int view, std::optional<double> residual_px, bool standsOut);
     bool isUsed(int view) const;
     void setUsed(int view, bool isUsed);

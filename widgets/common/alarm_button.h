@@ -1,6 +1,6 @@
 #pragma once
-// The gravest alarm on the state bar: its mark, what it is, how many other causes there are. Without alarms,
-// or with shelved ones alone, it is not there.
+// The most serious alarm on the state bar: its mark, its text, and the number of other causes. Hidden without
+// alarms, or if all are shelved.
 
 #include "engine/base/units.h"
 #include "widgets/common/alarm_groups.h"
@@ -11,22 +11,22 @@
 
 namespace bask {
 
-/// Object name: "alarmButton". Takes what room there is; its mark and the number of others are never cut.
+/// Object name: "alarmButton". Uses the available width; its mark and the number of others are never cut.
 class AlarmButton : public QAbstractButton {
     Q_OBJECT
 
 public:
     explicit AlarmButton(QWidget* parent = nullptr);
 
-    /// As the engine sorts them: the first that is active is shown.
+    /// Alarms as sorted by the engine: the first active one is shown.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// The engine does not answer: what is shown may be old.
+    /// Marks the alarms as possibly old because the engine does not answer.
     void setStale(bool isStale);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
-    /// Its width with the mark and the number of many others alone, whatever is shown now.
+    /// Its width with only the mark and a large number of others, whatever is shown now.
     int widthWithoutText() const;
 
 signals:

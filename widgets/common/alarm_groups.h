@@ -1,5 +1,5 @@
 #pragma once
-// Alarms as the window lists them: causes with what follows from each, and those that a person put aside.
+// Alarms as the window lists them: causes with their consequences, and the shelved ones.
 
 #include "engine/model/alarm.h"
 
@@ -7,21 +7,22 @@
 
 namespace bask {
 
-/// An alarm and those that follow from it, directly or through others, in the engine's order.
+/// An alarm and its direct and indirect consequences, in the engine's order.
 struct AlarmGroup {
     Alarm alarm;
     std::vector<Alarm> consequences;
-    bool isActive() const; ///< of any of them
+    bool isActive() const; ///< whether any of them is active
     bool operator==(const AlarmGroup&) const = default;
 };
 
 struct AlarmGroups {
-    std::vector<AlarmGroup> present; ///< active ones before those that are over, else in the engine's order
+    /// active groups before those that are over, otherwise in the engine's order
+    std::vector<AlarmGroup> present;
     std::vector<AlarmGroup> shelved;
     bool operator==(const AlarmGroups&) const = default;
 };
 
-/// One whose cause is not in the list is a cause itself.
+/// An alarm whose cause is not in the list counts as a cause.
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms);
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// The alarms, the gravest first, what follows from each under it, those put aside at the end, and of the
-// chosen one what to do.
+// The alarms, the most serious first: consequences under their cause, shelved ones at the end, and what to do
+// about the selected one.
 
 #include "engine/base/units.h"
 #include "widgets/common/alarm_groups.h"
@@ -23,22 +23,24 @@ namespace bask {
 
 class ShelfPopup;
 
-/// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what; what follows from an
-/// alarm is folded under it, the last row holds the shelved ones), "alarmGuidance", "acknowledgeAlarm" (the
-/// chosen one), "acknowledgeAllAlarms", "shelveAlarm" (or back, of a shelved one), "shelfPopup" (see there).
+/// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what; consequences of an alarm
+/// are folded under it, the last row contains the shelved ones), "alarmGuidance", "acknowledgeAlarm" (the
+/// selected one), "acknowledgeAllAlarms", "shelveAlarm" (for a shelved one: unshelve), "shelfPopup" (see
+/// there).
 class AlarmList : public QWidget {
     Q_OBJECT
 
 public:
     explicit AlarmList(QWidget* parent = nullptr);
 
-    /// As the engine sorts them. What is chosen, scrolled and focused stays so; with nothing chosen, a new
-    /// alarm is. One that leaves is not followed by its neighbour, which nobody has read.
+    /// Alarms as sorted by the engine. Selection, scroll position and focus stay; if nothing is selected, a
+    /// new alarm is. When a selected alarm disappears, its neighbour is not selected, since nobody has read
+    /// it.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// The engine does not answer: what is shown may be old.
+    /// Marks the alarms as possibly old because the engine does not answer.
     void setStale(bool isStale);
-    /// Chooses it, for a person who asked for it; the keyboard goes there.
+    /// Selects the alarm because a person asked for it, and moves the keyboard focus there.
     void choose(std::uint64_t id);
 
 signals:
@@ -64,14 +66,14 @@ private:
     void retranslateUi();
 
     std::vector<Alarm> m_alarms;
-    AlarmGroups m_groups; ///< of them
+    AlarmGroups m_groups; ///< the alarms in groups
     std::set<std::uint64_t> m_unfolded;
     bool m_isShelfFolded = false;
     QDate m_today;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStale = false;
     std::optional<std::uint64_t> m_chosen;
-    QString m_shown; ///< as guidance
+    QString m_shown; ///< the shown guidance
     QTreeWidget* m_tree;
     QTextEdit* m_guidance;
     QPushButton* m_acknowledge;

@@ -1,5 +1,6 @@
 #pragma once
-// What the engine will do by itself, in so many seconds, and why: over every page, for as long as that is so.
+// The next action that the engine takes by itself, with countdown and reason: above every page as long as it
+// is pending.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
@@ -28,7 +29,7 @@ protected:
 
 private:
     void refresh();
-    int priority() const; ///< of the cause, as an alarm
+    int priority() const; ///< priority of the cause as an alarm
 
     std::optional<PendingAction> m_pending;
     double m_from_s = 0.0; ///< when it was first pending

@@ -1,5 +1,6 @@
 #pragma once
-// Values as a person reads them: numbers with units in the locale's notation, words for states and sentences.
+// Values as a person reads them: numbers with units in the locale's notation, and words for states and
+// sentences.
 
 #include "engine/base/message.h"
 #include "engine/base/units.h"
@@ -15,22 +16,22 @@ class QDateTime;
 
 namespace bask {
 
-/// What stands in place of a value that is not known or not valid.
+/// Text instead of a value that is not known or not valid.
 inline const QString kNoValue = QStringLiteral("\u2014");
 
-/// "40.0 °C"; a dash when not finite.
+/// Returns "40.0 °C"; a dash if it is not finite.
 QString formatTemperature(double t_K, TemperatureUnit unit, int decimals = 1);
-/// "40.0", without the unit.
+/// Returns "40.0", without the unit.
 QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals = 1);
-/// "+0.3 K" (a difference, with its sign); a dash when not finite.
+/// Returns "+0.3 K" (a difference, with its sign); a dash if it is not finite.
 QString formatDifference(double d_K, TemperatureUnit unit, int decimals = 1);
 /// "+1.2 K/min".
 QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals = 1);
 /// "0:42", "12:03", "1:02:03".
 QString formatDuration(double time_s);
-/// "12 s old", "2:05 old"; of what was never told "no value yet".
+/// Returns "12 s old", "2:05 old"; "no value yet" if there was none.
 QString formatAge(double age_s);
-/// "2026-11-23 14:05" where this computer is: the same in every language.
+/// Returns "2026-11-23 14:05" in local time, the same in every language.
 QString formatDate(const QDateTime& time);
 /// "12.5 mm".
 QString formatLength_mm(double length_m, int decimals = 1);
@@ -42,23 +43,25 @@ QString differenceUnitSymbol(TemperatureUnit unit);  ///< "K"
 
 QString runStateWord(RunState state);        ///< "Not ready"
 QString runStateExplanation(RunState state); ///< one sentence, for tool-tips and an empty list of reasons
-/// "Sensor lost"; of None what ends them all.
+/// Returns "Sensor lost"; for None, the words that end all faults.
 QString simulatedFaultWord(SimulatedFault fault);
 QString controllerWord(ControllerKind kind); ///< "Level servo"
 
-/// The unit in which sentences speak of temperatures where nobody names one: the window's. Of the GUI thread.
+/// Sets the unit of temperatures in sentences for callers that do not name one: the window's unit. GUI
+/// thread.
 void setReadersUnit(TemperatureUnit unit);
 TemperatureUnit readersUnit();
 
-/// Translated sentence of a message (context "Message") with its arguments put in, temperatures to a tenth.
+/// Returns the translated sentence of a message (context "Message") with its arguments, temperatures to a
+/// tenth.
 QString messageText(const Message& message, TemperatureUnit unit = readersUnit());
-/// The same with a capital letter in front: where it stands by itself.
+/// Returns the same with a capital first letter, for a sentence that stands alone.
 QString sentenceText(const Message& message, TemperatureUnit unit = readersUnit());
-/// The same as messageText(), but without a unit in degC and K with the digits that a file has.
+/// Returns the same as messageText(), but without a unit in degC and K, with the digits of a file.
 QString recordedText(const Message& message, std::optional<TemperatureUnit> unit);
-/// The first sentence of sentenceText(): what is wrong, for where there is little room.
+/// Returns the first sentence of sentenceText(): what is wrong, for narrow places.
 QString headlineText(const Message& message, TemperatureUnit unit);
-/// With a capital letter in front.
+/// Returns the text with a capital first letter.
 QString asSentence(QString text);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A line of text that gives way: pointing at it tells what has no room.
+// A line of text that is shortened if necessary; its tool tip shows all of it.
 
 #include <QLabel>
 

@@ -1,5 +1,5 @@
 #pragma once
-// What happened and what was noted during a run, each with its time.
+// The events and notes of a run, each with its time.
 
 #include "engine/base/message.h"
 
@@ -11,21 +11,21 @@ class QTreeWidgetItem;
 
 namespace bask {
 
-/// Kind of a row; the alarms carry their priority as figure, shape and colour.
+/// Kind of a row; alarms show their priority as figure, shape and colour.
 enum class EventKind { Event, Note, Alarm1, Alarm2, Alarm3 };
 EventKind eventKind(MessageCode code);
 
-/// Newest row last; it stays in view unless a person scrolled up. Object names: "eventList", its tree
+/// Newest row last; it stays visible unless a person scrolled up. Object names: "eventList", its tree
 /// "eventListTree".
 class EventList : public QWidget {
     Q_OBJECT
 public:
     explicit EventList(QWidget* parent = nullptr);
 
-    /// `time_s` since Start, `text` already translated.
+    /// Adds a row: `time_s` since Start, `text` already translated.
     void add(double time_s, const QString& text, EventKind kind = EventKind::Event);
     void clear();
-    /// A row is chosen by one click, not only by Enter and a double click.
+    /// A row is selected by a single click, not only by Enter and a double click.
     void setChosenByClick();
     int count() const;
     QString textAt(int row) const;

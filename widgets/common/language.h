@@ -1,5 +1,5 @@
 #pragma once
-// The window's language, changed at run time: every widget hears of it through QEvent::LanguageChange.
+// The window's language, which can change at run time: every widget is told by QEvent::LanguageChange.
 
 #include <QLocale>
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// Installs the translators of one language. Numbers keep the decimal point in every language, as in Bask's
+/// Installs the translators of one language. Numbers have the decimal point in every language, as in Bask's
 /// files and in the engine's sentences.
 class Language {
 public:
@@ -19,8 +19,8 @@ public:
 
     static QStringList codes();                  ///< "en", "fr", "zh_CN", "zh_TW"
     static QString ownName(const QString& code); ///< "English", "Français"
-    /// The code for a locale, "en" where Bask does not speak its language. Chinese goes by the script: zh_HK
-    /// and zh_MO get zh_TW, zh_SG gets zh_CN.
+    /// Returns the code for a locale, "en" if there is no translation. Chinese is selected by script: zh_HK
+    /// and zh_MO give zh_TW, zh_SG gives zh_CN.
     static QString nearest(const QLocale& locale);
     static QString ofDesktop();
 

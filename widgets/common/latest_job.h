@@ -13,9 +13,9 @@
 
 namespace bask {
 
-/// Runs one request at a time on the thread pool. A newer request replaces one that waits and silences one
-/// that runs. GUI thread only; `work` sees nothing but what it captured by value. `done` is not called after
-/// the owner's end.
+/// Runs one request at a time on the thread pool. A newer request replaces a waiting one and discards the
+/// answer of a running one. GUI thread only; `work` may use only what it captured by value. `done` is not
+/// called after the owner was destroyed.
 template <class Value> class LatestJob {
 public:
     using Work = std::function<Value(const std::stop_token&)>;
@@ -27,7 +27,7 @@ public:
 
     ~LatestJob() { m_stop.request_stop(); }
 
-    /// A work that takes a std::stop_token is asked to stop as soon as nobody will hear its answer.
+    /// If `work` takes a std::stop_token, it is asked to stop when its answer is no longer needed.
     template <class Task> void run(Task work, Done done) {
         if constexpr (std::is_invocable_v<Task, std::stop_token>)
             m_next = {std::move(work), std::move(done)};
@@ -38,7 +38,7 @@ public:
             startNext();
     }
 
-    /// Nobody wants the answer any more: drops what waits and silences what runs.
+    /// Call when the answer is no longer needed: drops a waiting request and discards a running one.
     void forget() {
         m_next = {};
         m_running.done = nullptr;
@@ -72,7 +72,7 @@ private:
 
     Request m_running;
     Request m_next;
-    std::stop_source m_stop; ///< of the running one
+    std::stop_source m_stop; ///< stop source of the running request
     QFutureWatcher<std::shared_ptr<Value>> m_watcher;
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-// PNG files that say what they are, so that an export replaces its own earlier files and nobody else's.
+// PNG files with a mark, so that an export replaces only its own earlier files.
 
 #include <QImage>
 #include <QString>
@@ -7,7 +7,7 @@
 namespace bask {
 
 void markPicture(QImage& picture, const QString& mark);
-/// Whether a picture was saved there with this mark.
+/// Returns whether the file is a picture with this mark.
 bool isMarkedPicture(const QString& path, const QString& mark);
 
 } // namespace bask

@@ -7,7 +7,7 @@
 
 namespace bask {
 
-/// A word or two for the events that are drawn on the traces; empty for the others.
+/// Returns one or two words for the events that are drawn on the traces; empty for the others.
 QString markerWord(MessageCode code);
 
 } // namespace bask

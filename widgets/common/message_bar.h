@@ -19,9 +19,10 @@ public:
 
     explicit MessageBar(QWidget* parent = nullptr);
 
-    /// Shows a sentence; with `action` a button of that label, without `closable` it stays until cleared.
+    /// Shows a sentence; `action` adds a button with that label; if not `closable`, it stays until it is
+    /// cleared.
     void say(Kind kind, const QString& sentence, const QString& action = {}, bool closable = true);
-    /// A question: a button for each answer, and it may be put off by closing it.
+    /// Asks a question with a button for each answer; closing it postpones the answer.
     void ask(const QString& sentence, const QString& action, const QString& other);
     void clear();
     QString sentence() const;
@@ -29,7 +30,7 @@ public:
 signals:
     void actionClicked();
     void otherClicked();
-    void closed(); ///< by a person
+    void closed(); ///< a person closed the bar
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,5 +1,5 @@
 #pragma once
-// The metrics of a run in words: name, definition, value with its unit or why there is none.
+// The metrics of a run in words: name, definition, and value with its unit or the reason why there is none.
 
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// A column each of a table with one row an object.
+/// The columns of a table with one row for each object.
 enum class ObjectMetric { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
 inline constexpr std::array kObjectMetrics{
     ObjectMetric::Target,    ObjectMetric::Final,       ObjectMetric::Settling,  ObjectMetric::Rise,
@@ -22,10 +22,10 @@ inline constexpr std::array kRunMetrics{RunMetric::Duration, RunMetric::PathLeng
 
 QString metricName(ObjectMetric metric);
 QString metricName(RunMetric metric);
-/// One or two sentences, as engine/recording/run_metrics.h has it.
+/// Returns the definition in one or two sentences, as in engine/recording/run_metrics.h.
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit);
 QString metricDefinition(RunMetric metric);
-/// "42.0 s", "+0.12 K", or in words why there is no value: "not settled".
+/// Returns "42.0 s", "+0.12 K", or why there is no value: "not settled".
 QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
 QString metricText(RunMetric metric, const RunMetrics& run);
 

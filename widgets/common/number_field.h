@@ -5,10 +5,10 @@
 
 namespace bask {
 
-/// Takes a number when it is entered, not while it is typed.
+/// Makes a field that takes a number when it is entered, not while it is typed.
 QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
                             const QString& suffix);
-/// Shows a value that nobody entered.
+/// Sets a value without signals.
 void setQuietly(QDoubleSpinBox* field, double value);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A form over a table of parameters: a row each, with its label, unit, valid range and help.
+// A form for a table of parameters: one row each, with label, unit, valid range and help.
 
 #include "engine/base/parameter.h"
 #include "engine/base/units.h"
@@ -17,29 +17,29 @@ class QLabel;
 
 namespace bask {
 
-/// Translated label and help of a parameter.
+/// Returns the translated label and help of a parameter.
 QString parameterLabel(const ParameterFacts& facts);
 QString parameterHelp(const ParameterFacts& facts);
-/// "heldLimit" of "held_limit": the end of an object's name.
+/// Returns "heldLimit" for "held_limit": the end of an object's name.
 QString parameterObjectName(const ParameterFacts& facts);
 
-/// Each change by a person is one `edited`; the fields show what setValue gave last. A parameter that may be
-/// left to the program has a box *Automatic*. Object names: the prefix with parameterObjectName, and that
-/// with "Automatic".
+/// Each change by a person is one `edited`; the fields show the last setValue. A parameter that may be
+/// automatic has a box *Automatic*. Object names: the prefix with parameterObjectName, and that with
+/// "Automatic".
 class ParameterForm : public QWidget {
     Q_OBJECT
 
 public:
     explicit ParameterForm(const QString& prefix, QWidget* parent = nullptr);
-    /// Its rows are those of `rows`, among others; itself it is not seen.
+    /// Adds its rows to `rows`, which may contain others; the widget itself is not visible.
     ParameterForm(const QString& prefix, QFormLayout& rows, QWidget* parent);
 
     void addRow(const ParameterFacts& facts, bool mayBeAutomatic);
 
-    /// `si` empty: automatic. A row that is not there is ignored.
+    /// Empty `si`: automatic. A parameter without a row is ignored.
     void setValue(const ParameterFacts& facts, std::optional<double> si);
-    /// What an automatic value amounts to (empty: it depends, a dash is shown), and what it becomes when a
-    /// person takes it over.
+    /// Sets the value of an automatic parameter (empty if it varies: a dash is shown), and its value when a
+    /// person makes it manual.
     void setAutomatic(const ParameterFacts& facts, std::optional<double> si, double takenOver);
     /// Hides or shows its row.
     void setShown(const ParameterFacts& facts, bool isShown);
@@ -47,7 +47,7 @@ public:
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
-    /// `si` empty: automatic is asked for. `words`: "Longest hold: 20 s instead of 15 s".
+    /// Empty `si`: automatic was chosen. `words`: "Longest hold: 20 s instead of 15 s".
     void edited(const bask::ParameterFacts* facts, std::optional<double> si, const QString& words);
 
 protected:
@@ -58,8 +58,8 @@ private:
         const ParameterFacts* facts;
         QLabel* label;
         QDoubleSpinBox* field;
-        QCheckBox* automatic; ///< null: there must be a value
-        QWidget* part;        ///< the field, with its box
+        QCheckBox* automatic; ///< null if a value is required
+        QWidget* part;        ///< the field with its box
         std::optional<double> value{}, automaticValue{};
         double takenOver = 0.0;
     };

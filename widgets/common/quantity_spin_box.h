@@ -10,8 +10,8 @@
 
 namespace bask {
 
-/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is a
-/// decimal point, too; Escape takes back what was typed.
+/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is
+/// also accepted as a decimal point; Escape restores the value before typing.
 class QuantitySpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -27,8 +27,8 @@ public:
 signals:
     /// A person changed the value (typing and Enter or leaving the field, arrows, wheel).
     void valueEdited_K(double value_K);
-    /// What stands in the field while somebody types, if it is in range; value_K() again when that is taken
-    /// back. setValue_K does nothing meanwhile.
+    /// The value in the field during typing, if it is in range; value_K() again if the typing is cancelled.
+    /// setValue_K has no effect meanwhile.
     void valueTyped_K(double value_K);
 
 protected:
@@ -49,11 +49,11 @@ private:
     double m_max_K = 1273.15;
     bool m_showing = false;
     bool m_typing = false;
-    double m_typed_K = 298.15; ///< as told last
+    double m_typed_K = 298.15; ///< value of the last valueTyped_K
 };
 
-/// A number of any magnitude (0, 1e-22 as well as 60), four significant digits; a step changes the second
-/// digit, and of zero nothing.
+/// A number of any magnitude (0, 1e-22 or 60), with four significant digits; a step changes the second digit,
+/// and does nothing at zero.
 class GainSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:

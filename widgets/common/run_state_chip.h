@@ -11,22 +11,22 @@ class QMenu;
 
 namespace bask {
 
-/// What it shows is what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with
-/// one action a reason (their text is the reason).
+/// Shows only what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with one
+/// action for each reason (its text is the reason).
 class RunStateChip : public QAbstractButton {
     Q_OBJECT
 public:
     explicit RunStateChip(QWidget* parent = nullptr);
 
-    /// `reasons`: translated sentences, each with its remedy. Nothing is repainted when nothing changed.
+    /// `reasons`: translated sentences, each with its remedy. It is repainted only if something changed.
     void setState(RunState state, const QStringList& reasons);
-    /// The engine does not tell a state: nothing of what it told last is shown as if it still were so.
+    /// Shows that the state is not known: nothing that was reported earlier is shown as current.
     void setUnknown(const QString& reason);
-    /// A short line under the word; empty: none.
+    /// Sets a short line under the word; empty for none.
     void setCaption(const QString& caption);
-    /// What is worth knowing besides, under the reasons: not counted, not to be chosen.
+    /// Sets additional notes under the reasons: not counted and not selectable.
     void setNotes(const QStringList& notes);
-    /// Narrow: a long word is shortened. Its width is the same for all states, as it is otherwise.
+    /// Narrow: a long word is shortened. As otherwise, the width is the same for all states.
     void setCompact(bool isCompact);
     RunState state() const { return m_state; }
     bool isUnknown() const { return m_isUnknown; }
@@ -38,7 +38,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    /// A reason was chosen in the list; the window shows the page where it is put right.
+    /// A reason was chosen in the list; the window shows the page where it can be corrected.
     void reasonActivated(int index);
 
 protected:
@@ -47,8 +47,8 @@ protected:
 
 private:
     void retranslateUi();
-    QString word() const;                  ///< of the state
-    QAction* addLine(const QString& line); ///< to the menu
+    QString word() const;                  ///< word of the state
+    QAction* addLine(const QString& line); ///< adds a line to the menu
     void openMenu();
 
     RunState m_state = RunState::Idle;

@@ -1,5 +1,5 @@
 #pragma once
-// Parts that are scrolled where the window has not the room they need.
+// Parts that can be scrolled if the window is too small for them.
 
 #include <QObject>
 
@@ -8,11 +8,11 @@ class QWidget;
 
 namespace bask {
 
-/// What it holds does not make its window larger. Object name: "partScroll".
+/// Its content does not enlarge the window. Object name: "partScroll".
 QScrollArea* scrolled(QWidget* content);
 
-/// In the scroll areas of one window, what gets the keyboard comes into view, and a wheel that scrolls
-/// changes no value it happens to pass over.
+/// In the scroll areas of a window, a control that gets the keyboard focus is scrolled into view, and
+/// scrolling by the wheel changes no value under the pointer.
 class ScrollHabits : public QObject {
     Q_OBJECT
 

@@ -1,6 +1,6 @@
 #pragma once
-// Puts an alarm aside for a time: a line for the reason and a button for each time, in a frame that closes by
-// itself when anything else is clicked.
+// Shelves an alarm for a time: a field for the reason and a button for each time, in a frame that closes when
+// anything else is clicked.
 
 #include <QFrame>
 
@@ -21,11 +21,11 @@ public:
 
     explicit ShelfPopup(QWidget* parent);
 
-    /// Opens over `beside` for an alarm that can be shelved for so long at most.
+    /// Opens above `beside` for an alarm that can be shelved for at most `longest_s`.
     void open(quint64 id, double longest_s, const QWidget& beside);
 
 signals:
-    /// With a reason that is not empty.
+    /// Sent with a non-empty reason.
     void shelveRequested(quint64 id, double for_s, const QString& reason);
 
 protected:

@@ -1,13 +1,13 @@
 #pragma once
-// STOP: the big red button, which acts on press, and on F12 wherever the keyboard is in the program.
+// STOP: the large red button, which acts on press, and on F12 wherever the keyboard focus is in the program.
 
 #include <QAbstractButton>
 
 namespace bask {
 
-/// Object name "stopButton"; its twins "stopTwin". A modal dialog keeps the mouse from every other window:
-/// over the button stands a twin then, a window of the dialog's own, which does the same. Never asks for
-/// confirmation and is never disabled by the program.
+/// Object name "stopButton"; its twins "stopTwin". A modal dialog blocks the mouse in all other windows: then
+/// a twin, a window of the dialog, covers the button and does the same. It never asks for confirmation and is
+/// never disabled by the program.
 class StopButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -17,7 +17,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    /// On press, not on release; also by F12, with a menu or a dialog open as well.
+    /// Sent on press, not on release; also by F12, even with an open menu or dialog.
     void stopRequested();
 
 protected:

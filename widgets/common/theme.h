@@ -17,30 +17,32 @@ enum class Theme {
     Dark,
 };
 
-/// Sets the Fusion style and the theme's palette; widgets hear of it through QEvent::PaletteChange.
+/// Sets the Fusion style and the theme's palette; widgets are told by QEvent::PaletteChange.
 void applyTheme(QApplication& application, Theme theme);
 QPalette themePalette(bool dark);
 
-/// Whether text is lighter than its ground.
+/// Returns whether text is lighter than its background.
 bool isDark(const QPalette& palette);
 bool isDark(const QWidget* widget);
 
-/// Colour of object `index`: Okabe-Ito without the alarm hues, lightness set for the ground. Repeats after 5.
+/// Returns the colour of object `index`: Okabe-Ito without the alarm hues, with lightness adapted to the
+/// background. Repeats after 5.
 QColor seriesColor(int index, bool dark);
 /// Dash pattern of object `index`, in pen widths; empty is a solid line. Repeats after 6.
 QList<qreal> seriesDashes(int index);
-/// Both, as a pen.
+/// Returns a pen with both.
 QPen seriesPen(int index, bool dark, double width = 2.0);
 /// A short sample of an object's line, `size` in device-independent pixels.
 QPixmap seriesSwatch(int index, bool dark, QSize size, double devicePixelRatio);
 
 /// Alarm colours; always shown with their shape and figure. Priority 1 red, 2 orange, 3 yellow.
 QColor alarmColor(int priority, bool dark);
-/// Red triangle "1", orange diamond "2" or yellow circle "3"; of an alarm that is over the grey outline.
+/// Returns a red triangle "1", orange diamond "2" or yellow circle "3"; for an alarm that is over, the grey
+/// outline.
 QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, bool isOver = false);
 
-/// What is not known is neither good nor bad, and has a colour and a shape of its own: a violet square that
-/// is open, with a question mark.
+/// Unknown values are neither good nor bad and have their own colour and shape: an open violet square with a
+/// question mark.
 QColor unknownColor(bool dark);
 QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio);
 
@@ -48,7 +50,7 @@ QColor accentColor(bool dark);   ///< running, selected, changed: a quiet blue
 QColor secondaryText(bool dark); ///< captions; at least 4.5:1 on window and base
 QColor hairline(bool dark);      ///< borders and grid lines
 
-/// `color` over `ground` with the given weight, opaque.
+/// Returns `color` over `ground` with the given weight, opaque.
 QColor mixed(const QColor& color, const QColor& ground, double weight);
 
 /// Palette for captions of a widget, from its own palette.

@@ -14,13 +14,13 @@ namespace bask {
 
 class ObjectTile;
 
-/// Up to four objects want one row, more want two; without the room there are more.
+/// Prefers one row for up to four objects, and two for more; a narrow window needs more rows.
 class TileGrid : public QWidget {
     Q_OBJECT
 public:
     explicit TileGrid(QWidget* parent = nullptr);
 
-    /// New tiles; their object names are `objectName` and a number.
+    /// Creates new tiles; their object names are `objectName` and a number.
     void setObjects(const QString& objectName, const QStringList& names);
     void setTemperatureUnit(TemperatureUnit unit);
     const std::vector<ObjectTile*>& tiles() const { return m_tiles; }

@@ -12,14 +12,14 @@
 
 namespace bask {
 
-/// A fit and how far the outline is from it, point by point.
+/// A fit and the outline's distance from it at each point.
 struct OutlineFit {
     FourierFit fit;
-    std::vector<double> distances_m; ///< of FourierFits::points()
+    std::vector<double> distances_m; ///< distances of FourierFits::points()
 };
 
-/// Lives on the GUI thread. A new outline cancels the fits of the one before; the wanted number of harmonics
-/// goes first.
+/// Lives on the GUI thread. A new outline cancels the fits of the previous one; the wanted number of
+/// harmonics is fitted first.
 class FourierFits : public QObject {
     Q_OBJECT
 
@@ -34,22 +34,21 @@ public:
     /// Asks for this number to be fitted next.
     void want(int harmonics);
 
-    /// The fit if it is there already. 1 <= harmonics <= kMaxHarmonics.
+    /// The fit; empty if it is not computed yet. 1 <= harmonics <= kMaxHarmonics.
     const std::optional<OutlineFit>& fit(int harmonics) const {
         return m_fits.at(static_cast<std::size_t>(harmonics));
     }
     int done() const { return m_done; }
     bool complete() const { return m_done == kMaxHarmonics; }
 
-    /// The outline's points and more along its longer edges; empty until the first fit is there.
+    /// The outline's points, with more along its longer edges; empty before the first fit.
     const std::vector<Eigen::Vector2d>& points() const { return *m_points; }
 
-    /// The outline as a polygon with no more corners than an object may have; empty until the first fit is
-    /// there.
+    /// The outline as a polygon with no more corners than an object may have; empty before the first fit.
     const Contour& polygon() const { return *m_polygon; }
 
 signals:
-    /// A fit arrived, or the outline refuses this number of harmonics (then fit() stays empty).
+    /// A fit is ready, or the outline cannot have this number of harmonics (then fit() stays empty).
     void fitReady(int harmonics);
 
 private:

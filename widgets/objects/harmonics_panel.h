@@ -1,6 +1,6 @@
 #pragma once
 // How an object's outline becomes its shape: number of harmonics, chosen or found for a tolerance, or the
-// outline itself; what the fit leaves, in words and as a plot.
+// outline itself; the residual of the fit in words and as a plot.
 
 #include "engine/shape/shape.h"
 
@@ -21,9 +21,9 @@ namespace bask {
 class FourierFits;
 class ResidualPlot;
 
-/// Works on an outline; the fits run off the GUI thread. While the slider is dragged `fitChanged` follows;
-/// letting it go (or a key, the spin box, a click in the plot, a tolerance) gives `fitCommitted`. Object
-/// names: "harmonicsSlider", "harmonicsSpin", "fewestHarmonics", "tolerance", "useOutline", "residual",
+/// Works on an outline; the fits run off the GUI thread. Dragging the slider gives `fitChanged`; releasing it
+/// (or a key, the spin box, a click in the plot, a tolerance) gives `fitCommitted`. Object names:
+/// "harmonicsSlider", "harmonicsSpin", "fewestHarmonics", "tolerance", "useOutline", "residual",
 /// "toleranceVerdict", "crossingWarning", "residualPlot".
 class HarmonicsPanel : public QWidget {
     Q_OBJECT
@@ -31,18 +31,19 @@ class HarmonicsPanel : public QWidget {
 public:
     explicit HarmonicsPanel(QWidget* parent = nullptr);
 
-    /// Outline of the object shown and the number in use, 0 for the outline itself; an empty outline disables
-    /// the panel and tells `why`.
+    /// Sets the outline of the shown object and its number of harmonics, 0 for the outline itself; an empty
+    /// outline disables the panel and shows `why`.
     void setOutline(const Contour& outline, int harmonics, const QColor& color, const QString& why);
-    /// Holes in the outline: the fewest harmonics sought leave them whole.
+    /// Sets the holes in the outline: the search for the fewest harmonics must not damage them.
     void setHoles(const std::vector<Contour>& holes) { m_holes = holes; }
 
 signals:
     void fitChanged(const bask::FourierFit& fit);
     void fitCommitted(const bask::FourierFit& fit);
-    /// The outline itself shall be the shape; thinned where it has more corners than an object may have.
+    /// The outline itself was chosen as the shape; it is thinned if it has more corners than an object may
+    /// have.
     void outlineCommitted(const bask::Contour& polygon);
-    /// How far points of the outline (m, in its own coordinates) are from the fit that is shown.
+    /// Distances of points of the outline (m, in its own coordinates) from the shown fit.
     void distancesReady(const bask::FourierFit& fit, const std::vector<Eigen::Vector2d>& points_m,
                         const std::vector<double>& distances_m);
 
@@ -71,15 +72,15 @@ private:
     QDoubleSpinBox* m_tolerance;
     QCheckBox* m_useOutline;
     QLabel* m_residual;
-    QLabel* m_verdict; ///< what became of the tolerance
+    QLabel* m_verdict; ///< result for the tolerance
     QLabel* m_warningIcon;
     QLabel* m_warning;
     ResidualPlot* m_plot;
     QString m_why;
     std::vector<Contour> m_holes;
-    bool m_waiting = false;                ///< the chosen number's fit has not been delivered
+    bool m_waiting = false;                ///< the fit of the chosen number is not delivered yet
     bool m_commit = false;                 ///< deliver it as committed
-    std::optional<double> m_sought_m = {}; ///< tolerance whose number of harmonics is being looked for
+    std::optional<double> m_sought_m = {}; ///< tolerance whose number of harmonics is being searched
 };
 
 } // namespace bask

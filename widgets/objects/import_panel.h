@@ -1,6 +1,5 @@
 #pragma once
-// A file of outlines being imported: its picture and outlines, what has to be asked, and the choice among
-// them.
+// The import of a file of outlines: its picture and outlines, open questions, and the choice of an outline.
 
 #include "engine/shape/contour_import.h"
 #include "widgets/common/latest_job.h"
@@ -31,15 +30,15 @@ public:
     explicit ImportPanel(QWidget* parent = nullptr);
 
     static bool isReadable(const QString& path);
-    /// Begins with a file: one that leaves nothing to ask is accepted, one that no answer helps is refused;
-    /// for any other the panel wants to be seen.
+    /// Starts with a file: it is accepted if there is no question, and refused if no answer helps; otherwise
+    /// the panel asks to be shown.
     void open(const QString& path);
-    /// Forgets the file; an answer under way is not heard.
+    /// Forgets the file; a pending result is discarded.
     void cancel();
     bool isOpen() const { return !m_path.isEmpty(); }
 
 signals:
-    void attentionWanted(); ///< the panel must be seen
+    void attentionWanted(); ///< the panel must be shown
     void accepted(const QString& path, const bask::PickedOutline& outline);
     void refused(const QString& path, const bask::Error& error);
     void cancelled();
@@ -64,9 +63,9 @@ private:
     QString m_path;
     bool m_asking = false; ///< the operator sees the panel
     LatestJob<Result<OutlineFile>> m_reading;
-    LatestJob<QImage> m_loading; ///< of a picture, before its outlines
+    LatestJob<QImage> m_loading; ///< loads a picture, before its outlines
     OutlineFile m_file;
-    std::optional<Error> m_error; ///< of reading
+    std::optional<Error> m_error; ///< error of reading
     int m_chosen = -1;
     std::optional<Result<PickedOutline>> m_picked; ///< the chosen one, checked
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a file of outlines does not tell: the unit of a list, the scale of a picture and what in it is the
+// What a file of outlines does not contain: the unit of a list, the scale of a picture, and which part is the
 // object.
 
 #include "engine/shape/contour_import.h"
@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace bask {
 
-/// Shows the questions of a file's kind. Object names: "importUnit", "importWidth", "importScaleMethod",
+/// Shows the questions for the kind of file. Object names: "importUnit", "importWidth", "importScaleMethod",
 /// "importLength", "importMeasure", "importScale", "importMarkerSide", "importDictionary", "importByColour",
 /// "importPickColour", "importColourTolerance".
 class ImportQuestions : public QWidget {
@@ -26,12 +26,12 @@ public:
     explicit ImportQuestions(QWidget* parent = nullptr);
 
     void setFile(const QString& path);
-    /// The answers so far; while lengthsKnown() is false a picture's pixel stands for a millimetre.
+    /// The answers so far; while lengthsKnown() is false, a pixel counts as one millimetre.
     ContourImportOptions options() const;
     bool lengthsKnown() const;
-    /// The list's header names no unit: until it is answered a number stands for a millimetre.
+    /// Call if the list's header names no unit: until the answer a number counts as millimetres.
     void setUnitMissing();
-    /// Width of the outline chosen, which may be typed to make all so many times as large.
+    /// Sets the width of the chosen outline; typing another one scales all outlines.
     void setWidth_m(double width_m);
     /// Whether a known length between two points gives the scale.
     bool usesRuler() const;
@@ -62,7 +62,7 @@ private:
     bool m_list = false;
     bool m_unitMissing = false;
     double m_factor = 1.0;
-    double m_width_mm = 0.0; ///< as shown
+    double m_width_mm = 0.0; ///< the shown width
     QLineF m_ruler_px;
     QColor m_colour;
     QFormLayout* m_form;

@@ -14,7 +14,7 @@ namespace bask {
 struct MaterialPreset {
     const char* label; ///< English, context "MaterialPreset"; show it through materialPresetLabel
     Material material;
-    const char* source; ///< of the values, likewise; materialPresetSource
+    const char* source; ///< source of the values, likewise; show it through materialPresetSource
 };
 
 /// Values at room temperature from the sources that docs/materials.md lists, absorptance equal to emittance
@@ -24,16 +24,17 @@ const std::vector<MaterialPreset>& materialPresets();
 /// Translated label of a preset.
 QString materialPresetLabel(std::size_t index);
 
-/// Where its values come from, translated.
+/// Source of its values, translated.
 QString materialPresetSource(std::size_t index);
 
-/// The preset with the same surface, bulk and infill (thickness left aside); empty: values were typed.
+/// Returns the preset with the same surface, bulk and infill (ignoring thickness); empty if the values were
+/// typed.
 std::optional<std::size_t> matchingPreset(const Material& material);
 
-/// `material`, without a name where that is a preset's and the values are not.
+/// Returns `material`, without its name if the name is a preset's and the values are not.
 Material withTrueName(Material material);
 
-/// `material` with everything but its thickness taken from the preset.
+/// Returns `material` with everything except its thickness from the preset.
 Material withPreset(const Material& material, std::size_t index);
 
 } // namespace bask

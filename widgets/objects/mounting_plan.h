@@ -1,6 +1,6 @@
 #pragma once
-// Plan of the end-effector seen along its -z axis: every object where it is mounted, to scale, dragged and
-// turned by mouse or keys.
+// Plan of the end-effector seen along its -z axis: every object at its mounting, to scale, dragged and turned
+// by mouse or keys.
 
 #include "engine/model/experiment.h"
 
@@ -11,28 +11,28 @@
 
 namespace bask {
 
-/// Side of the grid's squares, a nice length (1, 2, 5 x 10^k mm) of 18 pixels at least.
+/// Returns the side of the grid's squares, a round length (1, 2, 5 x 10^k mm) of at least 18 pixels.
 double gridStep_mm(double pixelsPerMm);
 
 /// Coordinates and angles are those of the mounting in E. Dragging an object moves it in steps of 5 mm, with
 /// Alt of 0.1 mm; dragging its handle turns it in steps of 5 degrees, with Alt of 0.1; arrow keys move the
-/// selected one by 1 mm (Shift: 1 cm), Page Up and Page Down turn it by 5 degrees (Shift: 1). While a drag is
-/// on only the plan shows it; Escape ends it without a change.
+/// selected one by 1 mm (Shift: 1 cm), Page Up and Page Down turn it by 5 degrees (Shift: 1). During a drag
+/// only the plan shows the change; Escape ends it without a change.
 class MountingPlan : public QWidget {
     Q_OBJECT
 
 public:
     explicit MountingPlan(QWidget* parent = nullptr);
 
-    /// `remarked`: objects of which something is to be told; they are hatched. `reach_m`: circle that the
-    /// robot carries objects within, 0 for none.
+    /// `remarked`: objects with a remark; they are hatched. `reach_m`: radius within which the robot carries
+    /// objects, 0 for none.
     void setObjects(const std::vector<ObjectSpec>& objects, int selected, const std::set<int>& remarked = {},
                     double reach_m = 0.0);
     void setReadOnly(bool readOnly);
 
     QSize minimumSizeHint() const override { return {180, 160}; }
     QSize sizeHint() const override { return {300, 300}; }
-    /// As tall as wide, within limits: a wider column gives a larger plan.
+    /// As high as wide, within limits: a wider column gives a larger plan.
     int heightForWidth(int width) const override;
 
     /// Where an object's centre and the handle of the selected one are drawn, in pixels.
@@ -54,16 +54,16 @@ protected:
 
 private:
     struct Drag {
-        QTransform map;     ///< as it was when the drag began
-        QPointF grip_mm;    ///< from the object's centre to where it was taken
-        Vector6d mounting;  ///< as it is now
-        bool turns = false; ///< by the handle
+        QTransform map;     ///< map when the drag began
+        QPointF grip_mm;    ///< from the object's centre to the point of the grip
+        Vector6d mounting;  ///< current mounting
+        bool turns = false; ///< turned by the handle
         bool moved = false;
     };
     QTransform map() const;
     QPointF handle(const QTransform& map) const; ///< of the selected object
     bool onHandle(const QTransform& map, const QPointF& at) const;
-    int objectAt(const QTransform& map, const QPointF& at) const; ///< -1: none
+    int objectAt(const QTransform& map, const QPointF& at) const; ///< -1 if there is none
     double footHeight() const;
     bool canMove() const { return m_selected >= 0 && !m_readOnly; }
     const ObjectSpec& selected() const { return m_objects[static_cast<std::size_t>(m_selected)]; }

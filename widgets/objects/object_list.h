@@ -1,5 +1,5 @@
 #pragma once
-// List of the experiment's objects: colour, name (F2 renames), and what each is in a second line.
+// List of the experiment's objects: colour, name (F2 renames), and a description in a second line.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"

@@ -1,6 +1,6 @@
 #pragma once
-// Form of one object: name and shape, material, mounting on the end-effector, target. Units of screens at the
-// edge only.
+// Form of one object: name and shape, material, mounting on the end-effector, target. Display units are used
+// only in the fields.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment_parameters.h"

@@ -1,5 +1,5 @@
 #pragma once
-// The Objects page: list, import, outline over outline, harmonics, material, mounting.
+// The Objects page: list, import, outlines, harmonics, material, mounting.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -45,21 +45,20 @@ public:
     /// False while a run is on; `why` is shown above the page.
     void setEditable(bool editable, const QString& why);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// What the buttons are for: they show whether it can be done and what it is.
+    /// Sets the actions of the buttons, which show whether they are possible and what they do.
     void setUndoActions(QAction* undo, QAction* redo);
-    /// Whether the file is of a kind that can be imported.
+    /// Returns whether the file is of a kind that can be imported.
     static bool isReadable(const QString& path);
 
     int selectedObject() const { return m_selected; }
     void selectObject(int index);
 
 public slots:
-    /// An edit was refused: the sentence, until the next edit.
+    /// Shows why an edit was refused, until the next edit.
     void showError(const QString& sentence);
-    /// Imports a file, as after a drop: adds an object named after it, asking first what the file leaves
-    /// open.
+    /// Imports a file, as after a drop: adds an object named after it, after asking for missing information.
     void offerFile(const QString& path);
-    /// File dialog, then offerFile.
+    /// Opens a file dialog, then calls offerFile.
     void chooseFile();
 
 signals:
@@ -75,7 +74,7 @@ private:
     QWidget* buildCentre();
     QWidget* buildRight();
     void connectAll();
-    /// One edit: shown and emitted. `select` -1: as before.
+    /// Shows and emits one edit. `select` -1: the selection stays.
     void commit(std::vector<ObjectSpec> objects, int select = -1);
     void editSelected(const std::function<void(ObjectSpec&)>& change);
     void addObject(ObjectSpec object);
@@ -102,21 +101,21 @@ private:
     Experiment m_experiment;
     int m_selected = -1;
     bool m_editable = true;
-    bool m_importing = false;  ///< a file is read or fitted behind the page, as its message says
-    bool m_committing = false; ///< what comes now is the answer to an edit
+    bool m_importing = false;  ///< a file is being read or fitted in the background, as the message says
+    bool m_committing = false; ///< the next experiment is the answer to an edit
     QString m_why;
-    QString m_folder; ///< of the last file chosen
+    QString m_folder; ///< folder of the last chosen file
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     MessageBar* m_note;
     MessageBar* m_message;
     QStackedWidget* m_stack; ///< the page, or the import panel
     ImportPanel* m_importPanel;
-    LatestJob<Result<OriginalShape>> m_fitting; ///< of the outline imported
+    LatestJob<Result<OriginalShape>> m_fitting; ///< fits the imported outline
     ObjectList* m_list;
     QLabel* m_listTitle;
     QLabel* m_count;
-    QLabel* m_remarks; ///< on the mounting
+    QLabel* m_remarks; ///< remarks on the mounting
     QPushButton* m_addDisk;
     QPushButton* m_import;
     QPushButton* m_samples;
@@ -130,7 +129,8 @@ private:
     ObjectProperties* m_properties;
 };
 
-/// Outline an object can be fitted again from: the one imported, or its own polygon. Empty: none.
+/// Returns the outline from which an object can be fitted again: the imported one, or its own polygon; empty
+/// if there is none.
 Contour rawOutline(const ObjectSpec& object);
 
 } // namespace bask

@@ -15,16 +15,16 @@ class QPainter;
 
 namespace bask {
 
-/// Outline of a shape as a polygon in mm; `n` points for curved ones.
+/// Returns the outline of a shape as a polygon in mm; `n` points for curved ones.
 QPolygonF outline_mm(const Shape& shape, int n = 400);
 QPolygonF polygon_mm(const Contour& contour);
-/// An outline and the holes in it as one face in mm, to be filled odd-even.
+/// Returns an outline and its holes as one face in mm, to be filled by the odd-even rule.
 QPainterPath face_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m);
 
 /// Maps mm (y up) into `view` pixels (y down): same scale both ways, content centred.
 QTransform fitted(const QRectF& content_mm, const QRectF& view);
 
-/// Largest of 1, 2, 5 x 10^k not above `value`.
+/// Returns the largest of 1, 2, 5 x 10^k that is not above `value`.
 double niceLength(double value);
 
 /// "1 harmonic", "5 harmonics".
@@ -36,7 +36,7 @@ QString holesText(std::size_t holes);
 /// Length with its unit, "20 mm".
 QString lengthText_mm(double length_mm);
 
-/// Scale bar of about a fifth of `view`'s width in its lower left corner.
+/// Paints a scale bar of about a fifth of `view`'s width in its lower left corner.
 void paintScaleBar(QPainter& painter, const QRectF& view, double pixelsPerMm);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The outlines of a file, over their picture where there is one: the operator clicks the one meant.
+// The outlines of a file, over their picture if there is one: the operator clicks the wanted one.
 
 #include "engine/shape/outline_file.h"
 
@@ -15,17 +15,17 @@
 
 namespace bask {
 
-/// Draws in pixels of the picture (pixel centres at whole numbers), without one in mm, y up. The wheel zooms
-/// about the pointer, a double click shows all again. Values in, clicks out.
+/// Draws in pixels of the picture (pixel centres at whole numbers), without a picture in mm with y up. The
+/// wheel zooms about the pointer, a double click shows everything. Passive: takes values, sends clicks.
 class OutlinePicker : public QWidget {
     Q_OBJECT
 
 public:
     /// What a click does.
     enum class Tool {
-        Pick,    ///< the smallest outline under the pointer that is no hole
-        Measure, ///< first one end of the ruler, then the other
-        Colour,  ///< the colour under the pointer
+        Pick,    ///< selects the smallest outline under the pointer that is not a hole
+        Measure, ///< sets one end of the ruler, then the other
+        Colour,  ///< takes the colour under the pointer
     };
 
     explicit OutlinePicker(QWidget* parent = nullptr);
@@ -36,7 +36,7 @@ public:
     void setSelected(int index); ///< -1: none
     void setTool(Tool tool);
     Tool tool() const { return m_tool; }
-    /// A line on the picture whose ends can be dragged; it begins across the largest outline.
+    /// Shows a line with draggable ends on the picture; it starts across the largest outline.
     void setRulerShown(bool shown);
 
     QSize minimumSizeHint() const override { return {320, 240}; }
@@ -44,7 +44,7 @@ public:
 
 signals:
     void outlineClicked(int index);
-    void rulerMoved(const QLineF& ruler_px); ///< it was laid, or an end was let go or set by a click
+    void rulerMoved(const QLineF& ruler_px); ///< it was placed, or an end was released or set by a click
     void measured();                         ///< both ends were set by clicks
     void colourPicked(const QColor& colour);
 
@@ -83,10 +83,10 @@ private:
     Tool m_tool = Tool::Pick;
     bool m_rulerShown = false;
     std::optional<QLineF> m_ruler_px;
-    int m_dragged = -1; ///< end of the ruler
+    int m_dragged = -1; ///< dragged end of the ruler
     bool m_secondEnd = false;
     double m_zoom = 1.0;
-    QPointF m_pan; ///< px of the widget, of the fitted view's centre
+    QPointF m_pan; ///< offset of the fitted view's centre, widget px
 };
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// To-scale drawing of one object: raw outline coloured by its distance from the outline that is used,
-// centroid, principal axes, scale bar, size, colour bar and legend.
+// Drawing of one object to scale: raw outline coloured by its distance from the used outline, centroid,
+// principal axes, scale bar, size, colour bar and legend.
 
 #include "engine/shape/principal_axes.h"
 #include "engine/shape/shape.h"
@@ -11,7 +11,7 @@
 
 namespace bask {
 
-/// Draws in the plane of the object, x right, y up. Passive: values in, picture out.
+/// Draws in the plane of the object, x right, y up. Passive: it only shows the values that are set.
 class OutlinePreview : public QWidget {
     Q_OBJECT
 
@@ -20,8 +20,8 @@ public:
 
     /// `shape` as used; `raw` as imported, empty if there is none; `color` of the object.
     void setObject(const QString& name, const Shape& shape, const Contour& raw, const QColor& color);
-    /// Distances (m) of points of the raw outline (m, in its own coordinates, in order) from the fit's curve;
-    /// not taken unless it is the curve that is shown.
+    /// Sets the distances (m) of points of the raw outline (m, in its own coordinates, in order) from the
+    /// fit's curve; ignored unless this curve is shown.
     void setDistances(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points_m,
                       const std::vector<double>& distances_m);
     void clear();
@@ -46,18 +46,19 @@ private:
     void paintColourBar(QPainter& painter, const QRectF& area) const;
 
     QString m_name;
-    FourierContour m_series; ///< without harmonics: not a Fourier outline
+    FourierContour m_series; ///< without harmonics if it is not a Fourier outline
     QPolygonF m_used_mm;     ///< without its holes
     std::vector<QPolygonF> m_holes_mm;
-    QPolygonF m_raw_mm;                 ///< as imported or, with distances, their points
+    QPolygonF m_raw_mm;                 ///< the imported points or, with distances, their points
     int m_rawPoints = 0;                ///< as imported
-    std::vector<double> m_distances_mm; ///< of m_raw_mm; empty: not known
+    std::vector<double> m_distances_mm; ///< distances of m_raw_mm; empty if not known
     double m_max_mm = 0.0;              ///< the largest of them
     PrincipalAxes m_axes;
     QColor m_color;
 };
 
-/// The raw outline in the frame of a series fitted to it: the fit moves the series' centroid to the origin.
+/// Returns the raw outline in the frame of a series fitted to it: the fit moves the series' centroid to the
+/// origin.
 Contour registered(const Contour& raw, const Shape& shape);
 
 } // namespace bask

@@ -9,7 +9,7 @@
 
 namespace bask {
 
-/// Values arrive one by one; clicking asks for the number of harmonics under the pointer.
+/// Values arrive one by one; a click requests the number of harmonics under the pointer.
 class ResidualPlot : public QWidget {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ protected:
 
 private:
     struct Residual {
-        double rms_mm = 0.0; ///< 0: not known yet
+        double rms_mm = 0.0; ///< 0 if not known yet
         double max_mm = 0.0;
     };
     struct Axes;

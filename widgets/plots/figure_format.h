@@ -5,7 +5,7 @@
 
 namespace bask {
 
-/// Letters stay letters in SVG and PDF; a PDF has the glyphs that it needs in it.
+/// In SVG and PDF text stays text; a PDF contains the glyphs that it needs.
 enum class FigureFormat { Png, Svg, Pdf };
 inline constexpr std::array kFigureFormats{FigureFormat::Png, FigureFormat::Svg, FigureFormat::Pdf};
 

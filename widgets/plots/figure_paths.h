@@ -19,7 +19,7 @@ struct PathPoint {
 };
 
 struct FigurePath {
-    QString name; ///< stands at its start
+    QString name; ///< name at its start
     QList<PathPoint> points;
 };
 
@@ -28,10 +28,10 @@ struct FigurePath {
 struct PathsFigure {
     QString title, note;
     QList<FigurePath> paths;
-    QList<QPointF> source_cm;                        ///< its outline
+    QList<QPointF> source_cm;                        ///< outline of the source
     double coldest_degC = 0.0, hottest_degC = 100.0; ///< ends of the colours, blue and red
     QSize size_px{1800, 900};
-    // Words, in English unless given
+    // Texts, in English unless set
     QString above = QStringLiteral("seen along -z of the source");
     QString aside = QStringLiteral("seen along x of the source");
     QString temperature = QStringLiteral("Temperature (\u00b0C)");

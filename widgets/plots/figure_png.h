@@ -23,28 +23,29 @@ struct FigureSeries {
     bool hasMarkers = true;
 };
 
-/// Least and largest number on an axis.
+/// Minimum and maximum on an axis.
 struct FigureRange {
     double min = 0.0, max = 1.0;
 };
 
-/// What a figure shows. Logarithmic axes take positive numbers; `smallest` is where a logarithmic y-axis ends
-/// and where numbers below it are drawn, so that a zero has a place.
+/// The content of a figure. Logarithmic axes take positive numbers; `smallest` is the end of a logarithmic
+/// y-axis, and smaller numbers are drawn there, so that zero can be shown.
 struct Figure {
     QString title;
     QString note; ///< one line below the title, in smaller letters
     QString xLabel, yLabel;
     bool isXLogarithmic = true;
     bool isYLogarithmic = true;
-    int xBase = 10; ///< ticks of a logarithmic x-axis stand at its powers
+    int xBase = 10; ///< base of the ticks of a logarithmic x-axis
     double smallest = 1e-16;
-    std::optional<FigureRange> xRange, yRange;        ///< of linear axes; empty: what the points need
-    double band = 0.0;                                ///< shades the linear y-axis from minus this to this
+    std::optional<FigureRange> xRange, yRange;        ///< ranges of linear axes; empty: from the points
+    double band = 0.0;                                ///< shades the linear y-axis from -band to band
     QSize size_px{kFigureWidth_px, kFigureHeight_px}; ///< two pixels a unit of letters and lines
     QList<FigureSeries> series;                       ///< at most 5 have colours of their own
 };
 
-/// PNG of the figure on a light ground; `comment` is stored in the file as its description (Latin-1, short).
+/// Returns a PNG of the figure on a light background; `comment` is stored in the file as its description
+/// (Latin-1, short).
 QByteArray figurePng(const Figure& figure, const QString& comment);
 
 } // namespace bask

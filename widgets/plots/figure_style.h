@@ -1,5 +1,5 @@
 #pragma once
-// What all figures for reports have in common: letters, axes, head and the PNG. For widgets/plots alone.
+// The common style of all figures for reports: text, axes, title and the PNG. Only for widgets/plots.
 
 #include "widgets/plots/figure_format.h"
 
@@ -13,17 +13,17 @@ namespace bask {
 inline constexpr double kFigureScale = 2.0; ///< pixels a unit of letters and lines
 
 QFont figureFont(int size, bool bold = false);
-/// Label, letters, colours and grid of an axis on a light ground.
+/// Sets label, text, colours and grid of an axis on a light background.
 void styleAxis(QCPAxis* axis, const QString& label);
-/// Title and note above everything that the plot has so far.
+/// Adds title and note above the present content of the plot.
 void addHead(QCustomPlot& plot, const QString& title, const QString& note);
-/// Names of the graphs below everything that the plot has so far, in rows of three.
+/// Adds the names of the graphs below the present content of the plot, in rows of three.
 void addLegend(QCustomPlot& plot);
-/// Grey from minus `band` to `band` of the linear y-axis, over the whole width; nothing for 0.
+/// Shades the linear y-axis from -`band` to `band` in grey over the whole width; nothing for 0.
 void shadeAboutZero(QCustomPlot& plot, double band);
 /// `comment` is stored as the picture's description.
 QByteArray pngOf(QImage image, const QString& comment);
-/// The plot drawn at this size (kFigureScale pixels a unit) in any format.
+/// Returns the plot drawn at this size (kFigureScale pixels per unit) in any format.
 QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, const QString& comment);
 
 } // namespace bask

@@ -15,21 +15,21 @@
 namespace bask {
 
 struct FigureSurface {
-    QString name; ///< in the legend; surfaces of one name and colour stand there once
+    QString name; ///< name in the legend; surfaces with the same name and colour appear once
     QColor color;
     std::vector<Eigen::Vector3d> points;
-    std::vector<Eigen::Vector3d> normals; ///< unit vectors, either way round
+    std::vector<Eigen::Vector3d> normals; ///< unit vectors, of either sign
     std::vector<std::array<int, 3>> triangles;
 };
 
 /// A line from blue at its start to red at its end, or of one colour.
 struct FigureLine {
     std::vector<Eigen::Vector3d> points;
-    QColor color; ///< invalid: blue to red
+    QColor color; ///< if invalid: blue to red
 };
 
-/// One box. Points are in the units of its axes. Of its surfaces the quarter nearest to the eye, at greater x
-/// and lesser y than the middle, is left out.
+/// One box. Points are in the units of its axes. The quarter of its surfaces nearest to the viewer, at larger
+/// x and smaller y than the middle, is left out.
 struct SurfacePanel {
     QString title;
     std::array<QString, 3> axes; ///< "x (cm)"

@@ -1,5 +1,5 @@
 #pragma once
-// A figure for a report: a quantity of all objects of a run against time, with targets, band and moments.
+// A figure for a report: a quantity of all objects of a run over time, with targets, band and marked moments.
 // Needs a QApplication, no display.
 
 #include "engine/base/units.h"
@@ -11,7 +11,7 @@
 
 namespace bask {
 
-/// A vertical line with a few letters at its top.
+/// A vertical line with a short text at its top.
 struct FigureMoment {
     double time_s = 0.0;
     QString label;
@@ -20,16 +20,16 @@ struct FigureMoment {
 struct TraceFigure {
     QString title, note;
     Quantity quantity = Quantity::Temperature;
-    QStringList names; ///< of the objects
+    QStringList names; ///< names of the objects
     TemperatureUnit unit = TemperatureUnit::Celsius;
     SpeedLimits limits{};
-    double band_K = kSettledBand_K;      ///< about the targets, of temperatures and errors
-    std::optional<FigureRange> yRange{}; ///< in the unit shown; empty: what the numbers need
+    double band_K = kSettledBand_K;      ///< band around the targets, for temperatures and errors
+    std::optional<FigureRange> yRange{}; ///< in the shown unit; empty: from the values
     QList<FigureMoment> moments{};
     QSize size_px{kFigureWidth_px, 900};
 };
 
-/// Names and units of the axes are in the window's language. Readings that were not valid leave gaps.
+/// Returns the figure. Names and units of the axes are in the window's language. Invalid readings leave gaps.
 /// `comment` is stored in the file as its description. Long runs keep their extremes.
 QByteArray traceFigure(const TraceFigure& figure, const TraceStore& traces, FigureFormat format,
                        const QString& comment);

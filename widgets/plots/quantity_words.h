@@ -1,5 +1,5 @@
 #pragma once
-// How plots and figures show a quantity: its words, and its values in the unit that a reader chose.
+// How plots and figures show a quantity: its words, and its values in the chosen unit.
 
 #include "engine/base/units.h"
 #include "engine/recording/trace_overview.h"
@@ -10,22 +10,23 @@
 
 namespace bask {
 
-/// All but that of the temperatures, in the order of tabs.
+/// Returns all quantities except the temperatures, in the order of the tabs.
 std::vector<Quantity> furtherQuantities();
-/// Plain name, the same in every language: the column's key, "speed".
+/// Returns the name that is the same in every language: the column's key, or "speed".
 QString quantityKey(Quantity quantity);
 QString quantityTitle(Quantity quantity);                      ///< "View factors"
 QString quantityAxis(Quantity quantity, TemperatureUnit unit); ///< "Rate (\u00b0C/min)"
-QString quantitySeries(Quantity quantity, std::size_t series); ///< of one of the run; empty: one of objects
-/// For the report, with its "%1" where it has one; empty: the report has no such figure.
+/// name of a series of the run; empty for a quantity of objects
+QString quantitySeries(Quantity quantity, std::size_t series);
+/// Returns the caption for the report, with its "%1" if it has one; empty if the report has no such figure.
 QString quantityCaption(Quantity quantity);
 
 ShownAs quantityShownAs(Quantity quantity);
-/// From SI; a speed stays in SI.
+/// Converts from SI to the shown unit; a speed stays in SI.
 double displayedQuantity(double si, Quantity quantity, TemperatureUnit unit);
-/// With its unit; a speed by its series.
+/// Returns the value with its unit; that of a speed depends on the series.
 QString quantityText(double si, Quantity quantity, std::size_t series, TemperatureUnit unit);
-/// Digits after the point of a difference between two displayed values.
+/// Returns the number of decimals of a difference between two displayed values.
 int quantityDecimals(Quantity quantity);
 
 } // namespace bask

@@ -28,13 +28,13 @@ public:
     void clearData();
     void setUnit(TemperatureUnit unit);
     void setLimits(const SpeedLimits& limits);
-    void rebuild(); ///< series, texts, pens and points anew
+    void rebuild(); ///< rebuilds series, texts, pens and points
     double displayed(double value) const;
-    bool isOfRun() const; ///< the quantity: its lines are not the objects'
+    bool isOfRun() const; ///< whether the quantity belongs to the run: its lines are not the objects'
     QString seriesName(int series) const;
     QString readout(double time_s, std::optional<double> reference_s) const;
-    double factor(int series) const; ///< of displayed() values
-    void readAll();                  ///< everything that is in the picture, also where reading takes a while
+    double factor(int series) const; ///< factor of displayed() values
+    void readAll();                  ///< reads everything in the picture, even if it takes a while
 
     // Looks (trace_canvas_look.cpp)
     void restyle(bool dark);
@@ -42,7 +42,7 @@ public:
     QString axisText() const;
     QPen penOfSeries(int series) const;
     void placeLabels();
-    enum class Density { Loose, Close, Dense }; ///< of samples over pixels
+    enum class Density { Loose, Close, Dense }; ///< density of samples compared with pixels
     void fitPensToDensity();
     static QPen plainPen(const QPen& pen, Density density);
     void addMarker(double time_s, const QString& text);
@@ -54,7 +54,7 @@ public:
     void clearOverlays();
     void rebuildOverlays();
     void styleOverlays(Density density);
-    double lastTime_s() const; ///< of all runs
+    double lastTime_s() const; ///< last time of all runs
 
     // Ranges, mouse, keys (trace_canvas_interaction.cpp)
     void connectInteraction();
@@ -76,12 +76,12 @@ public:
     TemperatureUnit unit = TemperatureUnit::Celsius;
     SpeedLimits limits;
     QStringList names;
-    std::shared_ptr<TraceStore> traces = std::make_shared<TraceStore>(); ///< may be others' too
+    std::shared_ptr<TraceStore> traces = std::make_shared<TraceStore>(); ///< may be shared with other plots
     bool dark = false;
     bool follow = true;
     double window_s = 0.0;
     bool markerTexts = true;
-    std::optional<double> position_s; ///< of a replay
+    std::optional<double> position_s; ///< position of a replay
 
     struct Marker {
         double time_s;
@@ -127,15 +127,15 @@ private:
     QLabel* m_readout = nullptr;
 
     QTimer m_timer;
-    QTimer m_rest; ///< runs while a person moves the time axis, and a moment longer
+    QTimer m_rest; ///< active while a person moves the time axis, and a moment longer
     QCPRange m_drawnRange;
     QElapsedTimer m_sinceReplot;
     int m_readsPerFrame = 3; ///< blocks of a recorded run, 3 ms each
     bool m_pointsAreOld = true;
-    bool m_isUnread = false; ///< some of what is shown is still to be read, with the next frame
+    bool m_isUnread = false; ///< part of the shown data is not read yet; it is read with the next frame
     QCPRange m_pointsRange;
     int m_pointsWidth = 0;
-    bool m_isDrawn = false; ///< for the first time
+    bool m_isDrawn = false; ///< has been drawn once
     bool m_programRange = false;
     bool m_valueAuto = true;
     std::optional<double> m_pinned_s;

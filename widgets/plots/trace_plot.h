@@ -1,5 +1,5 @@
 #pragma once
-// Traces of a run against time, one line an object, with targets, tolerance band, limits, notes and two
+// Traces of a run over time, one line for each object, with targets, tolerance band, limits, notes and two
 // cursors.
 
 #include "engine/base/units.h"
@@ -37,60 +37,60 @@ public:
     Quantity quantity() const;
     void setSpeedLimits(const SpeedLimits& limits);
 
-    /// Shows the traces of `store`, which other plots may show too, with as many lines as it has objects.
-    /// Whoever appends to it says so to each by showNewSamples().
+    /// Shows the traces of `store`, which other plots may share, with one line for each of its objects. Code
+    /// that appends to it must call showNewSamples() of each plot.
     void setStore(std::shared_ptr<TraceStore> store);
     void showNewSamples();
-    void append(const std::vector<TraceSample>& samples); ///< samples not later than the last are left out
+    void append(const std::vector<TraceSample>& samples); ///< samples not later than the last one are ignored
     void setSamples(const std::vector<TraceSample>& samples); ///< a whole run, shown whole
-    /// A recorded run of any length, shown whole; its samples are read when they are looked at. Its objects
-    /// name the lines.
+    /// Shows a whole recorded run of any length; its samples are read when they are shown. Its objects give
+    /// the names of the lines.
     void setRun(std::shared_ptr<RecordedSession> run);
-    void clear(); ///< samples and markers
+    void clear(); ///< removes samples and markers
 
-    /// Vertical line with a few words at its top.
+    /// Adds a vertical line with a short text at its top.
     void addMarker(double time_s, const QString& text);
     void clearMarkers();
     void setMarkerTextsVisible(bool visible);
 
-    /// Draws another run over this one, both from their Start: colours by the names of the objects, dashes by
-    /// the run, its mark (a letter) at the ends of its lines. clear() leaves them.
+    /// Draws another run over this one, both from their Start: colours by the objects' names, dashes by the
+    /// run, its mark (a letter) at the ends of its lines. clear() does not remove it.
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
 
-    /// A line at the moment that a replay shows; moving it draws no trace anew.
+    /// Shows a line at the moment of a replay; moving it does not redraw the traces.
     void setPosition(std::optional<double> time_s);
 
     void setTemperatureUnit(TemperatureUnit unit);
-    void setTheme(bool dark); ///< follows the palette by itself; only needed to differ from it
+    void setTheme(bool dark); ///< only needed to differ from the palette, which it follows
 
     bool followsLive() const;
     void setFollowLive(bool follow);
-    /// Length of the shown stretch while following; 0 is the whole run.
+    /// Sets the length of the shown time while following; 0 shows the whole run.
     void setFollowWindow_s(double window_s);
     /// How far the right edge lies behind the newest sample, s; 0 while following.
     double behind_s() const;
-    /// Shows a stretch of time and stops following.
+    /// Shows a time range and stops following.
     void setTimeRange(double from_s, double to_s);
     double visibleFrom_s() const;
     double visibleTo_s() const;
 
-    // What a person sees, as values.
+    // The visible content, as values.
     int seriesCount() const;
     QString seriesName(int series) const;
     QList<QPointF> seriesPoints(int series) const; ///< (s, display unit); y is NaN in a gap
-    double visibleLowest() const;                  ///< of the value axis, display unit
+    double visibleLowest() const;                  ///< lower end of the value axis, display unit
     double visibleHighest() const;
     QString valueAxisLabel() const;
     QStringList markerTexts() const;
     QStringList overlayLabels() const;
     std::optional<double> position_s() const;
-    /// Values at the row nearest to a time, one line, as the cursor reads them.
+    /// Returns the values at the row nearest to a time in one line, as the cursor shows them.
     QString readout(double time_s) const;
 
     /// Draws at once, also while hidden; only needed for pictures and measurements.
     void redraw();
-    /// Writes what is shown; the suffix chooses PNG or PDF. False when it cannot be written.
+    /// Saves the shown picture; the suffix selects PNG or PDF. Returns false if it cannot be written.
     bool saveImage(const QString& path) const;
 
     QSize sizeHint() const override { return {560, 240}; }

@@ -1,6 +1,6 @@
 #pragma once
-// The numbers behind a trace plot in SI, and the lines they make: samples where they can be told apart, least
-// and greatest values where they are denser than pixels.
+// The values of a trace plot in SI, and the lines made from them: samples where they can be distinguished,
+// minima and maxima where they are denser than pixels.
 
 #include "engine/model/trace.h"
 #include "engine/recording/trace_overview.h"
@@ -13,43 +13,45 @@ namespace bask {
 
 class RecordedSession;
 
-/// Limits that make 100 % of the command speed.
+/// Limits that correspond to 100 % of the command speed.
 struct SpeedLimits {
     double translation_m_s = 0.02;
     double rotation_rad_s = 0.1;
 };
 
-/// Samples of one run in the order of time. Of a run that goes on, the newest kMaxRows are kept, older ones
-/// as an overview of at most kMaxStretches: a plot takes no more than about 12 MB however long it runs. A
-/// recorded run is read as it is looked at.
+/// Samples of one run in time order. For a current run the newest kMaxRows are kept, and older ones as an
+/// overview of at most kMaxStretches: a plot takes at most about 12 MB for any duration. A recorded run is
+/// read when it is shown.
 class TraceStore {
 public:
     static constexpr std::size_t kMaxRows = 32768; ///< an hour at 9 Hz
     static constexpr std::size_t kMaxStretches = 16384;
 
-    /// Starts again with this number of objects; more in a sample are left out, missing ones are NaN.
+    /// Starts again with this number of objects; additional ones in a sample are ignored, missing ones are
+    /// NaN.
     void reset(std::size_t objects);
-    /// Of a run that is over and whole in memory: drops nothing.
+    /// Call for a finished run that is completely in memory: no rows are dropped.
     void keepAll() { m_keepsAll = true; }
     /// Shows a recorded run instead.
     void show(std::shared_ptr<RecordedSession> run);
 
-    /// Adds samples that are later than the last one. Returns the index of the first row added.
+    /// Adds samples that are later than the last one. Returns the index of the first added row.
     std::size_t append(const std::vector<TraceSample>& samples);
 
-    std::size_t rows() const; ///< that are kept, or in the file
+    std::size_t rows() const; ///< number of rows that are kept, or in the file
     std::size_t objects() const { return m_objects; }
     double time_s(std::size_t row) const;
     double lastTime_s() const;
 
-    /// Value in SI (K, K/s, 1); NaN where it is unknown or the reading was invalid. Speed in m/s and rad/s.
+    /// Returns the value in SI (K, K/s, 1); NaN if it is unknown or the reading was invalid. Speed in m/s and
+    /// rad/s.
     double value(Quantity quantity, std::size_t series, std::size_t row) const;
     bool hasValues(Quantity quantity) const { return overview().hasValues(quantity); }
 
-    /// Row nearest in time; rows() when there is none.
+    /// Returns the row nearest in time; rows() if there is none.
     std::size_t nearestRow(double time_s) const;
 
-    /// Samples in a stretch of time, roughly.
+    /// Returns the approximate number of samples in a time range.
     std::size_t samplesBetween(double from_s, double to_s) const;
 
     /// Times at which an object's target changed, with the new target (K).
@@ -58,9 +60,9 @@ public:
     struct Line {
         std::vector<double> times_s, values; ///< NaN in a gap
     };
-    /// A line from just before one time to just after another, as it can be seen on so many pixels. Reads at
-    /// most `reads` blocks of a recorded run, takes off what it has read, and shows the overview where that
-    /// was not enough.
+    /// Returns a line from just before one time to just after another, reduced to this number of pixels.
+    /// Reads at most `reads` blocks of a recorded run, subtracts the number that it has read, and uses the
+    /// overview if that was not enough.
     Line line(Quantity quantity, std::size_t series, double from_s, double to_s, std::size_t pixels,
               int& reads) const;
 

@@ -1,5 +1,5 @@
 #pragma once
-// A recipe as a list of steps with what has become of each: edited here, started and stopped.
+// A recipe as a list of steps with their results: edited, started and stopped here.
 
 #include "engine/base/units.h"
 #include "engine/recipe/recipe_runner.h"
@@ -19,21 +19,21 @@ class QTreeWidget;
 
 namespace bask {
 
-/// What it shows besides the steps.
+/// What the panel shows besides the steps.
 struct RecipeView {
     Recipe recipe;
-    QString file; ///< its name; empty: none yet
+    QString file; ///< its name; empty if it has no file yet
     bool isModified = false;
-    std::vector<RecipeProgress> progress; ///< empty: never begun
-    std::size_t step = 0;                 ///< under way
+    std::vector<RecipeProgress> progress; ///< empty if it was never started
+    std::size_t step = 0;                 ///< current step
     RecipeRunner::Phase phase = RecipeRunner::Phase::Over;
     RecipeEnd end = RecipeEnd::None;
     bool stopsAfterStep = false;
     bool isOn() const { return phase != RecipeRunner::Phase::Over; }
 };
 
-/// Setters in, signals out: the caller keeps the recipe and answers with show(). Object names: "recipePanel",
-/// "recipeTree", "recipeState", and of the buttons as below.
+/// Passive: the caller keeps the recipe and answers signals with show(). Object names: "recipePanel",
+/// "recipeTree", "recipeState", and those of the buttons as below.
 class RecipePanel : public QWidget {
     Q_OBJECT
 
@@ -42,10 +42,10 @@ public:
 
     void show(const RecipeView& view);
     void setExamples(const QStringList& names);
-    /// Names of objects to choose from in a step's form.
+    /// Sets the names of objects that a step's form offers.
     void setObjects(const QStringList& names) { m_objects = names; }
     void setTemperatureUnit(TemperatureUnit unit);
-    void setStartable(bool isStartable); ///< no run is on
+    void setStartable(bool isStartable); ///< whether a recipe can be started: no run is on
 
 signals:
     void edited(const bask::Recipe& recipe);
@@ -54,7 +54,7 @@ signals:
     void exampleRequested(const QString& name);
     void saveRequested();
     void saveAsRequested();
-    void addCurrentRequested(); ///< the open experiment
+    void addCurrentRequested(); ///< add the open experiment
     void addFileRequested();
     void startRequested();
     void stopAfterStepRequested(bool isWanted);
@@ -83,7 +83,7 @@ private:
     QStringList m_objects;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStartable = true;
-    QWidget* m_edits; ///< the row of buttons that gives way while it is on
+    QWidget* m_edits; ///< the row of buttons that is hidden while a recipe is on
     QTreeWidget* m_tree;
     QLabel* m_state;
     QMenu *m_openMenu, *m_exampleMenu, *m_addMenu;

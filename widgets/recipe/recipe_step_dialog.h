@@ -21,7 +21,7 @@ class RecipeStepDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `objects`: names to choose from; others can be typed.
+    /// `objects`: names that are offered; others can be typed.
     RecipeStepDialog(const RecipeStep& step, const QStringList& objects, TemperatureUnit unit,
                      QWidget* parent = nullptr);
 
@@ -32,8 +32,8 @@ private:
     void setDurationRange(RecipeStep::Until until);
     void showFields();
 
-    RecipeStep m_step;                                          ///< as given
-    double m_shownDuration_s = 0.0, m_shownMaxDuration_s = 0.0; ///< the same, rounded
+    RecipeStep m_step;                                          ///< the given step
+    double m_shownDuration_s = 0.0, m_shownMaxDuration_s = 0.0; ///< its durations, rounded
     QFormLayout* m_form;
     QComboBox* m_until;
     QDoubleSpinBox* m_duration;

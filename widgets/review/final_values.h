@@ -1,5 +1,5 @@
 #pragma once
-// Table of how a run ended: per object its target, final temperature, error and settling time.
+// Table of the final values of a run: for each object its target, final temperature, error and settling time.
 
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
@@ -10,17 +10,17 @@
 
 namespace bask {
 
-/// How one object ended. NaN where nothing is known.
+/// The final values of one object; NaN if unknown.
 struct FinalValue {
     QString name;
     double target_K = 0.0;
     double final_K = 0.0;
-    bool isTrue = false; ///< the plant's own temperature, else the estimate
+    bool isTrue = false; ///< true: the plant's own temperature; false: the estimate
     std::optional<double> settling_s;
 };
 std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics);
 
-/// One row an object; read-only, copied with Ctrl+C as tab-separated text.
+/// One row for each object; read-only, copied with Ctrl+C as tab-separated text.
 class FinalValuesTable : public QTableWidget {
     Q_OBJECT
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a run was worth in numbers, a row a metric and a column an object, each with its definition.
+// The metrics of a run, a row for each metric and a column for each object, with definitions.
 
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
@@ -19,13 +19,13 @@ class MetricsPanel : public QWidget {
 public:
     explicit MetricsPanel(QWidget* parent = nullptr);
 
-    /// Names in the order of the metrics' objects.
+    /// Sets the metrics; names in the order of their objects.
     void setMetrics(const QStringList& names, RunMetrics metrics);
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
-    /// The definitions in full are wanted.
+    /// The full definitions were requested.
     void detailsRequested();
 
 protected:

@@ -1,17 +1,17 @@
 #pragma once
-// The look that the page's tables of objects share.
+// The common style of the page's tables of objects.
 
 #include <QTableWidget>
 
 namespace bask {
 
-/// Columns as wide as their contents, the first one (names) taking the rest; nothing to edit.
+/// Makes the columns as wide as their contents, with the first one (names) taking the rest; read-only.
 void styleObjectTable(QTableWidget& table);
 
-/// As high as its rows, one to six of them.
+/// Makes the table as high as its rows, for one to six of them.
 void fitHeightToRows(QTableWidget& table);
 
-/// The whole table onto the clipboard, as tab-separated text with its header.
+/// Copies the whole table to the clipboard, as tab-separated text with its header.
 void copyTable(const QTableWidget& table);
 
 } // namespace bask

@@ -20,9 +20,9 @@ enum class Outcome {
     Other
 };
 
-/// Of what stands in the file; empty is a recording without its end.
+/// Returns the outcome of the word in the file; an empty word means a recording without an end.
 Outcome outcomeOf(const std::string& recorded);
-/// "Settled"; that of Other is the word in the file, which the caller has.
+/// Returns "Settled"; for Other the caller shows the word in the file.
 QString outcomeWord(Outcome outcome);
 QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio);
 

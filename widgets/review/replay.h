@@ -1,33 +1,33 @@
 #pragma once
-// Where a replay stands: a position in a record that moves with the clock.
+// The position of a replay in a record, which moves with the clock.
 
 #include "engine/base/clock.h"
 
 namespace bask {
 
-/// From the record's first to its last moment, 0.1 to 100 times as fast as it was. Nothing happens by itself:
-/// position_s() says where it is now.
+/// Plays from the record's first to its last moment, 0.1 to 100 times as fast as it was. Passive:
+/// position_s() returns the current position.
 class Replay {
 public:
     static constexpr double kSlowest = 0.1;
     static constexpr double kFastest = 100.0;
 
-    /// The clock outlives the replay.
+    /// The clock must outlive the replay.
     explicit Replay(const Clock& clock) : m_clock(clock) {}
 
-    /// Another record: stands at its beginning. An end before the beginning is the beginning.
+    /// Sets another record, at its beginning. An end before the beginning counts as the beginning.
     void setSpan(double begin_s, double end_s);
     double begin_s() const { return m_begin_s; }
     double end_s() const { return m_end_s; }
 
-    void play(); ///< at the end: from the beginning
+    void play(); ///< at the end it starts from the beginning
     void pause();
-    bool isPlaying() const; ///< no more once the end is reached
-    /// Goes on playing from there; outside of the record it is the nearer end.
+    bool isPlaying() const; ///< false when the end is reached
+    /// Continues from this position; outside of the record it is the nearer end.
     void seek(double time_s);
     double position_s() const;
 
-    void setSpeed(double factor); ///< into kSlowest ... kFastest
+    void setSpeed(double factor); ///< clamped to kSlowest ... kFastest
     double speed() const { return m_speed; }
 
 private:
@@ -36,7 +36,7 @@ private:
     double m_speed = 1.0;
     bool m_isPlaying = false;
     double m_from_s = 0.0;  ///< position at m_since_s
-    double m_since_s = 0.0; ///< of the clock
+    double m_since_s = 0.0; ///< time of the clock then
 };
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// A recorded run played again: transport, tiles, traces and scene, by the widgets of the Run page.
+// The replay of a recorded run: transport, tiles, traces and scene, with the widgets of the Run page.
 
 #include "engine/base/clock.h"
 #include "engine/base/message.h"
@@ -35,27 +35,25 @@ public:
     explicit ReplayView(QWidget* parent = nullptr);
     ~ReplayView() override;
 
-    /// Shows a run from its beginning, paused, without overlays. Its samples are read where they are looked
-    /// at.
+    /// Shows a run from its beginning, paused, without overlays. Its samples are read when they are shown.
     void setRun(std::shared_ptr<RecordedSession> run);
-    /// Some samples of the whole run: the way of the objects in the scene.
+    /// Sets some samples of the whole run: the path of the objects in the scene.
     void setWay(std::vector<TraceSample> way);
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
-    /// Draws another run over this one, if there is room: false when there is none, or when it is there
-    /// already.
+    /// Draws another run over this one. Returns false if there is no room, or it is already shown.
     bool addOverlay(std::shared_ptr<RecordedSession> run);
     void removeOverlay(const QString& path);
 
-    /// Moves the replay there, and the plots where they do not show that moment.
+    /// Moves the replay there, and also plots that do not show that moment.
     void seek(double time_s);
     void togglePlay();
     void pause();
     double position_s() const;
 
 signals:
-    /// A moment of the run cannot be read; told once a run.
+    /// A moment of the run cannot be read; sent once for each run.
     void readFailed(const bask::Error& error);
 
 protected:
@@ -64,7 +62,7 @@ protected:
 private:
     struct Plot {
         TracePlot* plot;
-        bool isFilled; ///< a plot is filled when it is looked at first
+        bool isFilled; ///< a plot is filled when it is first shown
     };
     struct Overlay {
         std::shared_ptr<RecordedSession> run;
@@ -87,14 +85,15 @@ private:
     void retranslate();
 
     SteadyClock m_clock;
-    std::shared_ptr<RecordedSession> m_run; ///< null: none
+    std::shared_ptr<RecordedSession> m_run; ///< null if there is none
     std::vector<TraceSample> m_way;
     std::vector<Overlay> m_overlays;
     QStringList m_names;
-    std::optional<TraceSample> m_sample; ///< shown
+    std::optional<TraceSample> m_sample; ///< the shown sample
     bool m_isFailureTold = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
-    std::optional<std::pair<double, double>> m_visible_s; ///< on the time axis; empty: the whole run
+    /// visible range of the time axis; empty for the whole run
+    std::optional<std::pair<double, double>> m_visible_s;
 
     TransportBar* m_transport;
     QWidget* m_legend;

@@ -1,5 +1,5 @@
 #pragma once
-// The Review page: recorded runs found again, one of them opened: its facts, replay, metrics, final values,
+// The Review page: a list of recorded runs, one of them opened: its facts, replay, metrics, final values,
 // events and notes.
 
 #include "engine/base/units.h"
@@ -40,18 +40,18 @@ public:
     explicit ReviewPage(QWidget* parent = nullptr);
     ~ReviewPage() override;
 
-    /// Shows a run; `eventSentences` are its events translated, in their order. The one that is shown already
-    /// only gets its sentences. Metrics, final values and heat rates take all samples of the run: the
-    /// receiver counts them and sets them when they are there.
+    /// Shows a run; `eventSentences` are its translated events, in their order. If the run is already shown,
+    /// only its sentences are updated. Metrics, final values and heat rates need all samples of the run: the
+    /// receiver computes them and sets them later.
     void setSession(std::shared_ptr<RecordedSession> session, const QStringList& eventSentences);
-    /// How far that has come.
+    /// Shows the progress of that work.
     void setCounting(int percent);
     void setMetrics(const RunMetrics& metrics);
-    /// Heat rates from the record, found by the receiver after setSession; until then they are said to be on
-    /// their way.
+    /// Sets the heat rates, computed from the record by the receiver after setSession; until then the page
+    /// shows that they are being computed.
     void setIdentified(const std::vector<IdentifiedRow>& rows);
     void setIdentificationFailed(const QString& sentence);
-    /// None of the three can be told: the recording cannot be read to its end.
+    /// None of the three is available: the recording cannot be read to its end.
     void setCountFailed();
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
@@ -62,9 +62,9 @@ public:
 signals:
     void openRequested();
     void exportRequested(bask::SessionForm form);
-    /// The identified rates shall be start values of the open experiment.
+    /// The identified rates are requested as start values of the open experiment.
     void useIdentifiedRequested();
-    /// The metrics' definitions are wanted.
+    /// The metrics' definitions were requested.
     void definitionsRequested();
 
 protected:
@@ -89,8 +89,8 @@ private:
     void showOutcome();
     QString outcomeText() const;
 
-    std::shared_ptr<RecordedSession> m_session; ///< null: none open
-    bool m_wasRecording = false;                ///< when it was opened: its rest is not here
+    std::shared_ptr<RecordedSession> m_session; ///< null if none is open
+    bool m_wasRecording = false; ///< it was still being recorded when it was opened: its rest is missing
     QStringList m_sentences;
 
     QSplitter* m_splitter;
@@ -116,7 +116,7 @@ private:
     QLabel* m_identifiedNote;
     QPushButton* m_useIdentified;
     bool m_identifying = false;
-    std::optional<int> m_counted_percent; ///< while it lasts
+    std::optional<int> m_counted_percent; ///< progress while counting
     bool m_isCountFailed = false;
     EventList* m_events;
 };

@@ -27,16 +27,16 @@ public:
     explicit SessionList(QWidget* parent = nullptr);
 
     void setFolder(const QString& folder);
-    /// It is being read: what is shown may be old.
+    /// The list is being read: the shown content may be old.
     void setReading();
     void setSessions(std::vector<SessionHeader> sessions);
-    /// The file that is being recorded into, if any.
+    /// Sets the file that is being recorded, if any.
     void setRecording(const QString& path);
     bool isRecording(const std::string& path) const;
-    /// The run that is on the page, which others can be laid over; empty: none. Bold, and chosen.
+    /// Sets the run on the page, on which others can be overlaid; empty for none. It is bold and selected.
     void setOpened(const QString& path);
 
-    /// Comma-separated, each once.
+    /// Returns the comma-separated tags, each once.
     static QStringList tagsOf(const QString& text);
 
 signals:
@@ -44,7 +44,7 @@ signals:
     void compareRequested(const QString& path);
     void folderRequested();
     void tagsEdited(const QString& path, const QStringList& tags);
-    /// The interrupted recording shall get its end.
+    /// Closing the interrupted recording was requested.
     void closeRequested(const QString& path);
 
 protected:

@@ -1,5 +1,5 @@
 #pragma once
-// The controls of a replay: play and pause, position, speed, and the tag that says it is one.
+// The controls of a replay: play and pause, position, speed, and the tag that marks it as a replay.
 
 #include "widgets/review/replay.h"
 
@@ -14,13 +14,13 @@ class QSlider;
 
 namespace bask {
 
-/// Tells the moment to show, at most 25 times a second while playing, and only while it can be seen: hidden,
-/// it pauses. Object names: "replayTag", "replayPlay", "replaySlider", "replayTime", "replaySpeed".
+/// Sends the moment to show, at most 25 times a second while playing, and only while it is visible: when
+/// hidden, it pauses. Object names: "replayTag", "replayPlay", "replaySlider", "replayTime", "replaySpeed".
 class TransportBar : public QWidget {
     Q_OBJECT
 
 public:
-    /// The clock outlives the bar.
+    /// The clock must outlive the bar.
     explicit TransportBar(const Clock& clock, QWidget* parent = nullptr);
 
     void setSpan(double begin_s, double end_s);

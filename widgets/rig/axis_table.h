@@ -14,7 +14,8 @@ class QLabel;
 
 namespace bask {
 
-/// A row a coordinate. Object names end in the coordinate's ("theta_x"): "axis.", "reversed.", "origin.".
+/// One row for each coordinate. Object names end in the coordinate's ("theta_x"): "axis.", "reversed.",
+/// "origin.".
 class AxisTable : public QWidget {
     Q_OBJECT
 
@@ -22,7 +23,7 @@ public:
     explicit AxisTable(QWidget* parent = nullptr);
 
     void setAxes(const std::vector<AxisSpec>& axes);
-    /// In the order in which controllers tell their axes: X Y Z A B C R.
+    /// Returns the axes in the order in which controllers report them: X Y Z A B C R.
     std::vector<AxisSpec> axes() const;
 
 protected:
@@ -33,7 +34,7 @@ private:
         QComboBox* letter;
         QCheckBox* reversed;
         QDoubleSpinBox* origin;
-        AxisSpec given; ///< so that an origin that is only looked at keeps its digits
+        AxisSpec given; ///< so that an origin that is not edited keeps its digits
     };
     void retranslate();
 

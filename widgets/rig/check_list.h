@@ -1,5 +1,5 @@
 #pragma once
-// What must be so before a run, ticked or crossed, and the engine's reasons in full.
+// The conditions for a run, ticked or crossed, and the engine's reasons in full.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -36,7 +36,7 @@ private:
     enum class Kind { Done, Wrong, Waiting, Unknown, Reason };
     struct Line {
         QLabel *mark, *text;
-        int shown = -1; ///< kind of the mark that is drawn
+        int shown = -1; ///< kind of the drawn mark
     };
     Line addLine(const QString& name);
     void put(Line& line, Kind kind, const QString& text);

@@ -1,5 +1,5 @@
 #pragma once
-// Marks before a line of text: done, wrong, under way, none. Told apart by their shape, not their colour.
+// Marks before a line of text: done, wrong, in progress, none. They differ by shape, not only by colour.
 
 #include <QPixmap>
 

@@ -11,7 +11,7 @@ QString coordinateWord(int coordinate);            ///< "x", "θx"
 QString coordinateSymbol(int coordinate);          ///< " mm", "°": as it follows a figure
 double shownCoordinate(int coordinate, double si); ///< mm or degrees from m or rad
 double coordinateFromShown(int coordinate, double shown);
-/// "axis.theta_x", as a control of one coordinate is found.
+/// Returns "axis.theta_x", the object name of a control for one coordinate.
 QString coordinateObjectName(const char* part, int coordinate);
 /// "12.3 mm", "-4.0°" with a true minus sign.
 QString coordinateReadout(int coordinate, double si);

@@ -1,5 +1,5 @@
 #pragma once
-// One device of the rig: what it is, on which port, how it is now.
+// One device of the rig: its kind, port and present state.
 
 #include "widgets/rig/device_words.h"
 
@@ -20,17 +20,17 @@ class DeviceCard : public QWidget {
 public:
     explicit DeviceCard(DeviceRole role, QWidget* parent = nullptr);
 
-    /// Empty: the rig is simulated.
+    /// Sets the rig; empty if it is simulated.
     void setRig(const std::optional<RigSpec>& rig);
-    /// As the engine tells it; empty: it does not.
+    /// Sets the state reported by the engine; empty if it reports none.
     void setState(const std::optional<RigDeviceState>& state);
-    /// Whether it may be set up or removed now.
+    /// Sets whether the device may be set up or removed now.
     void setEditable(bool editable);
 
 signals:
     void setUpWanted(bask::DeviceRole role);
     void removeWanted(bask::DeviceRole role);
-    /// Another device than before answers there, and is the right one.
+    /// A person accepts the different device that answers there.
     void acceptWanted(bask::DeviceRole role);
 
 protected:

@@ -1,5 +1,5 @@
 #pragma once
-// One device is set up, in steps: which it is, where it is connected, a test read, what of it is used.
+// Sets up one device in steps: which device, its connection, a test reading, which of its parts are used.
 
 #include "engine/base/units.h"
 #include "widgets/rig/device_words.h"
@@ -32,20 +32,20 @@ class DeviceDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `rig`: the device of this role as it is set up now, if it is.
+    /// `rig`: contains the device of this role if it is already set up.
     DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vector<std::string>& objects,
                  QWidget* parent = nullptr);
 
     DeviceRole role() const { return m_role; }
-    /// With this device alone.
+    /// Returns a rig with this device alone.
     RigSpec device() const;
 
     void setPorts(const std::vector<SerialPort>& ports);
-    /// What the device says that is tried.
+    /// Shows the answer of the tried device.
     void setTried(const TriedDevice& tried);
     void showError(const QString& sentence);
     void setTemperatureUnit(TemperatureUnit unit) { m_unit = unit; }
-    /// A Modbus device described by a file of its own.
+    /// Uses a Modbus device described by its own file.
     void useProfileFile(const QString& path);
 
 signals:
@@ -70,10 +70,10 @@ private:
     void chooseProfileFile();
     void takeDriver();
     void tryDevice();
-    /// The chosen one; a camera has one without a link.
+    /// Facts of the chosen driver; a camera has one without a link.
     const DriverFacts& driver() const;
     bool isModbus() const { return driver().isModbus; }
-    bool hasLine() const; ///< it is on a serial line
+    bool hasLine() const; ///< whether the device is on a serial line
     bool hasPort() const;
     void showParts();
     void showPort();
@@ -84,11 +84,11 @@ private:
 
     DeviceRole m_role;
     std::vector<std::string> m_objects;
-    std::vector<ModbusProfile> m_profiles; ///< as listed
+    std::vector<ModbusProfile> m_profiles; ///< the listed profiles
     std::vector<SerialPort> m_ports;
     bool m_arePortsKnown = false;
     bool m_isTried = false;                           ///< its answer is shown
-    std::map<const ParameterFacts*, double> m_values; ///< of all drivers' parameters, SI
+    std::map<const ParameterFacts*, double> m_values; ///< values of all drivers' parameters, SI
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     QFormLayout* m_form = nullptr;

@@ -11,11 +11,11 @@
 
 namespace bask {
 
-/// Its newest reading; NaN while that is not valid, or the source does not answer.
+/// Returns the source's newest reading; NaN if it is not valid, or the source does not answer.
 double sourceTemperature_K(const Snapshot& snapshot);
 
-/// "182.3 °C" as it is now; the last one with its age, "182.3 °C, 12 s old", where nothing newer is known; a
-/// dash without any.
+/// Returns "182.3 °C" if it is current; otherwise the last one with its age, "182.3 °C, 12 s old"; a dash if
+/// there was none.
 QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit);
 
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
@@ -28,21 +28,22 @@ QString linkWord(LinkState state);     ///< "Live"
 QString driverWord(const DriverFacts& driver); ///< "Grbl or grblHAL (G-code)"
 
 bool hasDevice(const RigSpec& rig, DeviceRole role);
-QString driverText(const RigSpec& rig, DeviceRole role); ///< "Grbl or grblHAL"; empty without the device
-QString portText(const RigSpec& rig, DeviceRole role);   ///< empty without one, or by hand
+/// returns "Grbl or grblHAL"; empty without the device
+QString driverText(const RigSpec& rig, DeviceRole role);
+QString portText(const RigSpec& rig, DeviceRole role); ///< empty without a port, or for a manual device
 RigSpec withoutDevice(RigSpec rig, DeviceRole role);
-/// `rig` with the device of this role as `other` has it.
+/// Returns `rig` with the device of this role taken from `other`.
 RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other);
 
-/// "12 ms", "3.2 s", "2:05"; empty: it never answered.
+/// Returns "12 ms", "3.2 s", "2:05"; empty if it never answered.
 QString ageText(double age_s);
 
-/// Objects came or went: each that stays, by its name, keeps its channel, new ones have the lowest that are
-/// free. With as many as before nothing changes.
+/// Adapts the channels to added or removed objects: an object with the same name keeps its channel, new ones
+/// get the lowest free ones. If the number is the same, nothing changes.
 void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<ObjectSpec>& after,
                   std::vector<int>& channels);
 
-/// For so many objects: those there are, then the lowest that are free.
+/// Returns channels for this number of objects: the existing ones, then the lowest free ones.
 std::vector<int> channelsFor(std::vector<int> channels, std::size_t objects);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The heat by hand: on towards a set point, off; or the temperature that a person reads off and types.
+// The manual heat: on with a set point, off; or the source temperature that a person reads and types.
 
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
@@ -15,17 +15,17 @@ namespace bask {
 
 class QuantitySpinBox;
 
-/// More heat on a real rig asks first. Object names: "heatSetPoint", "heatOn", "heatOff", "heatState",
-/// "typedSource", "takeTyped", "heatQuestion".
+/// On a real rig, more heat is asked about first. Object names: "heatSetPoint", "heatOn", "heatOff",
+/// "heatState", "typedSource", "takeTyped", "heatQuestion".
 class HeatPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit HeatPanel(QWidget* parent = nullptr);
 
-    /// The experiment's set point: what is proposed.
+    /// Sets the proposed set point: the experiment's.
     void setUsual(double setPoint_K);
-    /// `mayHeat`: no run is armed or on, nothing is latched.
+    /// `mayHeat`: no run is armed or on, no fault is latched.
     void apply(const Snapshot& snapshot, bool mayHeat);
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -41,7 +41,7 @@ private:
     void showState();
     void retranslate();
 
-    Snapshot m_last; ///< of what is read here only
+    Snapshot m_last; ///< only the values that are read here
     bool m_mayHeat = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     double m_usual_K = 0.0;

@@ -1,5 +1,6 @@
 #pragma once
-// The robot by hand: steps, motion while a button is held, a pose to go to, home, alarms cleared.
+// Manual control of the robot: steps, motion while a button is pressed, moving to a pose, homing, clearing
+// alarms.
 
 #include "engine/control/robot_limits.h"
 #include "engine/runtime/command.h"
@@ -20,9 +21,9 @@ class QToolButton;
 
 namespace bask {
 
-/// A button that is held sends Jog every kRepeat_ms, and a zero one when it is let go, whatever lets it go.
-/// Object names end in the coordinate's ("theta_x"): "at.", "stepDown.", "stepUp.", "holdDown.", "holdUp.",
-/// "goTo."; others "robotPlace" (while that is not known), "stepLength", "stepAngle", "jogSpeed", "goToPose",
+/// A pressed button sends Jog every kRepeat_ms, and a zero Jog when it is released in any way. Object names
+/// end in the coordinate's ("theta_x"): "at.", "stepDown.", "stepUp.", "holdDown.", "holdUp.", "goTo.";
+/// others "robotPlace" (while that is not known), "stepLength", "stepAngle", "jogSpeed", "goToPose",
 /// "takePose", "homeRobot", "clearAlarm", "robotProblem".
 class JogPanel : public QWidget {
     Q_OBJECT
@@ -33,7 +34,7 @@ public:
     explicit JogPanel(QWidget* parent = nullptr);
 
     void setLimits(const RobotLimits& limits);
-    /// `mayMove`: no run is armed or on, nothing is latched.
+    /// `mayMove`: no run is armed or on, no fault is latched.
     void apply(const Snapshot& snapshot, bool mayMove);
 
 signals:
@@ -67,16 +68,16 @@ private:
 
     RobotLimits m_limits;
     Vector6d m_at = Vector6d::Zero();
-    std::optional<Vector6d> m_goal; ///< of the steps that are still under way
+    std::optional<Vector6d> m_goal; ///< goal of the steps in progress
     bool m_isMoving = false;
     bool m_mayMove = false;
     bool m_mayHome = false;
-    bool m_isPoseTaken = false; ///< once by itself: the fields begin where the robot is
+    bool m_isPoseTaken = false; ///< the fields were set once to the robot's pose
     Message m_alarm;
     PlaceState m_place = PlaceState::Sure;
     double m_placeAge_s = 0.0;
 
-    QToolButton* m_held = nullptr; ///< the button that moves the robot now
+    QToolButton* m_held = nullptr; ///< the pressed button that moves the robot
     int m_heldCoordinate = 0, m_heldDirection = 0;
     QTimer m_repeat{this};
 

@@ -1,5 +1,5 @@
 #pragma once
-// The source and the robot's limits: what is typed here is the experiment's.
+// The source and the robot's limits: edits the experiment's values.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -17,9 +17,8 @@ namespace bask {
 class ParameterForm;
 class QuantitySpinBox;
 
-/// Each change is one `edited`; fields show what setExperiment gave last. Object names: "measuredSource",
-/// "sourceSetPoint", "sourceEmittance", "lower.x" ..., "upper.x" ..., "maxSpeed", "maxRotation",
-/// "clearance".
+/// Each change is one `edited`; the fields show the last setExperiment. Object names: "measuredSource",
+/// "sourceSetPoint", "sourceEmittance", "lower.x" ..., "upper.x" ..., "maxSpeed", "maxRotation", "clearance".
 class LimitsPanel : public QWidget {
     Q_OBJECT
 
@@ -27,12 +26,12 @@ public:
     explicit LimitsPanel(QWidget* parent = nullptr);
 
     void setExperiment(const Experiment& experiment);
-    void setMeasured(double source_K); ///< NaN: not known
+    void setMeasured(double source_K); ///< NaN if not known
     void setEditable(bool editable);
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
-    /// `words`: what of it is new.
+    /// `words`: what has changed.
     void edited(const bask::Experiment& experiment, const QString& words);
 
 protected:

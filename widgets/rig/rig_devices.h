@@ -1,5 +1,5 @@
 #pragma once
-// Which rig: the simulated one, or a real one with a device a role.
+// The choice of the rig: the simulated one, or a real one with a device for each role.
 
 #include "widgets/rig/device_words.h"
 
@@ -24,7 +24,7 @@ public:
     explicit RigDevices(QWidget* parent = nullptr);
 
     void setRig(const std::optional<RigSpec>& rig);
-    /// By role, as the engine tells them.
+    /// Sets the devices' states reported by the engine, by role.
     void setStates(const std::vector<RigDeviceState>& states);
     void setEditable(bool editable);
 

@@ -1,5 +1,5 @@
 #pragma once
-// The Rig page: which rig and its devices, what must be so before a run, the robot and the heat by hand, the
+// The Rig page: the rig and its devices, the conditions for a run, manual control of robot and heat, the
 // source and the limits.
 
 #include "engine/base/units.h"
@@ -43,9 +43,9 @@ public:
     /// `editable`: no run is armed or on.
     void apply(const Snapshot& snapshot, bool editable);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// Why the edit under way is refused.
+    /// Sets why the current edit is refused.
     void showError(const QString& sentence) { m_refusal = sentence; }
-    /// The devices of a rig file, with as many channels as there are objects.
+    /// Uses the devices of a rig file, with as many channels as there are objects.
     void useRig(const RigSpec& rig);
 
 signals:
@@ -63,7 +63,7 @@ private:
     QWidget* buildManual();
     QWidget* buildLimits();
     void connectAll();
-    bool edit(const Experiment& experiment); ///< false: refused, and told on the page
+    bool edit(const Experiment& experiment); ///< returns false if refused; the page shows why
     void editLimits(const Experiment& experiment, const QString& words);
     void useSimulated();
     void setUp(DeviceRole role);
@@ -76,10 +76,10 @@ private:
 
     Experiment m_experiment;
     std::optional<RigSpec> m_kept;            ///< the real rig, while the simulated one is in use
-    std::optional<RobotLimits> m_keptRobot{}; ///< of it
+    std::optional<RobotLimits> m_keptRobot{}; ///< robot limits of the kept rig
     RunState m_state = RunState::Idle;
     bool m_editable = true;
-    QString m_refusal;       ///< of the newest edit; empty: it was taken
+    QString m_refusal;       ///< refusal of the newest edit; empty if it was accepted
     bool m_isTrying = false; ///< the engine keeps a device open for the dialog
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 

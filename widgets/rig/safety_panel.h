@@ -1,5 +1,5 @@
 #pragma once
-// What the engine watches and from where on it acts: the experiment's safety limits.
+// What the engine monitors and the limits at which it acts: the experiment's safety limits.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -13,7 +13,7 @@ namespace bask {
 
 class ParameterForm;
 
-/// Each change is one `edited`; fields show what setExperiment gave last. Object names: ParameterForm's with
+/// Each change is one `edited`; the fields show the last setExperiment. Object names: ParameterForm's with
 /// the prefix "safety.", "safetyMore", "ownLimits".
 class SafetyPanel : public QWidget {
     Q_OBJECT
@@ -26,7 +26,7 @@ public:
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
-    /// `words`: what of it is new.
+    /// `words`: what has changed.
     void edited(const bask::Experiment& experiment, const QString& words);
 
 protected:
@@ -41,7 +41,7 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_title, *m_own;
     QToolButton* m_more;
-    ParameterForm *m_usual, *m_seldom; ///< the second one is folded
+    ParameterForm *m_usual, *m_seldom; ///< the second one can be folded
 };
 
 } // namespace bask

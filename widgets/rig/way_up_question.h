@@ -1,5 +1,5 @@
 #pragma once
-// Asks a person before something of a real rig goes up.
+// Asks a person before an action on a real rig that needs confirmation.
 
 #include <QString>
 
@@ -9,11 +9,11 @@ class QWidget;
 
 namespace bask {
 
-/// Not modal, so that STOP stays within reach; the default is to leave all as it is. A question of the same
-/// object name is taken back first.
+/// Not modal, so that STOP stays reachable; the default changes nothing. An earlier question with the same
+/// object name is removed first.
 void askOnTheWayUp(QWidget* parent, const QString& name, const QString& title, const QString& text,
                    const QString& yes, const std::function<void()>& then);
-/// Takes it back; nothing where there is none.
+/// Removes the question, if there is one.
 void dropQuestion(QWidget* parent, const QString& name);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// The sensors zeroed against each other: when, with what offsets, and why they cannot be now.
+// Zeroing of the sensors against each other: when, with which offsets, and why it is not possible now.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"

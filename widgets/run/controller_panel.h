@@ -17,17 +17,17 @@ namespace bask {
 class GainSpinBox;
 struct ControllerGain;
 
-/// Edits are staged: nothing happens until Apply; Revert goes back to what the engine uses. Both are enabled
-/// only while something differs. Object names: "controllerPanel", "controllerChoice",
-/// "gain.<group>.<name>" as files have them ("gain.adaptive.mu"), "gain.frequency", "gain.damping",
-/// "gainsPrediction", "gainsApply", "gainsRevert", "gainsStaged". Frequency and damping are the model-based D
-/// and K in other words: each follows the other.
+/// Edits are staged: nothing changes until Apply; Revert restores the engine's values. Both are enabled only
+/// if something differs. Object names: "controllerPanel", "controllerChoice", "gain.<group>.<name>" as in
+/// files ("gain.adaptive.mu"), "gain.frequency", "gain.damping", "gainsPrediction", "gainsApply",
+/// "gainsRevert", "gainsStaged". Frequency and damping are another form of the model-based D and K: each
+/// follows the other.
 class ControllerPanel : public QGroupBox {
     Q_OBJECT
 public:
     explicit ControllerPanel(QWidget* parent = nullptr);
 
-    /// What the engine uses. Fields follow it unless a person has staged something.
+    /// Sets the engine's settings. Fields follow them unless a person has staged something.
     void setSettings(const ControllerSettings& settings);
     const ControllerSettings& staged() const { return m_staged; }
     bool changed() const { return !(m_staged == m_applied); }

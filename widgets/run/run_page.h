@@ -1,5 +1,5 @@
 #pragma once
-// The Run page: a tile an object, traces, the 3-D scene, controller and gains, notes.
+// The Run page: a tile for each object, traces, the 3-D scene, controller and gains, notes.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -39,8 +39,8 @@ public:
 
     /// Clears everything and shows the experiment's objects with their targets.
     void setExperiment(const Experiment& experiment);
-    /// Takes everything new in the snapshot; a new runId begins a new trace. Cheap: drawing is left to the
-    /// event loop.
+    /// Takes everything new in the snapshot; a new runId begins a new trace. Cheap: drawing is done later in
+    /// the event loop.
     void apply(const Snapshot& snapshot);
     void setTemperatureUnit(TemperatureUnit unit);
     /// Shows a recorded moment on all plots (from the event list).
@@ -51,7 +51,7 @@ public:
 signals:
     void controllerApplied(const bask::ControllerSettings& settings);
     void noteAdded(const QString& text);
-    /// A person says that the sensor of an object is right.
+    /// A person confirms that the sensor of an object is correct.
     void sensorConfirmed(std::size_t object);
     void simulationSpeedChosen(double factor);
 
@@ -77,13 +77,13 @@ private:
     std::vector<double> m_targets_K;
     std::vector<QString> m_names;
     std::optional<std::uint64_t> m_runId;
-    std::vector<TraceEvent> m_events; ///< of the run, for their words in another language
+    std::vector<TraceEvent> m_events; ///< events of the run, to translate them again
     std::vector<TraceNote> m_notes;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     TileGrid* m_tiles = nullptr;
-    std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< what all plots show
-    std::vector<TracePlot*> m_plots; ///< temperature first, then the tabs' in order
+    std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< shared by all plots
+    std::vector<TracePlot*> m_plots; ///< temperature first, then those of the tabs
     QTabWidget* m_tabs = nullptr;
     QCheckBox* m_follow = nullptr;
     QLabel* m_windowLabel = nullptr;
@@ -93,7 +93,7 @@ private:
     QLabel* m_sceneLabel = nullptr;
     QToolButton *m_viewTop = nullptr, *m_viewSide = nullptr, *m_viewIsometric = nullptr;
     QLabel* m_placeMark = nullptr;
-    QLabel* m_limits = nullptr; ///< also where the robot is, while that is not known
+    QLabel* m_limits = nullptr; ///< also shows when the robot's position is not known
     ControllerPanel* m_controller = nullptr;
     QLabel* m_noteLabel = nullptr;
     QLineEdit* m_note = nullptr;

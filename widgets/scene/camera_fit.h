@@ -21,8 +21,8 @@ enum class ViewPreset { AlongMinusZ, AlongX, Isometric };
 /// Turns the camera (parallel projection) to a preset and fits the box; see fitCamera.
 void applyPreset(vtkCamera& camera, ViewPreset preset);
 
-/// Moves and scales the camera, keeping its direction, so that the box fills a view of `size` (logical
-/// pixels) less `margins`. Margins that leave less than half of the view are scaled down.
+/// Moves and scales the camera without turning it, so that the box fills a view of `size` (logical pixels)
+/// minus `margins`. Margins that leave less than half of the view are scaled down.
 void fitCamera(vtkCamera& camera, const Box& box, QSizeF size, QMarginsF margins);
 
 /// From R (m) to logical pixels of the widget, y down.

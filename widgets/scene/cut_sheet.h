@@ -9,16 +9,16 @@
 
 namespace bask {
 
-/// Samples in rows, and where they are in the field's coordinates.
+/// Samples in rows, with their positions in the field's coordinates.
 struct CutSheet {
     int columns = 0;
     std::vector<Eigen::Vector3d> points;
-    std::vector<double> values; ///< one a point; NaN: none
-    std::vector<double> lines;  ///< values that get a contour line
+    std::vector<double> values; ///< one for each point; NaN if there is none
+    std::vector<double> lines;  ///< values of the contour lines
 };
 
-/// The field where its axis number `axis` is at `position`, or at its end nearest to that; linear between the
-/// two layers beside it. Without lines.
+/// Returns the field where axis number `axis` is at `position`, or at the nearest end of the axis; linear
+/// between the two neighbouring layers. Without contour lines.
 CutSheet sheetOf(const Field& field, int axis, double position);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Places labels near their anchors so that they hide neither each other nor anything marked as taken.
+// Places labels near their anchors so that they cover neither each other nor anything marked as taken.
 
 #include <QPointF>
 #include <QRectF>
@@ -10,18 +10,18 @@
 
 namespace bask {
 
-/// Greedy layout in the order asked. Remembers where a label stood last time and keeps it there while that is
-/// about as good, so that labels do not jump as objects move.
+/// Greedy layout in the order of the calls. Remembers the last position of a label and keeps it there while
+/// that is about as good, so that labels do not jump when objects move.
 class LabelLayout {
 public:
     /// Starts a new picture. Labels stay within `area`.
     void begin(QRectF area);
-    /// Nothing is to be put on this, if it can be helped; `weight` 1 is as bad as hiding another label.
+    /// Marks an area that labels should avoid; `weight` 1 is as bad as covering another label.
     void take(QRectF rect, double weight = 1.0);
     bool isFree(const QRectF& rect) const;
-    /// Where label number `key` goes: beside the anchor, which has a size of its own. Takes the place; or
-    /// gives an empty rectangle and takes none when every place costs more than `max` (1: a quarter of the
-    /// label hides another).
+    /// Returns the place of label number `key`, beside the anchor, which has its own size, and marks it as
+    /// taken. Returns an empty rectangle if every place costs more than `max` (1: a quarter of the label
+    /// covers another).
     QRectF place(std::size_t key, QRectF anchor, QSizeF size,
                  double max = std::numeric_limits<double>::infinity());
 
@@ -34,7 +34,7 @@ private:
 
     QRectF m_area;
     std::vector<Taken> m_taken;
-    std::vector<int> m_last; ///< candidate chosen last time, by key; -1: none
+    std::vector<int> m_last; ///< candidate chosen last time, by key; -1 for none
 };
 
 } // namespace bask

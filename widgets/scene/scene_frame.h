@@ -1,6 +1,6 @@
 #pragma once
-// What every scene shows of an experiment: the box its axes measure, outlines for labels, colours of the
-// palette.
+// The common content of all scenes of an experiment: the box for the axes, outlines for labels, colours of
+// the palette.
 
 #include "engine/model/experiment.h"
 #include "widgets/scene/camera_fit.h"
@@ -10,10 +10,10 @@
 
 namespace bask {
 
-/// Workspace and source, wherever that is moved: what the axes measure and the presets show.
+/// Returns the box around the workspace and all positions of the source, for the axes and the presets.
 Box frameOf(const Experiment& experiment);
 
-/// Few points of an outline, in its own frame: what a label stands beside.
+/// Returns a few points of an outline in its own frame, for placing a label beside it.
 std::vector<Eigen::Vector3d> labelOutline(const Shape& shape);
 
 SceneColours sceneColours(const QPalette& palette);

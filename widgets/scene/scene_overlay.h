@@ -1,5 +1,6 @@
 #pragma once
-// What Qt draws over the scene: axes with ticks in cm, the colour bar, and the labels of source and objects.
+// The drawing by Qt over the scene: axes with ticks in cm, the colour bar, and the labels of source and
+// objects.
 
 #include "engine/base/units.h"
 #include "engine/exchange/target_surfaces.h"
@@ -23,19 +24,19 @@ namespace bask {
 struct SceneLabel {
     QString text;
     QString value;                          ///< after the text, lighter; may be empty
-    QColor colour;                          ///< of its mark; invalid: no mark
-    bool optional = false;                  ///< left out where it would hide something
-    std::vector<Eigen::Vector3d> outline_R; ///< m; the label stands beside this and avoids it
+    QColor colour;                          ///< colour of its mark; if invalid, no mark
+    bool optional = false;                  ///< left out if it would cover something
+    std::vector<Eigen::Vector3d> outline_R; ///< m; the label is placed beside this outline and avoids it
 };
 
 /// Everything the overlay shows, as values.
 struct OverlayContent {
-    Box frame; ///< whose edges carry the axes, R, m; or angles, rad
+    Box frame; ///< box whose edges have the axes, R, m; or angles, rad
     PoseSubset axes = PoseSubset::Translation;
     std::vector<SceneLabel> labels; ///< in order of importance
     bool hasBar = false;
     NiceRange bar;    ///< in the shown unit
-    QString barTitle; ///< over it: what it is of, and the unit
+    QString barTitle; ///< title above it: quantity and unit
 };
 
 /// Draws the overlay with the palette's colours. Text stays upright and sharp at any pixel ratio and in any
@@ -43,7 +44,7 @@ struct OverlayContent {
 class SceneOverlay {
     Q_DECLARE_TR_FUNCTIONS(bask::SceneOverlay)
 public:
-    /// Room (logical pixels) that axes and bar take at each side.
+    /// Returns the space (logical pixels) that axes and bar need at each side.
     static QMarginsF margins(const QFont& font, QSizeF size);
 
     void paint(QPainter& painter, QSizeF size, const QPalette& palette, const Projection& projection,

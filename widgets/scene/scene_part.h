@@ -15,7 +15,7 @@
 
 namespace bask {
 
-/// Unlit: the colour given is the colour seen.
+/// Unlit: the given colour is the visible colour.
 struct ScenePart {
     vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
     vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();

@@ -15,14 +15,14 @@ class vtkRenderer;
 
 namespace bask {
 
-inline constexpr int kOutlinePoints = 160; ///< of a curved outline in the picture
+inline constexpr int kOutlinePoints = 160; ///< number of points of a curved outline in the picture
 
 /// Colours of everything that is not a temperature.
 struct SceneColours {
     bool dark = false;
     QColor ground;    ///< background
     QColor grid;      ///< lines on the floor
-    QColor workspace; ///< its edges
+    QColor workspace; ///< edges of the workspace
     QColor mount;     ///< arms from the end-effector to the objects
 };
 
@@ -35,20 +35,20 @@ public:
     explicit SceneProps(vtkRenderer& renderer);
     ~SceneProps();
 
-    /// Makes all actors anew; `frame` is the box that the floor is drawn in.
+    /// Creates all actors again; `frame` is the box in which the floor is drawn.
     void build(const Experiment& experiment, const Box& frame);
     void setColours(const SceneColours& colours);
-    /// Factor of all line widths: device pixel ratio, and less than that in a small view.
+    /// Sets the factor of all line widths: device pixel ratio, and less than that in a small view.
     void setLineScale(double scale);
 
-    /// Where the camera looks to (R): the workspace's edges on this side are left out.
+    /// Sets the viewing direction (R): the workspace's edges on the viewer's side are left out.
     void setViewDirection(const Eigen::Vector3d& direction);
-    /// Moves objects and source. Lines are moved by `lift` (R, m) as well: towards the viewer by a few
-    /// pixels' worth, which in a parallel projection does not show, lets the whole width of a line stand
-    /// before the filling that it bounds.
+    /// Moves objects and source. Lines are also moved by `lift` (R, m), a few pixels towards the viewer: this
+    /// is not visible in a parallel projection, and draws the full width of a line in front of the surface
+    /// that it bounds.
     void setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vector3d& lift);
     void setObjectColour(std::size_t index, const QColor& colour);
-    /// Of the objects' fillings, 0 to 1: objects that are not there, but could be.
+    /// Sets the opacity of the objects' surfaces, 0 to 1: for objects that are only possible there.
     void setObjectOpacity(double opacity);
     /// Uploads one trail of at most Trail::kMaxPoints points.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);

@@ -12,9 +12,9 @@
 
 namespace bask {
 
-/// Shows frames in a scene one after another, over and over, or writes them: a PNG each and a sheet of all of
-/// them side by side. One frame a turn of the event loop, so that the window answers meanwhile. The scene
-/// must outlive it.
+/// Shows frames in a scene one after another in a loop, or saves them: one PNG each, and a sheet with all of
+/// them side by side. One frame in each turn of the event loop, so that the window stays responsive. The
+/// scene must outlive it.
 class SceneSequence : public QObject {
     Q_OBJECT
 public:
@@ -22,7 +22,8 @@ public:
 
     explicit SceneSequence(TargetScene& scene, QObject* parent = nullptr);
 
-    /// Surfaces over `subset`; `varied` is the held coordinate that tells the frames apart. Stops everything.
+    /// Sets the surfaces over `subset`; `varied` is the fixed coordinate that differs between the frames.
+    /// Stops everything.
     void setFrames(std::vector<SurfaceFrame> frames, PoseSubset subset, Coordinate varied);
     int count() const { return static_cast<int>(m_frames.size()); }
     /// "θx = 22.5°", "z = 5.0 cm".
@@ -32,17 +33,17 @@ public:
     void play(bool on);
     bool isPlaying() const { return m_player.isActive(); }
 
-    /// Writes frame-1.png ... and panels.png, three to a row, all with their captions, into the folder, which
-    /// must be there. Ends with saved(); replaces an earlier export, but refuses to replace other files.
+    /// Writes frame-1.png ... and panels.png, three in a row, all with their captions, into the folder, which
+    /// must exist. Ends with saved(). Replaces an earlier export, but refuses to replace other files.
     void save(const QString& folder, QSize size);
-    /// Ends a save() half-way, without saved(); pictures written so far stay.
+    /// Cancels a save() without saved(); pictures already written stay.
     void cancel();
     bool isSaving() const { return m_saver.isActive(); }
 
 signals:
     void shown(int index);
     void progressed(int done, int of);
-    /// Where nothing went wrong, `problem` has no code.
+    /// `problem` has no code if there was no error.
     void saved(const bask::Error& problem);
 
 private:
@@ -61,10 +62,11 @@ private:
     std::vector<QImage> m_pictures;
 };
 
-/// The picture with a caption at the middle of its upper edge, over whatever is there.
+/// Returns the picture with a caption at the middle of its upper edge, drawn over the picture.
 QImage captioned(QImage picture, const QString& caption, const QPalette& palette, const QFont& font);
 
-/// Pictures side by side in rows, each with its caption above, in the palette's colours; each keeps its size.
+/// Returns the pictures side by side in rows, each in its size with its caption above, in the palette's
+/// colours.
 QImage pictureSheet(const std::vector<QImage>& pictures, const QStringList& captions, int columns,
                     const QPalette& palette, const QFont& font);
 

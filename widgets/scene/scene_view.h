@@ -21,22 +21,22 @@ public:
     explicit SceneView(QWidget* parent = nullptr);
     ~SceneView() override;
 
-    /// Shows another experiment, its objects at the start pose with no trace.
+    /// Shows another experiment with its objects at the start pose, without a trace.
     void setExperiment(const Experiment& experiment);
     /// Forgets the trajectories and the temperatures; the pose stays.
     void clearTrace();
     /// Adds to the trajectories; pose and temperatures become those of the last sample. A sample with another
-    /// number of objects than the experiment is left out.
+    /// number of objects than the experiment is ignored.
     void appendSamples(const std::vector<TraceSample>& samples);
-    /// The whole trace at once.
+    /// Sets the whole trace at once.
     void setSamples(const std::vector<TraceSample>& samples);
     /// Moves the objects only (readings outside of a run, replay).
     void setPose(const Vector6d& coordinates);
     /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.
     void setSourcePose(const Vector6d& coordinates);
-    /// K, told beside the source; a trace's samples do it too. NaN: not known.
+    /// Sets the temperature shown beside the source, K; a trace's samples set it too. NaN if not known.
     void setSourceTemperature_K(double source_K);
-    /// Colours the objects only, K in the experiment's order; NaN or missing: not known.
+    /// Colours the objects only, K in the experiment's order; NaN or missing if not known.
     void setTemperatures(const std::vector<double>& temperatures_K);
     void setTemperatureUnit(TemperatureUnit unit);
 

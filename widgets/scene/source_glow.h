@@ -1,5 +1,5 @@
 #pragma once
-// How a heat source glows in the picture: from its middle out to its rim, whatever its outline; private to
+// The glow of a heat source in the picture, from its middle to its rim, for any outline; private to
 // widgets/scene.
 
 #include <Eigen/Geometry>
@@ -8,8 +8,8 @@
 
 namespace bask {
 
-/// An outline and the holes in it, each closed, as one closed chain that goes to every hole and back the same
-/// way: by the even-odd rule its inside is the face.
+/// Returns an outline and its holes, each closed, as one closed chain that goes to every hole and back the
+/// same way: by the even-odd rule its inside is the face.
 std::vector<Eigen::Vector2d> chained(const std::vector<std::vector<Eigen::Vector2d>>& rings);
 
 Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& outline);
@@ -20,8 +20,8 @@ Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& outline);
 std::vector<double> sourceGlow(const std::vector<Eigen::Vector2d>& outline, const Eigen::AlignedBox2d& box,
                                int n);
 
-/// Where the line through `at` along the axis (0: x at a given y, 1: y at a given x) enters and leaves the
-/// outline, ascending; an even number.
+/// Returns where the line through `at` along the axis (0: x at a given y, 1: y at a given x) enters and
+/// leaves the outline, ascending; an even number.
 std::vector<double> outlineCrossings(const std::vector<Eigen::Vector2d>& outline, int axis, double at);
 
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// What a target scene shows, as values, and how its frames are made of them; private to widgets/scene.
+// The content of a target scene, as values, and how its frames are made from them; private to widgets/scene.
 
 #include "engine/control/rig_geometry.h"
 #include "widgets/scene/scene_overlay.h"
@@ -17,11 +17,11 @@ namespace bask {
 /// A pose that was clicked.
 struct PickedPose {
     Vector6d q = Vector6d::Zero();
-    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< what was clicked, in the surfaces' coordinates
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< clicked point, in the surfaces' coordinates
     PickedArrows arrows;
 };
 
-/// All of the picture can be made from its values at any time; the flags say which are new. GUI thread.
+/// The whole picture can be made from its values at any time; the flags show which are new. GUI thread.
 struct TargetPicture {
     Experiment experiment;
     std::unique_ptr<RigGeometry> rig; ///< null without an experiment
@@ -37,9 +37,9 @@ struct TargetPicture {
     TemperatureUnit unit = TemperatureUnit::Celsius;
     ViewPreset preset = ViewPreset::Isometric;
     bool cameraIsPersons = false;
-    double scale = 1.0; ///< of text and lines, while a large picture is saved
+    double scale = 1.0; ///< scale of text and lines, while a large picture is saved
 
-    // What the picture does not show yet.
+    // Changes that the picture does not show yet.
     bool rebuild = true;
     bool resurface = true;
     bool remark = true;
@@ -53,16 +53,17 @@ struct TargetPicture {
 
     bool isOverAngles() const { return subset == PoseSubset::Rotation; }
     bool isOverOwn() const { return subset == PoseSubset::OwnTranslation; }
-    /// Whether only targets are others: what is shown stays, else all but the pick goes.
+    /// Sets the experiment. Returns whether only targets differ: then everything stays, otherwise all except
+    /// the pick is removed.
     bool setExperiment(const Experiment& next);
     /// Drops the cut, which belongs to another subset.
     void setSubset(PoseSubset next);
-    /// The end-effector where the line of sight meets a surface or the cut; nothing where it meets none, or
-    /// where there is no view factor.
+    /// Returns the end-effector's pose where the line of sight hits a surface or the cut; empty if it hits
+    /// none, or there is no view factor.
     std::optional<PickedPose> poseAt(QPointF place) const;
-    /// Whether the pick, if there is one, is of this pose but for the drawn coordinates.
+    /// Returns whether the pick, if there is one, has this pose except for the drawn coordinates.
     bool isPickAt(const Vector6d& other) const;
-    /// The figures at a pose, a sentence an object.
+    /// Returns the values at a pose, one sentence for each object.
     QStringList words(const PickedPose& pose) const;
 
     /// Brings actors and camera up to date.

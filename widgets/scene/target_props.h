@@ -15,7 +15,7 @@ class vtkRenderer;
 
 namespace bask {
 
-/// Arrows, one an object.
+/// Arrows, one for each object.
 struct PickedArrows {
     std::vector<Eigen::Vector3d> from;
     std::vector<Eigen::Vector3d> directions; ///< unit or zero
@@ -32,22 +32,23 @@ public:
     void addActors();
 
     void setSurfaces(const std::vector<Isosurface>& surfaces);
-    /// Surface i in colour i, translucent; paler when `stale`. `contours`: lines on the cut, arrows' edges.
+    /// Sets colour i for surface i, translucent; paler if `stale`. `contours`: lines on the cut, arrows'
+    /// edges.
     void setColours(const std::vector<QColor>& surfaces, const QColor& marks, const QColor& contours,
                     bool stale);
     void setLineScale(double scale);
 
-    /// What the robot may do: lines from each even point to the odd one after it, and a plane's polygon or
-    /// none. `before`: wide, and seen before everything as the marks are.
+    /// Sets the limits of the robot: lines from each even point to the odd one after it, and the polygon of a
+    /// plane or none. `before`: wide, and in front of everything like the marks.
     void setBounds(const std::vector<Eigen::Vector3d>& lines, const std::vector<Eigen::Vector3d>& polygon,
                    bool before);
     void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
-    /// A sphere at each point; two points are joined by a line.
+    /// Sets a sphere at each point; two points are joined by a line.
     void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);
-    /// Arrows in the surfaces' colours, a sphere where they start; null: none.
+    /// Sets arrows in the surfaces' colours, with a sphere where they start; null for none.
     void setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours);
     /// Moves lines on the cut, and marks and arrows, towards the viewer (R, m), as SceneProps::setPoses does:
-    /// the marks far enough to be seen before everything.
+    /// marks far enough to be in front of everything.
     void setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& marks);
 
 private:

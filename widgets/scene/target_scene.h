@@ -20,21 +20,21 @@ namespace bask {
 
 enum class ViewPreset;
 
-/// Where all targets are met, or nearly.
+/// The pose where all targets are met, or nearly.
 struct SceneVerdict {
-    Vector6d pose = Vector6d::Zero(); ///< end-effector in R: the objects' ghost stands there
+    Vector6d pose = Vector6d::Zero(); ///< end-effector in R: the objects' ghost is shown there
     bool feasible = false;            ///< marked as the surfaces' common point
-    /// Where two surfaces come closest, in their coordinates: joined by a line when not feasible.
+    /// Points where two surfaces are closest, in their coordinates: joined by a line if not feasible.
     std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> closest = {};
 };
 
 /// A plane through one object's field.
 struct SceneCut {
-    std::shared_ptr<const Field> field; ///< view factors over the surfaces' coordinates, as of targetFields
+    std::shared_ptr<const Field> field; ///< view factors over the surfaces' coordinates, as from targetFields
     int object = 0;
     Coordinate axis = kY;      ///< normal to the plane
     double position = 0.0;     ///< m or rad
-    bool asTemperature = true; ///< steady temperature of the object, else its view factor
+    bool asTemperature = true; ///< true: steady temperature of the object; false: its view factor
 };
 
 /// Setters in, a picture and picked poses out; R axes in cm. Setters only note what is new: frames are drawn
@@ -47,20 +47,22 @@ public:
     explicit TargetScene(QWidget* parent = nullptr);
     ~TargetScene() override;
 
-    /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
-    /// They stay when only targets are others.
+    /// Shows another experiment with its objects' ghost at the start pose; removes surfaces, verdict, cut and
+    /// pick unless only targets differ.
     void setExperiment(const Experiment& experiment);
-    /// One surface an object, over the subset's coordinates of the end-effector in R; `fixed` has the others.
-    /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
-    /// the robot's limits and marks, but neither source nor objects. Over the objects' own positions nothing
-    /// is marked: each object of the ghost stands on its surface. The verdict's point is marked only where
-    /// `fixed` is that of its pose. Another subset drops cut and pick, another `fixed` the pick.
+    /// Sets one surface for each object, over the subset's coordinates of the end-effector in R; `fixed` has
+    /// the other coordinates. A missing or empty one means none for that object. Over the angles, the axes
+    /// are angles: surfaces, the robot's limits and marks are shown, but neither source nor objects. Over the
+    /// objects' own positions nothing is marked: each object of the ghost is on its surface. The verdict's
+    /// point is marked only if `fixed` is that of its pose. Another subset removes cut and pick, another
+    /// `fixed` the pick.
     void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& fixed,
                      PoseSubset subset = PoseSubset::Translation);
     void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
-    /// After setSurfaces of its subset. Throws std::invalid_argument unless the field is over it.
+    /// Sets the cut; call it after setSurfaces of its subset. Throws std::invalid_argument unless the field
+    /// is over this subset.
     void setCut(const std::optional<SceneCut>& cut);
-    /// Dims and hatches: what is shown belongs to older input.
+    /// Dims and hatches the picture, because it belongs to older input.
     void setStale(bool stale);
     void setTemperatureUnit(TemperatureUnit unit);
     void clearPick();
@@ -71,20 +73,21 @@ public:
 
     /// Whether there is a picture at all.
     bool hasPicture() const;
-    /// The picture in so many pixels; text and lines grow with it. Null before the scene was shown and
-    /// without OpenGL.
+    /// Returns the picture in this size, pixels; text and lines grow with it. Null before the scene was shown
+    /// and without OpenGL.
     QImage image(QSize size);
-    /// The same as a PNG. Errors: FileUnwritable.
+    /// Saves the picture as a PNG. Errors: FileUnwritable.
     Result<void> saveImage(const QString& path, QSize size);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    /// A point was clicked: the end-effector's coordinates (that put the object there whose own position it
-    /// is), and a line an object: F, steady temperature, and how fast that rises along its arrow.
+    /// A point was clicked: the end-effector's coordinates (that move the object there, if the surfaces are
+    /// over its own position), and one line for each object: F, steady temperature, and how fast that rises
+    /// along its arrow.
     void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
-    /// The point picked last went, whatever made it go: also another experiment, subset or `fixed`.
+    /// The last picked point was removed, for any reason: also another experiment, subset or `fixed`.
     void pickDropped();
     void surfacesDrawn(); ///< the first frame with new surfaces was made
 

@@ -7,14 +7,14 @@
 
 namespace bask {
 
-/// Keeps a point when it has moved, or its temperature has changed, by more than a tolerance since the last
-/// one kept; when there are too many, the tolerances double and the kept ones are thinned. Appending costs
-/// amortised constant time.
+/// Keeps a point if position or temperature differ by more than a tolerance from the last kept one; if there
+/// are too many points, the tolerances double and the kept points are thinned. Appending takes amortised
+/// constant time.
 class Trail {
 public:
     struct Point {
         Eigen::Vector3d p_RO = Eigen::Vector3d::Zero(); ///< m
-        double temperature_K = 0.0;                     ///< NaN: not known
+        double temperature_K = 0.0;                     ///< NaN if not known
     };
 
     static constexpr std::size_t kMaxPoints = 4096;
@@ -24,7 +24,7 @@ public:
     void clear();
     void append(const Point& point);
 
-    /// Points kept; the newest is not among them unless it was kept.
+    /// The kept points; the newest is only among them if it was kept.
     const std::vector<Point>& kept() const { return m_kept; }
     /// The newest point; only when !empty().
     const Point& newest() const { return m_newest; }

@@ -22,33 +22,34 @@ namespace bask {
 class VtkView : public QOpenGLWidget {
     Q_OBJECT
 public:
-    static constexpr int kFrameInterval_ms = 66;       ///< between frames that data asks for
-    static constexpr int kInteractionInterval_ms = 30; ///< between frames that the mouse asks for
+    static constexpr int kFrameInterval_ms = 66;       ///< between frames requested by data
+    static constexpr int kInteractionInterval_ms = 30; ///< between frames requested by the mouse
 
     explicit VtkView(QWidget* parent = nullptr);
     ~VtkView() override;
 
-    /// Whether this computer can give an OpenGL 3.2 context. Asked once; ask before making a view.
+    /// Whether this computer provides an OpenGL 3.2 context. Checked once; ask before creating a view.
     static bool available();
 
     vtkRenderer& renderer();
 
-    /// Called on the GUI thread just before each frame, outside any setter: bring actors up to date here.
+    /// Sets a function called on the GUI thread just before each frame, outside any setter: update actors
+    /// there.
     void setPrepare(std::function<void()> prepare);
-    /// Called after VTK has drawn; the painter works in logical pixels of the widget.
+    /// Sets a function called after VTK has drawn; the painter works in logical pixels of the widget.
     void setOverlay(std::function<void(QPainter&)> overlay);
 
-    /// Asks for a frame soon. Cheap; call it for every change.
+    /// Requests a frame soon. Cheap; call it for every change.
     void requestFrame(int interval_ms = kFrameInterval_ms);
 
-    /// Frames drawn so far, and how long the last took in paintGL (s).
+    /// Number of frames drawn so far, and the time of the last one in paintGL (s).
     int frames() const;
     double lastFrame_s() const;
 
 signals:
-    void cameraMoved();          ///< by the person
-    void clicked(QPointF place); ///< left button pressed and let go at one place, logical pixels
-    void cameraResetRequested(); ///< Home
+    void cameraMoved();          ///< a person moved the camera
+    void clicked(QPointF place); ///< left button pressed and released at one place, logical pixels
+    void cameraResetRequested(); ///< Home was pressed
     void failed();               ///< VTK could not use the context; the view stays empty
 
 protected:

@@ -11,12 +11,12 @@
 
 namespace bask {
 
-/// In steps of 1 mm or half a degree; an arrow key is a step, a page an eighth of the range.
+/// Steps of 1 mm or half a degree; an arrow key moves one step, a page an eighth of the range.
 class CoordinateSlider : public QSlider {
 public:
     explicit CoordinateSlider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {}
 
-    /// m or rad. The place stays where it is on the range.
+    /// m or rad. The slider keeps its relative position in the range.
     void setCoordinate(int coordinate, double min, double max) {
         m_stepsPerUnit = coordinate < kThetaX ? 1000.0 : 2.0 * degFromRad(1.0);
         setRange(steps(min), steps(max));

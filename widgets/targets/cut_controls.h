@@ -1,5 +1,5 @@
 #pragma once
-// What plane through which object's field is shown.
+// The choice of a plane through an object's field.
 
 #include "engine/radiation/field_sampler.h"
 
@@ -33,11 +33,11 @@ public:
     explicit CutControls(QWidget* parent = nullptr);
 
     void setObjects(const QStringList& names);
-    /// Three axes of the field to be cut, and their coordinates at `home`: a plane that was not there, or was
-    /// across another axis, starts there.
+    /// Sets the three axes of the field to be cut, and their coordinates at `home`: the start of a plane that
+    /// is new, or was across another axis.
     void setAxes(const std::vector<FieldAxis>& axes, const Eigen::Vector3d& home);
     std::optional<int> object() const;
-    /// Nothing when no cut is wanted.
+    /// The chosen cut; empty if none is wanted.
     std::optional<CutChoice> choice() const;
 
 signals:
@@ -54,7 +54,7 @@ private:
 
     std::vector<FieldAxis> m_axes;
     Eigen::Vector3d m_home = Eigen::Vector3d::Zero();
-    int m_placed = -1; ///< coordinate that the shown plane is across
+    int m_placed = -1; ///< coordinate normal to the shown plane
     QStringList m_names;
     QComboBox* m_object; ///< first: no cut; then the objects
     QComboBox* m_quantity;

@@ -1,5 +1,5 @@
 #pragma once
-// How far the export of an animation is, and a button that ends it.
+// The progress of an export of an animation, and a button that cancels it.
 
 #include <QWidget>
 
@@ -16,7 +16,7 @@ class ExportBar : public QWidget {
 public:
     explicit ExportBar(QWidget* parent = nullptr);
 
-    /// `done` 0: still computing.
+    /// `done` 0 means still computing.
     void showProgress(int done, int of);
 
 signals:

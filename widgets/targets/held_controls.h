@@ -1,5 +1,5 @@
 #pragma once
-// Sliders for what is held while surfaces are drawn over the other coordinates.
+// Sliders for the fixed coordinates while surfaces are drawn over the others.
 
 #include "engine/control/robot_limits.h"
 #include "engine/exchange/target_surfaces.h"
@@ -18,16 +18,16 @@ namespace bask {
 
 class CoordinateSlider;
 
-/// A slider a coordinate with its value in words, a button that plays it and one that goes back to the pose's
-/// values. Setters in, signals of what a person does out. Object names: "heldX" to "heldZ", "heldThetaX" to
-/// "heldThetaZ" (sliders), "heldWord..." (their labels), "playSweep", "heldAtPose".
+/// A slider for each coordinate with its value in words, a button that plays it and one that restores the
+/// pose's values. Passive: takes values, sends a person's changes. Object names: "heldX" to "heldZ",
+/// "heldThetaX" to "heldThetaZ" (sliders), "heldWord..." (their labels), "playSweep", "heldAtPose".
 class HeldControls : public QWidget {
     Q_OBJECT
 
 public:
     explicit HeldControls(QWidget* parent = nullptr);
 
-    /// Shows the sliders of these over the robot's range; of none, nothing is shown.
+    /// Shows the sliders of these coordinates over the robot's range; nothing if there are none.
     void setCoordinates(const std::vector<Coordinate>& coordinates, const RobotLimits& robot);
     /// Shows values; `isManual`: they are not the pose's.
     void setFixed(const Vector6d& fixed, bool isManual);

@@ -1,5 +1,5 @@
 #pragma once
-// Maps of all pairs of objects: which of their temperatures go together, and where the targets lie.
+// Maps of all pairs of objects: which of their temperatures can be combined, and where the targets are.
 
 #include "engine/base/result.h"
 #include "engine/base/units.h"
@@ -20,30 +20,31 @@ namespace bask {
 
 class ReachMap;
 
-/// Values in, signals out: whoever has the maps made hears `wanted` when the view is shown or hidden. Object
-/// names, i being the map from 0: "map<i>", "mapsNote", "exportMaps".
+/// Passive; the provider of the maps gets `wanted` when the view is shown or hidden. Object names, i being
+/// the map from 0: "map<i>", "mapsNote", "exportMaps".
 class PairsView : public QWidget {
     Q_OBJECT
 
 public:
     explicit PairsView(QWidget* parent = nullptr);
 
-    /// Maps of an experiment that differs by more than its targets are shown as stale.
+    /// Shows maps as stale if the experiment differs by more than its targets.
     void setExperiment(const Experiment& experiment);
-    /// Of the experiment: one a pair, first < second, in lexical order; none where no pose is allowed.
+    /// Sets the maps of the experiment: one for each pair, first < second, in lexical order; none if no pose
+    /// is allowed.
     void setMaps(const std::vector<ReachableMap>& maps);
     void setTemperatureUnit(TemperatureUnit unit);
     void setEditable(bool editable);
 
-    /// Of each map its table (as `bask feasibility --reachable` writes it) and its picture, off the GUI
-    /// thread; tells when they are there. Refuses to replace other files, and writes none then.
+    /// Exports each map as a table (as `bask feasibility --reachable` writes it) and a picture, off the GUI
+    /// thread, and reports when it is done. Refuses to replace other files, and then writes none.
     void exportTo(const QString& folder);
 
 signals:
-    /// Temperatures that two objects shall have as targets; while dragged, perhaps.
+    /// Targets for two objects, while they are dragged: they may still change.
     void targetsDragged(int first, int second, double first_K, double second_K);
     void targetsPicked(int first, int second, double first_K, double second_K);
-    /// What was dragged is not picked after all.
+    /// The dragged targets were not chosen.
     void dragDropped();
     void wanted(bool shown);
     void problem(const QString& sentence);
@@ -63,7 +64,7 @@ private:
 
     Experiment m_experiment;
     std::vector<ReachableMap> m_made;
-    bool m_stale = true; ///< m_made is of other objects, source or robot
+    bool m_stale = true; ///< m_made belongs to other objects, source or robot
     bool m_editable = true;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     LatestJob<Result<void>> m_export;

@@ -20,14 +20,14 @@ class PickedPanel : public QWidget {
 public:
     explicit PickedPanel(QWidget* parent = nullptr);
 
-    /// `refusal`: why runs cannot start there; empty: they can.
+    /// `refusal`: why runs cannot start there; empty if they can.
     void setPicked(const Vector6d& pose, const QStringList& lines, const QString& refusal);
     void clear();
-    /// Whether the start may be edited now at all; `why` not.
+    /// Sets whether the start may be edited now; `why`: why not.
     void setStartable(bool startable, const QString& why);
 
 signals:
-    /// The point shall be where runs start.
+    /// The point was chosen as the start of runs.
     void startWanted(const bask::Vector6d& pose);
 
 protected:
@@ -40,7 +40,7 @@ private:
     Vector6d m_pose = Vector6d::Zero();
     QString m_refusal;
     bool m_startable = true;
-    QString m_why; ///< not startable
+    QString m_why; ///< why it cannot be a start
     QLabel* m_words;
     QPushButton* m_startHere;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Asks how large a picture shall be, and where it shall go.
+// Asks for the size of a picture and where to save it.
 
 #include <QDialog>
 
@@ -18,16 +18,16 @@ class PictureDialog : public QDialog {
 public:
     static constexpr int kMin_px = 100, kMax_px = 8192;
 
-    /// Starts with `size`, which leads the list as the view's; `max` bounds either side.
+    /// Starts with `size`, which is first in the list as the view's; `max` limits both sides.
     PictureDialog(const QString& title, QSize size, int max, QWidget* parent);
 
     QSize size_px() const;
 
     struct Order {
-        QString path; ///< a file; of an animation a folder
+        QString path; ///< a file; for an animation a folder
         QSize size_px;
     };
-    /// The dialog and then the place; nothing when the person gives up.
+    /// Asks for size and place; empty if the person cancels.
     static std::optional<Order> askPicture(QSize size, QWidget* parent);
     static std::optional<Order> askAnimation(QSize size, QWidget* parent);
 
@@ -35,7 +35,7 @@ private:
     void choose();
     void findSize();
 
-    QComboBox* m_sizes; ///< last: another one
+    QComboBox* m_sizes; ///< the last entry is another size
     QSpinBox* m_width;
     QSpinBox* m_height;
 };

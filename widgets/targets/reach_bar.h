@@ -1,5 +1,5 @@
 #pragma once
-// Bar of the steady temperatures an object can be held at, with its target's mark.
+// Bar of the steady temperatures at which an object can be held, with its target's mark.
 
 #include "engine/base/units.h"
 #include "engine/control/feasibility.h"
@@ -11,7 +11,7 @@
 namespace bask {
 
 /// All bars of a page share one axis. Solid: reachable in the workspace; outlined: what the source could hold
-/// at F = 1. The mark can be dragged, only by itself: a click elsewhere on the bar does nothing.
+/// at F = 1. Only the mark itself can be dragged: a click elsewhere on the bar does nothing.
 class ReachBar : public QWidget {
     Q_OBJECT
 
@@ -30,10 +30,10 @@ public:
     QSize sizeHint() const override; ///< two lines of text and the bar
 
 signals:
-    /// In steps of half a degree of the unit shown, within the bar's axis.
+    /// Steps of half a degree of the shown unit, within the bar's axis.
     void targetDragged(double target_K);
     void targetDropped();
-    /// Instead of targetDropped: the mark went out of sight, or may not be moved any more.
+    /// Sent instead of targetDropped: the mark became hidden, or may not be moved any more.
     void dragDropped();
 
 protected:

@@ -1,5 +1,5 @@
 #pragma once
-// A map of the temperatures that two objects can have together, with the point of their targets.
+// A map of the temperatures that two objects can have at the same time, with the point of their targets.
 
 #include "engine/base/units.h"
 #include "engine/control/reachable_pairs.h"
@@ -12,7 +12,7 @@
 
 namespace bask {
 
-/// Of cells that a search reached, but no sampled pose.
+/// Returns the colour of cells that a search reached, but no sampled pose.
 QColor rareColour(const QPalette& palette);
 
 /// The first object's temperature to the right, the second's upwards. Colour: how many of the poses come into
@@ -29,20 +29,20 @@ public:
 
     void setNames(const QString& first, const QString& second);
     void setMap(const ReachableMap& map);
-    /// The map is of other objects, source or robot than are open: hatched.
+    /// Hatches the map because it belongs to other objects, source or robot than the open ones.
     void setStale(bool stale);
     void setTarget_K(const Eigen::Vector2d& target_K);
     void setTemperatureUnit(TemperatureUnit unit);
     void setEditable(bool editable);
 
-    /// "2.3 K inside", "4.1 K outside", or that it is being checked.
+    /// Returns "2.3 K inside", "4.1 K outside", or that it is being checked.
     QString words() const;
-    /// What is painted, for a file; `size` in device-independent pixels.
+    /// Returns the painted map for a file; `size` in device-independent pixels.
     QImage picture(const QSize& size, double devicePixelRatio) const;
 
 signals:
-    /// At each step of a drag, which targetsPicked ends, or dragDropped: the map went out of sight, or the
-    /// targets may not be changed any more.
+    /// Sent at each step of a drag, which ends with targetsPicked, or with dragDropped if the map became
+    /// hidden or the targets may not be changed any more.
     void targetsDragged(double first_K, double second_K);
     void dragDropped();
     void targetsPicked(double first_K, double second_K);
@@ -77,7 +77,7 @@ private:
 
     std::array<QString, 2> m_names;
     std::optional<ReachableMap> m_map;
-    QImage m_cells; ///< of the map, a pixel a cell, top row first
+    QImage m_cells; ///< one pixel for each cell of the map, top row first
     Eigen::Vector2d m_target_K{298.15, 298.15};
     bool m_stale = true;
     bool m_editable = true;

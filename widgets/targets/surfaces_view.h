@@ -1,6 +1,6 @@
 #pragma once
-// The targets' surfaces in 3-D with what steers the view: what they are drawn over, what is held, the
-// direction, the cut, the point picked, and what is exported.
+// The targets' surfaces in 3-D with the controls of the view: drawn coordinates, fixed coordinates,
+// direction, cut, picked point, and export.
 
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
@@ -26,8 +26,8 @@ class PickedPanel;
 class TargetScene;
 class ViewBar;
 
-/// Values in; fields and surfaces are computed off the GUI thread and while the view is shown, fields anew
-/// only when the geometry or what is held changes. Playing ends when the view is hidden. Object names:
+/// Takes values; fields and surfaces are computed off the GUI thread while the view is shown, fields again
+/// only if the geometry or the fixed coordinates change. Playing ends when the view is hidden. Object names:
 /// "surfaceSpace" (what the surfaces are drawn over, in PoseSubset's order), "targetScene" and those of the
 /// rows: ViewBar, HeldControls, ExportBar, CutControls, PickedPanel.
 class SurfacesView : public QWidget {
@@ -37,19 +37,20 @@ public:
     explicit SurfacesView(QWidget* parent = nullptr);
 
     void setExperiment(const Experiment& experiment);
-    /// Surfaces of the verdict's targets, held as its pose is unless a slider holds another value.
+    /// Shows the surfaces of the verdict's targets, with fixed coordinates from its pose unless a slider sets
+    /// another value.
     void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
     void setTemperatureUnit(TemperatureUnit unit);
-    /// Whether runs may get another start now; `why` not.
+    /// Sets whether the start of runs may be changed now; `why`: why not.
     void setStartable(bool startable, const QString& why);
 
-    /// What the export's dialogs end in.
+    /// Called at the end of the export's dialogs.
     void savePicture(const QString& path, QSize size);
     void saveAnimation(const QString& folder, QSize size);
 
 signals:
-    /// The point picked shall be where runs start.
+    /// The picked point was chosen as the start of runs.
     void startWanted(const bask::Vector6d& pose);
     void problem(const QString& sentence);
     void told(const QString& sentence);
@@ -66,7 +67,7 @@ private:
         Vector6d fixed = Vector6d::Zero();
         PoseSubset subset = PoseSubset::Translation;
         std::vector<Isosurface> surfaces;
-        Error problem; ///< without a code: none
+        Error problem; ///< without a code if there is none
     };
     void connectControls();
     PoseSubset subset() const;
@@ -90,12 +91,12 @@ private:
 
     Experiment m_experiment;
     std::optional<JointVerdict> m_verdict;
-    std::array<std::optional<double>, 6> m_fixedManually; ///< others are as the verdict's pose
-    std::shared_ptr<const Fields> m_fields; ///< of the experiment, m_fieldsFixed and m_fieldsSubset
+    std::array<std::optional<double>, 6> m_fixedManually; ///< empty ones are as in the verdict's pose
+    std::shared_ptr<const Fields> m_fields; ///< for the experiment, m_fieldsFixed and m_fieldsSubset
     Vector6d m_fieldsFixed = Vector6d::Zero();
     PoseSubset m_fieldsSubset = PoseSubset::Translation;
-    bool m_stale = false;  ///< the verdict
-    bool m_behind = false; ///< the surfaces, behind the verdict
+    bool m_stale = false;  ///< whether the verdict is stale
+    bool m_behind = false; ///< whether the surfaces are older than the verdict
     QString m_exportFolder;
     LatestJob<Answer> m_job;
 

@@ -1,5 +1,5 @@
 #pragma once
-// Surfaces for several values of what is held: computed, then played in the scene or written as pictures.
+// Surfaces for several values of a fixed coordinate: computed, then played in the scene or saved as pictures.
 
 #include "engine/base/result.h"
 #include "engine/exchange/target_surfaces.h"
@@ -14,7 +14,7 @@
 
 namespace bask {
 
-/// What is played: nine panels, as in the paper.
+/// An animation: nine panels, as in the paper.
 struct Sweep {
     static constexpr int kFrames = 9;
 
@@ -32,22 +32,22 @@ class SweepPlayer : public QObject {
 public:
     SweepPlayer(TargetScene& scene, QObject* parent);
 
-    /// Plays round and round as soon as the frames are there; while one plays already, it goes on until then
-    /// and the new one takes over at its frame.
+    /// Plays in a loop as soon as the frames are ready; if another one is playing, it continues until then,
+    /// and the new one starts at the same frame.
     void play(Sweep sweep);
     void save(Sweep sweep, const QString& folder, QSize size);
-    /// Ends either, half-way too.
+    /// Stops playing or saving, also before its end.
     void stop();
 
     bool isPlaying() const { return m_doing == Doing::Play; }
     bool isSaving() const { return m_doing == Doing::Save; }
 
 signals:
-    /// A frame is in the scene.
+    /// A frame is shown in the scene.
     void shown(const bask::Vector6d& fixed);
-    /// Of save(): frames written; none yet while surfaces are computed.
+    /// Progress of save(): number of frames written; 0 while surfaces are computed.
     void progressed(int done, int of);
-    /// save() is done: without a code in `problem`, all went well.
+    /// save() has ended; `problem` has no code if there was no error.
     void saved(const bask::Error& problem);
     /// There are no frames to play.
     void failed(const bask::Error& problem);
@@ -57,7 +57,7 @@ private:
     void compute(Sweep sweep, std::function<void()> then);
 
     SceneSequence m_sequence;
-    std::vector<Vector6d> m_fixed; ///< of each frame
+    std::vector<Vector6d> m_fixed; ///< fixed coordinates of each frame
     int m_shown = 0;
     Doing m_doing = Doing::Nothing;
     LatestJob<Result<std::vector<SurfaceFrame>>> m_job;

@@ -1,5 +1,5 @@
 #pragma once
-// The Targets page: a row per object with its target, the range that can be reached and the verdict in words;
+// The Targets page: a row for each object with its target, the reachable range and the verdict in words;
 // whether all can be held together, why not, and the nearest targets that can.
 
 #include "engine/base/units.h"
@@ -37,26 +37,27 @@ public:
     ~TargetsPage() override;
 
     void setExperiment(const Experiment& experiment);
-    /// Of the experiment's objects, in their order; of another number of them it is taken as none.
+    /// Sets the verdict on the experiment's objects, in their order; one with another number of objects
+    /// counts as none.
     void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
-    /// Of the verdict shown, once predictionWanted() is answered: when all have settled on the simulated rig;
-    /// empty: not within the experiment's duration limit.
+    /// Sets the prediction for the shown verdict, after predictionWanted(): the time when all have settled on
+    /// the simulated rig; empty if not within the experiment's duration limit.
     void setPrediction(const std::optional<double>& settling_s);
-    /// The prediction does not hold any more, although the verdict does; asks for another.
+    /// Removes the prediction, which is no longer valid although the verdict is; requests another one.
     void dropPrediction();
-    /// Maps of all pairs of the experiment's objects.
+    /// Sets the maps of all pairs of the experiment's objects.
     void setPairs(const std::vector<ReachableMap>& maps);
-    /// Targets may be edited during a run too; `why` is shown when they may not.
+    /// Sets whether targets may be edited, also during a run; `why` is shown if they may not.
     void setEditable(bool editable, const QString& why = {});
-    /// Whether runs may get another start now; `why` not.
+    /// Sets whether the start of runs may be changed now; `why`: why not.
     void setStartable(bool startable, const QString& why = {});
     void setTemperatureUnit(TemperatureUnit unit);
 
     std::vector<double> targets_K() const;
-    /// Targets that the nearest feasible ones shall leave as they are.
+    /// Targets that the nearest feasible ones must keep.
     std::vector<bool> kept() const;
-    /// Of another experiment none is.
+    /// Keeps no target; for another experiment.
     void clearKept();
 
 signals:
@@ -66,7 +67,7 @@ signals:
     /// the experiment as it is.
     void targetsTried(const std::vector<double>& targets_K);
     void triesDropped();
-    /// The targets can be held and the page is looked at.
+    /// A prediction is wanted: the targets can be held and the page is visible.
     void predictionWanted();
     void keptChanged(const std::vector<bool>& kept);
     void startWanted(const bask::Vector6d& pose);
@@ -99,11 +100,12 @@ private:
     void showAll();
     void refreshTexts();
 
-    Experiment m_experiment;       ///< its targets as they are shown, perhaps only tried
-    std::vector<double> m_given_K; ///< its targets as they were given or told last
+    Experiment m_experiment;       ///< the experiment with the shown targets, perhaps only tried
+    std::vector<double> m_given_K; ///< its targets as last set or sent
     std::optional<JointVerdict> m_verdict;
     bool m_stale = true;
-    std::optional<std::optional<double>> m_prediction_s; ///< of the verdict; empty: not known yet
+    /// prediction for the verdict; empty if not known yet
+    std::optional<std::optional<double>> m_prediction_s;
     bool m_editable = true;
     QString m_why;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;

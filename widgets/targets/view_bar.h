@@ -1,5 +1,5 @@
 #pragma once
-// The scene's directions and its export, as a row of buttons.
+// The scene's viewing directions and its export, as a row of buttons.
 
 #include <QWidget>
 
