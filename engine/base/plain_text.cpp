@@ -42,15 +42,16 @@ Result<std::string> readTextFile(const std::string& path, std::uintmax_t max) {
         return Error(MessageCode::FileNotFound, path);
     if (!fs::is_regular_file(status))
         return Error(MessageCode::FileUnreadable, path, {"not a file"});
-    const std::uintmax_t size = fs::file_size(path, code);
-    if (!code && size > max)
-        return Error(MessageCode::FileTooLarge, path,
-                     {std::to_string(size >> 20) + " MiB", std::to_string(max >> 20) + " MiB"});
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
     if (!file)
         return Error(MessageCode::FileUnreadable, path, {"access refused"});
+    // Of the file that is open: another may be put in its place meanwhile.
+    const auto size = static_cast<std::uintmax_t>(file.tellg());
+    if (size > max)
+        return Error(MessageCode::FileTooLarge, path,
+                     {std::to_string(size >> 20) + " MiB", std::to_string(max >> 20) + " MiB"});
     std::string text(static_cast<std::size_t>(size), '\0');
-    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+    if (!file.seekg(0).read(text.data(), static_cast<std::streamsize>(text.size())))
         return Error(MessageCode::FileUnreadable, path, {"it ended early"});
     return text;
 }
