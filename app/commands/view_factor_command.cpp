@@ -81,6 +81,8 @@ Result<ViewFactor> evaluate(const json& one) {
     part("source", source, readCaseShape);
     part("object", object, readCaseShape);
     part("pose", pose, readCasePose);
+    if (one.is_object() && one.contains("blockers")) // without their shade the answer would be another one
+        fields.fail(MessageCode::JsonUnknownKey, {}, {"blockers", "id, source, object, pose"});
     fields.close(Fields::Unknown::Ignored);
     if (failure)
         return *failure;

@@ -60,7 +60,7 @@ QWidget* LimitsPanel::buildSource() {
     const Apply setPoint = [](Experiment& e, double value_K) { e.source.temperature_K = value_K; };
     connect(m_setPoint, &QuantitySpinBox::valueEdited_K, this,
             [this, setPoint](double value_K) { edit(m_setPoint, setPoint, value_K); });
-    m_emittance = number("sourceEmittance", 0.01, 1.0, 3, {},
+    m_emittance = number("sourceEmittance", 0.001, 1.0, 3, {},
                          [](Experiment& e, double value) { e.source.emittance = value; });
     m_emittance->setSingleStep(0.01);
     auto* form = new QFormLayout(part);

@@ -110,6 +110,7 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {caseWith(R"("source")", R"("heater")"), "source"},
         {caseWith(R"("id":"one",)", ""), "id"},
         {caseWith(R"("id":"one")", R"("id":null)"), "id"},
+        {caseWith(R"("id":"one")", R"("id":"one","blockers":[])"), "blockers"},
         {"[]", "object"},
         {"17", "object"},
         {withObject(R"({"type":"square"})"), "square"},
