@@ -7493,6 +7493,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
         <translation>Toutes les consignes peuvent être tenues ensemble, avec les matériaux indiqués, en %1 ; marge de %2 jusqu’à la limite la plus proche (%3).</translation>
     </message>
+    <message>
+        <source>Safety limits</source>
+        <translation>Limites de sécurité</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>

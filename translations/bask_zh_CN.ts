@@ -7479,6 +7479,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
         <translation>按给定的材料，所有目标可在 %1 处同时保持；距最近的限制（%3）余量 %2。</translation>
     </message>
+    <message>
+        <source>Safety limits</source>
+        <translation>安全限值</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>

@@ -142,6 +142,23 @@ Facts controllerFacts(const Experiment& e) {
             {SetupText::tr("Sampling"), SetupText::tr("every %1 s").arg(number(e.sampling.period_s))}};
 }
 
+QString limitWords(const Parameter<SafetySpec>& limit, double si, TemperatureUnit unit) {
+    if (limit.unit.edge == EdgeUnit::Temperature)
+        return formatTemperature(si, unit, limit.decimals);
+    const QString symbol = QString::fromUtf8(limit.unit.symbol);
+    const QString text = QLocale().toString(si * limit.unit.symbolPerSi, 'f', limit.decimals);
+    return symbol.isEmpty() ? text : text + QChar(0x00a0) + symbol;
+}
+
+/// Limits that follow from the experiment by themselves are left out.
+Facts limitFacts(const SafetySpec& safety, TemperatureUnit unit) {
+    Facts out;
+    for (const Parameter<SafetySpec>& limit : safetyParameters())
+        if (const std::optional<double> si = limit.get(safety))
+            out.append({parameterLabel(limit), limitWords(limit, *si, unit)});
+    return out;
+}
+
 QString objectTables(const Experiment& e, TemperatureUnit unit) {
     html::Table bodies({SetupText::tr("Object"), SetupText::tr("Outline"), SetupText::tr("Area"),
                         SetupText::tr("Place on the end-effector"), SetupText::tr("Target at the start"),
@@ -196,6 +213,7 @@ QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
     return heading(SetupText::tr("Set-up")) +
            facts(rigFacts(session) + sourceFacts(session, unit) + robotFacts(session.experiment) +
                  controllerFacts(session.experiment)) +
+           subheading(SetupText::tr("Safety limits")) + facts(limitFacts(session.experiment.safety, unit)) +
            subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit);
 }
 

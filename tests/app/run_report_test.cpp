@@ -4,6 +4,8 @@
 #include "app/commands/session_outputs.h"
 #include "app/report/report_record.h"
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/model/experiment_parameters.h"
 #include "engine/recording/session_header.h"
 #include "tests/engine/recording/recording.h"
 #include "tests/support/captured_command.h"
@@ -93,6 +95,19 @@ protected:
 
     QTemporaryDir m_folder;
 };
+
+// Catches a limit that a run had and its report does not tell.
+TEST_F(RunReport, ListsEverySafetyLimitThatIsSet) {
+    Experiment experiment = test::twoDisks();
+    experiment.safety.pauseLimit_s = 12.5;
+    experiment.safety.sourceTrip_K = kelvinFromCelsius(234.5);
+    const QString text = readable(report(recorded(experiment, 240, "settled")));
+    for (const Parameter<SafetySpec>& limit : safetyParameters())
+        EXPECT_EQ(text.contains(QString::fromUtf8(limit.label)), limit.get(experiment.safety).has_value())
+            << limit.name;
+    EXPECT_TRUE(text.contains("12.5 s")) << text.toStdString();
+    EXPECT_TRUE(text.contains("234.5 °C"));
+}
 
 TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     const QString session = recorded(test::twoDisks(), 240, "settled");

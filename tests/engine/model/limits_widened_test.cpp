@@ -143,7 +143,7 @@ TEST(LimitsWidened, AWorkspaceIsComparedWithTheRealRigThatWasThere) {
     EXPECT_TRUE(widenedOnRealRig(simulated, real, real.robot).empty());
 }
 
-// Does not compile with a new field: it needs its place in widensLimits() and above.
+// Does not compile with a new field: it needs its line in safetyParameters(), and its test above.
 TEST(LimitsWidened, KnowsEveryFieldOfSafety) {
     const auto [warning, trip, sourceTrip, stale, pause, rate, jumps, frozen, warming, apart, heating, band,
                 unasked, disk] = SafetySpec();
