@@ -104,7 +104,8 @@ TEST(Isosurface, LeavesOutWhatIsNotThere) {
     auto field = *overTheDisk(0.02);
     EXPECT_TRUE(isosurfaces(field, {1.5}).front().empty());
     field.values[field.values.size() / 2] = std::numeric_limits<double>::quiet_NaN();
-    for (const Eigen::Vector3d& point : isosurfaces(field, {0.2}).front().points)
+    const std::vector<Isosurface> surfaces = isosurfaces(field, {0.2});
+    for (const Eigen::Vector3d& point : surfaces.front().points)
         EXPECT_TRUE(point.allFinite());
     field.axes.pop_back();
     EXPECT_THROW(isosurfaces(field, {0.2}), std::invalid_argument);
