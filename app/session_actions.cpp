@@ -6,6 +6,7 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/rig_file.h"
+#include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
 #include "engine/recipe/recipe.h"
 #include "widgets/rig/way_up_question.h"
@@ -16,7 +17,6 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSaveFile>
 
 namespace bask {
 namespace {
@@ -354,10 +354,8 @@ void SessionActions::saveReport(const QString& text) {
                               tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt")});
     if (path.isEmpty())
         return;
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit())
-        return emit problem(sentence(
-            Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()})));
+    if (const auto written = writeTextFile(path.toStdString(), text.toStdString()); !written)
+        return emit problem(sentence(written.error()));
     emit told(tr("The report was saved as %1.").arg(path));
 }
 

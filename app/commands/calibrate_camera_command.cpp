@@ -8,6 +8,7 @@
 #include "engine/base/units.h"
 #include "engine/calibration/camera_calibration.h"
 #include "engine/calibration/camera_file.h"
+#include "engine/experiment/text_file.h"
 #include "engine/shape/contour_import.h"
 
 #include <QCommandLineParser>
@@ -175,10 +176,10 @@ int calibrate(const Request& request) {
     printFigures(request, *result);
     if (const auto reason = result->reasonAgainst())
         return negative(Error{reason->code, request.outputPath + " is not written", reason->args});
-    if (const auto written = writeOutput(request.outputPath, openCvYaml(result->camera)); !written)
+    if (const auto written = writeTextFile(request.outputPath, openCvYaml(result->camera)); !written)
         return refuse(kName, written.error());
     if (!request.rosPath.empty())
-        if (const auto written = writeOutput(request.rosPath, rosYaml(result->camera, "camera")); !written)
+        if (const auto written = writeTextFile(request.rosPath, rosYaml(result->camera, "camera")); !written)
             return refuse(kName, written.error());
     return kExitDone;
 }

@@ -8,6 +8,7 @@
 #include "engine/calibration/camera_file.h"
 #include "engine/calibration/dictionary_file.h"
 #include "engine/calibration/marker_pose.h"
+#include "engine/experiment/text_file.h"
 #include "engine/shape/contour_import.h"
 
 #include <QCommandLineParser>
@@ -164,7 +165,7 @@ int detectMarkersCommand(const QStringList& arguments) {
     const std::string text = json.dump(1) + "\n";
     if (request->jsonPath.empty())
         std::fputs(text.c_str(), stdout);
-    else if (const auto written = writeOutput(request->jsonPath, text); !written)
+    else if (const auto written = writeTextFile(request->jsonPath, text); !written)
         return refuse(kName, written.error());
     if (!markers->empty())
         return kExitDone;

@@ -10,6 +10,7 @@
 #include "engine/base/units.h"
 #include "engine/exchange/reachable_file.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/experiment/text_file.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -260,7 +261,7 @@ int feasibilityCommand(const QStringList& arguments) {
     printVerdict(request->experiment, verdict, predicted_s);
     if (!request->summaryPath.empty())
         if (const auto written =
-                writeOutput(request->summaryPath, summaryJson(request->experiment, verdict, predicted_s));
+                writeTextFile(request->summaryPath, summaryJson(request->experiment, verdict, predicted_s));
             !written)
             return refuse(written.error());
     if (!maps.empty())

@@ -6,6 +6,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/text_file.h"
 #include "engine/shape/outline_formats.h"
 #include "engine/shape/shape.h"
 
@@ -288,10 +289,10 @@ int fitAndReport(const Request& request, bool asJson) {
         warn(warning);
     const std::string report = fitReport(*picked, *fit, file->unit).dump(1) + '\n';
     if (!request.contourPath.empty())
-        if (const auto written = writeOutput(request.contourPath, report); !written)
+        if (const auto written = writeTextFile(request.contourPath, report); !written)
             return refuse(describe(written.error()));
     if (!request.previewPath.empty())
-        if (const auto written = writeOutput(request.previewPath, fitPreview(*picked, *fit).toStdString());
+        if (const auto written = writeTextFile(request.previewPath, fitPreview(*picked, *fit).toStdString());
             !written)
             return refuse(describe(written.error()));
     if (asJson)

@@ -162,14 +162,9 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return chosen.error();
     const ObjectSpec& object = **chosen;
     const MountedContour mounted{RadiatingContour(object.shape), poseFromCoordinates(object.mounting)};
-    Request request{{RadiatingContour(experiment->source.shape),
-                     poseFromCoordinates(experiment->source.pose),
-                     {mounted},
-                     {}},
-                    {},
-                    {},
-                    {},
-                    {}};
+    const SourceSpec& source = experiment->source;
+    Request request{
+        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {mounted}, {}}, {}, {}, {}, {}};
     request.rates = heatRates(object.material, surroundingsOf(*experiment));
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +

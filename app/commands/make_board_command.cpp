@@ -5,6 +5,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/text_file.h"
 #include "widgets/calibrate/board_sheet.h"
 
 #include <QCommandLineParser>
@@ -69,7 +70,7 @@ int makeBoardCommand(const QStringList& arguments) {
     const std::string path = parser.value("output").toStdString();
     if (const auto place = checkPlace(path); !place)
         return refuse(kName, place.error());
-    if (const auto written = writeOutput(path, sheetPdf(sheets).toStdString()); !written)
+    if (const auto written = writeTextFile(path, sheetPdf(sheets).toStdString()); !written)
         return refuse(kName, written.error());
     return kExitDone;
 }

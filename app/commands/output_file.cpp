@@ -2,8 +2,6 @@
 
 #include "engine/base/message_code.h"
 
-#include <QSaveFile>
-
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -86,14 +84,6 @@ Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vec
         if (auto place = checkPlace(outputs[i]); !place)
             return place;
     }
-    return {};
-}
-
-Result<void> writeOutput(const std::string& path, const std::string& text) {
-    QSaveFile file(QString::fromStdString(path));
-    const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
     return {};
 }
 

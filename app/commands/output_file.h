@@ -23,7 +23,4 @@ struct OutputFile {
 /// or is empty is accepted.
 Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vector<OutputFile>& outputs);
 
-/// Replaces the file by `text`, completely or not at all.
-Result<void> writeOutput(const std::string& path, const std::string& text);
-
 } // namespace bask

@@ -7,6 +7,7 @@
 #include "app/examples.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
 #include "engine/recipe/simulated_recipe.h"
 
@@ -291,7 +292,7 @@ int runRecipe(const RecipeRequest& request) {
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     printOutcome(runner, wall_s);
     if (!request.summary.isEmpty())
-        if (const auto written = writeOutput(request.summary.toStdString(), summaryJson(runner, wall_s));
+        if (const auto written = writeTextFile(request.summary.toStdString(), summaryJson(runner, wall_s));
             !written)
             return refuse(written.error());
     switch (runner.end()) {

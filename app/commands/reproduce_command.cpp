@@ -4,6 +4,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/reproduction_report.h"
 #include "app/commands/study_output.h"
+#include "engine/experiment/text_file.h"
 
 #include <QCommandLineParser>
 #include <QTemporaryDir>
@@ -70,8 +71,8 @@ Result<void> writeRuns(const std::vector<ReproducedExperiment>& results,
                        const std::vector<OutputFile>& files) {
     for (std::size_t k = 0; k < results.size(); ++k)
         for (const std::size_t by : {kByThePaper, kByTheLevelServo})
-            if (auto written = writeOutput(files[1 + 2 * k + by].path,
-                                           reproductionCsv(results[k], by, kReproductionMark));
+            if (auto written = writeTextFile(files[1 + 2 * k + by].path,
+                                             reproductionCsv(results[k], by, kReproductionMark));
                 !written)
                 return written;
     return {};
@@ -121,7 +122,7 @@ int reproduceInto(const QString& folder, const std::vector<PaperFigure>& figures
         return refuse(kCommand, report.error());
     auto written = writeRuns(*results, *files);
     if (written)
-        written = writeOutput((*files)[kReport].path, reproductionHtml(*report));
+        written = writeTextFile((*files)[kReport].path, reproductionHtml(*report));
     if (!written)
         return refuse(kCommand, written.error());
     std::fprintf(stderr, "wrote %s and the runs beside it\n", (*files)[kReport].path.c_str());

@@ -9,6 +9,7 @@
 #include "app/commands/recipe_command.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
@@ -244,7 +245,7 @@ int runExperimentCommand(const QStringList& arguments) {
             std::fprintf(stderr, "bask run: at %.0f s: %s\n", event.time_s, describe(event.message).c_str());
     printOutcome(*outcome, wall_s);
     if (!request->summaryPath.empty())
-        if (const auto written = writeOutput(request->summaryPath, summaryJson(*outcome, wall_s)); !written)
+        if (const auto written = writeTextFile(request->summaryPath, summaryJson(*outcome, wall_s)); !written)
             return refuse(written.error());
     return outcome->fault ? kExitFault : outcome->settled ? kExitDone : kExitNegative;
 }

@@ -4,6 +4,7 @@
 #include "app/report/report_figures.h"
 #include "app/report/report_setup.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/text_file.h"
 #include "engine/recording/staged_files.h"
 #include "engine/rig/rig_setup.h"
 
@@ -85,7 +86,7 @@ Result<void> writeReport(const RunReportInput& input, const std::string& path) {
         return place;
     const QByteArray report =
         endingOf(path) == QLatin1String("pdf") ? runReportPdf(input) : runReportHtml(input);
-    return writeOutput(path, report.toStdString());
+    return writeTextFile(path, report.toStdString());
 }
 
 Result<void> setLanguage(Language& language, const QString& code) {

@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/text_file.h"
 
 #include <QDir>
 #include <QFile>
@@ -105,7 +106,7 @@ std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const c
 
 Result<void> writeStudyFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents) {
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (auto written = writeOutput(files[i].path, contents[i]); !written)
+        if (auto written = writeTextFile(files[i].path, contents[i]); !written)
             return written;
         std::fprintf(stderr, "wrote %s\n", files[i].path.c_str());
     }

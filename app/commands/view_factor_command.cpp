@@ -8,6 +8,7 @@
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
+#include "engine/experiment/text_file.h"
 #include "engine/radiation/view_factor.h"
 
 #include <QCommandLineParser>
@@ -172,7 +173,7 @@ int viewFactorCommand(const QStringList& arguments) {
     if (outputs.empty())
         std::fwrite(text->data(), 1, text->size(), stdout);
     for (const OutputFile& output : outputs)
-        if (const auto written = writeOutput(output.path, *text); !written)
+        if (const auto written = writeTextFile(output.path, *text); !written)
             return refuse(written.error());
     return kExitDone;
 }

@@ -42,19 +42,17 @@ private:
                                   sample.source = m_record.experiment.source.pose;
                                   sample.objects.resize(m_record.experiment.objects.size());
                                   forgetLater(kRunColumns, sample);
-                                  for (ObjectSample& object : sample.objects) {
+                                  for (ObjectSample& object : sample.objects)
                                       forgetLater(kObjectColumns, object);
-                                      object.true_K = kUnknown;
-                                  }
                                   m_record.samples.push_back(std::move(sample));
                               });
     }
 
-    /// Makes unknown what this version does not have.
+    /// Makes unknown what this version does not have, or only of a simulated rig.
     template <class Sample, std::size_t N>
     static void forgetLater(const std::array<SampleColumn<Sample>, N>& columns, Sample& sample) {
         for (const SampleColumn<Sample>& column : columns)
-            if (column.stored.isLater)
+            if (column.stored.isLater || column.isOfPlant)
                 column.value.set(sample, kUnknown);
     }
 

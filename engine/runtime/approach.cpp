@@ -1,6 +1,10 @@
 #include "engine/runtime/approach.h"
 
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bask {
@@ -13,6 +17,10 @@ constexpr double kStillPeriods = 3.0;
 constexpr double kNearer = 1e-4; ///< m, rad: smaller changes are jitter of the readings
 
 } // namespace
+
+Message doesNotMove(double left_m) {
+    return {MessageCode::RobotDoesNotMove, {formatNumber(std::round(left_m * 1e3) * 0.1, 3)}}; // in cm
+}
 
 void Approach::begin(double now_s) {
     m_nearer_s = now_s;

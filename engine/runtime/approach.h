@@ -1,7 +1,12 @@
 #pragma once
 // Detects whether a robot comes nearer to its goal.
 
+#include "engine/base/message.h"
+
 namespace bask {
+
+/// Returns the fault of a robot that does not come nearer, with the remaining distance.
+Message doesNotMove(double left_m);
 
 class Approach {
 public:

@@ -148,7 +148,7 @@ void RigReadings::readSource() {
     const SourceSpec& spec = m_experiment.source;
     const double T3 = environment_K();
     m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
-                       netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
+                       surroundingsOf(m_experiment, T3).netSourcePower_W_m2;
 }
 
 double RigReadings::sourceAge_s() const {

@@ -121,8 +121,7 @@ Message RobotMotion::goOn() {
     if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9)
         endMove();
     else if (m_approach.isStill())
-        return {MessageCode::RobotDoesNotMove,
-                {formatNumber(std::round(left.head<3>().norm() * 1e3) * 0.1, 3)}};
+        return doesNotMove(left.head<3>().norm());
     else
         move(rates);
     return {};

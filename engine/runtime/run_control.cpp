@@ -90,6 +90,12 @@ void RunControl::forgetCompromise() {
     m_isCompromiseTold = false;
 }
 
+Message RunControl::compromise() const {
+    return m_compromise.empty()
+               ? Message{}
+               : Message{MessageCode::EventCompromise, {MessageArg::differences(m_compromise)}};
+}
+
 bool RunControl::isCompromiseNew() {
     const bool isNew = !m_compromise.empty() && !m_isCompromiseTold;
     m_isCompromiseTold = m_isCompromiseTold || isNew;

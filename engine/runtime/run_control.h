@@ -37,8 +37,8 @@ public:
 
     /// The controller's estimates after its last step, for each object; NaN before the first run.
     const std::vector<HeatRates>& estimates() const { return m_estimates; }
-    /// Predicted errors of the compromise that is the aim, for each object; empty if there is none.
-    const std::vector<ObjectKelvin>& compromise() const { return m_compromise; }
+    /// Predicted errors of the compromise that is the aim, for each object; code None if there is none.
+    Message compromise() const;
     /// Returns true once for each set of targets that needs a compromise, so that it is reported once.
     bool isCompromiseNew();
 

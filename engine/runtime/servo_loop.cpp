@@ -153,9 +153,7 @@ Result<void> ServoLoop::arm() {
             return found.error();
         take(std::move(*found));
     }
-    const SourceSpec& source = m_experiment.source;
-    const double power_W_m2 =
-        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, m_readings.environment_K());
+    const double power_W_m2 = surroundingsOf(m_experiment, m_readings.environment_K()).netSourcePower_W_m2;
     if (!(power_W_m2 > 0.0))
         return Error(MessageCode::SourceTooWeak, {}, {formatNumber(power_W_m2, 3)});
     if (!m_outcome.empty()) // forget what the objects did in the last run
@@ -495,18 +493,15 @@ std::vector<Message> ServoLoop::reasons() const {
         out.push_back(fit.error().message);
     if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
-    if (!m_control.compromise().empty() && running())
-        out.push_back({MessageCode::EventCompromise, {MessageArg::differences(m_control.compromise())}});
+    if (Message aim = m_control.compromise(); running() && aim.code != MessageCode::None)
+        out.push_back(std::move(aim));
     return out;
 }
 
 std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
     std::vector<AlarmCondition> out = m_faults.alarmConditions();
-    if (!m_control.compromise().empty() && running())
-        out.push_back({messageName(MessageCode::EventCompromise),
-                       {MessageCode::EventCompromise, {MessageArg::differences(m_control.compromise())}},
-                       3,
-                       ""});
+    if (Message aim = m_control.compromise(); running() && aim.code != MessageCode::None)
+        out.push_back({messageName(aim.code), std::move(aim), 3, ""});
     return out;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 // A robot that has lost its position can still move off the source, and one that refused a step, or was late
 // with one, may accept another; a robot in an alarm or paused cannot move.
-bool mayRetreatAllTheSame(const Message& alarm) {
+bool allowsRetreat(const Message& alarm) {
     return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
            alarm.code == MessageCode::RobotElsewhere || alarm.code == MessageCode::RobotRefused ||
            alarm.code == MessageCode::RobotSlow;
@@ -214,7 +214,7 @@ Message ServoLoop::keepsFromRetreat() const {
     for (const SafetyFinding& finding : m_safety.active())
         if (finding.condition == SafetyCondition::RobotLost ||
             finding.condition == SafetyCondition::RobotSlow ||
-            (finding.condition == SafetyCondition::RobotAlarm && !mayRetreatAllTheSame(finding.message)))
+            (finding.condition == SafetyCondition::RobotAlarm && !allowsRetreat(finding.message)))
             return finding.message;
     if (!m_readings.answers().hasRobot)
         return {MessageCode::CommandNotNow, {verbArg(CommandVerb::Retreat), "Connecting"}};

@@ -72,7 +72,7 @@ void ServoLoop::control() {
         m_motion.move(output->rates);
     noteSettling();
     if (m_control.isCompromiseNew())
-        event(MessageCode::EventCompromise, {MessageArg::differences(m_control.compromise())});
+        event(m_control.compromise());
 }
 
 void ServoLoop::noteSettling() {
@@ -92,8 +92,7 @@ void ServoLoop::retreat() {
         return;
     if (step == RetreatMotion::Step::Stuck) {
         m_retreat.setRefused(true); // another retreat would not move either
-        return fault(
-            {MessageCode::RobotDoesNotMove, {formatNumber(std::round(m_retreat.left_m() * 1e3) * 0.1, 3)}});
+        return fault(doesNotMove(m_retreat.left_m()));
     }
     const bool isOfRun = m_runOn;
     const std::string outcome = m_faults.isEmpty() ? m_outcome : "fault";
