@@ -9,7 +9,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/experiment/text_file.h"
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/shade.h"
 
 #include <QCommandLineParser>
 #include <QFile>
@@ -17,10 +17,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 
 namespace bask {
 namespace {
@@ -68,43 +70,88 @@ std::string withOddNumbersQuoted(const std::string& text) {
     return result;
 }
 
-Result<ViewFactor> evaluate(const json& one) {
+// A case as it stands in the file; with blockers if it has a list of them, even an empty one.
+struct Case {
     Shape source, object;
-    Pose pose;
+    Pose X_SO;
+    std::optional<std::vector<Blocker>> blockers;
+};
+
+// What an answer says of a case, and how exact it is known: a case may carry it, for comparison.
+constexpr std::array<const char*, 8> kAnswerKeys{"view_factor",    "unshaded",          "gradient",
+                                                 "gradient_rigid", "error_estimate",    "visibility",
+                                                 "tolerance",      "gradient_tolerance"};
+constexpr double kTolerance = 1e-13, kShadeTolerance = 1e-11;
+
+Result<Case> readCase(const json& one) {
+    Case result;
     Failure failure;
     Fields fields(one, {}, failure);
     if (const json* id = fields.find("id", true); id && !id->is_string() && !id->is_number_integer())
         fields.fail(MessageCode::JsonWrongType, "id", {"text", typeName(*id)});
-    const auto part = [&](const char* key, auto& out, auto read) {
-        readPart(fields, key, true,
+    const auto part = [&](Fields& of, const char* key, auto& out, auto read) {
+        readPart(of, key, true,
                  [&](const json& j, const std::string& path) { out = read(j, path, failure); });
     };
-    part("source", source, readCaseShape);
-    part("object", object, readCaseShape);
-    part("pose", pose, readCasePose);
-    if (one.is_object() && one.contains("blockers")) // without their shade the answer would be another one
-        fields.fail(MessageCode::JsonUnknownKey, {}, {"blockers", "id, source, object, pose"});
-    fields.close(Fields::Unknown::Ignored);
+    part(fields, "source", result.source, readCaseShape);
+    part(fields, "object", result.object, readCaseShape);
+    part(fields, "pose", result.X_SO, readCasePose);
+    if (fields.find("blockers", false))
+        result.blockers.emplace();
+    readEach(fields, "blockers", false, [&](const json& j, const std::string& path) {
+        Shape shape;
+        Pose X_SB;
+        Fields blocker(j, path, failure);
+        part(blocker, "shape", shape, readCaseShape);
+        part(blocker, "pose", X_SB, readCasePose);
+        blocker.close();
+        if (!failure)
+            result.blockers->push_back({RadiatingContour(shape), X_SB});
+    });
+    for (const char* key : kAnswerKeys)
+        fields.find(key, false);
+    fields.close();
     if (failure)
         return *failure;
-    return viewFactor(RadiatingContour(source), RadiatingContour(object), pose, {.tolerance = 1e-13});
+    return result;
+}
+
+ordered_json numbers(const Vector6d& values) {
+    ordered_json list = ordered_json::array();
+    for (double value : values)
+        list.push_back(value + 0.0); // no minus zero
+    return list;
+}
+
+void evaluate(const Case& one, ordered_json& result) {
+    const RadiatingContour source(one.source), object(one.object);
+    if (!one.blockers) {
+        const ViewFactor factor = viewFactor(source, object, one.X_SO, {.tolerance = kTolerance});
+        result["view_factor"] = factor.value;
+        result["gradient"] = numbers(factor.gradient);
+        result["visibility"] = visibilityName(factor.visibility);
+        result["error_estimate"] = factor.errorEstimate;
+        return;
+    }
+    const ShadedViewFactor factor =
+        shadedViewFactor(source, object, one.X_SO, *one.blockers,
+                         {.unshaded = {.tolerance = kTolerance}, .tolerance = kShadeTolerance});
+    result["view_factor"] = factor.value;
+    result["unshaded"] = factor.unshaded;
+    result["gradient"] = numbers(factor.gradient);
+    result["gradient_rigid"] = numbers(factor.gradientRigid);
+    result["visibility"] = visibilityName(factor.visibility);
+    result["error_estimate"] = factor.errorEstimate;
 }
 
 ordered_json answer(const json& one) {
     ordered_json result;
     result["id"] = one.is_object() && one.contains("id") ? ordered_json(one["id"]) : ordered_json(nullptr);
     try {
-        const auto factor = evaluate(one);
-        if (!factor) {
-            result["error"] = describe(factor.error());
-            return result;
-        }
-        result["view_factor"] = factor->value;
-        result["gradient"] = ordered_json::array();
-        for (double component : factor->gradient)
-            result["gradient"].push_back(component + 0.0); // no minus zero
-        result["visibility"] = visibilityName(factor->visibility);
-        result["error_estimate"] = factor->errorEstimate;
+        if (const auto read = readCase(one); read)
+            evaluate(*read, result);
+        else
+            result["error"] = describe(read.error());
     } catch (const std::invalid_argument& refused) {
         result["error"] = refused.what();
     }
@@ -152,13 +199,18 @@ int viewFactorCommand(const QStringList& arguments) {
     parser.setApplicationDescription(
         "Answers each case of CASES.json with the view factor F21 of the object over the source, its six\n"
         "derivatives (1/m and 1/rad, source axes, about the object's origin), what is visible and an\n"
-        "estimate of the error. A case that cannot be answered gets an \"error\" in words.");
+        "estimate of the error. \"blockers\" are thin opaque plates in the source's frame; a case with them\n"
+        "is answered with their shade, the view factor without them (\"unshaded\"), and the derivatives\n"
+        "for a motion of the object alone (\"gradient\") and of object and blockers as one\n"
+        "(\"gradient_rigid\"). What an answer says may stand in a case too and is read over. A case that\n"
+        "cannot be answered gets an \"error\" in words.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(
         {{"o", "output"}, "Writes the results there instead of to standard output.", "RESULTS.json"});
     parser.addPositionalArgument(
-        "CASES.json", "{\"cases\": [{\"id\", \"source\", \"object\", \"pose\": {\"translation_m\", "
-                      "\"rotation_vector_rad\"}}]}; lengths in metres.");
+        "CASES.json",
+        "{\"cases\": [{\"id\", \"source\", \"object\", \"pose\": {\"translation_m\", "
+        "\"rotation_vector_rad\"}, \"blockers\": [{\"shape\", \"pose\"}]}]}; lengths in metres.");
     if (const auto code = parseCommand(parser, "view-factor", arguments, 1))
         return *code;
     const std::string path = parser.positionalArguments().front().toStdString();

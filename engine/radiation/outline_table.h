@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <memory>
 #include <vector>
 
 namespace bask {
@@ -101,6 +102,8 @@ struct GaussTable {
     OutlineTable table;
 };
 
+class Plate;
+
 /// The tables of an outline, and those of its holes, which are outlines themselves.
 struct RadiatingContour::Impl {
     explicit Impl(const Shape& outline);
@@ -127,6 +130,9 @@ struct RadiatingContour::Impl {
     /// Returns a lower bound of the distance (m) of a point of O to a smooth outline, within a third of it.
     double curveDistance_m(const Eigen::Vector3d& p) const;
 
+    /// Returns what shade needs of the shape, made at the first call.
+    const Plate& plate() const;
+
     Shape shape;
     double netArea = 0.0; ///< m2, without the holes
     std::vector<Impl> holes;
@@ -147,6 +153,10 @@ private:
     std::vector<double> crossings(const HeightPlane& height) const;
     std::vector<OutlinePiece> smoothPieces(const HeightPlane& height) const;
     std::vector<OutlinePiece> polygonPieces(const HeightPlane& height) const;
+
+    struct LatePlate;
+    static std::shared_ptr<LatePlate> latePlate();
+    std::shared_ptr<LatePlate> m_plate = latePlate();
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
     std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, in ascending order of points

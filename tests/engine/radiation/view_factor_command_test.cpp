@@ -43,6 +43,13 @@ protected:
         return caseWith(R"({"type":"disk","radius_m":0.015})", object);
     }
 
+    static std::string withBlocker(const std::string& shape, const std::string& height,
+                                   const std::string& turn = "0") {
+        return caseWith(R"("id":"one")", R"("id":"one","blockers":[{"shape":)" + shape +
+                                             R"(,"pose":{"translation_m":[0,0,)" + height +
+                                             R"(],"rotation_vector_rad":[)" + turn + R"(,0,0]}}])");
+    }
+
     static std::string withSource(const std::string& source) {
         return caseWith(R"({"type":"disk","radius_m":0.15})", source);
     }
@@ -70,6 +77,24 @@ TEST_F(ViewFactorCommand, answersTheReferenceFileInOrder) {
         EXPECT_EQ(answers[i]["gradient"].size(), 6u);
         EXPECT_TRUE(answers[i]["error_estimate"].is_number());
     }
+}
+
+// Catches: blockers read over, shade in the wrong field, a case without blockers answered in other words.
+TEST_F(ViewFactorCommand, countsBlockers) {
+    const std::string blocker = withBlocker(R"({"type":"disk","radius_m":0.01})", "0.02");
+    ASSERT_EQ(run(R"({"cases":[)" + blocker + "," + caseWith() + "," +
+                  caseWith(R"("id":"one")", R"("id":"one","blockers":[])") + "]}"),
+              kExitDone);
+    const json answers = results();
+    ASSERT_EQ(answers.size(), 3U);
+    const double unshaded = answers[1]["view_factor"];
+    EXPECT_EQ(answers[0]["unshaded"], unshaded);
+    EXPECT_LT(answers[0]["view_factor"].get<double>(), unshaded - 0.01);
+    EXPECT_EQ(answers[0]["gradient_rigid"].size(), 6U);
+    EXPECT_NE(answers[0]["gradient"], answers[0]["gradient_rigid"]);
+    EXPECT_FALSE(answers[1].contains("unshaded"));
+    EXPECT_EQ(answers[2]["view_factor"], unshaded);
+    EXPECT_EQ(answers[2]["gradient"], answers[2]["gradient_rigid"]);
 }
 
 // Catches: holes passed over as if they were an unknown key, in either face.
@@ -110,7 +135,14 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {caseWith(R"("source")", R"("heater")"), "source"},
         {caseWith(R"("id":"one",)", ""), "id"},
         {caseWith(R"("id":"one")", R"("id":null)"), "id"},
-        {caseWith(R"("id":"one")", R"("id":"one","blockers":[])"), "blockers"},
+        {caseWith(R"("id":"one")", R"("id":"one","blocker":[])"), "blocker"},
+        {caseWith(R"("id":"one")", R"("id":"one","blockers":7)"), "blockers"},
+        {caseWith(R"("id":"one")", R"("id":"one","blockers":[{"shape":{"type":"disk","radius_m":0.01}}])"),
+         "blockers[0]: the key \"pose\""},
+        {withBlocker(R"({"type":"disk","radius_m":-1})", "0.02"), "blockers[0].shape.radius_m"},
+        {withBlocker(R"({"type":"disk","radius_m":0.01},"place":1)", "0.02"), "place"},
+        {withBlocker(R"({"type":"disk","radius_m":0.01})", "0.05", "1.5"), "passes through the object"},
+        {withBlocker(R"({"type":"disk","radius_m":0.01})", "0.001", "1.5"), "passes through the source"},
         {"[]", "object"},
         {"17", "object"},
         {withObject(R"({"type":"square"})"), "square"},

@@ -1,0 +1,229 @@
+#include "engine/radiation/shade.h"
+
+#include "engine/radiation/outline_table.h"
+#include "engine/radiation/plate.h"
+#include "engine/radiation/plate_crossing.h"
+#include "engine/radiation/shadow_flux.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory_resource>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRounding = 1e-12; // of the size of a plate: nearer to a plane, it lies in it
+
+struct Scene {
+    const RadiatingContour& source;
+    const RadiatingContour& object;
+    const Pose& X_SO;
+    const Plate& sourcePlate = source.impl().plate();
+    const Plate& objectPlate = object.impl().plate();
+    Vector3d face = -X_SO.linear().col(2);
+
+    double front(const Vector3d& v) const { return face.dot(v - X_SO.translation()); }
+};
+
+// Whether the plate lies wholly on the other side of a plane through p, or in it.
+bool isBehind(const Plate& plate, const Pose& X_S, const Vector3d& normal, const Vector3d& p) {
+    return normal.dot(plate.farthest(X_S, normal) - p) + plate.margin_m(X_S, normal) <=
+           kRounding * plate.reach_m();
+}
+
+void refuseCrossing(const Scene& scene, const Blocker& blocker) {
+    if (platesCross(blocker.contour, blocker.X_S, scene.object, scene.X_SO))
+        throw std::invalid_argument("a blocker passes through the object");
+    if (platesCross(blocker.contour, blocker.X_S, scene.source, Pose::Identity()))
+        throw std::invalid_argument("a blocker passes through the source");
+}
+
+// Case 1. Looks for a plane between the blocker and the hull of object and source (K. Chung, W. Wang, Quick
+// collision detection of polytopes in virtual environments, VRST 1996).
+bool isAside(const Scene& scene, const Plate& plate, const Pose& X_S) {
+    if (isBehind(plate, X_S, Vector3d::UnitZ(), Vector3d::Zero()) ||
+        isBehind(plate, X_S, scene.face, scene.X_SO.translation()))
+        return true;
+    // From the line between the centres towards the blocker; first with the spheres around all three.
+    const Vector3d axis = scene.X_SO.translation(), centre = X_S.translation();
+    const double along = std::clamp(centre.dot(axis) / axis.squaredNorm(), 0.0, 1.0);
+    Vector3d d = centre - along * axis;
+    const double length = d.norm();
+    if (length == 0.0)
+        return false;
+    d /= length;
+    if (centre.dot(d) - plate.reach_m() >=
+        std::max(scene.sourcePlate.reach_m(), axis.dot(d) + scene.objectPlate.reach_m()))
+        return true;
+    constexpr int kSteps = 8;
+    for (int step = 0; step < kSteps; ++step) {
+        const Vector3d a = scene.sourcePlate.farthest(Pose::Identity(), d),
+                       b = scene.objectPlate.farthest(scene.X_SO, d);
+        const Vector3d& hull = a.dot(d) > b.dot(d) ? a : b;
+        const double margin = plate.margin_m(X_S, d) + scene.sourcePlate.margin_m(Pose::Identity(), d) +
+                              scene.objectPlate.margin_m(scene.X_SO, d);
+        const Vector3d gap = plate.farthest(X_S, -d) - hull;
+        if (gap.dot(d) >= margin)
+            return true;
+        const double gap2 = gap.squaredNorm();
+        if (gap2 == 0.0)
+            return false;
+        d -= 2.0 * gap.dot(d) / gap2 * gap;
+    }
+    return false;
+}
+
+// A circle of the source plane that contains the shadow for every point of the object; empty if there is
+// none.
+struct ShadowCircle {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = -1.0;
+
+    bool isFinite() const { return radius >= 0.0; }
+    bool meets(const ShadowCircle& other) const {
+        return (centre - other.centre).norm() < radius + other.radius;
+    }
+};
+
+ShadowCircle shadowCircle(const Scene& scene, const Plate& plate, const Pose& X_S) {
+    // The blocker lies wholly between, below every point of the object.
+    const Vector3d q0 = X_S.translation(), x0 = scene.X_SO.translation();
+    const auto steep = [](const Pose& X) { return std::hypot(X.linear()(2, 0), X.linear()(2, 1)); };
+    const double rq = plate.reach_m(), rx = scene.objectPlate.reach_m();
+    const double riseQ = rq * steep(X_S), riseX = rx * steep(scene.X_SO);
+    const double tiltToFace =
+        std::hypot(scene.face.dot(X_S.linear().col(0)), scene.face.dot(X_S.linear().col(1)));
+    if (q0.z() - riseQ <= 0.0 || x0.z() - riseX <= q0.z() + riseQ || scene.front(q0) - rq * tiltToFace <= 0.0)
+        return {};
+    // A point q shades s = q + k (q - x) for the point x.
+    const double k0 = q0.z() / (x0.z() - q0.z());
+    const double kMax = (q0.z() + riseQ) / (x0.z() - riseX - q0.z() - riseQ);
+    const double kMin = (q0.z() - riseQ) / (x0.z() + riseX - q0.z() + riseQ);
+    const Eigen::Vector2d q = q0.head<2>(), x = x0.head<2>();
+    const double spread = std::max(kMax - k0, k0 - kMin) * (q - x).norm();
+    return {q + k0 * (q - x), rq * (1.0 + kMax) + rx * kMax + spread};
+}
+
+bool isInside(const Plate& source, const RadiatingContour& contour, const ShadowCircle& shadow) {
+    if (!source.isConvex() || !shadow.isFinite())
+        return false;
+    if (contour.impl().disk)
+        return shadow.centre.norm() + shadow.radius <= contour.impl().disk->radius_m;
+    return std::ranges::all_of(contour.impl().edges, [&](const kernels::Edge& edge) {
+        const double inward =
+            edge.t1 * (shadow.centre.y() - edge.a2) - edge.t2 * (shadow.centre.x() - edge.a1);
+        return inward >= shadow.radius;
+    });
+}
+
+// Case 2: what goes to the side of the blocker that faces the object.
+void subtractWhole(const Scene& scene, const Blocker& blocker, const ShadeOptions& options,
+                   ShadedViewFactor& result) {
+    static const Pose kTurned(Eigen::AngleAxisd(std::acos(-1.0), Vector3d::UnitX()));
+    const Vector3d normal = blocker.X_S.linear().col(2);
+    const double height = normal.dot(scene.X_SO.translation() - blocker.X_S.translation());
+    for (const bool isBack : {false, true}) {
+        if ((isBack ? height : -height) >=
+            scene.objectPlate.reach_m()) // no point of the object sees this side
+            continue;
+        const RadiatingContour* side = isBack ? &blocker.contour.impl().plate().back() : &blocker.contour;
+        const Pose X_SB = isBack ? blocker.X_S * kTurned : blocker.X_S;
+        const ViewFactor taken = viewFactor(*side, scene.object, X_SB.inverse(Eigen::Isometry) * scene.X_SO,
+                                            {0.5 * options.tolerance, options.maxPoints});
+        if (taken.visibility == Visibility::Hidden)
+            continue;
+        Vector6d gradient;
+        gradient << X_SB.linear() * taken.gradient.head<3>(), X_SB.linear() * taken.gradient.tail<3>();
+        result.value -= taken.value;
+        result.errorEstimate += taken.errorEstimate;
+        result.gradient -= gradient;
+        if (!blocker.isHeld)
+            result.gradientRigid -= gradient;
+    }
+}
+
+// Case 3.
+void subtractPart(const Scene& scene, std::span<const Blocker* const> blockers, const ShadeOptions& options,
+                  ShadedViewFactor& result) {
+    std::vector<PlacedShape> placed;
+    for (const Blocker* blocker : blockers)
+        placed.push_back({blocker->contour, blocker->X_S});
+    const double area = scene.object.area_m2();
+    const ShadowFlux flux = shadowFlux({scene.source, Pose::Identity()}, {scene.object, scene.X_SO}, placed,
+                                       {options.tolerance, options.maxPoints});
+    result.value -= flux.value_m2 / area;
+    result.errorEstimate += flux.error_m2 / area;
+    result.gradient -= flux.byObject / area;
+    result.gradientRigid += flux.bySource / area;
+    for (std::size_t i = 0; i < blockers.size(); ++i)
+        if (!blockers[i]->isHeld)
+            result.gradientRigid += flux.byBlocker[i] / area;
+}
+
+} // namespace
+
+bool isInFront(const RadiatingContour& plate, const Pose& X_B, const Pose& X_O) {
+    return !isBehind(plate.impl().plate(), X_B, -X_O.linear().col(2), X_O.translation());
+}
+
+ShadedViewFactor shadedViewFactor(const RadiatingContour& source, const RadiatingContour& object,
+                                  const Pose& X_SO, std::span<const Blocker> blockers,
+                                  const ShadeOptions& options) {
+    const ViewFactor unshaded = viewFactor(source, object, X_SO, options.unshaded);
+    ShadedViewFactor result{unshaded.value,    unshaded.value,      unshaded.gradient,
+                            unshaded.gradient, unshaded.visibility, unshaded.errorEstimate};
+    if (blockers.empty() || unshaded.visibility == Visibility::Hidden)
+        return result;
+    const Scene scene{source, object, X_SO};
+    std::array<std::byte, 1024> room;
+    std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+    std::pmr::vector<const Blocker*> between(&memory), rest(&memory);
+    std::pmr::vector<ShadowCircle> shadows(&memory);
+    for (const Blocker& blocker : blockers) {
+        const Plate& plate = blocker.contour.impl().plate();
+        if (isAside(scene, plate, blocker.X_S))
+            continue;
+        if (options.refusesCrossing)
+            refuseCrossing(scene, blocker);
+        between.push_back(&blocker);
+        shadows.push_back(shadowCircle(scene, plate, blocker.X_S));
+    }
+    for (std::size_t i = 0; i < between.size(); ++i) {
+        bool isWhole = isInside(scene.sourcePlate, source, shadows[i]);
+        for (std::size_t j = 0; j < between.size() && isWhole; ++j)
+            isWhole = i == j || (shadows[j].isFinite() && !shadows[i].meets(shadows[j]));
+        if (isWhole)
+            subtractWhole(scene, *between[i], options, result);
+        else
+            rest.push_back(between[i]);
+    }
+    if (!rest.empty())
+        subtractPart(scene, rest, options, result);
+    result.value = std::clamp(result.value, 0.0, result.unshaded);
+    result.errorEstimate = std::min(result.errorEstimate, 1.0);
+    return result;
+}
+
+double roughShadedViewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
+                             std::span<const Blocker> blockers, double tolerance) {
+    const double unshaded = viewFactorValue(source, object, X_SO, tolerance);
+    if (unshaded == 0.0)
+        return unshaded;
+    const Scene scene{source, object, X_SO};
+    std::vector<PlacedShape> between;
+    for (const Blocker& blocker : blockers)
+        if (!isAside(scene, blocker.contour.impl().plate(), blocker.X_S))
+            between.push_back({blocker.contour, blocker.X_S});
+    if (between.empty())
+        return unshaded;
+    const double taken =
+        roughShadowFlux({source, Pose::Identity()}, {object, X_SO}, between) / object.area_m2();
+    return std::clamp(unshaded - taken, 0.0, unshaded);
+}
+
+} // namespace bask

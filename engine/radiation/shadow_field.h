@@ -1,0 +1,125 @@
+#pragma once
+// The radiation through a point that goes from the object to the source and meets a blocker, as a vector.
+
+#include "engine/radiation/sight_figure.h"
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace bask {
+
+/// The figures of a scene, and how each lies in the frames of the others. It must outlive what refers to it.
+class SightScene {
+public:
+    /// A figure's axes, origin and corners in the frame of another one.
+    struct Relation {
+        Eigen::Vector3d origin, e1, e2;
+        std::vector<Eigen::Vector3d> corners;
+        std::vector<std::pair<Eigen::Vector3d, double>> chains; ///< middle and radius
+    };
+
+    /// Returns the number of the new figure.
+    std::size_t add(SightFigure figure);
+    /// Returns the number of the figure or, if it does not lie wholly in the half space, of a new one that
+    /// does.
+    std::size_t clipped(std::size_t figure, const HalfSpace& space);
+    const SightFigure& figure(std::size_t number) const { return m_figures[number]; }
+    const Relation& relation(std::size_t of, std::size_t to) const;
+
+private:
+    std::vector<SightFigure> m_figures;
+    mutable std::vector<std::unique_ptr<Relation>> m_relations; // made when asked for
+};
+
+/// A figure that a ray through the point meets: ahead of it (1), behind it (-1), on either side (0).
+struct SightMember {
+    std::size_t figure = 0; ///< number in the scene
+    int side = 1;
+};
+
+/// What is seen from one point.
+struct ShadowLook {
+    Eigen::Vector3d field = Eigen::Vector3d::Zero(); ///< integral of the directions over the solid angle, sr
+    std::uint64_t pattern = 0; ///< of the pieces that bound the solid angle; 0: it is empty
+};
+
+/// For points p: the solid angle of the rays, in their direction of travel (down, z < 0), that meet every
+/// target and, if `through`, at least one blocker, else none. Its boundary consists of pieces of the figures'
+/// outlines, so the integral of the directions over it is half the sum of the integrals of r x dr / |r|^2
+/// along the pieces, in closed form on straight parts and circles. Not thread-safe.
+class ShadowField {
+public:
+    ShadowField(const SightScene& scene, std::span<const SightMember> targets,
+                std::span<const SightMember> blockers, bool through);
+
+    /// Returns false if the solid angle is empty for every point within `slack_m` of p.
+    bool mayBeSeen(const Eigen::Vector3d& p, double slack_m);
+    ShadowLook at(const Eigen::Vector3d& p, bool withField);
+
+private:
+    /// Where an outline passes behind or in front of another one.
+    struct CircleCut {
+        Eigen::Vector2d at; // on the unit circle
+        double order;       // ascending along the circle
+        int by;
+    };
+    struct EdgeCut {
+        int edge;
+        double at;
+        int by;
+    };
+    /// A point of another figure's plane, homogeneous: (u / w, v / w).
+    struct Image {
+        double u, v, w;
+    };
+    /// A circle of another figure's plane that contains the image of a chain; the radius may be infinite.
+    struct Shadow {
+        Eigen::Vector2d middle;
+        double radius;
+    };
+    struct Seen {
+        const SightFigure* figure = nullptr;
+        int side = 1;
+        bool isTarget = false;
+        double x = 0.0, y = 0.0, h = 0.0; // of p in the figure's frame: (x, y, -h)
+        Eigen::Vector3d centre;           // as seen from p, in the direction of travel if the side is known
+        double reach = 0.0;               // radius of a sphere around it
+        double tangent = 0.0;             // length of a tangent to this sphere; negative inside
+        bool isActive = true;             // it may bound the solid angle
+        std::vector<CircleCut> circleCuts;
+        std::vector<EdgeCut> edgeCuts;
+    };
+    static Image image(const Seen& onto, const Eigen::Vector3d& point) {
+        return {onto.h * point.x() + onto.x * point.z(), onto.h * point.y() + onto.y * point.z(),
+                point.z() + onto.h};
+    }
+    const SightScene::Relation& relation(std::size_t of, std::size_t to) const {
+        return *m_relations[of * m_seen.size() + to];
+    }
+    double travel(std::size_t own, const Eigen::Vector2d& at) const;
+    static bool isAhead(const Seen& seen, double w) { return seen.side == 0 || seen.h * w * seen.side > 0.0; }
+    static bool mayOverlap(const Seen& a, const Seen& b);
+    bool findActive(double slack_m);
+    bool meets(std::size_t own, std::size_t other, const Eigen::Vector2d& at, double way) const;
+    bool counts(std::size_t own, const Eigen::Vector2d& at, double way) const;
+    static Shadow shadow(const Seen& onto, const std::pair<Eigen::Vector3d, double>& chain);
+    void cutCircles(std::size_t a, std::size_t b);
+    void cutCircleByEdges(std::size_t circle, std::size_t straight);
+    void cutEdges(std::size_t a, std::size_t b);
+    void addCircle(std::size_t own, bool withField, ShadowLook& look);
+    void addEdges(std::size_t own, bool withField, ShadowLook& look);
+    static bool isFarFrom(const Seen& seen, const SightFigure::Chain& chain);
+    static void addLine(const Seen& seen, const SightFigure::Chain& chain, double sign, ShadowLook& look);
+
+    std::vector<Seen> m_seen; // targets first
+    std::size_t m_targets;
+    bool m_through;
+    std::vector<const SightScene::Relation*> m_relations;
+    std::vector<Image> m_images; // scratch: of the corners of a figure
+
+    Eigen::Vector3d m_p = Eigen::Vector3d::Zero();
+};
+
+} // namespace bask

@@ -1,0 +1,490 @@
+#include "engine/radiation/shadow_flux.h"
+
+#include "engine/radiation/outline_table.h"
+#include "engine/radiation/plate.h"
+#include "engine/radiation/shadow_field.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+
+namespace bask {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kStep = 0.7;    // of the smallest plate's size
+constexpr double kNudge = 1e-11; // of a plate's size
+
+// Gauss-Kronrod rules on [0, 1] (R. Piessens et al., QUADPACK).
+struct Node {
+    double at, weight, gauss; ///< `gauss`: weight of the Gauss rule inside
+};
+constexpr std::array<Node, 7> kSeven{{
+    {0.019754365645989858288, 0.052328113013233632597, 0.0},
+    {0.11270166537925831148, 0.13424404493416672036, 0.27777777777777777778},
+    {0.282878125326598721, 0.20069870738798111145, 0.0},
+    {0.5, 0.22545826932923707117, 0.44444444444444444444},
+    {0.717121874673401279, 0.20069870738798111145, 0.0},
+    {0.88729833462074168852, 0.13424404493416672036, 0.27777777777777777778},
+    {0.98024563435401014171, 0.052328113013233632597, 0.0},
+}};
+constexpr std::array<Node, 15> kFifteen{{
+    {0.0042723144395936803966, 0.011467661005264612482, 0.0},
+    {0.025446043828620737737, 0.031546046314989276645, 0.064742483084434846635},
+    {0.067567788320115463605, 0.05239500516112509192, 0.0},
+    {0.12923440720030278007, 0.070326629857762959373, 0.13985269574463833395},
+    {0.20695638226615443485, 0.084502363319633951413, 0.0},
+    {0.29707742431130141655, 0.095175289032392704957, 0.19091502525255947248},
+    {0.3961075224960507662, 0.10221647003764944621, 0.0},
+    {0.5, 0.10474107054236391401, 0.20897959183673469388},
+    {0.6038924775039492338, 0.10221647003764944621, 0.0},
+    {0.70292257568869858345, 0.095175289032392704957, 0.19091502525255947248},
+    {0.79304361773384556515, 0.084502363319633951413, 0.0},
+    {0.87076559279969721993, 0.070326629857762959373, 0.13985269574463833395},
+    {0.93243221167988453639, 0.05239500516112509192, 0.0},
+    {0.97455395617137926226, 0.031546046314989276645, 0.064742483084434846635},
+    {0.9957276855604063196, 0.011467661005264612482, 0.0},
+}};
+
+/// A smooth part of an outline in S, with a parameter from 0 to 1.
+struct Curve {
+    Vector3d origin, e1, e2; ///< of the plate; of a straight part: its start, its step and nothing
+    Vector3d normal;         ///< about which the outline runs counter-clockwise
+    double nudge_m = 0.0;
+    const RadiatingContour::Impl* smooth = nullptr; ///< null if it is straight
+    double speed_m = 0.0;                           ///< largest length of the derivative
+    int panels = 1;                                 ///< at first, of the whole
+
+    bool isClosed() const { return smooth != nullptr; }
+    std::pair<Vector3d, Vector3d> at(double t) const { // point and derivative
+        if (!smooth)
+            return {origin + t * e1, e1};
+        const OutlinePoint p = smooth->at(t);
+        return {origin + p.x * e1 + p.y * e2, p.dx * e1 + p.dy * e2};
+    }
+    /// Returns the point from which to look: a hair outside, since on the outline itself another plate's edge
+    /// or shadow may end in the same line, as with squares above one another.
+    Vector3d lookout(const Vector3d& p, const Vector3d& step) const {
+        return p + nudge_m / step.norm() * step.cross(normal);
+    }
+};
+
+std::vector<Curve> curvesOf(const PlacedShape& placed) {
+    std::vector<Curve> curves;
+    const RadiatingContour::Impl& outline = placed.contour.impl();
+    const double nudge_m = kNudge * outline.plate().reach_m();
+    const Vector3d normal = placed.X_S.linear().col(2), origin = placed.X_S.translation(),
+                   e1 = placed.X_S.linear().col(0), e2 = placed.X_S.linear().col(1);
+    const auto addRing = [&](const Contour& ring, bool isHole) {
+        for (std::size_t i = 0; i < ring.points_m.size(); ++i) {
+            Eigen::Vector2d a = ring.points_m[i], b = ring.points_m[(i + 1) % ring.points_m.size()];
+            if (isHole)
+                std::swap(a, b);
+            const Eigen::Vector2d along = b - a;
+            curves.push_back({origin + a.x() * e1 + a.y() * e2, along.x() * e1 + along.y() * e2,
+                              Vector3d::Zero(), normal, nudge_m, nullptr, along.norm(), 1});
+        }
+    };
+    if (const auto* polygon = outlineAs<Contour>(outline.shape))
+        addRing(*polygon, false);
+    else
+        curves.push_back({origin, e1, e2, normal, nudge_m, &outline, outline.maxSpeed_m,
+                          outline.disk ? 4 : 4 + outline.harmonics});
+    for (const Contour& hole : holesOf(outline.shape))
+        addRing(hole, true);
+    return curves;
+}
+
+/// A line integral of the forces dl x B at arms from the object's origin.
+struct Sum {
+    double stretch = 0.0;                ///< of arm . force
+    Vector6d moments = Vector6d::Zero(); ///< of force, arm x force
+
+    void add(double weight, const Vector3d& arm, const Vector3d& force) {
+        stretch += weight * arm.dot(force);
+        moments.head<3>() += weight * force;
+        moments.tail<3>() += weight * arm.cross(force);
+    }
+};
+
+/// The outline of one plate, and the fields of the rays through its points.
+struct Outline {
+    struct Part {
+        ShadowField field;
+        double sign; ///< of the flux that grows where the outline moves outward
+    };
+    std::vector<Curve> curves;
+    std::vector<Part> parts;
+    bool inFront = true, above = true; ///< only points in front of the object and above the source count
+};
+
+/// A part of a curve. Where the pattern changes, the field has a root or a kink, so panels end there.
+struct Panel {
+    double from = 0.0, to = 1.0;
+    bool changesFrom = false, changesTo = false;
+    std::size_t outline = 0;
+    const Curve* curve = nullptr;
+    bool isFine = false; ///< of fifteen nodes, not seven
+    Sum sum;
+    double error = 0.0;      ///< estimated, of the stretch
+    double difference = 0.0; ///< of two rules: what the error hardly exceeds
+};
+
+class LineIntegrals {
+public:
+    LineIntegrals(std::vector<Outline>& outlines, const HalfSpace& front, const Vector3d& p_SO)
+        : m_outlines(outlines), m_front(front), m_p_SO(p_SO) {}
+
+    /// `allowed_m2`: error of the stretch; `step_m`: what is narrower may be missed at first.
+    void integrate(double tolerance, double allowed_m2, double step_m, int maxPoints) {
+        // What lies between a change and where it was found counts with the power of 5/2.
+        m_precision = std::clamp(std::pow(tolerance, 0.5), 1e-6, 1e-3);
+        m_startFine = tolerance < 1e-7;
+        // What was missed is searched in smaller steps, as long as that helps.
+        constexpr int kTries = 3;
+        double openBefore_m2 = std::numeric_limits<double>::infinity();
+        for (int attempt = 0; attempt < kTries; ++attempt, step_m *= 0.25, m_precision *= 0.1) {
+            m_step_m = step_m;
+            m_panels.clear();
+            for (std::size_t k = 0; k < m_outlines.size(); ++k)
+                for (const Curve& curve : m_outlines[k].curves)
+                    addPanels(k, curve);
+            refine(
+                &Panel::error, [&] { return sumOf(&Panel::error) > allowed_m2; }, maxPoints);
+            // The forces add up to nothing. If they do not, something was missed or an estimate was too
+            // small.
+            const int enough = std::min(maxPoints, m_points + m_points / 2);
+            refine(
+                &Panel::difference, [&] { return openness_m2() > allowed_m2; }, enough);
+            const double open_m2 = openness_m2();
+            if (open_m2 <= allowed_m2 || open_m2 > 0.5 * openBefore_m2 || m_points >= maxPoints)
+                return;
+            openBefore_m2 = open_m2;
+        }
+    }
+
+    double error_m2() const { return std::max(sumOf(&Panel::error), openness_m2()); }
+    const std::vector<Panel>& panels() const { return m_panels; }
+    int points() const { return m_points; }
+
+private:
+    double sumOf(double Panel::*what) const {
+        double sum = 0.0;
+        for (const Panel& panel : m_panels)
+            sum += panel.*what;
+        return sum;
+    }
+
+    double openness_m2() const {
+        Vector3d force = Vector3d::Zero();
+        for (const Panel& panel : m_panels)
+            force += panel.sum.moments.head<3>();
+        return force.norm() * m_p_SO.norm();
+    }
+
+    // Refines the panels that are worst in some respect while the condition holds.
+    template <class Condition> void refine(double Panel::*worst, const Condition& goesOn, int maxPoints) {
+        const auto isBetter = [worst](const Panel& a, const Panel& b) { return a.*worst < b.*worst; };
+        std::ranges::make_heap(m_panels, isBetter);
+        while (!m_panels.empty() && m_points < maxPoints && m_panels.front().*worst > 0.0 && goesOn()) {
+            std::ranges::pop_heap(m_panels, isBetter);
+            Panel& panel = m_panels.back();
+            if (!panel.isFine) {
+                panel.isFine = true;
+                evaluate(panel);
+            } else {
+                Panel right = panel;
+                panel.to = right.from = 0.5 * (panel.from + panel.to);
+                panel.changesTo = right.changesFrom = false;
+                evaluate(panel);
+                evaluate(right);
+                std::ranges::push_heap(m_panels, isBetter);
+                m_panels.push_back(std::move(right));
+            }
+            std::ranges::push_heap(m_panels, isBetter);
+        }
+    }
+
+    bool isSeen(const Outline& outline, const Vector3d& p) const {
+        return (!outline.inFront || m_front.height(p) > 0.0) && (!outline.above || p.z() > 0.0);
+    }
+
+    std::uint64_t patternAt(Outline& outline, const Curve& curve, double t) {
+        const auto [p, step] = curve.at(t);
+        if (!isSeen(outline, p))
+            return 0;
+        const Vector3d eye = curve.lookout(p, step);
+        std::uint64_t pattern = 0;
+        for (Outline::Part& part : outline.parts)
+            pattern = pattern * 31 + part.field.at(eye, false).pattern;
+        return pattern;
+    }
+
+    struct Change {
+        double at;
+        std::uint64_t then; ///< pattern from there on
+    };
+
+    void findChanges(Outline& outline, const Curve& curve, Change a, Change b, std::vector<Change>& changes) {
+        while (b.at - a.at > m_precision && a.then != b.then) {
+            const double at = 0.5 * (a.at + b.at);
+            const Change middle{at, patternAt(outline, curve, at)};
+            if (middle.then == a.then) {
+                a = middle;
+            } else if (middle.then == b.then || b.at - a.at < 4.0 * m_precision) {
+                b = middle;
+            } else {
+                findChanges(outline, curve, a, middle, changes);
+                a = middle;
+            }
+        }
+        if (a.then != b.then)
+            changes.push_back({0.5 * (a.at + b.at), b.then});
+    }
+
+    // Asks what is seen in steps, but not where nothing can be.
+    void sample(Outline& outline, const Curve& curve, double from, double to, std::vector<Change>& samples) {
+        const double middle = 0.5 * (from + to), slack_m = 0.5 * (to - from) * curve.speed_m;
+        const Vector3d p = curve.at(middle).first;
+        if (std::ranges::none_of(outline.parts,
+                                 [&](Outline::Part& part) { return part.field.mayBeSeen(p, slack_m); })) {
+            samples.push_back({from, 0});
+            samples.push_back({to, 0});
+        } else if (2.0 * slack_m > m_step_m && to - from > kMinStep) {
+            sample(outline, curve, from, middle, samples);
+            sample(outline, curve, middle, to, samples);
+        } else {
+            samples.push_back({middle, patternAt(outline, curve, middle)});
+        }
+    }
+
+    void addPanels(std::size_t k, const Curve& curve) {
+        Outline& outline = m_outlines[k];
+        std::vector<Change> samples;
+        sample(outline, curve, 0.0, 1.0, samples);
+        if (curve.isClosed()) {
+            samples.push_back({1.0 + samples[0].at, samples[0].then});
+        } else {
+            if (samples.front().at > 0.0)
+                samples.insert(samples.begin(), {m_precision, patternAt(outline, curve, m_precision)});
+            if (samples.back().at < 1.0)
+                samples.push_back({1.0 - m_precision, patternAt(outline, curve, 1.0 - m_precision)});
+        }
+        std::vector<Change> changes;
+        for (std::size_t i = 0; i + 1 < samples.size(); ++i)
+            findChanges(outline, curve, samples[i], samples[i + 1], changes);
+        const bool isWhole = changes.empty();
+        if (curve.isClosed() && !isWhole)
+            changes.insert(changes.begin(), {changes.back().at - 1.0, changes.back().then});
+        else
+            changes.insert(changes.begin(), {0.0, samples[0].then});
+        if (!curve.isClosed() || isWhole)
+            changes.push_back({1.0, 0});
+        for (std::size_t i = 0; i + 1 < changes.size(); ++i) {
+            if (changes[i].then == 0)
+                continue;
+            const double from = changes[i].at, length = changes[i + 1].at - from;
+            const int pieces = std::max(1, static_cast<int>(std::ceil(length * curve.panels - 0.3)));
+            for (int piece = 0; piece < pieces; ++piece) {
+                Panel panel;
+                panel.outline = k;
+                panel.isFine = m_startFine;
+                panel.curve = &curve;
+                panel.from = from + length * piece / pieces;
+                panel.to = from + length * (piece + 1) / pieces;
+                panel.changesFrom = piece == 0 && !isWhole && (curve.isClosed() || i > 0);
+                panel.changesTo =
+                    piece == pieces - 1 && !isWhole && (curve.isClosed() || i + 2 < changes.size());
+                evaluate(panel);
+                m_panels.push_back(panel);
+            }
+        }
+    }
+
+    void evaluate(Panel& panel) {
+        Outline& outline = m_outlines[panel.outline];
+        Sum sum;
+        double size = 0.0, gauss = 0.0, middle = 0.0;
+        const double length = panel.to - panel.from;
+        const std::span<const Node> rule =
+            panel.isFine ? std::span<const Node>(kFifteen) : std::span<const Node>(kSeven);
+        for (const Node& node : rule) {
+            // A root (t - t0)^(3/2) at an end becomes a cube.
+            double u = node.at, slope = 1.0;
+            if (panel.changesFrom && panel.changesTo) {
+                slope = 6.0 * u * (1.0 - u);
+                u *= u * (3.0 - 2.0 * u);
+            } else if (panel.changesFrom) {
+                slope = 2.0 * u;
+                u *= u;
+            } else if (panel.changesTo) {
+                slope = 2.0 * (1.0 - u);
+                u *= 2.0 - u;
+            }
+            const auto [p, step] = panel.curve->at(panel.from + length * u);
+            if (!isSeen(outline, p))
+                continue;
+            ++m_points;
+            const Vector3d eye = panel.curve->lookout(p, step);
+            Vector3d field = Vector3d::Zero();
+            for (Outline::Part& part : outline.parts)
+                field += part.sign * part.field.at(eye, true).field;
+            const Vector3d force = step.cross(field) * (length * slope / kPi);
+            const Vector3d arm = p - m_p_SO;
+            const double value = arm.dot(force);
+            sum.add(node.weight, arm, force);
+            gauss += node.gauss * value;
+            if (node.at == 0.5)
+                middle = value;
+            size += node.weight * std::abs(value);
+        }
+        panel.sum = sum;
+        // The differences between the rules of 1, n and 2n + 1 nodes fall; so will the next.
+        const double before = std::abs(gauss - middle);
+        panel.difference = std::abs(sum.stretch - gauss);
+        const double ratio = before > 0.0 ? std::min(1.0, kCaution * panel.difference / before) : 1.0;
+        panel.error =
+            std::max(panel.difference * ratio, 16.0 * std::numeric_limits<double>::epsilon() * size);
+    }
+
+    static constexpr double kCaution = 3.0;
+    static constexpr double kMinStep = 1.0 / 1024; // of a curve
+
+    std::vector<Outline>& m_outlines;
+    HalfSpace m_front;
+    Vector3d m_p_SO;
+    double m_precision = 0.0; ///< of a curve: how near a change is found
+    double m_step_m = 0.0;
+    bool m_startFine = false;
+    std::vector<Panel> m_panels;
+    int m_points = 0;
+};
+
+} // namespace
+
+ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
+                      std::span<const PlacedShape> blockers, const ShadowFluxGoal& goal) {
+    ShadowFlux flux;
+    flux.byBlocker.assign(blockers.size(), Vector6d::Zero());
+    SightScene scene;
+    const auto add = [&](const PlacedShape& placed) {
+        return scene.add(
+            SightFigure(placed.contour.impl().plate().outline(goal.tolerance).outline, placed.X_S));
+    };
+    const Vector3d face = -object.X_S.linear().col(2), p_SO = object.X_S.translation();
+    const HalfSpace above, front{face, -face.dot(p_SO)};
+    const std::size_t seenSource = scene.clipped(add(source), front),
+                      seenObject = scene.clipped(add(object), above);
+    // From a point of a face, its plane is the horizon: the other face is cut there, and a blocker that were
+    // cut there too would share this edge.
+    struct Between {
+        std::size_t number, fromSource, fromObject, fromBlocker;
+    };
+    std::vector<Between> between;
+    for (std::size_t i = 0; i < blockers.size(); ++i) {
+        const std::size_t whole = add(blockers[i]);
+        const std::size_t aboveSource = scene.clipped(whole, above);
+        const std::size_t both =
+            scene.figure(aboveSource).empty() ? aboveSource : scene.clipped(aboveSource, front);
+        if (!scene.figure(both).empty())
+            between.push_back({i, scene.clipped(whole, front), aboveSource, both});
+    }
+    if (scene.figure(seenSource).empty() || scene.figure(seenObject).empty() || between.empty())
+        return flux;
+    // Through a blocker's outline, rays may pass from either side.
+    struct Half {
+        std::size_t object;
+        double side;
+    };
+    std::vector<std::vector<Half>> halves(between.size());
+    for (std::size_t i = 0; i < between.size(); ++i)
+        for (const double side : {1.0, -1.0}) {
+            const SightFigure& blocker = scene.figure(between[i].fromBlocker);
+            const Vector3d normal = side * blocker.n;
+            const std::size_t half = scene.clipped(seenObject, {normal, -normal.dot(blocker.origin)});
+            if (!scene.figure(half).empty())
+                halves[i].push_back({half, side});
+        }
+    // No figure is added from here on.
+    const auto members = [&between](std::size_t Between::*figure, int side, const Between* but = nullptr) {
+        std::vector<SightMember> all;
+        for (const Between& blocker : between)
+            if (&blocker != but)
+                all.push_back({blocker.*figure, side});
+        return all;
+    };
+    const SightMember upToObject{seenObject, -1}, downToSource{seenSource, 1};
+    std::vector<Outline> outlines(2);
+    outlines[0].curves = curvesOf(source);
+    outlines[0].above = false;
+    outlines[0].parts.push_back(
+        {ShadowField(scene, std::span(&upToObject, 1), members(&Between::fromSource, -1), true), -1.0});
+    outlines[1].curves = curvesOf(object);
+    outlines[1].inFront = false;
+    outlines[1].parts.push_back(
+        {ShadowField(scene, std::span(&downToSource, 1), members(&Between::fromObject, 1), true), -1.0});
+    for (std::size_t i = 0; i < between.size(); ++i) {
+        Outline& outline = outlines.emplace_back();
+        outline.curves = curvesOf(blockers[between[i].number]);
+        for (const Half& half : halves[i]) {
+            const std::array<SightMember, 2> targets{SightMember{half.object, -1}, downToSource};
+            outline.parts.push_back(
+                {ShadowField(scene, targets, members(&Between::fromBlocker, 0, &between[i]), false),
+                 -half.side});
+        }
+    }
+    double narrowest = std::min(scene.figure(seenSource).reach(), scene.figure(seenObject).reach());
+    for (const Between& blocker : between)
+        narrowest = std::min(narrowest, scene.figure(blocker.fromBlocker).reach());
+    const double area = object.contour.area_m2();
+    LineIntegrals integrals(outlines, front, p_SO);
+    integrals.integrate(goal.tolerance, 2.0 * goal.tolerance * area, kStep * narrowest, goal.maxPoints);
+    for (const Panel& panel : integrals.panels()) {
+        flux.value_m2 += 0.5 * panel.sum.stretch;
+        (panel.outline == 0   ? flux.bySource
+         : panel.outline == 1 ? flux.byObject
+                              : flux.byBlocker[between[panel.outline - 2].number]) += panel.sum.moments;
+    }
+    double polygons = 0.0;
+    const auto addError = [&](const PlacedShape& placed) {
+        polygons += placed.contour.impl().plate().outline(goal.tolerance).error;
+    };
+    addError(source);
+    addError(object);
+    std::ranges::for_each(blockers, addError);
+    flux.error_m2 = 0.5 * integrals.error_m2() + polygons * std::abs(flux.value_m2);
+    flux.points = integrals.points();
+    return flux;
+}
+
+double roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
+                       std::span<const PlacedShape> blockers) {
+    SightScene scene;
+    const auto add = [&](const PlacedShape& placed) {
+        return scene.add(SightFigure(placed.contour.impl().plate().outline(1.0).outline, placed.X_S));
+    };
+    const Vector3d face = -object.X_S.linear().col(2);
+    const HalfSpace above, front{face, -face.dot(object.X_S.translation())};
+    const SightMember downToSource{scene.clipped(add(source), front), 1};
+    std::vector<SightMember> between;
+    for (const PlacedShape& blocker : blockers)
+        if (const std::size_t part = scene.clipped(add(blocker), above); !scene.figure(part).empty())
+            between.push_back({part, 1});
+    if (scene.figure(downToSource.figure).empty() || between.empty())
+        return 0.0;
+    ShadowField field(scene, std::span(&downToSource, 1), between, true);
+    double flux = 0.0;
+    for (const FaceNode& node : object.contour.impl().plate().faceNodes())
+        if (const Vector3d p = object.X_S * Vector3d(node.at.x(), node.at.y(), 0.0); p.z() > 0.0)
+            flux += node.area_m2 * face.dot(field.at(p, true).field) / kPi;
+    return flux;
+}
+
+} // namespace bask
