@@ -51,6 +51,16 @@ Shape fourierSource() {
     return FourierContour(c);
 }
 
+// Waves of 40 harmonics as strong as an outline can have them; seen by itself, close by and a little tilted.
+Shape roughSource() {
+    std::vector<std::complex<double>> c(81);
+    for (int j = -40; j <= 40; ++j)
+        (c.begin() + 40)[j] = std::polar(4e-5, 1.3 * j * j);
+    c[40] = 0.0;
+    c[41] = 0.1;
+    return FourierContour(c);
+}
+
 void paperSimpson64(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q) {
     for (auto _ : state)
         benchmark::DoNotOptimize(simpsonGradient(source, object, q, 64));
@@ -118,6 +128,8 @@ BENCHMARK_CAPTURE(gradient, disk_near_1e9, Disk{0.1}, Disk{0.03}, kNear, 1e-9);
 BENCHMARK_CAPTURE(gradient, bunny5_near_1e9, Disk{0.1}, bunny(5), kNear, 1e-9);
 BENCHMARK_CAPTURE(gradient, bunny5_fourier_source_near_1e9, fourierSource(), bunny(5), at(0.08, 0.0, 0.0003),
                   1e-9);
+BENCHMARK_CAPTURE(gradient, rough40_over_itself_cut_1e9, roughSource(), roughSource(),
+                  at(0.0, 0.0, 0.001, 0.02), 1e-9);
 BENCHMARK(matrixOfThree);
 BENCHMARK(byProcessor)->DenseRange(0, 2);
 

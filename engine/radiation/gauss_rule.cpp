@@ -65,4 +65,8 @@ int gaussOrder(double distance, double exponent) {
                                               : std::max(1, static_cast<int>(std::ceil(exponent / each)));
 }
 
+double gaussDistance(int n, double exponent) {
+    return std::cosh(exponent / (2.0 * n));
+}
+
 } // namespace bask

@@ -23,4 +23,7 @@ double ellipseExponent(double distance);
 /// error of exp(-exponent), for a field that is smooth within `distance` of its centre.
 int gaussOrder(double distance, double exponent);
 
+/// Returns the least distance at which gaussOrder() takes `n` points or fewer.
+double gaussDistance(int n, double exponent);
+
 } // namespace bask

@@ -257,9 +257,12 @@ private:
     // all its waves and no point between them can be much nearer to the source's outline than they are.
     bool mayTry(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
         const double waves = piece.straight ? 0.0 : panel.width() * m_object.harmonics;
-        const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.maxSpeed_m;
-        return waves <= 1.0 &&
-               (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, length, away));
+        if (waves > 1.0)
+            return false;
+        const double speed_m = piece.straight  ? (piece.b - piece.a).norm()
+                               : m_object.disk ? m_object.maxSpeed_m
+                                               : m_object.speedBetween_m(panel.from, panel.to);
+        return 0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, length, away);
     }
 
     // Along an outline that it follows, a panel may be long compared with its distance.
@@ -310,11 +313,11 @@ private:
         if (m_buffer.count + kMaxGaussPoints > Buffer::kSize)
             flush(piece.onCut);
         const GaussRule rule = gaussRule(order);
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            const OutlinePoint p = m_object.at(piece, panel.from + panel.width() * rule.nodes[i]);
-            const double weight = panel.width() * rule.weights[i];
-            m_buffer.add(p.x, p.y, weight * p.dx, weight * p.dy);
-        }
+        m_object.atNodes(piece, panel.from, panel.width(), rule.nodes,
+                         [&](std::size_t i, const OutlinePoint& p) {
+                             const double weight = panel.width() * rule.weights[i];
+                             m_buffer.add(p.x, p.y, weight * p.dx, weight * p.dy);
+                         });
         m_laid += order;
     }
 

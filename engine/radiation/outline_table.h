@@ -9,6 +9,8 @@
 #include <cmath>
 #include <complex>
 #include <memory>
+#include <numbers>
+#include <span>
 #include <vector>
 
 namespace bask {
@@ -31,7 +33,10 @@ struct OutlinePoint {
 class OutlineTable {
 public:
     void add(double x, double y, double dx, double dy);
+    /// Adds `count` points of another table, from `first` on.
+    void add(const OutlineTable& other, int first, int count);
     void clear();
+    int size() const { return static_cast<int>(m_x.size()); }
     /// Pads the table with zero steps for the kernels; call before view().
     void seal();
     kernels::Outline view() const;
@@ -73,6 +78,8 @@ public:
     /// Returns the complex distance (of phi) from one point of the outline within which no singularity at
     /// `distance_m` from that point is met.
     double radius(double distance_m) const;
+    /// Returns the smallest distance (m) at which radius() is at least `radius`; infinite if none is.
+    double distanceFor(double radius) const;
 
     static double width(int step); ///< b, rad
     /// Returns the log of the largest |dp/dphi| in the strip divided by the perimeter: the cost of a wide
@@ -112,6 +119,22 @@ struct RadiatingContour::Impl {
     OutlinePoint at(double phi) const;
     /// Returns the point of a piece at its own parameter: phi, or 0 to 1 from a to b.
     OutlinePoint at(const OutlinePiece& piece, double t) const;
+    /// Calls `take(i, point)` with the points of a piece at from + width * nodes[i], at most
+    /// kernels::kMaxSeriesPoints of them. For an outline of many harmonics this is much faster than at(),
+    /// from which it differs by rounding.
+    template <class F>
+    void atNodes(const OutlinePiece& piece, double from, double width, std::span<const double> nodes,
+                 const F& take) const {
+        if (piece.straight || disk) {
+            for (std::size_t i = 0; i < nodes.size(); ++i)
+                take(i, at(piece, from + width * nodes[i]));
+            return;
+        }
+        const kernels::SeriesPoints p = seriesAt(from, width, nodes);
+        constexpr double kTurn = 2.0 * std::numbers::pi;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            take(i, OutlinePoint{p.x[i], p.y[i], kTurn * p.dx[i], kTurn * p.dy[i]});
+    }
 
     /// Returns a trapezoidal rule (smooth outline) of at least `points` points, weights included; null if no
     /// rule has as many.
@@ -129,6 +152,8 @@ struct RadiatingContour::Impl {
 
     /// Returns a lower bound of the distance (m) of a point of O to a smooth outline, within a third of it.
     double curveDistance_m(const Eigen::Vector3d& p) const;
+    /// Returns an upper bound of the speed (m per unit of phi) of a Fourier outline between two parameters.
+    double speedBetween_m(double from, double to) const;
 
     /// Returns what shade needs of the shape, made at the first call.
     const Plate& plate() const;
@@ -148,6 +173,7 @@ struct RadiatingContour::Impl {
     std::vector<kernels::Edge> edges; ///< of a polygon
 
 private:
+    kernels::SeriesPoints seriesAt(double from, double width, std::span<const double> nodes) const;
     void tabulateSmooth();
     void tabulatePolygon(const Contour& polygon);
     std::vector<double> crossings(const HeightPlane& height) const;
@@ -161,6 +187,7 @@ private:
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
     std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, in ascending order of points
     std::vector<GaussTable> m_gauss;                  // of a polygon, in descending order of distance
+    std::vector<double> m_speeds;                     // bounds from each scanned point to the next
     std::vector<OutlinePoint> m_scan; // smooth outlines: evenly spaced, in order, for finding crossings
 };
 

@@ -180,45 +180,92 @@ double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, dou
             return rule->points * b - growth;
         }
     }
+    if (m_stretches.empty() || m_exponent != exponent)
+        prepareStretches(exponent);
     m_nodes.clear();
-    double reached = exponent;
-    for (const OutlinePiece& stretch : m_smooth)
-        reached = std::min(reached, layPanels(stretch, centre_S, radius_m, nearest_m, exponent));
+    for (Stretch& stretch : m_stretches)
+        layPanels(stretch, centre_S, radius_m, nearest_m);
     m_nodes.seal();
     m_loop.nodes = m_nodes.view();
-    return reached;
+    return exponent;
+}
+
+void LoopSource::prepareStretches(double exponent) {
+    m_exponent = exponent;
+    for (int n = 1; n <= kMaxGaussPoints; ++n)
+        m_gaussDistances[static_cast<std::size_t>(n)] = gaussDistance(n, exponent);
+    m_panels.clear();
+    m_panelNodes.clear();
+    m_stretches.clear();
+    for (const OutlinePiece& piece : m_smooth)
+        m_stretches.push_back({piece.to - piece.from, addPanel(piece.from, piece.to), {}});
+}
+
+int LoopSource::addPanel(double from, double to) {
+    Panel& made = m_panels.emplace_back(Panel{from, to, m_source.at(0.5 * (from + to))});
+    made.nodes.fill(-1);
+    return static_cast<int>(m_panels.size()) - 1;
+}
+
+const LoopSource::Reaches& LoopSource::reaches(Stretch& stretch, std::size_t level) {
+    while (stretch.levels.size() <= level) {
+        const double half = std::ldexp(0.5 * stretch.width, -static_cast<int>(stretch.levels.size()));
+        Reaches& made = stretch.levels.emplace_back();
+        for (std::size_t n = 1; n < made.size(); ++n)
+            made[n] = m_source.strip.distanceFor(half * m_gaussDistances[n]);
+    }
+    return stretch.levels[level];
 }
 
 // Gauss panels, each short compared with its distance from the object's points.
-double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
-                             double nearest_m, double exponent) {
-    constexpr double kMinHalf = 1e-12;
-    double reached = exponent;
-    std::vector<std::pair<double, double>> open{{stretch.from, stretch.to}};
-    while (!open.empty()) {
-        const auto [from, to] = open.back();
-        open.pop_back();
-        const double middle = 0.5 * (from + to);
-        const double half = 0.5 * (to - from);
-        const OutlinePoint s = m_source.at(middle);
-        const double away = (Eigen::Vector3d(s.x, s.y, 0.0) - centre_S).norm() - radius_m;
-        const double room = m_source.strip.radius(std::max(away, nearest_m)) / half;
-        const double max = 2.0 * kMaxGaussPoints * ellipseExponent(room);
-        if (max < exponent && half > kMinHalf) {
-            open.emplace_back(from, middle);
-            open.emplace_back(middle, to);
+void LoopSource::layPanels(Stretch& stretch, const Eigen::Vector3d& centre_S, double radius_m,
+                           double nearest_m) {
+    constexpr double kMinHalf = 1e-12; // shorter panels have no effect
+    m_open.assign(1, {stretch.whole, 0});
+    while (!m_open.empty()) {
+        const auto [index, level] = m_open.back();
+        m_open.pop_back();
+        const Panel& panel = m_panels[static_cast<std::size_t>(index)];
+        const double away =
+            (Eigen::Vector3d(panel.middle.x, panel.middle.y, 0.0) - centre_S).norm() - radius_m;
+        const double distance = std::max(away, nearest_m);
+        const Reaches& enough = reaches(stretch, level);
+        int points = kMaxGaussPoints;
+        if (distance < enough[kMaxGaussPoints] && 0.5 * (panel.to - panel.from) > kMinHalf) {
+            int halves = panel.halves;
+            if (halves < 0) {
+                const double from = panel.from, to = panel.to, middle = 0.5 * (from + to);
+                halves = addPanel(from, middle);
+                addPanel(middle, to);
+                m_panels[static_cast<std::size_t>(index)].halves = halves;
+            }
+            m_open.emplace_back(halves, level + 1);
+            m_open.emplace_back(halves + 1, level + 1);
             continue;
         }
-        if (half > kMinHalf) // shorter panels have no effect
-            reached = std::min(reached, max);
-        const GaussRule rule = gaussRule(gaussOrder(room, exponent));
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            const OutlinePoint p = m_source.at(from + 2.0 * half * rule.nodes[i]);
-            const double weight = 2.0 * half * rule.weights[i];
-            m_nodes.add(p.x, p.y, weight * p.dx, weight * p.dy);
-        }
+        while (points > 1 && distance >= enough[static_cast<std::size_t>(points - 1)])
+            --points;
+        layNodes(index, points);
     }
-    return reached;
+}
+
+void LoopSource::layNodes(int index, int points) {
+    Panel& panel = m_panels[static_cast<std::size_t>(index)];
+    // A point or two more cost less than points of another rule.
+    for (int more = points; more <= std::min(points + 2, kMaxGaussPoints); ++more)
+        if (panel.nodes[static_cast<std::size_t>(more)] >= 0) {
+            m_nodes.add(m_panelNodes, panel.nodes[static_cast<std::size_t>(more)], more);
+            return;
+        }
+    int& first = panel.nodes[static_cast<std::size_t>(points)];
+    first = m_panelNodes.size();
+    const double half = 0.5 * (panel.to - panel.from);
+    const GaussRule rule = gaussRule(points);
+    m_source.atNodes({}, panel.from, 2.0 * half, rule.nodes, [&](std::size_t i, const OutlinePoint& p) {
+        const double weight = 2.0 * half * rule.weights[i];
+        m_panelNodes.add(p.x, p.y, weight * p.dx, weight * p.dy);
+    });
+    m_nodes.add(m_panelNodes, first, points);
 }
 
 Vector6d LoopSource::alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {

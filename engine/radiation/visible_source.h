@@ -3,11 +3,15 @@
 // outline and sums of its field over points of the object's outline. All three have the same functions for
 // the integrator (outline_integral.h).
 
+#include "engine/radiation/gauss_rule.h"
 #include "engine/radiation/outline_table.h"
 
 #include <Eigen/Geometry>
 
+#include <array>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace bask {
 
@@ -115,14 +119,40 @@ public:
     Vector6d alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
 private:
-    double layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
-                     double nearest_m, double exponent);
+    /// A part of a smooth stretch. Its nodes are computed once and serve all points of the object, most of
+    /// which need the same.
+    struct Panel {
+        double from, to;
+        OutlinePoint middle;
+        int halves = -1; ///< the first of the two; -1: not halved yet
+        /// First node of the rule of n points; -1: not computed yet.
+        std::array<int, kMaxGaussPoints + 1> nodes{};
+    };
+    /// The distance (m) of a panel's middle from which n points are enough.
+    using Reaches = std::array<double, kMaxGaussPoints + 1>;
+    struct Stretch {
+        double width;
+        int whole;                   ///< its panel
+        std::vector<Reaches> levels; ///< of panels halved so many times
+    };
+
+    int addPanel(double from, double to);
+    const Reaches& reaches(Stretch& stretch, std::size_t level);
+    void prepareStretches(double exponent);
+    void layPanels(Stretch& stretch, const Eigen::Vector3d& centre_S, double radius_m, double nearest_m);
+    void layNodes(int panel, int points);
 
     const RadiatingContour::Impl& m_source;
     Eigen::Vector3d m_normal, m_o;
     std::vector<OutlinePiece> m_smooth;
     std::vector<kernels::Edge> m_edges, m_cutEdges;
     std::vector<kernels::Edge> m_followed; ///< of both
+    std::vector<Stretch> m_stretches;      ///< of m_smooth, once they are needed
+    std::vector<Panel> m_panels;           ///< of all stretches
+    OutlineTable m_panelNodes;
+    double m_exponent = 0.0;                         ///< for which m_stretches are prepared
+    Reaches m_gaussDistances{};                      ///< gaussDistance() for it
+    std::vector<std::pair<int, std::size_t>> m_open; ///< panel and level
     OutlineTable m_nodes;
     kernels::Placement m_placement;
     kernels::Loop m_loop;

@@ -63,6 +63,21 @@ struct Sums {
     double moments[6] = {};
 };
 
+/// A smooth outline as a Fourier series, p + iy = sum c_j e^(i j phi): c_j (m) for j = -harmonics ..
+/// harmonics, real and imaginary part in turn.
+struct Series {
+    const double* coefficients = nullptr;
+    int harmonics = 0;
+};
+
+/// The most points that a series is asked for at a time.
+inline constexpr int kMaxSeriesPoints = 16;
+
+/// Points of a series (m) and their derivatives by phi (m per rad).
+struct SeriesPoints {
+    double x[kMaxSeriesPoints], y[kMaxSeriesPoints], dx[kMaxSeriesPoints], dy[kMaxSeriesPoints];
+};
+
 /// The functions for one kind of processor. "Value" functions do not compute the moments. `onCut`: all points
 /// are on the line where the two planes meet, and the caller adds the field of the source's parts on that
 /// line.
@@ -74,6 +89,8 @@ struct Kernels {
     Sums (*segmentSums)(const Segment&, const Outline&, bool onCut);
     double (*loopValue)(const Loop&, const Placement&, const Outline&);
     Sums (*loopSums)(const Loop&, const Placement&, const Outline&, bool onCut);
+    /// The points at phi of the given cosines and sines; `count` is a multiple of kPadding.
+    void (*seriesPoints)(const Series&, const double* cosines, const double* sines, int count, SeriesPoints&);
 };
 
 extern const Kernels kBaselineKernels; ///< any processor of the platform

@@ -18,6 +18,9 @@ BASK_INLINE Lanes load(const double* from) {
     __builtin_memcpy(&result, from, sizeof result);
     return result;
 }
+BASK_INLINE void store(double* to, Lanes x) {
+    __builtin_memcpy(to, &x, sizeof x);
+}
 BASK_INLINE Lanes laneSqrt(Lanes x) {
     Lanes result;
     for (int i = 0; i < kLanes; ++i)

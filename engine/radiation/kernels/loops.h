@@ -91,8 +91,19 @@ Sums loopSums(const Loop& loop, const Placement& at, const Outline& outline, boo
     return sumsOf(term);
 }
 
+void seriesPoints(const Series& series, const double* cosines, const double* sines, int count,
+                  SeriesPoints& points) {
+    for (int i = 0; i < count; i += kLanes) {
+        const SeriesSums sum = seriesSums(series, load(cosines + i), load(sines + i));
+        store(points.x + i, sum.x);
+        store(points.y + i, sum.y);
+        store(points.dx + i, sum.dx);
+        store(points.dy + i, sum.dy);
+    }
+}
+
 constexpr Kernels kernelsNamed(const char* name) {
-    return {name, diskValue, diskSums, segmentValue, segmentSums, loopValue, loopSums};
+    return {name, diskValue, diskSums, segmentValue, segmentSums, loopValue, loopSums, seriesPoints};
 }
 
 } // namespace

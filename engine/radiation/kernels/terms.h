@@ -186,4 +186,33 @@ BASK_INLINE void addEdge(const Edge& e, Lanes p1, Lanes p2, Lanes z, Lanes& g1, 
     }
 }
 
+struct SeriesSums {
+    Lanes x{}, y{}, dx{}, dy{};
+};
+
+/// Horner's scheme in both directions of j, the derivative beside the value.
+BASK_INLINE SeriesSums seriesSums(const Series& series, Lanes c, Lanes s) {
+    Lanes up1{}, up2{}, upSlope1{}, upSlope2{};
+    Lanes down1{}, down2{}, downSlope1{}, downSlope2{};
+    const double* const middle = series.coefficients + 2 * series.harmonics;
+    for (int j = series.harmonics; j >= 1; --j) {
+        const double* const plus = middle + 2 * j;
+        const double* const minus = middle - 2 * j;
+        const Lanes u1 = up1 + plus[0], u2 = up2 + plus[1];
+        up1 = u1 * c - u2 * s;
+        up2 = u1 * s + u2 * c;
+        const Lanes us1 = upSlope1 + j * plus[0], us2 = upSlope2 + j * plus[1];
+        upSlope1 = us1 * c - us2 * s;
+        upSlope2 = us1 * s + us2 * c;
+        const Lanes d1 = down1 + minus[0], d2 = down2 + minus[1];
+        down1 = d1 * c + d2 * s;
+        down2 = d2 * c - d1 * s;
+        const Lanes ds1 = downSlope1 - j * minus[0], ds2 = downSlope2 - j * minus[1];
+        downSlope1 = ds1 * c + ds2 * s;
+        downSlope2 = ds2 * c - ds1 * s;
+    }
+    return {middle[0] + up1 + down1, middle[1] + up2 + down2, -(upSlope2 + downSlope2),
+            upSlope1 + downSlope1};
+}
+
 } // namespace bask::kernels
