@@ -2,11 +2,13 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/mounting_check.h"
 
 #include <QCommandLineParser>
 #include <QStringList>
 
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 namespace bask {
@@ -39,6 +41,11 @@ Result<void> replaceSourceModel(const QCommandLineParser& parser, Experiment& ex
         return Error(MessageCode::ValueUnknown, "--source-model", {model, "gray, paper"});
     experiment.source.model = model == "paper" ? SourceModel::Paper : SourceModel::Gray;
     return {};
+}
+
+void warnOfOverlaps(const char* command, const Experiment& experiment) {
+    for (const MountingRemark& remark : overlapsInPlane(experiment))
+        std::fprintf(stderr, "bask %s: %s\n", command, describe(remark.message).c_str());
 }
 
 std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment) {

@@ -20,6 +20,9 @@ Error badValue(const QString& option, const QString& value, const char* expected
 Result<void> replaceTargets(const QCommandLineParser& parser, Experiment& experiment);
 Result<void> replaceSourceModel(const QCommandLineParser& parser, Experiment& experiment);
 
+/// Says on standard error which objects overlap a part in one plane.
+void warnOfOverlaps(const char* command, const Experiment& experiment);
+
 /// Returns the files that were read for the experiment: itself and the outlines beside it.
 std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment);
 

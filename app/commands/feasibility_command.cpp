@@ -11,6 +11,7 @@
 #include "engine/exchange/reachable_file.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/text_file.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -59,6 +60,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return targets.error();
     if (const auto valid = validate(request.experiment); !valid)
         return valid.error();
+    if (const auto mounting = checkMounting(request.experiment); !mounting)
+        return mounting.error();
     const auto fixed = fixedObjects(parser.values("hold"), request.experiment);
     if (!fixed)
         return fixed.error();
@@ -130,6 +133,9 @@ std::string summaryJson(const Experiment& experiment, const JointVerdict& verdic
     Json summary;
     summary["feasible"] = verdict.feasible;
     summary["reason"] = describe(verdict.reason);
+    summary["remarks"] = Json::array();
+    for (const MountingRemark& remark : overlapsInPlane(experiment))
+        summary["remarks"].push_back(describe(remark.message));
     summary["pose"] = nullptr;
     summary["margin"] = nullptr;
     if (verdict.anyPose) {
@@ -238,8 +244,11 @@ int feasibilityCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, "feasibility", arguments, 1))
         return *code;
     const auto request = readRequest(parser);
-    if (!request)
+    if (!request) {
+        if (request.error().code() == MessageCode::MountingOverlap)
+            std::printf("not feasible: %s\n", describe(request.error()).c_str());
         return refuse(request.error());
+    }
     std::vector<OutputFile> maps;
     if (parser.isSet("reachable")) {
         const auto files =
@@ -258,6 +267,9 @@ int feasibilityCommand(const QStringList& arguments) {
             return refuse(predicted.error());
         predicted_s = *predicted;
     }
+    warnOfOverlaps("feasibility", request->experiment);
+    for (const MountingRemark& remark : overlapsInPlane(request->experiment))
+        std::printf("%s\n", describe(remark.message).c_str());
     printVerdict(request->experiment, verdict, predicted_s);
     if (!request->summaryPath.empty())
         if (const auto written =

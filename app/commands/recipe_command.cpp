@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/engine_thread.h"
+#include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
 #include "app/commands/recipe_live.h"
 #include "app/examples.h"
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 namespace bask {
 namespace {
@@ -270,6 +272,10 @@ int runRecipe(const RecipeRequest& request) {
             Error(MessageCode::FileUnwritable, request.folder.toStdString(), {"the folder cannot be made"}));
     if (const auto fits = checkOutputs(request, *recipe); !fits)
         return refuse(fits.error());
+    std::set<const Experiment*> told;
+    for (const auto& experiment : *experiments)
+        if (told.insert(experiment.get()).second)
+            warnOfOverlaps("run", *experiment);
     announce(*recipe);
     RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
         return request.folder.isEmpty() ? std::string() : recordingOf(*recipe, step, folder);

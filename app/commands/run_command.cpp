@@ -11,6 +11,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -69,6 +70,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     }
     if (const auto valid = validate(request.experiment); !valid)
         return valid.error();
+    if (const auto mounting = checkMounting(request.experiment); !mounting)
+        return mounting.error();
     if (const auto place = readOutputs(parser, path, request); !place)
         return place.error();
     return request;
@@ -226,6 +229,7 @@ int runExperimentCommand(const QStringList& arguments) {
             loosened.code != MessageCode::None)
             return refuseWords(QString::fromStdString(describe(loosened)) +
                                QStringLiteral(": allow it with --accept-limits"));
+    warnOfOverlaps("run", request->experiment);
     warnOfTargets(request->experiment);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     if (terminal)

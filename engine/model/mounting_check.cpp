@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/control/dependent_objects.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/model/passing_shapes.h"
 #include "engine/shape/crossing.h"
 
 #include <algorithm>
@@ -62,6 +63,24 @@ std::vector<MountingRemark> freedomRemarks(const Experiment& experiment) {
     return out;
 }
 
+MountingRemark overlapRemark(const Experiment& experiment, std::size_t i, std::size_t k) {
+    return {{MessageCode::MountingOverlap, {experiment.objects[i].name, experiment.objects[k].name}},
+            {static_cast<int>(i), static_cast<int>(k)}};
+}
+
+// Calls `take(passage, i, k)` for every two objects, i < k.
+template <class F> void forPassages(const Experiment& experiment, const F& take) {
+    const std::vector<ObjectSpec>& objects = experiment.objects;
+    std::vector<Shape> shapes;
+    std::ranges::transform(objects, std::back_inserter(shapes),
+                           [](const ObjectSpec& object) { return thinned(object.shape); });
+    for (std::size_t k = 1; k < objects.size(); ++k)
+        for (std::size_t i = 0; i < k; ++i)
+            take(passageOf(shapes[i], poseFromCoordinates(objects[i].mounting), shapes[k],
+                           poseFromCoordinates(objects[k].mounting)),
+                 i, k);
+}
+
 Contour thinnedRing(const Contour& ring) {
     if (ring.points_m.size() <= kManyPoints)
         return ring;
@@ -88,6 +107,25 @@ std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object,
         for (Eigen::Vector2d& p : ring)
             p = (X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
     return rings;
+}
+
+Result<void> checkMounting(const Experiment& experiment) {
+    Result<void> check;
+    forPassages(experiment, [&](Passage passage, std::size_t i, std::size_t k) {
+        if (check && passage == Passage::Through)
+            check = Error(MessageCode::MountingOverlap, "objects[" + std::to_string(k) + "].mounting",
+                          overlapRemark(experiment, i, k).message.args);
+    });
+    return check;
+}
+
+std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment) {
+    std::vector<MountingRemark> out;
+    forPassages(experiment, [&](Passage passage, std::size_t i, std::size_t k) {
+        if (passage == Passage::Overlap)
+            out.push_back(overlapRemark(experiment, i, k));
+    });
+    return out;
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {

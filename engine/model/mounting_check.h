@@ -19,6 +19,14 @@ struct MountingRemark {
 /// redundancy. Takes 1 ms for three objects, at most 4 ms.
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment);
 
+/// Refuses two objects in one place or that cross each other, which nobody can build, with the sentence of
+/// the remark, at the place of the second (engine/model/passing_shapes.h). Objects that touch, overlap a part
+/// in one plane or only shade one another are accepted.
+Result<void> checkMounting(const Experiment& experiment);
+
+/// Returns remarks on every two objects that overlap a part in one plane.
+std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment);
+
 /// Returns the shape for drawings and remarks: a polygon of many points simplified to 0.2 mm, others
 /// unchanged.
 Shape thinned(const Shape& shape);

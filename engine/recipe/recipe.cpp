@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/checker.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
@@ -132,6 +133,8 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
                 return located(experiment.error(), place);
             if (const auto fit = checkTargets(*experiment); !fit) // it would never be ready
                 return located(fit.error(), place);
+            if (const auto mounting = checkMounting(*experiment); !mounting)
+                return located(mounting.error(), place);
             known = std::make_shared<const Experiment>(std::move(*experiment));
         }
         // Nobody is there to agree to it when its turn comes.

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/control/feasibility.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
@@ -277,9 +278,12 @@ void add(FaultSummary& summary, const AlarmStudyRow& row, std::vector<double>& d
 
 Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int threads,
                                                  const std::function<void(int done)>& progress) {
-    for (const Experiment& rig : study.rigs)
+    for (const Experiment& rig : study.rigs) {
         if (const auto valid = validate(rig); !valid)
             return valid.error();
+        if (const auto mounting = checkMounting(rig); !mounting)
+            return mounting.error();
+    }
     std::vector<AlarmStudyRow> rows(static_cast<std::size_t>(study.count));
     runInParallel(
         study.count, threads,

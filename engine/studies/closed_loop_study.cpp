@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/control/pose_lookup.h"
 #include "engine/control/velocity_solve.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 #include "engine/studies/parallel.h"
@@ -297,6 +298,8 @@ Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& stu
                                                       const std::function<void(int done)>& progress) {
     if (const auto valid = validate(study.rig); !valid)
         return valid.error();
+    if (const auto mounting = checkMounting(study.rig); !mounting)
+        return mounting.error();
     std::vector<std::optional<Result<ClosedLoopRow>>> results(static_cast<std::size_t>(study.count));
     runInParallel(
         study.count, threads,

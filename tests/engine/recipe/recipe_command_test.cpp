@@ -37,6 +37,33 @@ struct RecipeCommand : testing::Test {
 
 } // namespace
 
+// Catches: two objects in one place run as if that could be built, alone or as a step of a recipe; and two
+// that only touch refused.
+TEST_F(RecipeCommand, objectsThroughEachOtherAreRefusedBeforeAnythingRuns) {
+    const std::string experiment = folder.filePath("experiment.json").toStdString();
+    const auto place = [&](double y_cm, double lean_deg) {
+        std::ifstream example(BASK_EXAMPLES "/two-circles.json");
+        auto json = nlohmann::json::parse(example);
+        json["objects"][1]["mounting"] = {{"x_cm", 0}, {"y_cm", y_cm}, {"theta_y_deg", lean_deg}};
+        std::ofstream(experiment) << json;
+    };
+    write(R"({"run": "experiment.json", "until": {"time_s": 5}})");
+    const QStringList alone{QString::fromStdString(experiment), "--duration", "5"};
+    const std::string reason = "objects[1].mounting: left and right overlap; move one of them";
+    for (const double lean_deg : {0.0, 90.0}) {
+        place(4.0, lean_deg);
+        const auto one = run(alone), step = run();
+        EXPECT_EQ(one.code, kExitBadInput) << one.err;
+        EXPECT_EQ(one.err, "bask run: " + reason + '\n');
+        EXPECT_EQ(one.out, "");
+        EXPECT_EQ(step.code, kExitBadInput) << step.err;
+        EXPECT_NE(step.err.find("steps[0].run: " + reason), std::string::npos) << step.err;
+    }
+    place(1.0, 0.0); // edge on edge
+    EXPECT_EQ(run(alone).code, kExitNegative);
+    EXPECT_NE(run().code, kExitBadInput);
+}
+
 // Catches: the shipped recipe that does not get through, sessions that are not there or are of other steps.
 TEST_F(RecipeCommand, theShippedRecipeGetsThrough) {
     const QString out = folder.filePath("made/here"), summaryPath = folder.filePath("summary.json");

@@ -38,6 +38,45 @@ protected:
     QTemporaryDir m_folder;
 };
 
+// Catches: two objects in one place, or through each other, told to be feasible; and two of which one only
+// shades the other refused.
+TEST_F(FeasibilityCommand, WhatNobodyCanBuildIsRefusedWithItsPlace) {
+    const auto answerWith = [&](const char* mounting) {
+        QFile example(QStringLiteral(BASK_EXAMPLES "/two-circles.json")), damaged(file("damaged.json"));
+        EXPECT_TRUE(example.open(QIODevice::ReadOnly) && damaged.open(QIODevice::WriteOnly));
+        json experiment = json::parse(example.readAll().toStdString());
+        experiment["objects"][1]["mounting"] = json::parse(mounting);
+        damaged.write(QByteArray::fromStdString(experiment.dump()));
+        damaged.close();
+        return feasibility({file("damaged.json"), "--targets", "45,44"});
+    };
+    const std::string reason = "objects[1].mounting: left and right overlap; move one of them";
+    for (const char* mounting :
+         {R"({"x_cm": 0, "y_cm": 4})", R"({"x_cm": 0, "y_cm": 4, "theta_x_deg": 90})"}) {
+        const Captured answer = answerWith(mounting);
+        EXPECT_EQ(answer.code, kExitBadInput) << mounting;
+        EXPECT_NE(answer.err.find(reason), std::string::npos) << answer.err;
+        EXPECT_EQ(answer.out, "not feasible: " + reason + '\n');
+    }
+    for (const char* mounting : {R"({"x_cm": 0, "y_cm": -4})", R"({"x_cm": 0, "y_cm": 3, "z_cm": 4})"}) {
+        const Captured answer = answerWith(mounting);
+        EXPECT_NE(answer.code, kExitBadInput) << answer.err;
+        EXPECT_EQ(answer.err.find("overlap"), std::string::npos) << answer.err;
+    }
+}
+
+// Catches: an overlap in one plane that only the window tells; the paper's own example.
+TEST_F(FeasibilityCommand, AnOverlapInOnePlaneIsToldEverywhere) {
+    const QString paper = QStringLiteral(BASK_EXAMPLES "/paper/unfeasible-isosurfaces-30-30.json");
+    const std::string told = "small and large overlap; move one of them";
+    const Captured answer = feasibility({paper});
+    EXPECT_EQ(answer.code, 0);
+    EXPECT_EQ(answer.err, "bask feasibility: " + told + '\n');
+    EXPECT_EQ(answer.out.find(told), 0u) << answer.out;
+    EXPECT_EQ(summaryOf({paper}, 0)["remarks"], json({told}));
+    EXPECT_EQ(summaryOf({kTriangle, "--targets", "45,42,40"}, 0)["remarks"], json::array());
+}
+
 // Catches: a solution whose pose, margin or predicted time is missing or in other units.
 TEST_F(FeasibilityCommand, FeasibleTargetsComeWithAPoseAndATime) {
     const json summary = summaryOf({kTriangle, "--targets", "45,42,40"}, 0);

@@ -1,6 +1,7 @@
 // The study of alarms in short: runs at random without a false word, faults that are found in the time that
 // docs/safety.md states. Its long form is `bask study alarms`.
 
+#include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/studies/alarm_study.h"
 
@@ -20,6 +21,19 @@ std::vector<Experiment> rigs(const std::vector<std::string>& names) {
             out.push_back(std::move(*rig));
     }
     return out;
+}
+
+// Catches a study of objects that nobody can build.
+TEST(AlarmStudy, ObjectsThroughEachOtherAreRefused) {
+    AlarmStudy study;
+    study.rigs = rigs({"three-objects.json", "two-circles.json"});
+    study.count = 1;
+    ObjectSpec& right = study.rigs[1].objects[1];
+    right.mounting = study.rigs[1].objects[0].mounting;
+    right.mounting[kThetaX] = 1.0;
+    const auto rows = runAlarmStudy(study, 1, {});
+    ASSERT_FALSE(rows);
+    EXPECT_EQ(rows.error().code(), MessageCode::MountingOverlap);
 }
 
 void expectNoFalseWord(const AlarmStudy& study) {

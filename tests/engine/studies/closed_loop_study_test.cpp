@@ -1,6 +1,7 @@
 // The closed-loop study: draws that can be held, bounds below which nobody can be, rows that do not depend on
 // the threads.
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/control/velocity_solve.h"
 #include "engine/experiment/experiment_file.h"
@@ -122,6 +123,16 @@ TEST(SettlingBound, IsThatOfTheScenario) {
     // 45 45 45 at 200 degC takes 275 s; with 100 K more in 1000 s it is less, at 300 degC least.
     EXPECT_LT(radiation_s("three-objects-exp-8"), 270.0);
     EXPECT_LT(radiation_s("three-objects-exp-7"), 0.5 * radiation_s("three-objects-exp-8"));
+}
+
+// Catches a study of objects that nobody can build.
+TEST(ClosedLoopStudy, ObjectsInOnePlaceAreRefused) {
+    ClosedLoopStudy study = studyOf("two-circles.json", false, 1);
+    study.rig.objects[1].mounting = study.rig.objects[0].mounting;
+    const auto rows = runClosedLoopStudy(study, 1, {});
+    ASSERT_FALSE(rows);
+    EXPECT_EQ(rows.error().code(), MessageCode::MountingOverlap);
+    EXPECT_EQ(rows.error().where, "objects[1].mounting");
 }
 
 TEST(ClosedLoopStudy, RowsDoNotDependOnThreadsNorDrawsOnTheController) {
