@@ -21,17 +21,17 @@ StartValues withStartValues(const Experiment& experiment, const Experiment& reco
                             const SessionRates& rates) {
     StartValues out{experiment, {}};
     const SourceSpec& source = recorded.source;
-    const bool sameHeat = source.temperature_K == experiment.source.temperature_K &&
-                          source.emittance == experiment.source.emittance &&
-                          source.model == experiment.source.model &&
-                          recorded.environment_K == experiment.environment_K;
+    const bool sameHeat =
+        source.temperature_K == experiment.source.temperature_K &&
+        source.emittance == experiment.source.emittance && source.model == experiment.source.model &&
+        recorded.environment_K == experiment.environment_K && recorded.air == experiment.air;
     for (std::size_t i = 0; i < rates.identified.size() && sameHeat; ++i) {
         const ObjectSpec& from = recorded.objects[i];
         const auto to = std::ranges::find(out.experiment.objects, from.name, &ObjectSpec::name);
         if (to == out.experiment.objects.end() || !(to->material == from.material) ||
             !rates.identified[i].usable())
             continue;
-        to->estimatedRates = rates.identified[i].rates();
+        to->estimatedRates = rates.identified[i].rates().withoutAir(); // that is the experiment's
         out.objects.push_back(to->name);
     }
     return out;

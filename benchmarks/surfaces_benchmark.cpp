@@ -52,8 +52,7 @@ void surfaces(benchmark::State& state) {
     const auto sampled = *targetFields(geometry(experiment));
     std::vector<double> values;
     for (const ObjectSpec& object : experiment.objects)
-        values.push_back(
-            heatRates(object.material, surroundingsOf(experiment)).steadyViewFactor(object.target_K));
+        values.push_back(heatRates(object, surroundingsOf(experiment)).steadyViewFactor(object.target_K));
     std::size_t triangles = 0;
     for ([[maybe_unused]] auto _ : state) {
         const auto cut = targetSurfaces(sampled, values);

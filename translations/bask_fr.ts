@@ -1591,6 +1591,14 @@
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
         <translation>L’enregistrement du défaut est terminé, car l’expérience a été modifiée ou une autre a été ouverte.</translation>
     </message>
+    <message>
+        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>ce que l’air emporte est inconnu et n’est pas compté&#xa0;: les objets se stabilisent plus froids qu’indiqué ici&#xa0;; indiquez la convection de l’air dans l’expérience</translation>
+    </message>
+    <message>
+        <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
+        <translation>cet enregistrement ne distingue pas le rayonnement de ce que l’air emporte&#xa0;: seules la perte des deux ensemble et sa pente à %1 sont sûres&#xa0;; indiquez la convection de l’air dans l’expérience, ou enregistrez des températures étendues</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -1884,6 +1892,14 @@
     <message>
         <source>The device switches its heat off when it has heard nothing for so long</source>
         <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
+    </message>
+    <message>
+        <source>Convection h</source>
+        <translation>Convection h</translation>
+    </message>
+    <message>
+        <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
+        <translation>Ce que l’air emporte de la face d’un objet, selon sa température au-dessus de la pièce</translation>
     </message>
 </context>
 <context>
@@ -7496,6 +7512,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Safety limits</source>
         <translation>Limites de sécurité</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>Air</translation>
+    </message>
+    <message>
+        <source>natural convection, by correlation</source>
+        <translation>convection naturelle, par corrélation</translation>
+    </message>
+    <message>
+        <source>convection h = %1 W/(m² K)</source>
+        <translation>convection h = %1 W/(m² K)</translation>
+    </message>
+    <message>
+        <source>convection not known, not counted</source>
+        <translation>convection inconnue, non comptée</translation>
     </message>
 </context>
 <context>

@@ -1591,6 +1591,14 @@
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
         <translation>故障的记录已结束，因为实验被修改或打开了另一个实验。</translation>
     </message>
+    <message>
+        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>空气带走的热量未知，未计入：物体的稳态温度会低于此处所示；请在实验中说明空气的对流</translation>
+    </message>
+    <message>
+        <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
+        <translation>此记录无法区分辐射与空气带走的热量：只有两者合计的损失及其在 %1 处的斜率是确定的；请在实验中说明空气的对流，或记录更宽的温度范围</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -1884,6 +1892,14 @@
     <message>
         <source>The device switches its heat off when it has heard nothing for so long</source>
         <translation>设备若在这段时间内没有收到任何信息，就自行关闭加热</translation>
+    </message>
+    <message>
+        <source>Convection h</source>
+        <translation>对流系数 h</translation>
+    </message>
+    <message>
+        <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
+        <translation>空气从物体表面带走的热量，按其高于室温的温度计</translation>
     </message>
 </context>
 <context>
@@ -7482,6 +7498,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Safety limits</source>
         <translation>安全限值</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空气</translation>
+    </message>
+    <message>
+        <source>natural convection, by correlation</source>
+        <translation>自然对流，按关联式</translation>
+    </message>
+    <message>
+        <source>convection h = %1 W/(m² K)</source>
+        <translation>对流系数 h = %1 W/(m² K)</translation>
+    </message>
+    <message>
+        <source>convection not known, not counted</source>
+        <translation>对流未知，未计入</translation>
     </message>
 </context>
 <context>

@@ -1591,6 +1591,14 @@
         <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
         <translation>故障的記錄已結束，因為實驗被修改或開啟了另一個實驗。</translation>
     </message>
+    <message>
+        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>空氣帶走的熱量未知，未計入：物體的穩態溫度會低於此處所示；請在實驗中說明空氣的對流</translation>
+    </message>
+    <message>
+        <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
+        <translation>此記錄無法區分輻射與空氣帶走的熱量：只有兩者合計的損失及其在 %1 處的斜率是確定的；請在實驗中說明空氣的對流，或記錄更寬的溫度範圍</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -1884,6 +1892,14 @@
     <message>
         <source>The device switches its heat off when it has heard nothing for so long</source>
         <translation>裝置若在這段時間內沒有收到任何資訊，就自行關閉加熱</translation>
+    </message>
+    <message>
+        <source>Convection h</source>
+        <translation>對流係數 h</translation>
+    </message>
+    <message>
+        <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
+        <translation>空氣從物體表面帶走的熱量，依其高於室溫的溫度計</translation>
     </message>
 </context>
 <context>
@@ -7482,6 +7498,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Safety limits</source>
         <translation>安全限值</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <translation>空氣</translation>
+    </message>
+    <message>
+        <source>natural convection, by correlation</source>
+        <translation>自然對流，依關聯式</translation>
+    </message>
+    <message>
+        <source>convection h = %1 W/(m² K)</source>
+        <translation>對流係數 h = %1 W/(m² K)</translation>
+    </message>
+    <message>
+        <source>convection not known, not counted</source>
+        <translation>對流未知，未計入</translation>
     </message>
 </context>
 <context>

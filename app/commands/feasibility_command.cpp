@@ -136,6 +136,7 @@ std::string summaryJson(const Experiment& experiment, const JointVerdict& verdic
     summary["remarks"] = Json::array();
     for (const MountingRemark& remark : overlapsInPlane(experiment))
         summary["remarks"].push_back(describe(remark.message));
+    summary["caveat"] = describe(verdict.caveat);
     summary["pose"] = nullptr;
     summary["margin"] = nullptr;
     if (verdict.anyPose) {
@@ -195,6 +196,8 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
                                 : "does not settle within its time");
     else
         std::printf("not feasible: %s\n", describe(verdict.reason).c_str());
+    if (verdict.caveat != Message{})
+        std::printf("note: %s\n", describe(verdict.caveat).c_str());
     if (!verdict.fixedKept)
         std::printf("the held targets cannot be held together either\n");
 }

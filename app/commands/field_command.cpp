@@ -61,7 +61,7 @@ Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const E
 }
 
 FieldQuantity steadyTemperature(const Experiment& experiment, const ObjectSpec& object) {
-    const HeatRates rates = heatRates(object.material, surroundingsOf(experiment));
+    const HeatRates rates = heatRates(object, surroundingsOf(experiment));
     return {"steady_temperature", "K", [rates](double F) { return rates.steadyTemperature_K(F); }};
 }
 

@@ -165,7 +165,7 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     const SourceSpec& source = experiment->source;
     Request request{
         {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {mounted}, {}}, {}, {}, {}, {}};
-    request.rates = heatRates(object.material, surroundingsOf(*experiment));
+    request.rates = heatRates(object, surroundingsOf(*experiment));
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +
                         std::filesystem::path(input).filename().string();

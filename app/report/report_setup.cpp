@@ -63,6 +63,14 @@ QString shapeWords(const Shape& shape) {
     return words;
 }
 
+QString airWords(const Air& air) {
+    if (air.isNatural)
+        return SetupText::tr("natural convection, by correlation");
+    if (air.convection_W_m2K)
+        return SetupText::tr("convection h = %1 W/(m\u00b2 K)").arg(number(*air.convection_W_m2K));
+    return SetupText::tr("convection not known, not counted");
+}
+
 QString area(const Shape& shape) {
     return number(1e4 * shapeArea(shape), 4) + QStringLiteral("\u00a0cm\u00b2");
 }
@@ -105,7 +113,8 @@ Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
                                                    : SetupText::tr("as in the paper, without reflection")},
         {SetupText::tr("Pose of the source in the robot's base"),
          poseWords(source.pose) + (source.tracked ? SetupText::tr(", tracked during the run") : QString())},
-        {SetupText::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)}};
+        {SetupText::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)},
+        {SetupText::tr("Air"), airWords(session.experiment.air)}};
 }
 
 Facts robotFacts(const Experiment& e) {

@@ -17,7 +17,12 @@ AdaptiveController::AdaptiveController(const ControllerSettings& settings, Contr
     }
 }
 
-void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double T_K,
+double AdaptiveController::lossSlope_K3(std::size_t i, double T_K) const {
+    const HeatRates& start = m_model.estimated[i];
+    return 4.0 * std::pow(T_K, 3) + start.air.slope_1_s(T_K) / start.lambda2;
+}
+
+void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossSlope_K3,
                                double dt_s) const {
     if (std::abs(zeta_K_s) < kZetaDeadZone_K_s)
         return;
@@ -26,8 +31,8 @@ void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s
         return std::clamp(value, start / kEstimateRange, start * kEstimateRange);
     };
     estimate.a1 = within(estimate.a1 + dt_s * gains.gamma1 * gains.mu * v_K_s * zeta_K_s, estimate.start1);
-    estimate.a2 = within(estimate.a2 - dt_s * 4.0 * gains.gamma2 * v_K_s * zeta_K_s * std::pow(T_K, 3),
-                         estimate.start2);
+    estimate.a2 =
+        within(estimate.a2 - dt_s * gains.gamma2 * v_K_s * zeta_K_s * lossSlope_K3, estimate.start2);
 }
 
 ControlOutput AdaptiveController::step(const Observation& observation, double dt_s) {
@@ -42,7 +47,7 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
         const Estimate& estimate = m_estimates[i];
         zeta[i] = v + gains.mu * (T - m_model.targets_K[i]);
         wanted[static_cast<Eigen::Index>(i)] =
-            -gains.mu * estimate.a1 * v - gains.K * zeta[i] + 4.0 * std::pow(T, 3) * estimate.a2 * v;
+            -gains.mu * estimate.a1 * v - gains.K * zeta[i] + lossSlope_K3(i, T) * estimate.a2 * v;
     }
     const auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s,
@@ -50,11 +55,13 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
     for (std::size_t i = 0; i < N; ++i) {
         const auto [T, v] = observation.objects[i];
         if (!out.limits.any())
-            adapt(m_estimates[i], v, zeta[i], T, dt_s);
+            adapt(m_estimates[i], v, zeta[i], lossSlope_K3(i, T), dt_s);
+        const HeatRates& start = m_model.estimated[i];
         HeatRates rates;
         rates.lambda1 = 1.0 / m_estimates[i].a1;
         rates.lambda2 = m_estimates[i].a2 * rates.lambda1;
-        rates.lambda3 = rates.lambda2 * m_model.estimated[i].lambda3 / m_model.estimated[i].lambda2;
+        rates.lambda3 = rates.lambda2 * start.lambda3 / start.lambda2;
+        rates.air = start.air.scaled(rates.lambda2 / start.lambda2);
         out.estimate.push_back(rates);
     }
     return out;

@@ -7,8 +7,10 @@
 namespace bask {
 
 /// With zeta = v + mu dtau:  u = J+ (-mu a1 v - K zeta + 4 T a2 v),  da1/dt = gamma1 mu v zeta,  da2/dt = -4
-/// gamma2 v zeta T^3. Estimates stay within a factor kEstimateRange of their start; adaptation pauses while
-/// the command is limited or |zeta| is within noise. Source: paper, section IV-B.
+/// gamma2 v zeta T^3. If the experiment says what the air takes, its slope keeps the proportion to lambda2 of
+/// the start, so 4 T^3 becomes 4 T^3 + h'(T) / lambda2 in both places and the law stays linear in a2.
+/// Estimates stay within a factor kEstimateRange of their start; adaptation pauses while the command is
+/// limited or |zeta| is within noise. Source: paper, section IV-B.
 class AdaptiveController final : public Controller {
 public:
     static constexpr double kEstimateRange = 20.0;
@@ -29,7 +31,9 @@ private:
         double start1 = 0.0;
         double start2 = 0.0;
     };
-    void adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double T_K, double dt_s) const;
+    /// Returns the slope of the losses over lambda2, K3.
+    double lossSlope_K3(std::size_t i, double T_K) const;
+    void adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossSlope_K3, double dt_s) const;
 
     ControllerSettings m_settings;
     ControlModel m_model;

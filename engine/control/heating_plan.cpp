@@ -248,9 +248,7 @@ private:
         const double root = std::sqrt(dt_s);
         for (Eigen::Index i = 0; i < m_T.size(); ++i) {
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
-            const double T3 = m_T[i] * m_T[i] * m_T[i];
-            const double rate = rates.lambda1 * m_F[i] - rates.lambda2 * T3 * m_T[i] + rates.lambda3;
-            m_T[i] += dt_s * rate / (1.0 + 2.0 * dt_s * rates.lambda2 * T3); // linearly implicit midpoint
+            m_T[i] += rates.step_K(m_F[i], m_T[i], dt_s);
             const double before_s = std::exchange(m_toGo_s[i], toGo_s(i));
             m_residuals[m_next++] = 0.5 * root * (before_s + m_toGo_s[i]);
         }

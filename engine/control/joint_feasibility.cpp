@@ -168,6 +168,8 @@ std::optional<JointVerdict> jointFeasibility(const FeasibilityRequest& request, 
     if (search.stopped())
         return std::nullopt;
     out.reason = reasonOf(request, out);
+    if (!request.isAirKnown)
+        out.caveat = {MessageCode::TargetsWithoutAir, {}};
     return out;
 }
 

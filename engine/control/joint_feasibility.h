@@ -19,6 +19,7 @@ struct FeasibilityRequest {
     Vector6d rest = Vector6d::Zero();            ///< gives the fixed coordinates
     std::vector<std::string> names;              ///< for the sentence with the reason
     std::vector<HeatRates> rates;                ///< at the source's set temperature
+    bool isAirKnown = false;                     ///< whether the rates hold what the air takes
     std::vector<double> targets_K;
     std::vector<bool> fixed; ///< targets that the nearest feasible ones must keep; empty: none
     /// The look-up of the same geometry and rest (made by feasibilityLookup()), so that it is not sampled
@@ -62,6 +63,7 @@ struct JointVerdict {
     std::optional<double> surfaceGap_m;
     std::vector<Eigen::Vector3d> surfacePoints; ///< those points (E's origin in R), one for each object
     Message reason;                             ///< why the targets are not feasible; None if they are
+    Message caveat; ///< what the verdict does not count; None if nothing is known to be missing
 };
 
 /// Checks the targets. Takes about 50 to 100 ms without a given look-up: run it as a job. The same request

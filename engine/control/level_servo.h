@@ -3,12 +3,13 @@
 // predicted temperatures reach the targets soonest.
 //
 // Outer loop, for each object: the view factor that would correct the error in tau_c,
-//     F_des = ((T* - T) / tau_c + lambda2 T^4 - lambda3) / (s lambda1), clamped to [0, 1],
-// with s the measured source strength. A look-up over the sampled workspace gives poses that have these view
-// factors together (no local minimum), and poses at which the targets are steady (rests). From both it makes
-// plans - two stays and a rest - and compares and improves them by their cost: the time by which each object
-// is away from its target, squared, integrated over the heat balance (heating_plan). The first step of the
-// best plan is taken; at the next sample it is improved again.
+//     F_des = ((T* - T) / tau_c + lambda2 T^4 - lambda3 + h' (T - T3)) / (s lambda1), clamped to [0, 1],
+// with s the measured source strength and h' that of the air where the experiment states it. A look-up over
+// the sampled workspace gives poses that have these view factors together (no local minimum), and poses at
+// which the targets are steady (rests). From both it makes plans - two stays and a rest - and compares and
+// improves them by their cost: the time by which each object is away from its target, squared, integrated
+// over the heat balance (heating_plan). The first step of the best plan is taken; at the next sample it is
+// improved again.
 //
 // Stability. If the rates are correct and a rest has the targets as steady temperatures, the cost of a plan
 // is the cost of its first step plus that of the plan that remains after it. The remaining plan is one of the

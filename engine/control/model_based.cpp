@@ -22,8 +22,7 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
         const auto [T, v] = observation.objects[i];
         const auto row = static_cast<Eigen::Index>(i);
         rows.row(row) *= rates.lambda1 * observation.sourceStrength;
-        wanted[row] =
-            -gains.D * v - gains.K * (T - m_model.targets_K[i]) + 4.0 * rates.lambda2 * std::pow(T, 3) * v;
+        wanted[row] = -gains.D * v - gains.K * (T - m_model.targets_K[i]) + rates.lossSlope_1_s(T) * v;
     }
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s, rows, wanted);
     out.estimate = m_model.estimated;

@@ -5,7 +5,8 @@
 
 namespace bask {
 
-/// Knows lambda1, lambda2 of each object; without limits the error follows a second-order response of natural
+/// Knows lambda1, lambda2 of each object and what the air takes, if the experiment says; its slope joins
+/// 4 Lambda T. Without limits the error follows a second-order response of natural
 /// frequency sqrt(K) and damping D / (2 sqrt K). Source: paper, section IV-A.
 class ModelBasedController final : public Controller {
 public:

@@ -10,15 +10,18 @@
 namespace bask {
 
 RateIdentification::RateIdentification(const HeatRates& start)
-    : m_start(start), m_timeConstant_s(start.timeConstant_s(std::pow(start.lambda3 / start.lambda2, 0.25))),
+    : m_start(start), m_timeConstant_s(start.timeConstant_s(start.steadyTemperature_K(0.0))),
       m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
+
+double RateIdentification::cooling_K4(double T_K) const {
+    return std::pow(T_K, 4) - m_start.lambda3 / m_start.lambda2 + m_start.air.rate_K_s(T_K) / m_start.lambda2;
+}
 
 void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength) {
     const double window_s = std::max(kWindow_s, kWindow * m_timeConstant_s);
     double forgetting = kForgetting;
     const double heating = F * sourceStrength;
-    const double rest = m_start.lambda3 / m_start.lambda2;
-    const double cooling = std::pow(temperature_K, 4) - rest;
+    const double cooling = cooling_K4(temperature_K);
     if (!std::isfinite(temperature_K) || !std::isfinite(heating))
         return;
     // After a pause a single trapezoid would have to represent all changes.
@@ -35,7 +38,7 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
         if (!(dt_s > 0.0))
             return;
         forgetting = std::max(kForgetting, std::exp(-dt_s / (kMemory * m_timeConstant_s)));
-        const double lastCooling = std::pow(last.temperature_K, 4) - rest;
+        const double lastCooling = cooling_K4(last.temperature_K);
         sample.heating = last.heating + 0.5 * dt_s * (m_lastF + heating);
         sample.cooling = last.cooling + 0.5 * dt_s * (lastCooling + cooling);
     }
@@ -66,6 +69,7 @@ HeatRates RateIdentification::rates() const {
     rates.lambda1 = m_start.lambda1 * m_relative[0];
     rates.lambda2 = m_start.lambda2 * m_relative[1];
     rates.lambda3 = rates.lambda2 * m_start.lambda3 / m_start.lambda2;
+    rates.air = m_start.air.scaled(m_relative[1]);
     return rates;
 }
 

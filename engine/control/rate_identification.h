@@ -9,11 +9,11 @@
 
 namespace bask {
 
-/// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4)  with T0^4 = lambda3 /
-/// lambda2 over a short window w: the integral form of the heat balance, which needs no differentiated
-/// temperature. Old data are forgotten exponentially, back to a wide prior about the start values, so that a
-/// long rest at a steady state neither winds the estimate up nor freezes it. Estimates are the minimum within
-/// bounds, not clipped.
+/// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4 + h'(T) (T - T_air) /
+/// lambda2) with T0^4 = lambda3 / lambda2, both ratios to lambda2 those of the start, over a short window w:
+/// the integral form of the heat balance, which needs no differentiated temperature. Old data are forgotten
+/// exponentially, back to a wide prior about the start values, so that a long rest at a steady state neither
+/// winds the estimate up nor freezes it. Estimates are the minimum within bounds, not clipped.
 class RateIdentification {
 public:
     static constexpr double kRange = 10.0;       ///< estimates stay within start / kRange .. start * kRange
@@ -28,7 +28,7 @@ public:
 
     /// Adds a sample: measured temperature, view factor and source strength at time_s (ascending).
     void add(double time_s, double temperature_K, double F, double sourceStrength);
-    /// Returns the present estimate; the ratio lambda3 / lambda2 is fixed.
+    /// Returns the present estimate; the ratios of all losses to lambda2 are fixed.
     HeatRates rates() const;
     /// Returns the standard deviation of the steady view factor for temperature T_K, from the fit's
     /// covariance.
@@ -39,8 +39,10 @@ private:
         double time_s;
         double temperature_K;
         double heating; ///< integral of s F since the start, s
-        double cooling; ///< integral of T^4 - T0^4 since the start, K4 s
+        double cooling; ///< integral of the losses over lambda2 since the start, K4 s
     };
+    /// Returns the losses over lambda2, K4.
+    double cooling_K4(double T_K) const;
     void update(const Sample& from, const Sample& to, double forgetting);
 
     HeatRates m_start;

@@ -52,7 +52,10 @@ SteadySearch::SteadySearch(std::shared_ptr<const RigGeometry> geometry,
     m_T_K = m_lookup->table();
     for (Eigen::Index i = 0; i < m_T_K.cols(); ++i) {
         const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
-        m_T_K.col(i) = ((rate.lambda1 * m_T_K.col(i) + rate.lambda3) / rate.lambda2).sqrt().sqrt();
+        if (rate.air.isZero())
+            m_T_K.col(i) = ((rate.lambda1 * m_T_K.col(i) + rate.lambda3) / rate.lambda2).sqrt().sqrt();
+        else
+            m_T_K.col(i) = m_T_K.col(i).unaryExpr([&](double F) { return rate.steadyTemperature_K(F); });
     }
 }
 
@@ -62,7 +65,7 @@ SteadySearch::Gradient SteadySearch::at(const Vector6d& q) const {
     for (Eigen::Index i = 0; i < now.F.size(); ++i) {
         const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
         out.T_K[i] = rate.steadyTemperature_K(std::max(0.0, now.F[i]));
-        out.dT.row(i) *= rate.lambda1 / (4.0 * rate.lambda2 * std::pow(out.T_K[i], 3));
+        out.dT.row(i) *= rate.lambda1 / rate.lossSlope_1_s(out.T_K[i]);
     }
     return out;
 }

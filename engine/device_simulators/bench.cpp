@@ -10,7 +10,7 @@ constexpr double kTolerance = 1e-7; // of the view factors
 std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     std::vector<PlantObject> objects;
     for (const SimulatedObject& object : config.objects)
-        objects.push_back({object.material, config.environment_K});
+        objects.push_back({object.material, config.environment_K, shapeCharacteristicLength(object.shape)});
     return objects;
 }
 
@@ -31,7 +31,7 @@ GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axe
 Bench::Bench(const SimulatedRigConfig& rig, const BenchDevices& devices)
     : m_config(rig), m_devices(devices), m_axes(devices.axes, rig.robot.start),
       m_robot(grblConfig(rig, m_axes)), m_source(rig.source),
-      m_plant(plantObjects(rig), rig.sourceModel, rig.environment_K, rig.convection_W_m2K) {
+      m_plant(plantObjects(rig), rig.sourceModel, rig.environment_K, rig.air) {
     for (const SimulatedObject& object : rig.objects)
         m_contours.emplace_back(object.shape);
     if (devices.thermometer) {

@@ -237,10 +237,22 @@ void readController(const json& j, const std::string& path, Failure& failure, Co
     fields.close();
 }
 
+const char* const kConvectionWord = "convection"; ///< "natural", beside h as a number
+
+const std::map<std::string, bool> kConvectionWords{{"natural", true}, {"unknown", false}};
+
+void readAir(const json& j, const std::string& path, Failure& failure, Air& out) {
+    Fields fields(j, path, failure);
+    fields.readWord(kConvectionWord, kConvectionWords, out.isNatural);
+    readParameters(fields, airParameters(), out);
+    fields.close();
+}
+
 void readSimulation(const json& j, const std::string& path, Failure& failure, SimulationSpec& out) {
     Fields fields(j, path, failure);
     fields.read("seed", out.seed);
     readParameters(fields, simulationParameters(), out);
+    fields.readWord(kConvectionWord, {{"given", false}, {"natural", true}}, out.naturalConvection);
     readTimeTable(fields, "source_motion", out.sourceMotion, readCoordinateFields);
     if (fields.find("source_emittance") != nullptr)
         fields.read("source_emittance", out.sourceEmittance.emplace());
@@ -272,6 +284,7 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
         fields.read("temperature", EdgeUnit::Temperature, e.environment_K, true);
         fields.close();
     });
+    part("air", false, readAir, e.air);
     part("robot", false, readRobot, e);
     part("controller", false, readController, e.controller);
     readPart(root, "sampling", false, [&](const json& value, const std::string& where) {

@@ -146,6 +146,8 @@ Json simulationJson(const SimulationSpec& s) {
     Json j;
     j["seed"] = s.seed;
     putParameters(j, simulationParameters(), s);
+    if (s.naturalConvection)
+        j["convection"] = "natural";
     if (!s.sourceMotion.empty())
         j["source_motion"] = motionJson(s.sourceMotion);
     if (s.sourceEmittance)
@@ -166,6 +168,11 @@ Json experimentJson(const Experiment& e) {
     j["title"] = e.title;
     j["source"] = sourceJson(e.source);
     putQuantity(j["environment"], "temperature", EdgeUnit::Temperature, e.environment_K);
+    if (e.air.isNatural)
+        j["air"]["convection"] = "natural";
+    putParameters(j["air"], airParameters(), e.air);
+    if (j["air"].empty())
+        j.erase("air");
     j["objects"] = Json::array();
     for (const ObjectSpec& object : e.objects)
         j["objects"].push_back(objectJson(object));

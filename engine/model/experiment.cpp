@@ -120,6 +120,11 @@ void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>&
     }
 }
 
+/// h is given as a number and by a word.
+void failTwice(Checker& check, const std::string& path) {
+    check.fail(MessageCode::JsonTwoSpellings, path + "convection", {"convection", "convection_W_m2K"});
+}
+
 void checkSource(Checker& check, const Experiment& e) {
     checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
     const auto temperature = [&](const std::string& path, double value_K) {
@@ -131,6 +136,9 @@ void checkSource(Checker& check, const Experiment& e) {
     checkCoordinates(check, "source.pose.", e.source.pose, kMaxPlace_cm, true);
     check.positive("source.emittance", e.source.emittance, 1.0);
     check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
+    check.parameters("air.", airParameters(), e.air);
+    if (e.air.isNatural && e.air.convection_W_m2K)
+        failTwice(check, "air.");
     if (check.failed())
         return;
     const double J =
@@ -259,6 +267,8 @@ void checkSampling(Checker& check, const SamplingSpec& s) {
 
 void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
     check.parameters("simulation.", simulationParameters(), s);
+    if (s.naturalConvection && s.convection_W_m2K != 0.0)
+        failTwice(check, "simulation.");
     check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, kMaxRunTime_s, "s");
 }
 

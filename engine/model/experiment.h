@@ -92,9 +92,9 @@ struct SimulationSpec {
     double sensorNoise_K = 0.02;
     double sensorResolution_K = 0.1;
     double sensorDelay_s = 0.0;
-    double sensorOffset_K = 0.0; ///< each sensor's constant error is drawn from +- this
-    double convection_W_m2K = 0.0;
-    double robotStep_m = 0.0001; ///< position resolution; 0: none
+    double sensorOffset_K = 0.0;   ///< each sensor's constant error is drawn from +- this
+    double convection_W_m2K = 0.0; ///< true h of an object's face
+    double robotStep_m = 0.0001;   ///< position resolution; 0: none
     double robotStep_rad = 0.0005;
     double durationLimit_s = 1800.0; ///< latest end of a run without --duration
     double sensorLag_s = 0.0;        ///< time constant, first order
@@ -109,6 +109,8 @@ struct SimulationSpec {
     std::optional<Vector6d> sourcePose{};    ///< true pose at the start; if empty, the assumed one
     SimulatedCameraSpec camera{};
     std::vector<ScriptedFault> faults{};
+    bool naturalConvection =
+        false; ///< whether true h is that of natural convection; convection_W_m2K is 0 then
     bool operator==(const SimulationSpec&) const = default;
 };
 
@@ -116,6 +118,7 @@ struct Experiment {
     std::string title;
     SourceSpec source;
     double environment_K = 298.15;
+    Air air; ///< as assumed by verdicts, predictions and controllers; the simulated one is in SimulationSpec
     std::vector<ObjectSpec> objects;
     RobotLimits robot;
     Vector6d start{0.0, 0.0, 0.15, 0.0, 0.0, 0.0}; ///< end-effector's coordinates in R at the start

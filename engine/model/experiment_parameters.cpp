@@ -68,6 +68,12 @@ constexpr Parameter<HeatRates> kHeatRates[]{
     {{"lambda3", kKelvinPerSecond, {0.0, kMaxRate_K_s, true}, Never, "", "", 4, kRequired, "\u03bb\u2083"}, &HeatRates::lambda3},
 };
 
+constexpr ValidRange kConvectionRange{0.0, 1000.0};
+constexpr Parameter<Air> kAir[]{
+    {{"convection", kConvection, kConvectionRange, Never, QT_TRANSLATE_NOOP("Parameter", "Convection h"),
+      QT_TRANSLATE_NOOP("Parameter", "What the air takes from an object's face, by its temperature above the room"), 1}, &Air::convection_W_m2K},
+};
+
 constexpr Parameter<RobotLimits> kRobot[]{
     {{"max_speed", kCentimetresPerSecond, {0.0, 100.0, true}, Up, QT_TRANSLATE_NOOP("Parameter", "Largest speed")}, &RobotLimits::maxSpeed_m_s},
     {{"max_rotation", kRadiansPerSecond, {0.0, 10.0, true}, Up, QT_TRANSLATE_NOOP("Parameter", "Largest turning speed")}, &RobotLimits::maxRotation_rad_s},
@@ -95,7 +101,7 @@ constexpr Parameter<SimulationSpec> kSimulation[]{
     {{"sensor_resolution", kKelvin, {0.0, 10.0}}, &SimulationSpec::sensorResolution_K},
     {{"sensor_delay", kSeconds, {0.0, 60.0}}, &SimulationSpec::sensorDelay_s},
     {{"sensor_offset", kKelvin, {0.0, 10.0}}, &SimulationSpec::sensorOffset_K},
-    {{"convection", kConvection, {0.0, 1000.0}}, &SimulationSpec::convection_W_m2K},
+    {{"convection", kConvection, kConvectionRange}, &SimulationSpec::convection_W_m2K},
     {{"robot_step", kMillimetres, {0.0, 10.0}}, &SimulationSpec::robotStep_m},
     {{"robot_step", kRadians, {0.0, 0.1}}, &SimulationSpec::robotStep_rad},
     {{"duration_limit", kSeconds, {0.0, kMaxRunTime_s, true}}, &SimulationSpec::durationLimit_s}, // and one period at least
@@ -138,6 +144,9 @@ ParameterTable<Material> materialParameters() {
 }
 ParameterTable<HeatRates> heatRateParameters() {
     return kHeatRates;
+}
+ParameterTable<Air> airParameters() {
+    return kAir;
 }
 ParameterTable<RobotLimits> robotParameters() {
     return kRobot;

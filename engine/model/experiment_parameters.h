@@ -13,6 +13,7 @@ ParameterTable<SafetySpec> safetyParameters();
 ParameterTable<ObjectSpec> objectLimitParameters();
 ParameterTable<Material> materialParameters();
 ParameterTable<HeatRates> heatRateParameters();
+ParameterTable<Air> airParameters();
 ParameterTable<RobotLimits> robotParameters();
 /// Returns the parameters that all controllers have; their gains are in the catalogue.
 ParameterTable<ControllerSettings> controllerParameters();

@@ -15,11 +15,27 @@ std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
 
 Surroundings surroundingsOf(const Experiment& experiment, double environment_K) {
     const SourceSpec& source = experiment.source;
-    return surroundingsOf(source.model, source.temperature_K, source.emittance, environment_K);
+    Surroundings surroundings =
+        surroundingsOf(source.model, source.temperature_K, source.emittance, environment_K);
+    surroundings.air = experiment.air;
+    return surroundings;
 }
 
 Surroundings surroundingsOf(const Experiment& experiment) {
     return surroundingsOf(experiment, experiment.environment_K);
+}
+
+HeatRates heatRates(const ObjectSpec& object, const Surroundings& surroundings) {
+    return heatRates(object.material, surroundings, shapeCharacteristicLength(object.shape));
+}
+
+HeatRates startRates(const ObjectSpec& object, const Surroundings& surroundings) {
+    const HeatRates nominal = heatRates(object, surroundings);
+    if (!object.estimatedRates)
+        return nominal;
+    HeatRates rates = *object.estimatedRates;
+    rates.air = nominal.air.scaled(rates.lambda2 / nominal.lambda2);
+    return rates;
 }
 
 } // namespace bask

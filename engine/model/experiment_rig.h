@@ -11,9 +11,16 @@ namespace bask {
 /// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
 
-/// Returns what the objects exchange radiation with, at the source's set temperature and an environment, K.
+/// Returns what the objects exchange heat with, as the experiment assumes, at the source's set temperature
+/// and an environment, K.
 Surroundings surroundingsOf(const Experiment& experiment, double environment_K);
 /// Same in the environment that the experiment states.
 Surroundings surroundingsOf(const Experiment& experiment);
+
+/// Returns the rates of an object's assumed material.
+HeatRates heatRates(const ObjectSpec& object, const Surroundings& surroundings);
+/// Returns the rates that a controller and the checks start from: the object's given ones, with the air's
+/// loss in proportion to their lambda2, else its material's.
+HeatRates startRates(const ObjectSpec& object, const Surroundings& surroundings);
 
 } // namespace bask

@@ -40,10 +40,6 @@ std::vector<std::size_t> chosen(std::size_t samples) {
     return out;
 }
 
-HeatRates ratesOf(const Experiment& e, const ObjectSpec& object) {
-    return object.estimatedRates.value_or(heatRates(object.material, surroundingsOf(e)));
-}
-
 class VtkExport {
 public:
     VtkExport(const SessionRecord& session, StagedFiles& files, const std::stop_token& stop)
@@ -136,7 +132,7 @@ private:
         Field steady = factor;
         steady.quantity = "steady_temperature";
         steady.unit = "K";
-        const HeatRates rates = ratesOf(m_session.experiment, object);
+        const HeatRates rates = startRates(object, surroundingsOf(m_session.experiment));
         for (double& value : steady.values)
             value = std::isfinite(value) ? rates.steadyTemperature_K(value) : kNoValue;
         if (auto done = putOne(factor, "view_factor_" + ending, "View factor of " + object.name + where);

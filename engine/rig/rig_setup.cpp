@@ -9,7 +9,7 @@ std::vector<HeatRates> nominalRates(const Experiment& experiment, double environ
     const Surroundings surroundings = surroundingsOf(experiment, environment_K);
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
-        rates.push_back(heatRates(object.material, surroundings));
+        rates.push_back(heatRates(object, surroundings));
     return rates;
 }
 
@@ -20,31 +20,40 @@ const Material& trueMaterial(const ObjectSpec& object) {
 Surroundings trueSurroundings(const Experiment& experiment, double source_K) {
     const SourceSpec& source = experiment.source;
     const double emittance = experiment.simulation.sourceEmittance.value_or(source.emittance);
-    return surroundingsOf(source.model, source_K, emittance, experiment.environment_K);
+    Surroundings surroundings = surroundingsOf(source.model, source_K, emittance, experiment.environment_K);
+    surroundings.air = trueAir(experiment);
+    return surroundings;
+}
+
+Air trueAir(const Experiment& experiment) {
+    const SimulationSpec& simulation = experiment.simulation;
+    return simulation.naturalConvection ? Air{std::nullopt, true} : Air{simulation.convection_W_m2K, false};
+}
+
+HeatRates trueRates(const ObjectSpec& object, const Surroundings& surroundings) {
+    return heatRates(trueMaterial(object), surroundings, shapeCharacteristicLength(object.shape));
 }
 
 std::vector<HeatRates> trueRates(const Experiment& experiment) {
     const Surroundings surroundings = trueSurroundings(experiment, experiment.source.temperature_K);
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
-        rates.push_back(heatRates(trueMaterial(object), surroundings));
+        rates.push_back(trueRates(object, surroundings));
     return rates;
 }
 
 std::vector<HeatRates> estimatedRates(const Experiment& experiment, double environment_K) {
-    std::vector<HeatRates> rates = nominalRates(experiment, environment_K);
+    const Surroundings surroundings = surroundingsOf(experiment, environment_K);
+    std::vector<HeatRates> rates;
     const double range = std::log(experiment.controller.estimatedRateErrorFactor);
     std::mt19937_64 random(experiment.simulation.seed ^ 0x9e3779b97f4a7c15ULL);
     std::uniform_real_distribution<double> factor(-1.0, 1.0);
-    for (std::size_t i = 0; i < rates.size(); ++i) {
+    for (const ObjectSpec& object : experiment.objects) {
         const double heating = std::exp(range * factor(random));
         const double cooling = std::exp(range * factor(random));
-        HeatRates& rate = rates[i];
-        rate.lambda1 *= heating;
-        rate.lambda2 *= cooling;
-        rate.lambda3 *= cooling;
-        if (experiment.objects[i].estimatedRates) // known: not to be made wrong
-            rate = *experiment.objects[i].estimatedRates;
+        const HeatRates start = startRates(object, surroundings);
+        rates.push_back(object.estimatedRates ? start // known: not to be made wrong
+                                              : start.scaled(heating, cooling));
     }
     return rates;
 }
@@ -54,6 +63,7 @@ FeasibilityRequest feasibilityRequest(const Experiment& experiment) {
     request.geometry = rigGeometry(experiment);
     request.rest = experiment.start;
     request.rates = nominalRates(experiment, experiment.environment_K);
+    request.isAirKnown = experiment.air.isKnown();
     for (const ObjectSpec& object : experiment.objects) {
         request.names.push_back(object.name);
         request.targets_K.push_back(object.target_K);
@@ -99,7 +109,7 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.sourcePose = simulation.sourcePose.value_or(experiment.source.pose);
     config.sourceMotion = simulation.sourceMotion;
     config.environment_K = experiment.environment_K;
-    config.convection_W_m2K = simulation.convection_W_m2K;
+    config.air = trueAir(experiment);
     for (const ObjectSpec& object : experiment.objects)
         config.objects.push_back({object.shape, object.mounting, trueMaterial(object)});
     config.robot = {experiment.robot.free,

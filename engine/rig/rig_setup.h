@@ -14,16 +14,20 @@ namespace bask {
 /// environment.
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K);
 
-/// Returns the true rates of the simulated plant, without convection.
+/// Returns the true rates of the simulated plant, with its air.
 std::vector<HeatRates> trueRates(const Experiment& experiment);
 
 /// Returns the true material of a simulated object.
 const Material& trueMaterial(const ObjectSpec& object);
-/// Returns what the simulated objects exchange radiation with, the source having a temperature, K.
+/// Returns what the simulated objects exchange heat with, the source having a temperature, K.
 Surroundings trueSurroundings(const Experiment& experiment, double source_K);
+/// Returns the air of the simulated plant.
+Air trueAir(const Experiment& experiment);
+/// Returns the true rates of one simulated object.
+HeatRates trueRates(const ObjectSpec& object, const Surroundings& surroundings);
 
 /// Returns the start values of a controller: an object's given rates, else its material's with the
-/// experiment's random (seeded) error factors.
+/// experiment's random (seeded) error factors; with the air that the experiment assumes.
 std::vector<HeatRates> estimatedRates(const Experiment& experiment, double environment_K);
 
 /// Returns the request for the joint feasibility of the experiment's targets, without a look-up.

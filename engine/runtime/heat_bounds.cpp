@@ -2,6 +2,7 @@
 
 #include "engine/base/units.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,10 +11,12 @@ namespace bask {
 LossRange lossRange(const HeatRates& estimated, double emittance, double environment_K) {
     // radiation of an object 100 K above room temperature, relative to the linear law
     constexpr double kHot = 1.6;
-    const double radiation_1_s = 1.0 / estimated.timeConstant_s(environment_K);
+    constexpr double kHot_K = 100.0;
+    const double radiation_1_s = 1.0 / estimated.withoutAir().timeConstant_s(environment_K);
     const double capacity_J_m2K = emittance * kStefanBoltzmann / estimated.lambda2;
-    return {radiation_1_s / kBorneFactor,
-            kBorneFactor * (kHot * radiation_1_s + kBorneConvection_W_m2K / capacity_J_m2K)};
+    const double convection_1_s =
+        std::max(kBorneConvection_W_m2K / capacity_J_m2K, estimated.air.slope_1_s(environment_K + kHot_K));
+    return {radiation_1_s / kBorneFactor, kBorneFactor * (kHot * radiation_1_s + convection_1_s)};
 }
 
 HeatBounds::HeatBounds(LossRange losses, double environment_K)

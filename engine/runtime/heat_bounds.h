@@ -17,7 +17,8 @@ struct LossRange {
     double max_1_s = 0.0;
 };
 /// Returns the loss range for the estimated rates and the emittance that belongs to them, for objects up to
-/// 100 K above room temperature.
+/// 100 K above room temperature. Air that is assumed widens it upwards where it takes more than
+/// kBorneConvection_W_m2K, and never lifts the lower end: there may be less.
 LossRange lossRange(const HeatRates& estimated, double emittance, double environment_K);
 
 /// Integrates the upper and lower limits that the heat balance allows, dT/dt = k p - a (T - T3): p is the

@@ -83,13 +83,11 @@ SensorLimits sensorLimits(const Experiment& experiment) {
     SensorLimits limits;
     limits.stalePeriods = experiment.safety.stalePeriods;
     limits.jumps = experiment.safety.jumps;
-    const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
-    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
-        const HeatRates rates = experiment.objects[i].estimatedRates.value_or(nominal[i]);
+    const Surroundings surroundings = surroundingsOf(experiment);
+    for (const ObjectSpec& object : experiment.objects)
         limits.bounds.emplace_back(
-            lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K),
+            lossRange(startRates(object, surroundings), object.material.emittance, experiment.environment_K),
             experiment.environment_K);
-    }
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
         limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
             std::max(SafetySpec::kMinRate_K_s, kTimes * rates.lambda1)));
@@ -98,12 +96,12 @@ SensorLimits sensorLimits(const Experiment& experiment) {
 
 SafetyMonitor::SafetyMonitor(const Experiment& experiment)
     : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K), m_coldAfter_s(0.0) {
-    const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
-    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
-        const HeatRates rates = experiment.objects[i].estimatedRates.value_or(nominal[i]);
-        const double timeConstant_s = rates.timeConstant_s(experiment.environment_K);
-        const LossRange losses =
-            lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K);
+    const Surroundings surroundings = surroundingsOf(experiment);
+    for (const ObjectSpec& object : experiment.objects) {
+        const HeatRates rates = startRates(object, surroundings);
+        // Without the air that is assumed: an object must not count as cold too soon.
+        const double timeConstant_s = rates.withoutAir().timeConstant_s(experiment.environment_K);
+        const LossRange losses = lossRange(rates, object.material.emittance, experiment.environment_K);
         m_objects.push_back(
             {WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K), rates.lambda1});
         m_coldAfter_s = std::max(m_coldAfter_s, kCoolingTimes * timeConstant_s);

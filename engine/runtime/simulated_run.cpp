@@ -123,6 +123,10 @@ Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, 
     options.stop = stop;
     Experiment seen = experiment;
     seen.simulation.faults.clear();
+    if (experiment.air.isKnown()) {
+        seen.simulation.naturalConvection = experiment.air.isNatural;
+        seen.simulation.convection_W_m2K = experiment.air.convection_W_m2K.value_or(0.0);
+    }
     seen.vision = {}; // a followed source uses its true pose, since pictures take ten times as long
     const auto outcome = runSimulated(seen, options);
     if (!outcome)

@@ -125,6 +125,10 @@ double shapePerimeter(const Shape& shape) {
                       shape);
 }
 
+double shapeCharacteristicLength(const Shape& shape) {
+    return shapeArea(shape) / shapePerimeter(shape);
+}
+
 double shapeRadius(const Shape& shape) {
     return std::visit(Overloaded{[](const Disk& d) { return d.radius_m; },
                                  [](const FourierContour& c) { return radiusOf(c); },

@@ -59,6 +59,8 @@ Shape shapeOfFit(const FourierFit& fit, const std::vector<Contour>& holes);
 
 double shapeArea(const Shape& shape);      ///< m2, without the holes
 double shapePerimeter(const Shape& shape); ///< m, of the outline without holes
+/// Returns area over perimeter, m: the characteristic length of a plate in natural convection.
+double shapeCharacteristicLength(const Shape& shape);
 /// M, of the smallest circle about the origin that contains the outline.
 double shapeRadius(const Shape& shape);
 

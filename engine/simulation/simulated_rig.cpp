@@ -9,15 +9,14 @@ namespace {
 std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     std::vector<PlantObject> objects;
     for (const SimulatedObject& object : config.objects)
-        objects.push_back({object.material, config.environment_K});
+        objects.push_back({object.material, config.environment_K, shapeCharacteristicLength(object.shape)});
     return objects;
 }
 
 } // namespace
 
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
-    : m_config(config),
-      m_plant(plantObjects(config), config.sourceModel, config.environment_K, config.convection_W_m2K),
+    : m_config(config), m_plant(plantObjects(config), config.sourceModel, config.environment_K, config.air),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
       m_camera(config.camera), m_sourceContour(config.source),

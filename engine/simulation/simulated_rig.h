@@ -30,7 +30,7 @@ struct SimulatedRigConfig {
     Vector6d sourcePose = Vector6d::Zero(); ///< coordinates of X_RS
     TimeTable<Vector6d> sourceMotion;       ///< of X_RS since the heat came on; empty: it does not move
     double environment_K = 298.15;
-    double convection_W_m2K = 0.0;
+    Air air{}; ///< true
     std::vector<SimulatedObject> objects;
     SimulatedRobotConfig robot;
     SimulatedThermometerConfig thermometer;

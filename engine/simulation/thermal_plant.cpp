@@ -7,23 +7,20 @@
 namespace bask {
 
 ThermalPlant::ThermalPlant(std::vector<PlantObject> objects, SourceModel model, double environment_K,
-                           double convection_W_m2K)
-    : m_objects(std::move(objects)), m_model(model), m_environment_K(environment_K),
-      m_convection_W_m2K(convection_W_m2K) {}
+                           const Air& air)
+    : m_objects(std::move(objects)), m_model(model), m_environment_K(environment_K), m_air(air) {}
 
 void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2) {
     if (F.size() != m_objects.size())
         throw std::invalid_argument("ThermalPlant: one view factor an object");
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         PlantObject& object = m_objects[i];
-        const HeatRates rates = heatRates(object.material, {m_model, netSourcePower_W_m2, m_environment_K});
-        const double loss = m_convection_W_m2K / object.material.arealHeatCapacity_J_m2K();
-        const auto rate = [&](double T_K) {
-            return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K);
-        };
+        const HeatRates rates = heatRates(
+            object.material, {m_model, netSourcePower_W_m2, m_environment_K, m_air}, object.length_m);
+        const auto rate = [&](double T_K) { return rates.rate_K_s(F[i], T_K); };
         // Thin objects are stiff: the step stays well under their time constant at the hottest they can be.
-        const double hottest_K = std::max(object.temperature_K, rates.steadyTemperature_K(1.0));
-        const double stiffness = 4.0 * rates.lambda2 * std::pow(hottest_K, 3) + loss;
+        const double hottest_K = std::max(object.temperature_K, rates.withoutAir().steadyTemperature_K(1.0));
+        const double stiffness = rates.lossSlope_1_s(hottest_K);
         const int steps = std::clamp(static_cast<int>(std::ceil(2.0 * dt_s * stiffness)), 1, 20000);
         const double h_s = dt_s / steps;
         for (int k = 0; k < steps; ++k) {

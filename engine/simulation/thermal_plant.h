@@ -1,5 +1,5 @@
 #pragma once
-// True temperatures of the simulated objects: radiation as modelled, and convection that no controller knows.
+// True temperatures of the simulated objects: radiation and convection as modelled.
 
 #include "engine/thermal/heat_balance.h"
 
@@ -11,14 +11,14 @@ namespace bask {
 struct PlantObject {
     Material material;
     double temperature_K = 298.15;
+    double length_m = 0.0; ///< area over perimeter; only used for natural convection
 };
 
-/// Integrates dT/dt = lambda1 F - lambda2 T^4 + lambda3 - h (T - T3) / C, with the rates of heatRates() and
-/// C = m c / A, by Runge-Kutta 4.
+/// Integrates the heat balance of heatRates() by Runge-Kutta 4, with the air that there is (not: that is
+/// assumed).
 class ThermalPlant {
 public:
-    ThermalPlant(std::vector<PlantObject> objects, SourceModel model, double environment_K,
-                 double convection_W_m2K);
+    ThermalPlant(std::vector<PlantObject> objects, SourceModel model, double environment_K, const Air& air);
 
     /// Advances by dt_s, in as many steps as the thinnest object needs, with constant view factors F and net
     /// source power J (W/m2).
@@ -32,7 +32,7 @@ private:
     std::vector<PlantObject> m_objects;
     SourceModel m_model;
     double m_environment_K;
-    double m_convection_W_m2K;
+    Air m_air;
 };
 
 } // namespace bask

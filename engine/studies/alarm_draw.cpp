@@ -42,30 +42,16 @@ Material drawMaterial(StudyRandom& random) {
     return material;
 }
 
-/// Where the object settles at a view factor, with the rig's moving air.
-double steadyTemperature_K(const Experiment& experiment, std::size_t i, double F) {
-    const Material& material = trueMaterial(experiment.objects[i]);
-    const HeatRates rates =
-        heatRates(material, trueSurroundings(experiment, experiment.source.temperature_K));
-    const double loss_1_s = experiment.simulation.convection_W_m2K / material.arealHeatCapacity_J_m2K();
-    double low_K = experiment.environment_K, high_K = std::max(low_K, rates.steadyTemperature_K(F));
-    for (int k = 0; k < 60; ++k) {
-        const double mid_K = 0.5 * (low_K + high_K);
-        const double rate = rates.rate_K_s(F, mid_K) - loss_1_s * (mid_K - experiment.environment_K);
-        (rate > 0.0 ? low_K : high_K) = mid_K;
-    }
-    return low_K;
-}
-
 /// Targets that a pose holds; empty: none was found.
 std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry,
                                 const Experiment& experiment) {
+    const std::vector<HeatRates> rates = trueRates(experiment);
     for (int attempt = 0; attempt < kPosesPerSource; ++attempt) {
         const Vector6d q = drawAllowedPose(random, geometry, experiment.start);
         const Eigen::VectorXd F = geometry.viewFactorsFast(q);
         std::vector<double> targets_K;
-        for (std::size_t i = 0; i < experiment.objects.size(); ++i)
-            targets_K.push_back(steadyTemperature_K(experiment, i, F[static_cast<Eigen::Index>(i)]));
+        for (std::size_t i = 0; i < rates.size(); ++i)
+            targets_K.push_back(rates[i].steadyTemperature_K(F[static_cast<Eigen::Index>(i)]));
         if (std::ranges::min(targets_K) >= experiment.environment_K + kAlarmMinRise_K &&
             std::ranges::max(targets_K) <= kAlarmMaxTarget_K)
             return targets_K;

@@ -93,22 +93,22 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Whether no view factor ever holds the object so near its target: seen without convection, which only takes
-/// from the heat.
+/// Whether no view factor ever holds the object so near its target.
 bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
     const bool heats = edge_K > rig.environment_K;
     double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
     for (const TimePoint<double>& point : rig.source.temperatureProfile)
         source_K = std::max(source_K, point.value);
-    const HeatRates rates = heatRates(trueMaterial(rig.objects[object]), trueSurroundings(rig, source_K));
+    const HeatRates rates = trueRates(rig.objects[object], trueSurroundings(rig, source_K));
     return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
 }
 
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
-    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.source.model,
-                       rig.environment_K, rig.simulation.convection_W_m2K);
+    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K,
+                         shapeCharacteristicLength(rig.objects[object].shape)}},
+                       rig.source.model, rig.environment_K, trueAir(rig));
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
     if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))

@@ -1,8 +1,10 @@
 #pragma once
-// Lumped heat balance of a thin object in front of a hot source: dT/dt = lambda1 F - lambda2 T^4 + lambda3.
+// Lumped heat balance of a thin object in front of a hot source:
+//     dT/dt = lambda1 F - lambda2 T^4 + lambda3 - h'(T) (T - T_air).
 
 #include "engine/base/result.h"
 
+#include <optional>
 #include <string>
 
 namespace bask {
@@ -33,33 +35,76 @@ enum class SourceModel { Gray, Paper };
 double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double sourceEmittance,
                            double environment_K);
 
-/// What an object exchanges radiation with.
+/// What is known of the air around the objects, which has the room's temperature T3. At most one of the two
+/// is set; with neither, convection is unknown and not counted.
+struct Air {
+    std::optional<double> convection_W_m2K{}; ///< h of one face, given
+    bool isNatural = false;                   ///< h by the correlation of naturalConvection()
+
+    bool isKnown() const { return convection_W_m2K || isNatural; }
+    bool operator==(const Air&) const = default;
+};
+
+/// What an object exchanges heat with.
 struct Surroundings {
     SourceModel model = SourceModel::Gray;
     double netSourcePower_W_m2 = 0.0; ///< J, see netSourcePower_W_m2()
     double environment_K = 298.15;    ///< T3
+    Air air{};
 
     bool operator==(const Surroundings&) const = default;
 };
 
-/// Returns the surroundings of a source at a temperature.
+/// Returns the surroundings of a source at a temperature, with unknown air.
 Surroundings surroundingsOf(SourceModel model, double sourceTemperature_K, double sourceEmittance,
                             double environment_K);
 
-/// lambda1 (K/s), lambda2 (1/(K3 s)), lambda3 (K/s) of an object.
+/// What the air takes from an object, h'(T) (T - T_air) with h' = h / (m c / A). Natural convection goes with
+/// a power of the difference d = |T - T_air|: h' = constant + max(laminar d^(1/5), turbulent d^(1/3)).
+struct AirLoss {
+    double constant_1_s = 0.0;
+    double laminar = 0.0;   ///< 1/(s K^(1/5))
+    double turbulent = 0.0; ///< 1/(s K^(1/3))
+    double air_K = 0.0;
+
+    bool isZero() const { return constant_1_s == 0.0 && laminar == 0.0 && turbulent == 0.0; }
+    double coefficient_1_s(double T_K) const; ///< h'
+    /// Returns the rate (K/s) at which the air cools the object; negative if it warms it.
+    double rate_K_s(double T_K) const;
+    /// Returns the derivative of rate_K_s() by T, 1/s.
+    double slope_1_s(double T_K) const;
+    /// Returns the loss of an object whose m c / A is smaller by this factor.
+    AirLoss scaled(double factor) const;
+
+    bool operator==(const AirLoss&) const = default;
+};
+
+/// lambda1 (K/s), lambda2 (1/(K3 s)), lambda3 (K/s) of an object, and what the air takes. Whoever needs a
+/// rate, a steady state or a slope asks here, so that no part of the program leaves out a term.
 struct HeatRates {
     double lambda1 = 0.0;
     double lambda2 = 0.0;
     double lambda3 = 0.0;
+    AirLoss air{};
 
     /// Returns dT/dt (K/s) at view factor F and temperature T (K).
     double rate_K_s(double F, double T_K) const;
-    /// Returns the temperature (K) at which the rate at F is zero.
+    /// Returns the change of T (K) in dt_s at constant F, by one linearly implicit midpoint step: stable for
+    /// any dt_s.
+    double step_K(double F, double T_K, double dt_s) const;
+    /// Returns the temperature (K) at which the rate at F is zero. With air, to 1e-9 K.
     double steadyTemperature_K(double F) const;
     /// Returns the view factor whose steady temperature is T; it may lie outside [0, 1].
     double steadyViewFactor(double T_K) const;
-    /// Returns 1 / (4 lambda2 T^3), s.
+    /// Returns the derivative of the losses by T, 4 lambda2 T^3 and that of the air's, 1/s.
+    double lossSlope_1_s(double T_K) const;
+    /// Returns 1 / lossSlope_1_s(), s.
     double timeConstant_s(double T_K) const;
+    /// Returns rates with other heating, and with all losses (and what the room gives) in the same proportion
+    /// to one another: h and the emittance are known better than m c / A.
+    HeatRates scaled(double heating, double losses) const;
+    /// Returns the rates of radiation alone.
+    HeatRates withoutAir() const { return {lambda1, lambda2, lambda3}; }
 
     bool operator==(const HeatRates&) const = default;
 };
@@ -69,7 +114,8 @@ struct HeatRates {
 /// the source's radiation only. The paper's model takes alpha2 for both: alpha2 / eps2.
 double environmentShare(SourceModel model, const Material& material);
 
-/// Returns the rates of a material in its surroundings.
-HeatRates heatRates(const Material& material, const Surroundings& surroundings);
+/// Returns the rates of a plate of this material in its surroundings. length_m, area over perimeter, is only
+/// used for natural convection. Throws std::invalid_argument if that has no positive length.
+HeatRates heatRates(const Material& material, const Surroundings& surroundings, double length_m = 0.0);
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #include "widgets/objects/object_properties.h"
 
+#include "engine/model/experiment_rig.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
@@ -315,7 +316,7 @@ void ObjectProperties::showDerived() {
     m_perimeter->setText(tr("%1 cm").arg(locale.toString(shapePerimeter(m_object.shape) * kCmPerM, 'f', 2)));
     m_heatCapacity->setText(tr("%1 J/(m\u00b2\u00b7K)")
                                 .arg(locale.toString(m_object.material.arealHeatCapacity_J_m2K(), 'f', 0)));
-    const HeatRates rates = heatRates(m_object.material, m_surroundings);
+    const HeatRates rates = heatRates(m_object, m_surroundings);
     m_timeConstant->setText(timeConstantText(rates.timeConstant_s(m_object.target_K)));
     m_lambda1->setText(tr("%1 K/s").arg(numberText(rates.lambda1)));
     m_lambda2->setText(tr("%1 K\u207b\u00b3\u00b7s\u207b\u00b9").arg(numberText(rates.lambda2)));

@@ -95,7 +95,7 @@ bool TargetPicture::setExperiment(const Experiment& next) {
     for (const ObjectSpec& object : experiment.objects) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
-        rates.push_back(heatRates(object.material, surroundingsOf(experiment)));
+        rates.push_back(heatRates(object, surroundingsOf(experiment)));
     }
     rig = std::make_unique<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
                                         poseFromCoordinates(source.pose));
@@ -327,7 +327,7 @@ QStringList TargetPicture::words(const PickedPose& pose) const {
     for (Eigen::Index i = 0; i < factors.F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double steady_K = rates[k].steadyTemperature_K(factors.F[i]);
-        const double perF_K = rates[k].lambda1 / (4.0 * rates[k].lambda2 * std::pow(steady_K, 3));
+        const double perF_K = rates[k].lambda1 * rates[k].timeConstant_s(steady_K);
         const double slope_K = perF_K * drawn(factors.dF.row(i).transpose()).norm() / inUnit(1.0);
         sentences << TargetScene::tr("%1: F %2, steady %3, %4/%5", "name, view factor, temperature, slope")
                          .arg(QString::fromStdString(experiment.objects[k].name),

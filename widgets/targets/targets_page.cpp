@@ -461,7 +461,10 @@ void TargetsPage::showJoint() {
         m_joint->setText(m_rows.size() == 1 ? tr("The target can be held.")
                                             : tr("All targets can be held together."));
     m_joint->setEnabled(!stale);
-    m_jointDetail->setText(stale || m_rows.empty() ? QString() : jointDetail());
+    QString detail = stale || m_rows.empty() ? QString() : jointDetail();
+    if (!detail.isEmpty() && m_verdict->caveat != Message{})
+        detail += QLatin1Char('\n') + sentenceText(m_verdict->caveat, m_unit);
+    m_jointDetail->setText(detail);
     m_jointDetail->setPalette(captionPalette(palette()));
     m_useNearest->setText(tr("Use nearest feasible"));
     m_useNearest->setVisible(bad && !m_verdict->nearest_K.empty());

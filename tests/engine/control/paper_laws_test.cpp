@@ -23,14 +23,16 @@ struct PaperBench {
     double T_K = 0.0;
     double minF = 1.0, maxF = 0.0;
 
-    explicit PaperBench(double maxSpeed_m_s = 10.0) {
+    explicit PaperBench(double maxSpeed_m_s = 10.0, const Air& air = {}) {
         RobotLimits limits;
         limits.maxSpeed_m_s = maxSpeed_m_s;
         limits.free = {false, false, true, false, false, false};
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
                                                  std::vector<Vector6d>{Vector6d::Zero()}, limits);
         const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        rates = heatRates(painted, surroundingsOf(SourceModel::Paper, 473.15, 0.25, kPaperT3_K));
+        Surroundings surroundings = surroundingsOf(SourceModel::Paper, 473.15, 0.25, kPaperT3_K);
+        surroundings.air = air;
+        rates = heatRates(painted, surroundings);
         q[kZ] = 0.10;
         T_K = rates.steadyTemperature_K(F());
     }
@@ -76,9 +78,10 @@ TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
     const struct {
         double K;
         double step_K;
-    } cases[] = {{0.005, 0.2}, {0.05, 0.2}, {0.5, 0.05}};
-    for (const auto& [K, step_K] : cases) {
-        PaperBench bench;
+        Air air;
+    } cases[] = {{0.005, 0.2, {}}, {0.05, 0.2, {}}, {0.5, 0.05, {}}, {0.005, 0.2, {8.0}}, {0.05, 0.2, {8.0}}};
+    for (const auto& [K, step_K, air] : cases) {
+        PaperBench bench(10.0, air);
         ControllerSettings settings = paperSettings(ControllerKind::ModelBased);
         settings.modelBased = {0.2, K};
         const double target_K = bench.T_K + step_K;
@@ -100,14 +103,13 @@ TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
 TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
     const struct {
         double factor1, factor2; ///< believed over true
-    } cases[] = {{1.0, 1.0}, {2.0, 1.0}, {0.5, 1.0}, {1.0, 3.0}, {0.4, 2.5}, {3.0, 0.3}};
-    for (const auto& [factor1, factor2] : cases) {
-        PaperBench bench;
+        Air air;
+    } cases[] = {{1.0, 1.0, {}}, {2.0, 1.0, {}}, {0.5, 1.0, {}},   {1.0, 3.0, {}},
+                 {0.4, 2.5, {}}, {3.0, 0.3, {}}, {0.4, 2.5, {8.0}}};
+    for (const auto& [factor1, factor2, air] : cases) {
+        PaperBench bench(10.0, air);
         ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
-        HeatRates estimated = bench.rates;
-        estimated.lambda1 *= factor1;
-        estimated.lambda2 *= factor2;
-        estimated.lambda3 *= factor2;
+        const HeatRates estimated = bench.rates.scaled(factor1, factor2);
         const double target_K = bench.T_K + 0.6;
         const auto controller = makeController(settings, {bench.geometry, {estimated}, {target_K}});
         const double dt_s = 0.005;

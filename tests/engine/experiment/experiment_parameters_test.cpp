@@ -54,6 +54,8 @@ std::vector<Placed> everyParameter() {
         out, "objects[0].believed_rates.", heatRateParameters(),
         [](Experiment & e) -> auto& { return *e.objects[0].estimatedRates; });
     place(
+        out, "air.", airParameters(), [](Experiment & e) -> auto& { return e.air; });
+    place(
         out, "robot.", robotParameters(), [](Experiment & e) -> auto& { return e.robot; });
     place(
         out, "controller.", controllerParameters(), [](Experiment & e) -> auto& { return e.controller; });

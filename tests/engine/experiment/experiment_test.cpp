@@ -270,6 +270,34 @@ TEST(Reading, LeavesOutWhatHasDefaults) {
     EXPECT_EQ(read->simulation, SimulationSpec{});
 }
 
+// Catches air that is lost on its way through a file, a word that is not known, and a number beside the word.
+TEST(Reading, TheAirIsANumberOrAWord) {
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    EXPECT_FALSE(j.contains("air"));
+    const auto read = [&] { return experimentFromJson(j.dump(), "", ""); };
+    EXPECT_FALSE(read()->air.isKnown());
+    j["air"] = {{"convection_W_m2K", 8.0}};
+    EXPECT_EQ(read()->air, Air{8.0});
+    j["air"] = {{"convection", "unknown"}};
+    EXPECT_EQ(read()->air, Air{});
+    j["air"] = {{"convection", "natural"}};
+    j["simulation"]["convection"] = "natural";
+    ASSERT_TRUE(read()) << describe(read().error());
+    EXPECT_EQ(read()->air, (Air{std::nullopt, true}));
+    EXPECT_TRUE(read()->simulation.naturalConvection);
+    EXPECT_EQ(experimentFromJson(experimentToJson(*read()), "", "").value(), *read());
+    j["air"]["convection_W_m2K"] = 8.0;
+    EXPECT_EQ(read().error().where, "air.convection");
+    j["air"] = {{"convection", "still"}};
+    EXPECT_EQ(read().error().where, "air.convection");
+    j["air"] = {{"convection_W_m2K", -1.0}};
+    EXPECT_EQ(read().error().where, "air.convection_W_m2K");
+    EXPECT_EQ(read().error().message.code, MessageCode::ValueOutOfRange);
+    j.erase("air");
+    j["simulation"]["convection_W_m2K"] = 8.0;
+    EXPECT_EQ(read().error().where, "simulation.convection");
+}
+
 TEST(Reading, ATitleCannotCommandATerminal) {
     auto json = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
     json["title"] = "a\x1b[31m\xc2\x9b"

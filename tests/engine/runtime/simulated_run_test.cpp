@@ -3,8 +3,11 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment_rig.h"
 #include "engine/recording/recorded_session.h"
+#include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
 #include <QTemporaryDir>
@@ -175,6 +178,74 @@ TEST(SimulatedRun, UnknownConvectionIsTakenUpByTheServo) {
         EXPECT_TRUE(outcome->settled) << targets_degC[0] << " " << targets_degC[1] << " " << targets_degC[2];
         EXPECT_EQ(std::ranges::min_element(fromAxis_m) - fromAxis_m.begin(), 0) << targets_degC[0];
     }
+}
+
+// Catches a verdict, its steady temperatures or its nearest targets that leave out air which the experiment
+// states; and one that is silent about air that it does not.
+TEST(Air, AVerdictCountsWhatTheExperimentStates) {
+    Experiment experiment = example("three-objects.json");
+    experiment.source.emittance = 0.9;
+    experiment.simulation.convection_W_m2K = 8.0;
+    const auto steadyAt = [&](const Vector6d& pose) {
+        const Eigen::VectorXd F = rigGeometry(experiment)->viewFactors(pose).F;
+        const Surroundings surroundings = trueSurroundings(experiment, experiment.source.temperature_K);
+        std::vector<double> out;
+        for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+            const ObjectSpec& object = experiment.objects[i];
+            ThermalPlant plant({{object.material, experiment.environment_K}}, experiment.source.model,
+                               experiment.environment_K, trueAir(experiment));
+            for (int k = 0; k < 400; ++k)
+                plant.advance(10.0, {F[static_cast<Eigen::Index>(i)]}, surroundings.netSourcePower_W_m2);
+            out.push_back(plant.temperature_K(0));
+        }
+        return out;
+    };
+    const JointVerdict blind = jointVerdict(experiment);
+    EXPECT_EQ(blind.caveat.code, MessageCode::TargetsWithoutAir);
+    EXPECT_LT(steadyAt(blind.pose)[0], experiment.objects[0].target_K - 5.0);
+    experiment.air.convection_W_m2K = 8.0;
+    const JointVerdict seeing = jointVerdict(experiment);
+    EXPECT_EQ(seeing.caveat.code, MessageCode::None);
+    ASSERT_TRUE(seeing.feasible);
+    const std::vector<double> steady_K = steadyAt(seeing.pose);
+    for (std::size_t i = 0; i < steady_K.size(); ++i)
+        EXPECT_NEAR(steady_K[i], experiment.objects[i].target_K, kReachedWithin_K) << i;
+    // More than the source can hold against the air.
+    experiment.objects[0].target_K = kelvinFromCelsius(150.0);
+    experiment.safety.warning_K = experiment.safety.trip_K = kelvinFromCelsius(200.0);
+    EXPECT_EQ(jointVerdict(experiment).reason.code, MessageCode::TargetAboveCeiling);
+    experiment.air = {};
+    EXPECT_NE(jointVerdict(experiment).reason.code, MessageCode::TargetAboveCeiling);
+}
+
+// Catches a prediction that simulates still air although the experiment states moving air.
+TEST(Air, APredictionHasTheAirThatTheExperimentStates) {
+    Experiment experiment = example("three-objects.json");
+    experiment.source.emittance = 0.9;
+    const auto still_s = predictedSettling_s(experiment);
+    experiment.air.convection_W_m2K = 12.0;
+    const auto assumed_s = predictedSettling_s(experiment);
+    experiment.simulation.convection_W_m2K = 12.0;
+    const auto true_s = predictedSettling_s(experiment);
+    ASSERT_TRUE(still_s && assumed_s && true_s && *assumed_s);
+    EXPECT_EQ(*assumed_s, *true_s);
+    EXPECT_NE(*assumed_s, *still_s);
+}
+
+// Catches a controller that air which it knows, by number or correlation, makes worse instead of better.
+TEST(Air, EveryControllerHoldsTheTargetsInAirThatItKnows) {
+    for (const ControllerEntry& entry : controllerCatalogue())
+        for (const bool isNatural : {false, true}) {
+            Experiment experiment = example("three-objects.json");
+            experiment.source.emittance = 0.9;
+            experiment.controller.kind = entry.kind;
+            experiment.controller.estimatedRateErrorFactor = 1.0;
+            experiment.air = isNatural ? Air{std::nullopt, true} : Air{8.0};
+            experiment.simulation.naturalConvection = isNatural;
+            experiment.simulation.convection_W_m2K = isNatural ? 0.0 : 8.0;
+            const RunOutcome outcome = run(experiment, 900.0);
+            EXPECT_TRUE(outcome.settled) << entry.key << (isNatural ? ", natural" : ", given");
+        }
 }
 
 // Catches a servo that is slow or overshoots at the paper's targets, whatever it believed at first.

@@ -32,7 +32,7 @@ SimulatedRigConfig oneDisk() {
 
 TEST(ThermalPlant, ReachesTheSteadyTemperatureOfTheHeatBalance) {
     const Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, kRoom_K);
-    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, 0.0);
+    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, {});
     for (int i = 0; i < 50000; ++i)
         plant.advance(0.5, {0.4}, surroundings.netSourcePower_W_m2);
     EXPECT_NEAR(plant.temperature_K(0), heatRates(kPainted, surroundings).steadyTemperature_K(0.4), 1e-6);
@@ -42,7 +42,7 @@ TEST(ThermalPlant, ReachesTheSteadyTemperatureOfTheHeatBalance) {
 TEST(ThermalPlant, AnObjectFarFromTheSourceComesToTheRoomsTemperature) {
     Material shiny = kPainted;
     shiny.emittance = 0.7;
-    ThermalPlant plant({{shiny, kRoom_K + 20.0}}, SourceModel::Gray, kRoom_K, 0.0);
+    ThermalPlant plant({{shiny, kRoom_K + 20.0}}, SourceModel::Gray, kRoom_K, {});
     for (int i = 0; i < 50000; ++i)
         plant.advance(0.5, {0.0}, 1000.0);
     EXPECT_NEAR(plant.temperature_K(0), kRoom_K, 1e-6);
@@ -50,7 +50,7 @@ TEST(ThermalPlant, AnObjectFarFromTheSourceComesToTheRoomsTemperature) {
 
 TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
     const double h = 7.0;
-    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, h);
+    ThermalPlant plant({{kPainted, kRoom_K}}, SourceModel::Gray, kRoom_K, {h});
     for (int i = 0; i < 50000; ++i)
         plant.advance(0.5, {1.0}, 1000.0);
     const double T = plant.temperature_K(0);
@@ -62,7 +62,7 @@ TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
 TEST(ThermalPlant, AFoilIsStiffButNotUnstable) {
     Material foil = kPainted;
     foil.thickness_m = 5e-6;
-    ThermalPlant plant({{foil, kRoom_K}}, SourceModel::Gray, kRoom_K, 1000.0);
+    ThermalPlant plant({{foil, kRoom_K}}, SourceModel::Gray, kRoom_K, {1000.0});
     for (int i = 0; i < 100; ++i)
         plant.advance(0.1, {1.0}, 2000.0);
     const double T = plant.temperature_K(0);

@@ -1,10 +1,12 @@
 #include "engine/base/units.h"
 #include "engine/thermal/heat_balance.h"
+#include "engine/thermal/natural_convection.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -92,6 +94,80 @@ TEST(HeatBalance, AWeakGraySurfaceHeatsWhereThePapersModelCools) {
     const double T3 = kelvinFromCelsius(25.0);
     EXPECT_LT(netSourcePower_W_m2(SourceModel::Paper, T1, 0.25, T3), 0.0);
     EXPECT_GT(netSourcePower_W_m2(SourceModel::Gray, T1, 0.25, T3), 0.0);
+}
+
+// Catches a term of the air that one of the functions leaves out, or takes with another sign.
+TEST(HeatBalance, WithAirAllFunctionsTellTheSameBalance) {
+    const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+    const double room_K = kelvinFromCelsius(25.0);
+    for (const Air& air : {Air{}, Air{0.0}, Air{8.0}, Air{200.0}, Air{std::nullopt, true}}) {
+        Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.9, room_K);
+        surroundings.air = air;
+        for (const double length_m : {0.0075, 0.3}) { // laminar and turbulent
+            const HeatRates rates = heatRates(painted, surroundings, length_m);
+            for (const double F : {0.0, 0.01, 0.3, 1.0}) {
+                const double steady_K = rates.steadyTemperature_K(F);
+                EXPECT_NEAR(rates.rate_K_s(F, steady_K), 0.0, 1e-9);
+                EXPECT_NEAR(rates.steadyViewFactor(steady_K), F, 1e-9);
+                double T_K = room_K - 20.0;
+                for (int k = 0; k < 2000; ++k)
+                    T_K += rates.step_K(F, T_K, 20.0);
+                EXPECT_NEAR(T_K, steady_K, 1e-6);
+            }
+            for (const double T_K : {room_K - 10.0, room_K + 1.0, room_K + 40.0}) {
+                constexpr double kStep_K = 1e-3;
+                const double slope =
+                    (rates.rate_K_s(0.4, T_K - kStep_K) - rates.rate_K_s(0.4, T_K + kStep_K)) /
+                    (2.0 * kStep_K);
+                EXPECT_NEAR(rates.lossSlope_1_s(T_K) / slope, 1.0, 1e-5);
+                EXPECT_NEAR(rates.timeConstant_s(T_K) * slope, 1.0, 1e-5);
+                const HeatRates twice = rates.scaled(1.0, 2.0);
+                EXPECT_NEAR(twice.rate_K_s(0.0, T_K), 2.0 * rates.rate_K_s(0.0, T_K), 1e-12);
+            }
+        }
+    }
+}
+
+// Catches h taken for both faces or for none: W/m2 against the heat capacity.
+TEST(HeatBalance, TheAirTakesHTimesTheDifference) {
+    const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+    Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, 298.15);
+    const HeatRates still = heatRates(painted, surroundings);
+    surroundings.air.convection_W_m2K = 8.0;
+    const HeatRates moving = heatRates(painted, surroundings);
+    EXPECT_NEAR((still.rate_K_s(0.3, 318.15) - moving.rate_K_s(0.3, 318.15)) *
+                    painted.arealHeatCapacity_J_m2K(),
+                8.0 * 20.0, 1e-9);
+}
+
+// Catches a wrong power, length or property of the air. By hand, with air of tables at 313 K (k = 0.0272 W/(m
+// K), nu = 1.70e-5 m2/s, Pr = 0.706) instead of Sutherland's law.
+TEST(NaturalConvection, IsWhatTheCorrelationGivesByHand) {
+    const double f = std::pow(1.0 + std::pow(0.322 / 0.706, 0.55), -20.0 / 11.0);
+    const auto byHand = [&](double length_m, double difference_K) {
+        const double Ra = 9.81 / 313.0 * difference_K * std::pow(length_m, 3) * 0.706 / (1.70e-5 * 1.70e-5);
+        return std::max(0.766 * std::pow(Ra * f, 0.2), 0.15 * std::cbrt(Ra * f)) * 0.0272 / length_m;
+    };
+    const Material material; // its heat capacity does not matter
+    for (const double length_m : {0.0075, 0.03, 0.3})
+        for (const double difference_K : {2.0, 20.0, 60.0}) {
+            Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, 298.15);
+            surroundings.air.isNatural = true;
+            const double h =
+                heatRates(material, surroundings, length_m).air.coefficient_1_s(298.15 + difference_K) *
+                material.arealHeatCapacity_J_m2K();
+            EXPECT_NEAR(h / byHand(length_m, difference_K), 1.0, 0.015) << length_m << " " << difference_K;
+        }
+    const NaturalConvection small = naturalConvection(0.0075, 298.15);
+    EXPECT_NEAR(small.laminar * std::pow(20.0, kLaminarPower), 8.47, 0.01); // a disk of 3 cm: 8 W/(m2 K)
+}
+
+// Catches natural convection that is silently nothing, because nobody told how large the plate is.
+TEST(NaturalConvection, NeedsTheSizeOfThePlate) {
+    Surroundings surroundings = surroundingsOf(SourceModel::Gray, 473.15, 0.25, 298.15);
+    surroundings.air.isNatural = true;
+    EXPECT_THROW(heatRates({}, surroundings), std::invalid_argument);
+    EXPECT_THROW(naturalConvection(0.01, 0.0), std::invalid_argument);
 }
 
 } // namespace bask

@@ -46,7 +46,7 @@ Fields fieldsOf(const Experiment& experiment, PoseSubset subset = PoseSubset::Tr
 }
 
 HeatRates ratesOf(const Experiment& experiment, const ObjectSpec& object) {
-    return heatRates(object.material, surroundingsOf(experiment));
+    return heatRates(object, surroundingsOf(experiment));
 }
 
 std::vector<Isosurface> surfacesOf(const Experiment& experiment,
