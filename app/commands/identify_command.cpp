@@ -5,6 +5,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_identification.h"
@@ -60,7 +61,9 @@ constexpr std::array kRates{
     NamedRate{"lambda1", "K/s", "lambda1_K_s", &IdentifiedRates::lambda1, &HeatRates::lambda1},
     NamedRate{"lambda2", "1/(K3 s)", "lambda2_1_K3s", &IdentifiedRates::lambda2, &HeatRates::lambda2},
     NamedRate{"lambda3", "K/s", "lambda3_K_s", &IdentifiedRates::lambda3, &HeatRates::lambda3},
-    NamedRate{"h A/(m c)", "1/s", "convection_1_s", &IdentifiedRates::convection, nullptr}};
+    NamedRate{"h A/(m c)", "1/s", "convection_1_s", &IdentifiedRates::convection, nullptr},
+    NamedRate{"loss", "K/s", "loss_K_s", &IdentifiedRates::loss, nullptr},
+    NamedRate{"loss slope", "1/s", "loss_slope_1_s", &IdentifiedRates::lossSlope, nullptr}};
 
 /// An experiment of the user's own is no output of this command, and is not replaced.
 Result<void> checkOutput(const std::string& session, const std::string& output) {
@@ -139,6 +142,11 @@ void printTable(const std::vector<Row>& rows) {
     }
     for (const Row& row : rows) {
         const IdentifiedRates& fit = row.identified;
+        if (std::isfinite(fit.loss.value))
+            std::printf("%s: loss and its slope are those at %.1f degC\n", row.name.c_str(),
+                        celsiusFromKelvin(fit.workingTemperature_K));
+        if (fit.caveat != Message{})
+            std::printf("%s: note: %s\n", row.name.c_str(), describe(fit.caveat).c_str());
         if (!fit.usable()) {
             std::printf("%s: not usable: %s\n", row.name.c_str(), describe(fit.reason).c_str());
             continue;
@@ -162,6 +170,8 @@ Json rowJson(const Row& row) {
     j["name"] = row.name;
     j["usable"] = fit.usable();
     j["reason"] = fit.usable() ? Json(nullptr) : Json(describe(fit.reason));
+    j["note"] = fit.caveat == Message{} ? Json(nullptr) : Json(describe(fit.caveat));
+    j["working_degC"] = numberOrNull(celsiusFromKelvin(fit.workingTemperature_K));
     for (const NamedRate& rate : kRates) {
         const Estimate& estimate = fit.*rate.estimate;
         Json& entry = j[rate.key];
@@ -193,8 +203,8 @@ void printJson(const Request& request, const std::vector<Row>& rows) {
     std::printf("%s\n", j.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
 }
 
-/// The session's experiment with the rates that can be used, of the balance that the controllers know:
-/// without convection.
+/// The session's experiment with the rates that can be used, of the balance that the controllers know: with
+/// the air that the experiment states, and no other convection.
 Result<void> writeStartValues(const Request& request) {
     Experiment experiment = request.session->facts().experiment;
     SessionIdentification options = request.options;
@@ -204,7 +214,7 @@ Result<void> writeStartValues(const Request& request) {
     for (std::size_t i = 0; i < identified.size(); ++i) {
         ObjectSpec& object = experiment.objects[i];
         if (identified[i].usable()) {
-            object.estimatedRates = identified[i].rates();
+            object.estimatedRates = identified[i].rates().withoutAir(); // that is the experiment's
             ++written;
         } else {
             std::fprintf(stderr, "bask identify: \"%s\" keeps its start values: %s\n", object.name.c_str(),
@@ -238,8 +248,8 @@ int identifyCommand(const QStringList& arguments) {
          {"free-ambient", "Fit lambda3 too; otherwise the room's temperature ties it to lambda2."},
          {"json", "Print all digits, as JSON."},
          {"o",
-          "Write the session's experiment with the rates as start values of its controllers, fitted without "
-          "convection, which these do not know.",
+          "Write the session's experiment with the rates as start values of its controllers, fitted with "
+          "the air that the experiment states, and no other convection.",
           "EXPERIMENT.json"}});
     if (const auto code = parseCommand(parser, "identify", arguments, 1))
         return *code;

@@ -1,10 +1,12 @@
 #include "engine/recording/session_identification.h"
 
+#include "engine/model/experiment_rig.h"
 #include "engine/recording/recorded_session.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -29,11 +31,18 @@ void setEnvironment(IdentificationOptions& options, const SessionRecord& session
 } // namespace
 
 HeatRecords::HeatRecords(const SessionRecord& facts)
-    : m_until_s(controlledUntil_s(facts)), m_source(facts.experiment.source) {
+    : m_until_s(controlledUntil_s(facts)), m_source(facts.experiment.source),
+      m_geometry(rigGeometry(facts.experiment)) {
     setEnvironment(m_options, facts);
-    for (const ObjectSpec& object : facts.experiment.objects)
+    m_options.isAirKnown = facts.experiment.air.isKnown();
+    const Surroundings surroundings = surroundingsOf(facts.experiment, m_options.environment_K);
+    for (const ObjectSpec& object : facts.experiment.objects) {
+        const HeatRates rates = heatRates(object, surroundings);
         m_environmentShares.push_back(environmentShare(m_source.model, object.material));
+        m_airPerLambda2.push_back(rates.air.scaled(1.0 / rates.lambda2));
+    }
     m_records.resize(m_environmentShares.size());
+    m_since_s.assign(m_records.size(), 0.0);
 }
 
 double HeatRecords::power_W_m2(double T1_K) const {
@@ -41,9 +50,11 @@ double HeatRecords::power_W_m2(double T1_K) const {
 }
 
 void HeatRecords::add(const TraceSample& sample) {
-    if (m_records.empty() || sample.time_s > m_until_s ||
-        (!m_records.front().empty() && !(sample.time_s > m_records.front().back().time_s)))
+    if (m_records.empty() || sample.time_s > m_until_s || (m_before && !(sample.time_s > m_before->time_s)))
         return;
+    if (m_before)
+        integrate(*m_before, sample);
+    m_before = sample;
     if (m_seen++ % m_every != 0)
         return;
     if (size() >= kMax)
@@ -51,13 +62,55 @@ void HeatRecords::add(const TraceSample& sample) {
     const double strength = power_W_m2(sample.source_K) / power_W_m2(m_source.temperature_K);
     for (std::size_t i = 0; i < m_records.size(); ++i) {
         const ObjectSample& row = sample.objects[i];
-        m_records[i].push_back({sample.time_s, row.measured_K, row.viewFactor, strength, row.valid});
+        std::vector<HeatSample>& record = m_records[i];
+        HeatSample added{sample.time_s, row.measured_K, row.viewFactor, strength, row.valid};
+        if (!record.empty())
+            added.meanViewFactor = m_since_s[i] / (sample.time_s - record.back().time_s);
+        record.push_back(added);
+        m_since_s[i] = 0.0;
+    }
+}
+
+void HeatRecords::integrate(const TraceSample& before, const TraceSample& sample) {
+    constexpr double kMoved = 1e-4; // of the view factor; below, a straight line will do
+    const double dt_s = sample.time_s - before.time_s;
+    const auto objects = static_cast<std::size_t>(m_geometry->objects());
+    bool isMoved = false;
+    for (std::size_t i = 0; i < objects; ++i)
+        isMoved = isMoved || std::abs(sample.objects[i].viewFactor - before.objects[i].viewFactor) > kMoved;
+    // An angle that goes on at its other end, or a pose that is not known, has no middle.
+    const Vector6d moved = sample.coordinates - before.coordinates,
+                   sourceMoved = sample.source - before.source;
+    constexpr double kTurn_rad = 1.0;
+    const bool hasMiddle = moved.tail<3>().cwiseAbs().maxCoeff() < kTurn_rad &&
+                           sourceMoved.tail<3>().cwiseAbs().maxCoeff() < kTurn_rad && moved.allFinite() &&
+                           sourceMoved.allFinite();
+    Eigen::VectorXd middle;
+    if (isMoved && hasMiddle)
+        middle = m_geometry->withSourceAt(poseFromCoordinates(before.source + 0.5 * sourceMoved))
+                     ->viewFactorsFast(before.coordinates + 0.5 * moved);
+    for (std::size_t i = 0; i < objects; ++i) {
+        const double ends = before.objects[i].viewFactor + sample.objects[i].viewFactor;
+        m_since_s[i] += dt_s * (middle.size() > 0 ? (ends + 4.0 * middle[static_cast<Eigen::Index>(i)]) / 6.0
+                                                  : 0.5 * ends);
     }
 }
 
 /// The first, third, fifth ... stay, so that what comes next goes on in their rhythm.
 void HeatRecords::thin() {
-    for (std::vector<HeatSample>& record : m_records) {
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+        std::vector<HeatSample>& record = m_records[i];
+        if (record.size() % 2 == 0) // the last one goes
+            m_since_s[i] +=
+                record.back().meanViewFactor * (record.back().time_s - record[record.size() - 2].time_s);
+        for (std::size_t k = 1; 2 * k < record.size(); ++k) {
+            HeatSample& kept = record[2 * k];
+            const HeatSample& gone = record[2 * k - 1];
+            const double first_s = gone.time_s - record[2 * k - 2].time_s,
+                         second_s = kept.time_s - gone.time_s;
+            kept.meanViewFactor =
+                (first_s * gone.meanViewFactor + second_s * kept.meanViewFactor) / (first_s + second_s);
+        }
         for (std::size_t k = 0; 2 * k < record.size(); ++k)
             record[k] = record[2 * k];
         record.resize((record.size() + 1) / 2);
@@ -72,6 +125,7 @@ std::vector<IdentifiedRates> HeatRecords::identify(const SessionIdentification& 
     std::vector<IdentifiedRates> out;
     for (std::size_t i = 0; i < m_records.size(); ++i) {
         options.environmentShare = m_environmentShares[i];
+        options.airPerLambda2 = m_airPerLambda2[i];
         out.push_back(identifyRates(m_records[i], options));
     }
     return out;

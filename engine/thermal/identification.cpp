@@ -1,8 +1,10 @@
 #include "engine/thermal/identification.h"
 
 #include "engine/base/message_code.h"
+#include "engine/thermal/integral_fit.h"
+#include "engine/thermal/synthetic_records.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -11,249 +13,25 @@
 namespace bask {
 namespace {
 
-constexpr double kRecordWindows = 16.0; ///< number of windows of a record, unless they become too short
-constexpr double kMinWindow_s = 10.0;
-constexpr double kWindowPeriods = 10.0;
-constexpr std::size_t kMinReadings = 4; ///< in a window
-constexpr double kLargestGap = 0.25;    ///< largest gap between readings, as a share of the window
-constexpr double kOutlierDeviations = 6.0;
-constexpr double kMinOutlier_K = 0.1; ///< rounding of usual sensors is not an outlier
-constexpr int kPasses = 20;           ///< maximum number of passes that leave out readings
-constexpr double kWorstCondition = 1e6;
+constexpr int kPasses = 20;             ///< maximum number of passes that leave out readings
 constexpr double kWorstError = 0.25;    ///< standard error over value
 constexpr double kMinVariation = 0.02;  ///< of the view factor, between its 5 % and 95 % quantiles
 constexpr double kSurelyNegative = 3.0; ///< standard errors below zero
+constexpr double kNoise = 4.0;          ///< spread of noise or rounding alone, over its deviation or step
 
-enum Column { kHeating, kCooling, kRest, kConvection };
+// Synthetic records, so many as a standard error to 7 % takes; fewer of a record that is long itself.
+constexpr std::size_t kMaxSynthetic = 100, kMinSynthetic = 20;
+constexpr std::size_t kSyntheticRows = 1'000'000; ///< of all of them together
 
-/// Readings of one window with the integrals since its first.
-struct Window {
-    std::vector<std::size_t> readings; ///< indices into the record
-    Eigen::MatrixXd X;                 ///< one row a reading, one column a parameter
-    Eigen::VectorXd y;                 ///< temperatures above the window's first, K
-};
-
-struct Fit {
-    Eigen::VectorXd parameters;
-    Eigen::VectorXd standardErrors;
-    double residual_K = 0.0;
-    double condition = std::numeric_limits<double>::infinity();
-};
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-double windowLength_s(const std::vector<HeatSample>& record) {
-    std::vector<double> steps_s;
-    for (std::size_t k = 1; k < record.size(); ++k)
-        steps_s.push_back(record[k].time_s - record[k - 1].time_s);
-    if (steps_s.empty())
-        return kMinWindow_s;
-    const double duration_s = record.back().time_s - record.front().time_s;
-    return std::max(
-        {duration_s / kRecordWindows, kWindowPeriods * medianOf(std::move(steps_s)), kMinWindow_s});
-}
-
-class Problem {
-public:
-    Problem(const std::vector<HeatSample>& record, const IdentificationOptions& options)
-        : m_record(record), m_options(options), m_window_s(windowLength_s(record)) {
-        m_columns = {kHeating, kCooling};
-        if (options.freeAmbient)
-            m_columns.push_back(kRest);
-        if (options.convection)
-            m_columns.push_back(kConvection);
-        for (const HeatSample& sample : record)
-            m_used.push_back(sample.valid && std::isfinite(sample.temperature_K) &&
-                             sample.temperature_K > 0.0);
-    }
-
-    const std::vector<Column>& columns() const { return m_columns; }
-    const std::vector<Window>& windows() const { return m_windows; }
-    double window_s() const { return m_window_s; }
-    int outliers() const { return m_outliers; }
-    int readings() const {
-        int count = 0;
-        for (const Window& window : m_windows)
-            count += static_cast<int>(window.y.size());
-        return count;
-    }
-    bool longEnough() const { return m_windows.size() >= minWindows(); }
-    std::size_t minWindows() const { return 2 * m_columns.size(); }
-
-    void cut();
-    Fit solve() const;
-    bool leaveOut(const Fit& fit);
-
-private:
-    double heating(std::size_t k) const { return m_record[k].viewFactor * m_record[k].sourceStrength; }
-    double loss(Column column, double T_K) const; ///< integrand of the other columns
-    /// One integral for each column, from reading a to reading b; not finite if the heating between them is
-    /// not known.
-    Eigen::VectorXd integrals(std::size_t a, std::size_t b) const;
-    void close(Window& window, std::vector<Eigen::VectorXd>& rows);
-
-    const std::vector<HeatSample>& m_record;
-    IdentificationOptions m_options;
-    std::vector<Column> m_columns;
-    std::vector<bool> m_used;
-    double m_window_s;
-    std::vector<Window> m_windows;
-    int m_outliers = 0;
-};
-
-double Problem::loss(Column column, double T_K) const {
-    const double rest_K4 = std::pow(m_options.environment_K, 4) * m_options.environmentShare;
-    switch (column) {
-    case kCooling:
-        return -(std::pow(T_K, 4) - (m_options.freeAmbient ? 0.0 : rest_K4));
-    case kRest:
-        return 1.0;
-    case kConvection:
-        return -(T_K - m_options.environment_K);
-    default:
-        return 0.0;
-    }
-}
-
-Eigen::VectorXd Problem::integrals(std::size_t a, std::size_t b) const {
-    Eigen::VectorXd out(static_cast<Eigen::Index>(m_columns.size()));
-    const double dt_s = m_record[b].time_s - m_record[a].time_s;
-    for (std::size_t c = 0; c < m_columns.size(); ++c) {
-        double sum = 0.0;
-        if (m_columns[c] == kHeating)
-            for (std::size_t k = a; k < b; ++k) // also over rows without a reading
-                sum += 0.5 * (m_record[k + 1].time_s - m_record[k].time_s) * (heating(k) + heating(k + 1));
-        else
-            sum = 0.5 * dt_s *
-                  (loss(m_columns[c], m_record[a].temperature_K) +
-                   loss(m_columns[c], m_record[b].temperature_K));
-        out[static_cast<Eigen::Index>(c)] = sum;
-    }
-    return out;
-}
-
-void Problem::close(Window& window, std::vector<Eigen::VectorXd>& rows) {
-    if (window.readings.size() >= kMinReadings) {
-        const auto n = static_cast<Eigen::Index>(rows.size());
-        window.X.resize(n, static_cast<Eigen::Index>(m_columns.size()));
-        window.y.resize(n);
-        for (Eigen::Index i = 0; i < n; ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            window.X.row(i) = rows[k];
-            window.y[i] =
-                m_record[window.readings[k]].temperature_K - m_record[window.readings.front()].temperature_K;
-        }
-        m_windows.push_back(std::move(window));
-    }
-    window = {};
-    rows.clear();
-}
-
-/// Divides the record into windows; a window ends early if readings are missing or the heating is not known.
-void Problem::cut() {
-    m_windows.clear();
-    Window window;
-    std::vector<Eigen::VectorXd> rows;
-    for (std::size_t k = 0; k < m_record.size(); ++k) {
-        if (!m_used[k])
-            continue;
-        if (!window.readings.empty()) {
-            const std::size_t last = window.readings.back();
-            const double gap_s = m_record[k].time_s - m_record[last].time_s;
-            const double length_s = m_record[k].time_s - m_record[window.readings.front()].time_s;
-            const Eigen::VectorXd row = rows.back() + integrals(last, k);
-            if (gap_s > kLargestGap * m_window_s || length_s > m_window_s * (1.0 + 1e-9) || !row.allFinite())
-                close(window, rows);
-            else
-                rows.push_back(row);
-        }
-        if (window.readings.empty())
-            rows.push_back(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_columns.size())));
-        window.readings.push_back(k);
-    }
-    close(window, rows);
-}
-
-/// Least squares with the windows' means subtracted, which is the same as a fitted T0 for each.
-Fit Problem::solve() const {
-    const auto p = static_cast<Eigen::Index>(m_columns.size());
-    const auto centred = [](const auto& M) { return (M.rowwise() - M.colwise().mean()).eval(); };
-    Eigen::MatrixXd G = Eigen::MatrixXd::Zero(p, p);
-    Eigen::VectorXd g = Eigen::VectorXd::Zero(p);
-    Eigen::Index n = 0;
-    for (const Window& window : m_windows) {
-        const Eigen::MatrixXd X = centred(window.X);
-        G += X.transpose() * X;
-        g += X.transpose() * window.y;
-        n += X.rows();
-    }
-    Fit fit;
-    const Eigen::VectorXd scale = G.diagonal().cwiseSqrt();
-    if (!(scale.minCoeff() > 0.0))
-        return fit;
-    const Eigen::MatrixXd D = scale.cwiseInverse().asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(D * G * D);
-    const Eigen::VectorXd& values = eigen.eigenvalues(); // ascending
-    if (!(values[0] > values[p - 1] / (kWorstCondition * kWorstCondition)))
-        return fit;
-    fit.condition = std::sqrt(values[p - 1] / values[0]);
-    const Eigen::MatrixXd inverse =
-        D * eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose() * D;
-    fit.parameters = inverse * g;
-
-    double squares = 0.0;
-    Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(p, p);
-    for (const Window& window : m_windows) {
-        const Eigen::VectorXd r = centred(Eigen::MatrixXd(window.y - window.X * fit.parameters));
-        const Eigen::VectorXd score = centred(window.X).transpose() * r;
-        squares += r.squaredNorm();
-        scatter += score * score.transpose();
-    }
-    const auto S = static_cast<Eigen::Index>(m_windows.size());
-    const double variance =
-        squares / static_cast<double>(n - S - p); // windows have more readings than needed
-    fit.residual_K = std::sqrt(variance);
-    const Eigen::MatrixXd sandwich =
-        inverse * scatter * inverse * (static_cast<double>(S) / static_cast<double>(S - p));
-    fit.standardErrors = (variance * inverse.diagonal()).cwiseMax(sandwich.diagonal()).cwiseSqrt();
-    return fit;
-}
-
-/// Excludes readings far from the fit: those at least half as far as the worst, which distorts the fit.
-/// Returns false if there is none.
-bool Problem::leaveOut(const Fit& fit) {
-    std::vector<double> off_K;
-    for (const Window& window : m_windows) {
-        const Eigen::VectorXd r = window.y - window.X * fit.parameters;
-        const double middle = medianOf({r.begin(), r.end()});
-        for (const double value : r)
-            off_K.push_back(std::abs(value - middle));
-    }
-    const double limit_K = std::max({kOutlierDeviations * 1.4826 * medianOf(off_K), kMinOutlier_K,
-                                     0.5 * *std::ranges::max_element(off_K)});
-    const int before = m_outliers;
-    std::size_t i = 0;
-    for (const Window& window : m_windows)
+/// Spread of a value without its extremes.
+double variation(const std::vector<HeatSample>& record, const std::vector<IntegralWindow>& windows,
+                 double HeatSample::*value) {
+    std::vector<double> values;
+    for (const IntegralWindow& window : windows)
         for (const std::size_t k : window.readings)
-            if (off_K[i++] > limit_K) {
-                m_used[k] = false;
-                ++m_outliers;
-            }
-    return m_outliers > before;
-}
-
-/// Spread of the view factor without its extremes.
-double variation(const std::vector<HeatSample>& record, const std::vector<Window>& windows) {
-    std::vector<double> F;
-    for (const Window& window : windows)
-        for (const std::size_t k : window.readings)
-            F.push_back(record[k].viewFactor);
-    std::ranges::sort(F);
-    return F[F.size() * 95 / 100] - F[F.size() * 5 / 100];
+            values.push_back(record[k].*value);
+    std::ranges::sort(values);
+    return values[values.size() * 95 / 100] - values[values.size() * 5 / 100];
 }
 
 std::string percent(double fraction) {
@@ -276,48 +54,135 @@ Message verdict(const IdentifiedRates& rates, double variation_F) {
             return {MessageCode::IdentificationStill, {formatNumber(variation_F, 2)}};
         return {MessageCode::IdentificationUncertain, {name, percent(relative)}};
     }
-    for (const auto& [name, estimate] : rows)
-        if (estimate.value <= 0.0)
-            return {MessageCode::IdentificationNegative, {name}};
+    for (const auto& [name, estimate] : rows) {
+        if (estimate.value > 0.0)
+            continue;
+        if (variation_F < kMinVariation) // what noise makes of nothing
+            return {MessageCode::IdentificationStill, {formatNumber(variation_F, 2)}};
+        return {MessageCode::IdentificationNegative, {name}};
+    }
     if (rates.convection.value < -kSurelyNegative * rates.convection.standardError)
         return {MessageCode::IdentificationNegative, {"h'"}};
     return {};
 }
 
-void putEstimates(IdentifiedRates& out, const Problem& problem, const Fit& fit,
+/// Rates, and then the loss and its slope at the working temperature.
+Eigen::VectorXd quantities(const IntegralProblem& problem, const IntegralFit& fit, double working_K,
+                           double environment_K) {
+    constexpr double kStep_K = 0.5;
+    const auto loss_K_s = [&](double T_K) {
+        double loss = 0.0;
+        for (std::size_t c = 0; c < problem.columns().size(); ++c)
+            loss -= fit.parameters[static_cast<Eigen::Index>(c)] *
+                    problem.term(problem.columns()[c], T_K, environment_K);
+        return loss;
+    };
+    const Eigen::Index p = fit.parameters.size();
+    Eigen::VectorXd out(p + 2);
+    out.head(p) = fit.parameters;
+    out[p] = loss_K_s(working_K);
+    out[p + 1] = (loss_K_s(working_K + kStep_K) - loss_K_s(working_K - kStep_K)) / (2.0 * kStep_K);
+    return out;
+}
+
+struct Corrected {
+    Eigen::VectorXd values, standardErrors;
+};
+
+/// Fits synthetic records of the fitted rates: their scatter is the standard error, their mean's distance
+/// from the fit the bias, which is taken off. Residuals that move more slowly than those of every synthetic
+/// record tell of something that the balance leaves out: the errors grow by as much.
+Corrected corrected(const IntegralProblem& problem, const IntegralFit& fit,
+                    const std::vector<HeatSample>& record, const IdentificationOptions& options,
+                    double working_K) {
+    const std::size_t count =
+        std::clamp(kSyntheticRows / std::max<std::size_t>(record.size(), 1), kMinSynthetic, kMaxSynthetic);
+    const Eigen::VectorXd found = quantities(problem, fit, working_K, options.environment_K);
+    SyntheticRecords synthetic(record, problem, fit, options);
+    std::vector<Eigen::VectorXd> all;
+    double slow_K = 0.0, slowest_K = 0.0;
+    for (std::size_t k = 0; k < count; ++k) {
+        const std::vector<HeatSample> made = synthetic.next();
+        IntegralProblem again(made, options);
+        again.use(problem.used());
+        again.cut();
+        const IntegralFit other = again.solve();
+        if (other.parameters.size() != fit.parameters.size())
+            continue;
+        all.push_back(quantities(again, other, working_K, options.environment_K) - found);
+        slow_K += other.slowResidual_K;
+        slowest_K = std::max(slowest_K, other.slowResidual_K);
+    }
+    const Eigen::VectorXd unknown =
+        Eigen::VectorXd::Constant(found.size(), std::numeric_limits<double>::infinity());
+    if (all.size() < kMinSynthetic / 2)
+        return {found, unknown};
+    const auto n = static_cast<double>(all.size());
+    Eigen::VectorXd bias = Eigen::VectorXd::Zero(found.size()), variance = bias;
+    for (const Eigen::VectorXd& off : all)
+        bias += off / n;
+    for (const Eigen::VectorXd& off : all)
+        variance += (off - bias).cwiseAbs2() / (n - 1.0);
+    const double misfit =
+        fit.slowResidual_K > slowest_K && slow_K > 0.0 ? fit.slowResidual_K * n / slow_K : 1.0;
+    return {found - bias, misfit * variance.cwiseSqrt()};
+}
+
+void putEstimates(IdentifiedRates& out, const std::vector<FitColumn>& columns, const Corrected& found,
                   const IdentificationOptions& options) {
-    for (std::size_t c = 0; c < problem.columns().size(); ++c) {
-        const auto i = static_cast<Eigen::Index>(c);
-        const Estimate estimate{fit.parameters[i], fit.standardErrors[i]};
-        switch (problem.columns()[c]) {
-        case kHeating:
-            out.lambda1 = estimate;
+    const auto at = [&](std::size_t i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        return Estimate{found.values[k], found.standardErrors[k]};
+    };
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        switch (columns[c]) {
+        case FitColumn::Heating:
+            out.lambda1 = at(c);
             break;
-        case kCooling:
-            out.lambda2 = estimate;
+        case FitColumn::Cooling:
+            out.lambda2 = at(c);
             break;
-        case kRest:
-            out.lambda3 = estimate;
+        case FitColumn::Rest:
+            out.lambda3 = at(c);
             break;
-        case kConvection:
-            out.convection = estimate;
+        case FitColumn::Convection:
+            out.convection = at(c);
+            break;
+        case FitColumn::Delay:
             break;
         }
     }
+    out.loss = at(columns.size());
+    out.lossSlope = at(columns.size() + 1);
     if (!options.freeAmbient) {
         const double rest_K4 = std::pow(options.environment_K, 4) * options.environmentShare;
         out.lambda3 = {out.lambda2.value * rest_K4, out.lambda2.standardError * rest_K4};
     }
+    if (!options.convection)
+        out.airPerLambda2 = options.airPerLambda2;
+}
+
+/// Median of the second half's readings: where the run has worked.
+double workingTemperature_K(const std::vector<HeatSample>& record, const std::vector<bool>& used) {
+    std::vector<double> readings_K;
+    for (std::size_t k = 0; k < record.size(); ++k)
+        if (used[k] && record[k].time_s >= 0.5 * (record.front().time_s + record.back().time_s))
+            readings_K.push_back(record[k].temperature_K);
+    if (readings_K.empty())
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto middle = readings_K.begin() + static_cast<std::ptrdiff_t>(readings_K.size() / 2);
+    std::nth_element(readings_K.begin(), middle, readings_K.end());
+    return *middle;
 }
 
 /// The fit with the given T3; its reason is set if there are no rates.
 IdentifiedRates fitted(const std::vector<HeatSample>& record, const IdentificationOptions& options,
                        double& variation_F) {
-    Problem problem(record, options);
-    Fit fit;
+    IntegralProblem problem(record, options);
+    IntegralFit fit;
     for (int pass = 0; pass < kPasses; ++pass) {
         problem.cut();
-        fit = problem.longEnough() ? problem.solve() : Fit();
+        fit = problem.longEnough() ? problem.solve() : IntegralFit();
         if (fit.parameters.size() == 0 || !problem.leaveOut(fit))
             break;
     }
@@ -331,36 +196,47 @@ IdentifiedRates fitted(const std::vector<HeatSample>& record, const Identificati
     if (!problem.longEnough()) {
         out.reason = {MessageCode::IdentificationTooShort,
                       {std::to_string(out.readings), std::to_string(problem.minWindows()),
-                       formatNumber(problem.window_s(), 3)}};
+                       formatNumber(problem.shortest_s(), 3)}};
         return out;
     }
-    variation_F = variation(record, problem.windows());
-    const bool heated = std::ranges::any_of(
-        problem.windows(), [](const Window& window) { return window.X.col(0).cwiseAbs().maxCoeff() > 0.0; });
-    if (!heated)
+    variation_F = variation(record, problem.windows(), &HeatSample::viewFactor);
+    const double variation_K = variation(record, problem.windows(), &HeatSample::temperature_K);
+    const bool isAtRest =
+        variation_F < kMinVariation &&
+        variation_K < kNoise * std::max(fit.residual_K, readingStep_K(record, problem.used()));
+    const bool heated = std::ranges::any_of(problem.windows(), [](const IntegralWindow& window) {
+        return window.X.col(0).cwiseAbs().maxCoeff() > 0.0;
+    });
+    if (!heated) {
         out.reason = {MessageCode::IdentificationUnheated, {}};
-    else if (fit.parameters.size() == 0)
+    } else if (fit.parameters.size() == 0 || isAtRest) {
         out.reason = {MessageCode::IdentificationStill, {formatNumber(variation_F, 2)}};
-    else
-        putEstimates(out, problem, fit, options);
+    } else {
+        out.workingTemperature_K = workingTemperature_K(record, problem.used());
+        putEstimates(out, problem.columns(),
+                     corrected(problem, fit, record, options, out.workingTemperature_K), options);
+    }
     return out;
 }
 
-/// Adds the effect of the error of T3, from a second fit with T3 changed by it.
-void addEnvironmentError(IdentifiedRates& out, const std::vector<HeatSample>& record,
-                         IdentificationOptions options) {
-    if (!(options.environmentDeviation_K > 0.0))
+/// With air of which nothing is known, the loss and its slope are those of a fit with both kinds of loss,
+/// which knows them even where it cannot tell the two kinds apart.
+void tellLoss(IdentifiedRates& out, const std::vector<HeatSample>& record, IdentificationOptions options) {
+    if (options.isAirKnown && !options.convection)
         return;
-    options.environment_K += options.environmentDeviation_K;
-    double unused = 0.0;
-    const IdentifiedRates off = fitted(record, options, unused);
-    const auto add = [](Estimate& estimate, const Estimate& other) {
-        estimate.standardError = std::hypot(estimate.standardError, other.value - estimate.value);
-    };
-    add(out.lambda1, off.lambda1);
-    add(out.lambda2, off.lambda2);
-    add(out.lambda3, off.lambda3);
-    add(out.convection, off.convection);
+    IdentifiedRates joint = out;
+    if (!options.convection) {
+        options.convection = true;
+        double unused = 0.0;
+        joint = fitted(record, options, unused);
+        out.loss = joint.loss;
+        out.lossSlope = joint.lossSlope;
+    }
+    const bool areApart =
+        joint.usable() && joint.lambda2.standardError <= kWorstError * std::abs(joint.lambda2.value);
+    if (!areApart)
+        out.caveat = {MessageCode::IdentificationAirTogether,
+                      {roundedTemperatureArg(out.workingTemperature_K, 1)}};
 }
 
 } // namespace
@@ -370,7 +246,7 @@ IdentifiedRates identifyRates(const std::vector<HeatSample>& record, const Ident
     IdentifiedRates out = fitted(record, options, variation_F);
     if (!out.usable())
         return out;
-    addEnvironmentError(out, record, options);
+    tellLoss(out, record, options);
     out.reason = verdict(out, variation_F);
     return out;
 }
