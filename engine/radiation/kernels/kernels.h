@@ -63,7 +63,7 @@ struct Sums {
     double moments[6] = {};
 };
 
-/// A smooth outline as a Fourier series, p + iy = sum c_j e^(i j phi): c_j (m) for j = -harmonics ..
+/// A smooth outline as a Fourier series, x + iy = sum c_j e^(i j phi): c_j (m) for j from -harmonics to
 /// harmonics, real and imaginary part in turn.
 struct Series {
     const double* coefficients = nullptr;
