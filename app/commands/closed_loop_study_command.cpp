@@ -115,12 +115,17 @@ void printSummary(const Rows& rows) {
         if (!rows[k].failure.empty())
             std::printf("run %zu failed: %s\n", k + 1, rows[k].failure.c_str());
     const ClosedLoopSummary summary = summarize(rows);
-    const auto ratio = [](const std::optional<double>& value) {
+    const auto shown = [](const std::optional<double>& value, double factor, const char* unit) {
         char text[32] = "none";
         if (value)
-            std::snprintf(text, sizeof text, "%.2f", *value);
+            std::snprintf(text, sizeof text, "%.2f%s", factor * *value, unit);
         return std::string(text);
     };
+    const auto ratio = [&](const std::optional<double>& value) { return shown(value, 1.0, ""); };
+    std::printf("median way: %s\n", shown(summary.medianWay_m, 1.0, " m").c_str());
+    std::printf("mean speed at rest: %s, worst run %s\n",
+                shown(summary.meanRestSpeed_m_s, 1000.0, " mm/s").c_str(),
+                shown(summary.worstRestSpeed_m_s, 1000.0, " mm/s").c_str());
     std::printf("90th percentile of settling over bound: %s\n", ratio(summary.tenthOverBound).c_str());
     std::printf("median settling over bound without travel: %s\n",
                 ratio(summary.medianOverRadiation).c_str());

@@ -160,13 +160,51 @@ std::string failureOf(const RunOutcome& outcome, double duration_s) {
     return words;
 }
 
+/// The way of the end-effector in a run.
+class PathWatch {
+public:
+    void add(const TraceSample& sample) {
+        if (!m_time_s.empty()) {
+            const double dt_s = sample.time_s - m_time_s.back();
+            m_way_m.push_back(m_way_m.back() + (sample.coordinates - m_place).head<3>().norm());
+            if (dt_s > 0.0)
+                m_commandAcceleration_m_s2 =
+                    std::max(m_commandAcceleration_m_s2, (sample.twist - m_twist).head<3>().norm() / dt_s);
+        } else {
+            m_way_m.push_back(0.0);
+        }
+        m_time_s.push_back(sample.time_s);
+        m_place = sample.coordinates;
+        m_twist = sample.twist;
+    }
+
+    double way_m() const { return m_way_m.empty() ? 0.0 : m_way_m.back(); }
+    double commandAcceleration_m_s2() const { return m_commandAcceleration_m_s2; }
+    /// Empty if the run has ended before.
+    std::optional<double> meanSpeed_m_s(double from_s) const {
+        const auto first = std::ranges::lower_bound(m_time_s, from_s);
+        if (first == m_time_s.end() || *first >= m_time_s.back())
+            return std::nullopt;
+        const auto index = static_cast<std::size_t>(first - m_time_s.begin());
+        return (m_way_m.back() - m_way_m[index]) / (m_time_s.back() - *first);
+    }
+
+private:
+    std::vector<double> m_time_s, m_way_m;
+    Vector6d m_place = Vector6d::Zero();
+    Vector6d m_twist = Vector6d::Zero();
+    double m_commandAcceleration_m_s2 = 0.0;
+};
+
 Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
     ClosedLoopRow row;
     row.drawn = drawClosedLoopCase(study, index);
     const Experiment experiment = closedLoopExperiment(study, row.drawn);
     SimulatedRunOptions options;
     options.duration_s = row.drawn.duration_s();
+    PathWatch path;
     options.progress = [&](double, const TraceSample& sample) {
+        path.add(sample);
         for (const ObjectSample& object : sample.objects) {
             const double sign = object.target_K > experiment.environment_K ? 1.0 : -1.0;
             row.overshoot_K = std::max(row.overshoot_K, sign * (object.true_K - object.target_K));
@@ -180,6 +218,10 @@ Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
         if (outcome->settled)
             row.settling_s = std::max(row.settling_s.value_or(0.0), object.settlingTime_s.value_or(0.0));
     }
+    row.way_m = path.way_m();
+    row.commandAcceleration_m_s2 = path.commandAcceleration_m_s2();
+    if (row.settling_s)
+        row.restSpeed_m_s = path.meanSpeed_m_s(*row.settling_s + kStudyRestAfter_s);
     row.toldCompromise = std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
         return event.message.code == MessageCode::EventCompromise;
     });
@@ -229,8 +271,10 @@ std::string csvRow(int index, const ClosedLoopRow& row) {
                 number(celsiusFromKelvin(row.final_K[i])) + ',' + number(100.0 * drawn.mountings[i][kX]) +
                 ',' + number(100.0 * drawn.mountings[i][kY]) + ',' +
                 number(degFromRad(drawn.mountings[i][kThetaZ]));
-    return text + coordinates(drawn.start) + coordinates(drawn.goal) + (row.toldCompromise ? ",1," : ",0,") +
-           quoted(row.failure) + '\n';
+    text += coordinates(drawn.start) + coordinates(drawn.goal) + (row.toldCompromise ? ",1," : ",0,") +
+            quoted(row.failure);
+    return text + ',' + (row.restSpeed_m_s ? number(1000.0 * *row.restSpeed_m_s) : std::string()) + ',' +
+           number(row.way_m) + ',' + number(1000.0 * row.commandAcceleration_m_s2) + '\n';
 }
 
 } // namespace
@@ -315,9 +359,12 @@ Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& stu
 
 ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows) {
     ClosedLoopSummary summary;
-    std::vector<double> overBound, overRadiation;
+    std::vector<double> overBound, overRadiation, restSpeeds, ways;
     for (const ClosedLoopRow& row : rows) {
         summary.worstOvershoot_K = std::max(summary.worstOvershoot_K, row.overshoot_K);
+        ways.push_back(row.way_m);
+        if (row.restSpeed_m_s)
+            restSpeeds.push_back(*row.restSpeed_m_s);
         if (!row.settling_s)
             continue;
         overBound.push_back(*row.settling_s / row.drawn.bound_s);
@@ -330,6 +377,13 @@ ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows) {
     summary.medianOverBound = quantile(overBound, 0.5);
     summary.tenthOverBound = quantile(overBound, 0.9);
     summary.medianOverRadiation = quantile(overRadiation, 0.5);
+    std::ranges::sort(ways);
+    summary.medianWay_m = quantile(ways, 0.5);
+    if (!restSpeeds.empty()) {
+        summary.meanRestSpeed_m_s = std::accumulate(restSpeeds.begin(), restSpeeds.end(), 0.0) /
+                                    static_cast<double>(restSpeeds.size());
+        summary.worstRestSpeed_m_s = std::ranges::max(restSpeeds);
+    }
     return summary;
 }
 
@@ -352,6 +406,10 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         "at the largest F of any pose within reach at full speed by then. travel_s: from start to goal.\n"
         "# overshoot_K: farthest true temperature above a target, of all objects and moments; goal: a pose "
         "that holds the targets.\n"
+        "# rest_speed_mm_s: mean speed of the end-effector from " +
+        number(kStudyRestAfter_s) +
+        " s after settling_s to the end. way_m: its whole way. command_acceleration_mm_s2: largest change of "
+        "the commanded velocity between two samples, per time.\n"
         "run,seed,settled,settling_s,over_bound,over_radiation,overshoot_K,bound_s,radiation_s,travel_s";
     for (const ObjectSpec& object : rig.objects)
         text += ',' + quoted(object.name + " target_degC") + ',' + quoted(object.name + " final_degC") + ',' +
@@ -360,7 +418,7 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
     for (const char* pose : {"start", "goal"})
         for (const char* coordinate : {"x_cm", "y_cm", "z_cm", "theta_x_deg", "theta_y_deg", "theta_z_deg"})
             text += std::string(",") + pose + "_" + coordinate;
-    text += ",told_compromise,failure\n";
+    text += ",told_compromise,failure,rest_speed_mm_s,way_m,command_acceleration_mm_s2\n";
     for (std::size_t k = 0; k < rows.size(); ++k)
         text += csvRow(static_cast<int>(k) + 1, rows[k]);
     return text;

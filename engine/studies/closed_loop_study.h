@@ -26,8 +26,9 @@ struct ClosedLoopStudy {
 /// Smallest distance of a target above the environment.
 inline constexpr double kStudyRise_K = 2.0;
 inline constexpr double kStudyMountingRadius_m = 0.06; ///< random mountings: of the centroids about E
-inline constexpr double kStudyBounds = 3.0;            ///< a run lasts this many times the bound
-inline constexpr double kStudyMinDuration_s = 400.0;   ///< plus this
+inline constexpr double kStudyRestAfter_s = 60.0;    ///< after settling: from then on the robot should stand
+inline constexpr double kStudyBounds = 3.0;          ///< a run lasts this many times the bound
+inline constexpr double kStudyMinDuration_s = 400.0; ///< plus this
 
 /// Minimum times for any controller to bring an experiment's objects from the environment's temperature and
 /// its start to their targets; infinite for a target that no view factor reaches.
@@ -66,6 +67,12 @@ struct ClosedLoopRow {
     std::optional<double> settling_s; ///< of the last object to settle; empty: not settled
     /// Farthest past a target, seen from the start's temperature; not negative.
     double overshoot_K = 0.0;
+    double way_m = 0.0; ///< of the end-effector, whole run
+    /// Mean speed of the end-effector from kStudyRestAfter_s after settling_s to the end of the run, m/s;
+    /// empty: not settled, or not that long before the end.
+    std::optional<double> restSpeed_m_s;
+    /// Largest change of the commanded velocity (translation) from one sample to the next, per time, m/s2.
+    double commandAcceleration_m_s2 = 0.0;
     std::vector<double> final_K;
     bool toldCompromise = false; ///< the controller reported that the targets cannot be reached together
     std::string failure;         ///< why it did not settle, in words; empty if it settled
@@ -82,6 +89,9 @@ struct ClosedLoopSummary {
     // Of the settled runs; empty if there are none.
     std::optional<double> medianOverBound, medianOverRadiation, tenthOverBound; ///< tenth: 90th percentile
     double worstOvershoot_K = 0.0;                                              ///< of all runs
+    // Of the runs that have a speed at rest.
+    std::optional<double> meanRestSpeed_m_s, worstRestSpeed_m_s;
+    std::optional<double> medianWay_m; ///< of all runs
 };
 ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows);
 

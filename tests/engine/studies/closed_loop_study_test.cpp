@@ -193,6 +193,21 @@ TEST(ClosedLoopStudy, AControllerThatDoesNotAimFailsInWords) {
     EXPECT_FALSE(summary.medianOverBound);
 }
 
+// Catches a mean that counts runs without a rest, and a median way that leaves failed runs out.
+TEST(ClosedLoopStudy, TheSpeedAtRestIsOfTheRunsThatRested) {
+    std::vector<ClosedLoopRow> rows(3);
+    rows[0].way_m = 1.0;
+    rows[1].way_m = 2.0;
+    rows[2].way_m = 4.0;
+    EXPECT_FALSE(summarize(rows).meanRestSpeed_m_s);
+    rows[0].restSpeed_m_s = 1e-4;
+    rows[2].restSpeed_m_s = 3e-4;
+    const ClosedLoopSummary summary = summarize(rows);
+    EXPECT_DOUBLE_EQ(*summary.meanRestSpeed_m_s, 2e-4);
+    EXPECT_DOUBLE_EQ(*summary.worstRestSpeed_m_s, 3e-4);
+    EXPECT_DOUBLE_EQ(*summary.medianWay_m, 2.0);
+}
+
 TEST(ClosedLoopStudy, TheMedianIsOfTheSettledRuns) {
     std::vector<ClosedLoopRow> rows(4);
     for (std::size_t k = 0; k < rows.size(); ++k) {
