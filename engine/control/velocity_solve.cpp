@@ -315,6 +315,26 @@ VelocitySolution nearestVelocity(const RigGeometry& geometry, const Vector6d& q,
     return solveVelocity(geometry, problem);
 }
 
+/// Adds to `rates` the motion away from the source that a step of dt needs for its clearance, within the
+/// speed limit; returns whether it needs any. On a straight line between two poses at the clearance,
+/// curvature and rounding alone take some nanometres.
+bool liftOver(const RigGeometry& geometry, const Vector6d& q, double dt_s, Vector6d& rates) {
+    constexpr double kRounding_m = 1e-6;
+    const RobotLimits& limits = geometry.limits();
+    const Eigen::Vector3d off = (poseOffSource(geometry, q) - q).head<3>();
+    const double lacking_m = limits.clearance_m - geometry.lowestPoint_m(q + dt_s * rates);
+    const double rise = off.normalized().dot(geometry.away());
+    if (lacking_m <= 0.0 || off.norm() == 0.0 || rise <= 0.0)
+        return false;
+    Vector6d lifted = rates;
+    lifted.head<3>() += (lacking_m + 1e-9) / (dt_s * rise) * off.normalized();
+    lifted *= std::min(1.0, limits.maxSpeed_m_s / std::max(lifted.head<3>().norm(), 1e-12));
+    if (!geometry.allowed(q + dt_s * lifted))
+        return false;
+    rates = lifted;
+    return lacking_m > kRounding_m;
+}
+
 /// The component of `rates` along `wanted`, relative to `wanted`.
 double shareOf(const Vector6d& rates, const Vector6d& wanted) {
     return rates.dot(wanted) / wanted.squaredNorm();
@@ -333,7 +353,8 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     const Vector6d full = (goal - q) / time_s;
     const double last = std::max(0.0, shareOf(lastRates, full));
     const double share = shareOfSpeed(time_s, last, longestBraking_s(limits), dt_s);
-    const Vector6d straight = share * full;
+    Vector6d straight = share * full;
+    const bool lifted = liftOver(geometry, q, dt_s, straight);
     const bool open = geometry.allowed(q + dt_s * straight);
     if (open && !limits.limitsAcceleration()) {
         out.rates = straight;
@@ -341,6 +362,8 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
             out.limits.add((goal - q).head<3>().norm() / limits.maxSpeed_m_s >= time_s * (1.0 - 1e-9)
                                ? Limit::Speed
                                : Limit::Rotation);
+        if (lifted)
+            out.limits.add(Limit::Clearance);
         return out;
     }
     out = nearestVelocity(geometry, q, straight, dt_s, lastRates);
