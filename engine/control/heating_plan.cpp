@@ -24,7 +24,9 @@ constexpr double kNearCold_K = 0.25;
 constexpr double kNearHot_K = 0.05;
 constexpr double kNearWeight = 0.05;
 constexpr double kMissedRest = 2.0;    ///< time constants for which a rest that misses the aim is penalised
-constexpr double kTravelPrice_s = 0.5; ///< of the squared time of travel
+constexpr double kTravelShare = 0.2;   ///< travel counts as a delay of this share of it
+constexpr double kShortTravel_s = 1.0; ///< shorter travel counts less
+constexpr double kLeastDelay_s = 5.0;  ///< of the slowest object, for the price of travel
 
 constexpr double kLengthStep_m = 2e-4;        // of the differences; well below the distance to a kink
 constexpr double kTimePerLength_s_m = 1000.0; // 1 cm of a stay's pose counts as 10 s of its time
@@ -118,12 +120,17 @@ void HeatingPlan::spend(double time_s, const Stay& next) {
 }
 
 void HeatingPlan::move(const Pose& motion, const RobotLimits& limits) {
-    for (Vector6d* pose : {&stays[0].pose, &stays[1].pose, &rest}) {
-        const Vector6d moved = coordinatesFromPose(motion * poseFromCoordinates(*pose));
-        for (int k = 0; k < 6; ++k)
-            if (limits.free[static_cast<std::size_t>(k)])
-                (*pose)[k] = std::clamp(moved[k], limits.lower[k], limits.upper[k]);
-    }
+    for (Vector6d* pose : {&stays[0].pose, &stays[1].pose, &rest})
+        *pose = movedWithin(*pose, motion, limits);
+}
+
+Vector6d movedWithin(const Vector6d& pose, const Pose& motion, const RobotLimits& limits) {
+    const Vector6d moved = coordinatesFromPose(motion * poseFromCoordinates(pose));
+    Vector6d out = pose;
+    for (int k = 0; k < 6; ++k)
+        if (limits.free[static_cast<std::size_t>(k)])
+            out[k] = std::clamp(moved[k], limits.lower[k], limits.upper[k]);
+    return out;
 }
 
 PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
@@ -136,6 +143,8 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
     const double max_s_K = m_cold_s_K.maxCoeff();
     m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * max_s_K);
     m_hot_s_K = kHotShare * max_s_K;
+    const double slowest_s = (task.temperature_K - task.aim_K).cwiseAbs().cwiseProduct(m_cold_s_K).maxCoeff();
+    m_travel_s = std::sqrt(kTravelShare) * std::max(slowest_s, kLeastDelay_s);
 }
 
 /// View factors at the sampled points of a plan, in the order of the path: a difference changes only few of
@@ -171,7 +180,7 @@ public:
                 step(time_s / kLegSteps);
             }
         }
-        m_residuals[m_next++] = std::sqrt(kTravelPrice_s) * time_s;
+        m_residuals[m_next++] = m_cost.m_travel_s * time_s / std::sqrt(time_s + kShortTravel_s);
         m_at = to;
     }
 

@@ -27,6 +27,9 @@ struct HeatingPlan {
     void move(const Pose& motion, const RobotLimits& limits);
 };
 
+/// A pose that has moved with a source that has moved by `motion` in R, as far as the robot can.
+Vector6d movedWithin(const Vector6d& pose, const Pose& motion, const RobotLimits& limits);
+
 /// The present state of the objects and their aims.
 struct HeatingTask {
     Vector6d from = Vector6d::Zero(); ///< the end-effector's coordinates
@@ -62,6 +65,7 @@ private:
 
     const RigGeometry& m_geometry;
     const HeatingTask& m_task;
+    double m_travel_s = 0.0;    ///< root of the cost of a second of travel
     double m_hot_s_K = 0.0;     ///< cost of a kelvin too hot
     Eigen::VectorXd m_cold_s_K; ///< N, time to heat by a kelvin at F = 1
 };

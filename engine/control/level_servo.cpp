@@ -31,12 +31,22 @@ constexpr int kSearchIterations = 6; ///< for a proposal
 constexpr double kSearchPeriod_s = 2.0;
 constexpr double kCalmSearchPeriod_s = 10.0; ///< while every object is within kCalm_K
 constexpr double kCalm_K = 0.4;
-constexpr double kBetter = 0.97;     ///< relative cost below which another plan replaces the present one
-constexpr double kSurprise = 1.2;    ///< growth of the cost from one step to the next that starts a search
-constexpr double kWorthGoing = 0.25; ///< periods; a stay shorter than this is left out
+constexpr double kWorthChanging = 0.95; ///< relative cost below which the plan in use is changed
+constexpr double kBetter = 0.9;         ///< relative cost below which another plan replaces the present one
+constexpr double kSurprise = 1.2;       ///< growth of the cost from one step to the next that starts a search
+constexpr double kWorthGoing = 0.25;    ///< periods; a stay shorter than this is left out
 
-constexpr double kComeToRest_K = 0.1; ///< the robot stays at a pose that holds the aim this well
-constexpr double kLeaveRest_K = 0.2;  ///< and leaves it if the error is larger than this
+constexpr double kComeToRest_K = 0.1;    ///< a rest whose steady temperatures miss the aim by less is held
+constexpr double kLeaveRest_K = 0.15;    ///< and corrected if it misses the aim by more
+constexpr double kMissedFor_s = 15.0;    ///< for so long, so that noise corrects nothing
+constexpr double kMovePrice_K2_m2 = 1.0; ///< of a correction: 10 cm count as a miss of 0.1 K
+constexpr double kNear_K = 0.2;          ///< temperatures this near to the aim need no plan but the rest
+constexpr double kPatience_K_s = 0.005;  ///< by so much farther ones after they could not be brought nearer
+constexpr double kFarthestHold_K = 0.45; ///< but not those farther than this
+constexpr double kLoseHold_K = 0.3; ///< a rest is given up if a temperature is farther from its aim than this
+constexpr double kUnforeseen_K = 0.1; ///< and by this farther than when it was taken
+constexpr double kArrived_s = 0.01;   ///< travel left at a rest: what the robot resolves
+constexpr int kWaySteps = 8;          ///< of the prediction on the way to a rest
 
 constexpr double kSure_K = 0.3;  ///< identified rates with a smaller error are used for judging
 constexpr double kUnmet_K = 0.4; ///< a compromise begins if the best pose misses a target by this
@@ -49,6 +59,14 @@ constexpr double kTableTurn_rad = 0.05;
 /// Slope of the steady temperature by the view factor, K.
 double temperaturePerViewFactor_K(const HeatRates& rates, double T_K) {
     return rates.lambda1 * rates.timeConstant_s(T_K);
+}
+
+/// The weight of an object in PoseQuery is relative to that of the heaviest: squared kelvin per view factor.
+double heaviest_K2(const HeatingTask& task, const std::vector<double>& aim_K) {
+    double out = 0.0;
+    for (std::size_t k = 0; k < aim_K.size(); ++k)
+        out = std::max(out, std::pow(temperaturePerViewFactor_K(task.rates[k], aim_K[k]), 2));
+    return out;
 }
 
 /// A stay at a rest, for plans that have nothing else to do: long enough to be moved by an optimisation.
@@ -73,6 +91,7 @@ void LevelServo::setTargets(const std::vector<double>& targets_K) {
     m_model.targets_K = targets_K;
     m_aim_K = targets_K;
     m_compromise = false;
+    m_hold.reset();
     m_nextRest_s = 0.0;
     m_nextSearch_s = 0.0;
 }
@@ -82,6 +101,8 @@ void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
     const Pose moved = geometry->X_RS() * m_model.geometry->X_RS().inverse();
     if (m_plan)
         m_plan->plan.move(moved, geometry->limits());
+    if (m_hold)
+        m_hold = movedWithin(*m_hold, moved, geometry->limits());
     m_model.geometry = std::move(geometry);
     const Pose sinceTable = m_tableSource.inverse() * m_model.geometry->X_RS();
     if (sinceTable.translation().norm() > kTableShift_m ||
@@ -156,6 +177,13 @@ bool LevelServo::sure(std::size_t k) const {
            kSure_K;
 }
 
+bool LevelServo::allSure() const {
+    for (std::size_t k = 0; k < m_aim_K.size(); ++k)
+        if (!sure(k))
+            return false;
+    return true;
+}
+
 Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Vector6d& pose) const {
     const Eigen::VectorXd F = m_model.geometry->viewFactorsFast(pose);
     Eigen::VectorXd out(F.size());
@@ -164,12 +192,65 @@ Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Vector6d& 
     return out;
 }
 
-bool LevelServo::rests(const HeatingTask& task) {
-    const Eigen::VectorXd steady_K = steadyAt_K(task, task.from);
-    const double off_K = std::max((task.temperature_K - task.aim_K).cwiseAbs().maxCoeff(),
-                                  (steady_K - task.aim_K).cwiseAbs().maxCoeff());
-    m_resting = off_K < (m_resting ? kLeaveRest_K : kComeToRest_K);
-    return m_resting;
+double LevelServo::farthest_K(const HeatingTask& task) {
+    return (task.temperature_K - task.aim_K).cwiseAbs().maxCoeff();
+}
+
+double LevelServo::missedAt_K(const HeatingTask& task, const Vector6d& pose) const {
+    return (steadyAt_K(task, pose) - task.aim_K).cwiseAbs().maxCoeff();
+}
+
+bool LevelServo::arrivesNear(const HeatingTask& task, const Vector6d& rest) const {
+    const double time_s = travelTime_s(m_model.geometry->limits(), task.from, rest);
+    // One object alone can always be brought nearer.
+    const double patience_K = task.aim_K.size() > 1 ? kPatience_K_s * (m_time_s - m_nearSince_s) : 0.0;
+    const double near_K = std::min(kFarthestHold_K, kNear_K + patience_K);
+    Eigen::VectorXd T_K = task.temperature_K;
+    for (int k = 0; k < kWaySteps; ++k) {
+        if ((T_K - task.aim_K).cwiseAbs().maxCoeff() > near_K)
+            return false;
+        const Eigen::VectorXd F =
+            m_model.geometry->viewFactorsFast(task.from + (k + 0.5) / kWaySteps * (rest - task.from));
+        for (Eigen::Index i = 0; i < F.size(); ++i) {
+            const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
+            const double steady_K = rates.steadyTemperature_K(F[i]);
+            T_K[i] =
+                steady_K + (T_K[i] - steady_K) * std::exp(-time_s / kWaySteps / rates.timeConstant_s(T_K[i]));
+        }
+    }
+    return (T_K - task.aim_K).cwiseAbs().maxCoeff() <= near_K;
+}
+
+void LevelServo::chooseHold(const HeatingTask& task) {
+    const double off_K = farthest_K(task);
+    const double lose_K = m_hold ? std::max(kLoseHold_K, m_heldOff_K + kUnforeseen_K) : kFarthestHold_K;
+    if (off_K > lose_K) {
+        m_hold.reset();
+        m_nearSince_s = m_time_s;
+    }
+    if (m_hold)
+        return correctHold(task);
+    std::vector<Vector6d> rests{task.from};
+    rests.insert(rests.end(), m_rests.begin(), m_rests.end());
+    for (const Vector6d& rest : rests) {
+        if (missedAt_K(task, rest) > kComeToRest_K || !arrivesNear(task, rest))
+            continue;
+        m_hold = rest;
+        m_heldOff_K = off_K;
+        m_missedSince_s = m_time_s;
+        return;
+    }
+}
+
+void LevelServo::correctHold(const HeatingTask& task) {
+    if (missedAt_K(task, *m_hold) <= kLeaveRest_K)
+        m_missedSince_s = m_time_s;
+    if (m_time_s - m_missedSince_s < kMissedFor_s)
+        return;
+    PoseQuery query = steady(task, m_aim_K);
+    query.movePrice_1_m2 = kMovePrice_K2_m2 / heaviest_K2(task, m_aim_K);
+    m_hold = refinePose(*m_model.geometry, query, *m_hold, kRefinements);
+    m_missedSince_s = m_time_s;
 }
 
 void LevelServo::findRests(const HeatingTask& task) {
@@ -208,9 +289,8 @@ void LevelServo::findRests(const HeatingTask& task) {
 }
 
 void LevelServo::judgeTargets(const Eigen::VectorXd& nearest_K) {
-    for (std::size_t k = 0; k < m_aim_K.size(); ++k)
-        if (!sure(k))
-            return;
+    if (!allSure())
+        return;
     const Eigen::Map<const Eigen::VectorXd> targets_K(m_model.targets_K.data(), nearest_K.size());
     const double worst_K = (nearest_K - targets_K).cwiseAbs().maxCoeff();
     m_compromise = worst_K > (m_compromise ? kMet_K : kUnmet_K);
@@ -275,9 +355,10 @@ void LevelServo::choosePlan(const HeatingTask& task) {
     const PlanCost cost(*m_model.geometry, task);
     bool foreseen = false;
     if (m_plan) {
-        const PricedPlan followed = cost.improve(m_plan->plan, kFollowIterations);
-        foreseen = followed.cost < kSurprise * m_plan->cost;
-        m_plan = followed;
+        const PricedPlan present{m_plan->plan, cost.of(m_plan->plan)};
+        const PricedPlan improved = cost.improve(present.plan, kFollowIterations);
+        foreseen = improved.cost < kSurprise * m_plan->cost;
+        m_plan = improved.cost < kWorthChanging * present.cost ? improved : present;
     }
     if (m_time_s < m_nextSearch_s && foreseen)
         return;
@@ -332,15 +413,17 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
         m_nextRest_s = m_time_s + kRestPeriod_s;
         findRests(task);
         task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), task.aim_K.size());
-    } else if (m_plan &&
-               (steadyAt_K(task, m_plan->plan.rest) - task.aim_K).cwiseAbs().maxCoeff() > kRestMiss_K) {
+    }
+    if (m_plan && missedAt_K(task, m_plan->plan.rest) > kRestMiss_K) {
         m_plan->plan.rest = refinePose(*m_model.geometry, steady(task, m_aim_K), m_plan->plan.rest, kTouches);
     }
     VelocitySolution motion;
-    if (rests(task)) {
+    chooseHold(task);
+    if (m_hold) {
         m_plan.reset();
-        motion =
-            velocityTowards(*m_model.geometry, task.from, task.from, dt_s, observation.lastRates); // brakes
+        const bool arrived = travelTime_s(m_model.geometry->limits(), task.from, *m_hold) < kArrived_s;
+        motion = velocityTowards(*m_model.geometry, task.from, arrived ? task.from : *m_hold, dt_s,
+                                 observation.lastRates);
     } else {
         choosePlan(task);
         motion = follow(task, observation.lastRates, dt_s);

@@ -16,11 +16,11 @@
 // next step's plans, and improvement never makes it worse, so the cost V of the plan in use satisfies V(k+1)
 // <= V(k) - (cost of the step): it decreases until every error is zero. Resting is always one of the plans;
 // then each error decays with the object's own time constant (the heat balance is a contraction at a constant
-// pose). For the same reason the robot may stand still if the temperatures, and the steady temperatures of
-// the pose, are within kComeToRest_K of the aim, so that noise moves nothing. If the rates are wrong, their
-// prediction errors enter the identification as long as anything moves; the remainder (convection, a draught)
-// is compensated by a slow integral of the prediction error, the drift. It cannot wind up, because it depends
-// on predictions, not on targets.
+// pose). For the same reason the robot may hold a rest, that is go there straight and stand, as soon as
+// every temperature is near its aim and stays so on the way: then no plan is made, and noise moves nothing.
+// If the rates are wrong, their prediction errors enter the identification as long as anything moves; the
+// remainder (convection, a draught) is compensated by a slow integral of the prediction error, the drift. It
+// cannot wind up, because it depends on predictions, not on targets.
 //
 // If no pose has all targets as steady temperatures, the servo aims at the nearest ones that a pose does have
 // (least squares in K over the workspace), as soon as the identified rates are certain enough.
@@ -48,12 +48,20 @@ private:
     void learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s);
     /// Returns whether the identified rates of object k determine its steady temperatures within kSure_K.
     bool sure(std::size_t k) const;
+    bool allSure() const;
 
     PoseQuery level(const HeatingTask& task) const; ///< the outer loop's view factors
     PoseQuery steady(const HeatingTask& task, const std::vector<double>& aim_K) const;
     Eigen::VectorXd steadyAt_K(const HeatingTask& task, const Vector6d& pose) const;
-    /// Returns whether the present pose keeps the objects at their aims: the robot stands still.
-    bool rests(const HeatingTask& task);
+    /// Farthest present temperature from its aim.
+    static double farthest_K(const HeatingTask& task);
+    /// Farthest steady temperature of a pose from its aim.
+    double missedAt_K(const HeatingTask& task, const Vector6d& pose) const;
+    /// Returns whether every temperature stays near its aim on the straight way to a rest.
+    bool arrivesNear(const HeatingTask& task, const Vector6d& rest) const;
+    /// Takes up or gives up a rest to go to and stand at.
+    void chooseHold(const HeatingTask& task);
+    void correctHold(const HeatingTask& task);
     void findRests(const HeatingTask& task);
     void judgeTargets(const Eigen::VectorXd& nearest_K);
 
@@ -74,12 +82,15 @@ private:
     Eigen::VectorXd m_expected_K;  ///< N, temperatures predicted for this sample by the last one
     std::vector<Vector6d> m_rests; ///< poses at which the aim is steady
     std::optional<PricedPlan> m_plan;
-    std::vector<double> m_aim_K; ///< the targets, or the nearest temperatures that one pose has
-    bool m_compromise = false;   ///< whether m_aim_K differs from the targets
-    bool m_resting = false;
-    double m_time_s = 0.0;       ///< of the last step
-    double m_nextRest_s = 0.0;   ///< time of the next search for rests
-    double m_nextSearch_s = 0.0; ///< time of the next search for other plans
+    std::vector<double> m_aim_K;    ///< the targets, or the nearest temperatures that one pose has
+    bool m_compromise = false;      ///< whether m_aim_K differs from the targets
+    std::optional<Vector6d> m_hold; ///< the rest that the robot is at, or goes to
+    double m_nearSince_s = 0.0;     ///< since when every temperature may be held
+    double m_heldOff_K = 0.0;       ///< farthest temperature from its aim when the rest was taken
+    double m_missedSince_s = 0.0;   ///< since when the steady temperatures of the hold miss the aim
+    double m_time_s = 0.0;          ///< of the last step
+    double m_nextRest_s = 0.0;      ///< time of the next search for rests
+    double m_nextSearch_s = 0.0;    ///< time of the next search for other plans
 };
 
 } // namespace bask

@@ -109,9 +109,23 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
                     int iterations) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
+    Eigen::VectorXd price(n); // of the squared change of each free coordinate
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const double length = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
+        price[k] = query.movePrice_1_m2 * length * length;
+    }
+    const auto moved = [&](const Vector6d& to) {
+        Eigen::VectorXd out(n);
+        for (Eigen::Index k = 0; k < n; ++k)
+            out[k] = to[free[static_cast<std::size_t>(k)]] - start[free[static_cast<std::size_t>(k)]];
+        return out;
+    };
+    const auto costOf = [&](const Vector6d& at, const Eigen::VectorXd& F) {
+        return residualCost(query, F) + price.dot(moved(at).cwiseAbs2());
+    };
     Vector6d q = start;
     ViewFactors now = geometry.viewFactors(q);
-    double cost = residualCost(query, now.F);
+    double cost = costOf(q, now.F);
     double damping = 1e-3;
     for (int i = 0; i < iterations; ++i) {
         Eigen::MatrixXd J(geometry.objects(), n);
@@ -119,6 +133,7 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
             J.col(k) = now.dF.col(free[static_cast<std::size_t>(k)]);
         Eigen::MatrixXd H = J.transpose() * query.weights.asDiagonal() * J;
         const double size = std::max(H.trace(), 1e-9);
+        H.diagonal() += price;
         for (Eigen::Index k = 0; k < n; ++k) {
             const double length = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
             H(k, k) += damping * size * length * length;
@@ -126,7 +141,8 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
         Eigen::MatrixXd G;
         Eigen::VectorXd h;
         stepLimits(geometry, q, G, h);
-        const Eigen::VectorXd f = J.transpose() * query.weights.cwiseProduct(query.wanted - now.F);
+        const Eigen::VectorXd f =
+            J.transpose() * query.weights.cwiseProduct(query.wanted - now.F) - price.cwiseProduct(moved(q));
         const Eigen::VectorXd y = solveBounded(H, f, G, h).y;
         Vector6d next = q;
         for (Eigen::Index k = 0; k < n; ++k)
@@ -136,7 +152,7 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
         bool better = false;
         if (geometry.allowed(next)) {
             ViewFactors there = geometry.viewFactors(next);
-            const double nextCost = residualCost(query, there.F);
+            const double nextCost = costOf(next, there.F);
             if (nextCost < cost) {
                 better = true;
                 q = next;

@@ -14,6 +14,9 @@ struct PoseQuery {
     Eigen::VectorXd wanted;           ///< N view factors
     Eigen::VectorXd weights;          ///< N, of the squared errors of F
     Vector6d from = Vector6d::Zero(); ///< present pose; fixed coordinates are taken from it
+    /// Of refinePose(): added to the residual per squared metre away from its start, a radian counting as
+    /// kRotationLength_m.
+    double movePrice_1_m2 = 0.0;
 };
 
 /// A table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with the view

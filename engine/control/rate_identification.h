@@ -22,7 +22,7 @@ public:
     static constexpr double kWindow_s = 6.0;     ///< window of the integral, or longer:
     static constexpr double kWindow = 0.01;      ///< in time constants of the object, at least
     static constexpr double kNoise_K = 0.05;     ///< of the difference of two readings
-    static constexpr double kPrior = 2.0;        ///< standard deviation of lambda / start - 1
+    static constexpr double kPrior = 1.0;        ///< standard deviation of lambda / start - 1
 
     explicit RateIdentification(const HeatRates& start);
 

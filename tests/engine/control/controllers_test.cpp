@@ -81,7 +81,7 @@ TEST(LevelServo, SettlesFromBeliefsThatAreFourTimesWrong) {
                 if (std::abs(T_K - target_K) > 0.3)
                     lastOutside_s = t;
             });
-            EXPECT_NEAR(bench.T_K, target_K, 0.2) << wrong1 << " " << wrong2;
+            EXPECT_NEAR(bench.T_K, target_K, 0.3) << wrong1 << " " << wrong2;
             EXPECT_LT(lastOutside_s, 200.0) << wrong1 << " " << wrong2;
         }
 }
@@ -95,6 +95,28 @@ TEST(LevelServo, ChangeOfTargetAndStrengthAreFollowed) {
     controller->setTargets({target_K});
     bench.run(*controller, 400.0, 1.0, [](double, double) {});
     EXPECT_NEAR(bench.T_K, target_K, 0.1);
+}
+
+// Catches noise that moves the robot although the object is at its target and the pose holds it.
+TEST(LevelServo, StandsStillAtAPoseThatHoldsTheTargetThoughReadingsScatter) {
+    Bench bench;
+    const double target_K = bench.T_K + 8.0;
+    const auto controller =
+        makeController(settingsOf(ControllerKind::LevelServo), {bench.geometry, {bench.rates}, {target_K}});
+    bench.run(*controller, 300.0, 1.0, [](double, double) {});
+    Observation observation;
+    observation.coordinates = bench.q;
+    double way_m = 0.0;
+    for (int k = 1; k <= 60; ++k) {
+        observation.time_s = 300.0 + k;
+        const double scatter_K = k % 2 == 0 ? 0.22 : -0.22;
+        observation.objects = {{target_K + scatter_K, 0.0}};
+        const Vector6d rates = controller->step(observation, 1.0).rates;
+        way_m += rates.head<3>().norm();
+        observation.lastRates = rates;
+        observation.coordinates += rates;
+    }
+    EXPECT_LT(way_m, 0.01);
 }
 
 TEST(Controllers, RefuseAWrongNumberOfObjects) {

@@ -63,20 +63,23 @@ TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
         experiment.source.tracked = isFollowed;
         if (!isFollowed)
             experiment.safety.warming_K = 1000.0; // or the run is ended, see below
-        double away_K = 0.0; // at the end of its time 10 cm away and turned by 20 degrees
+        double away_K =
+            0.0; // while it is carried and at the end of its time 10 cm away, turned by 20 degrees
         SimulatedRunOptions options;
         options.duration_s = isFollowed ? 720.0 : 600.0; // all that is judged of the other
         options.progress = [&](double time_s, const TraceSample& sample) {
-            if (time_s < 590.0 || time_s > 599.0)
+            if (time_s < 300.0 || time_s > 599.0)
                 return;
             for (const ObjectSample& object : sample.objects)
                 away_K = std::max(away_K, std::abs(object.true_K - object.target_K));
         };
         const auto outcome = runSimulated(experiment, options);
         ASSERT_TRUE(outcome) << describe(outcome.error());
-        EXPECT_EQ(outcome->settled, isFollowed);
         EXPECT_EQ(away_K < 0.5, isFollowed) << away_K;
-        EXPECT_EQ(worstError_K(*outcome) < 0.5, isFollowed) << worstError_K(*outcome);
+        if (!isFollowed)
+            continue; // the servo may still find its way back by its temperatures, minutes later
+        EXPECT_TRUE(outcome->settled);
+        EXPECT_LT(worstError_K(*outcome), 0.5);
     }
 }
 
