@@ -36,6 +36,8 @@ struct ControlOutput {
         compromise_K;
     std::vector<HeatRates> estimate; ///< N, the controller's present estimate
     ActiveLimits limits;             ///< limits that restrict the command
+    /// It still looks for a pose to stand at; false for a law that has none.
+    bool isOnTheWay = false;
 };
 
 /// What a controller is given before it starts.

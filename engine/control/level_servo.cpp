@@ -440,6 +440,7 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
         out.estimate.push_back(identification.rates());
     out.rates = motion.rates;
     out.limits = motion.limits;
+    out.isOnTheWay = !m_hold;
     out.smallestSingularValue =
         singularRange(*m_model.geometry, fields.dF, m_settings.rotationLength_m).smallest;
     if (m_compromise)

@@ -57,6 +57,7 @@ std::optional<ControlOutput> RunControl::step(const Vector6d& lastRates) {
         observation.objects.push_back({object.estimated_K, object.rate_K_s});
     ControlOutput output = m_controller->step(observation, m_experiment.sampling.period_s);
     m_estimates = output.estimate;
+    m_isOnTheWay = output.isOnTheWay;
     noteCompromise(output);
     return output;
 }

@@ -35,6 +35,9 @@ public:
     /// Starts this time again.
     void countBandAnew() { m_withinBandSince_s = m_clock.now_s(); }
 
+    /// Whether the controller still looks for a pose to stand at, after its last step.
+    bool isOnTheWay() const { return m_isOnTheWay; }
+
     /// The controller's estimates after its last step, for each object; NaN before the first run.
     const std::vector<HeatRates>& estimates() const { return m_estimates; }
     /// Predicted errors of the compromise that is the aim, for each object; code None if there is none.
@@ -55,6 +58,7 @@ private:
     std::unique_ptr<Controller> m_controller;
     double m_began_s = 0.0;
     double m_withinBandSince_s = 0.0;
+    bool m_isOnTheWay = false;
     std::vector<HeatRates> m_estimates;
     std::vector<ObjectKelvin> m_compromise;
     bool m_isCompromiseTold = false;

@@ -10,7 +10,8 @@
 namespace bask {
 namespace {
 
-/// a run is settled after all objects were within the band for this time
+/// a run is settled after all objects were within the band for this time, and once the robot stands or goes
+/// to where it will
 constexpr double kSettledAfter_s = 30.0;
 /// share of the clearance; below it the source has come nearer, or the robot obeys late
 constexpr double kTooNear = 0.8;
@@ -80,7 +81,8 @@ void ServoLoop::noteSettling() {
         m_control.countBandAnew();
         if (m_state == RunState::Settled)
             m_state = RunState::Running;
-    } else if (m_state == RunState::Running && m_control.withinBand_s() >= kSettledAfter_s) {
+    } else if (m_state == RunState::Running && m_control.withinBand_s() >= kSettledAfter_s &&
+               !m_control.isOnTheWay()) {
         m_state = RunState::Settled;
         event(MessageCode::EventSettled);
     }
