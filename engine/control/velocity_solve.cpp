@@ -335,6 +335,32 @@ bool liftOver(const RigGeometry& geometry, const Vector6d& q, double dt_s, Vecto
     return lacking_m > kRounding_m;
 }
 
+/// Whether rates that lead to an allowed goal may be taken up without a solve: within the limits of
+/// acceleration, with room to stop afterwards, whether the robot takes them up at once or over the period.
+bool mayTakeUp(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double dt_s,
+               const Vector6d& lastRates) {
+    const RobotLimits& limits = geometry.limits();
+    const Vector6d change = rates - lastRates;
+    double change_s = 0.0, braking_s = 0.0;
+    const auto count = [&](double acceleration, double changed, double speed) {
+        if (acceleration <= 0.0)
+            return;
+        change_s = std::max(change_s, changed / acceleration);
+        braking_s = std::max(braking_s, speed / acceleration);
+    };
+    count(limits.maxAcceleration_m_s2, change.head<3>().norm(), rates.head<3>().norm());
+    const Eigen::Matrix3d axes = rotationAxes(q);
+    count(limits.maxAngularAcceleration_rad_s2, (axes * change.tail<3>()).norm(),
+          (axes * rates.tail<3>()).norm());
+    if (change_s > dt_s)
+        return false;
+    const Vector6d stop = 0.5 * (braking_s <= dt_s ? dt_s : dt_s + braking_s) * rates;
+    for (const Vector6d& step : {Vector6d(dt_s * rates), Vector6d(0.5 * dt_s * (rates + lastRates))})
+        if (!geometry.allowed(q + step) || !geometry.allowed(q + step + stop))
+            return false;
+    return true;
+}
+
 /// The component of `rates` along `wanted`, relative to `wanted`.
 double shareOf(const Vector6d& rates, const Vector6d& wanted) {
     return rates.dot(wanted) / wanted.squaredNorm();
@@ -356,9 +382,9 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     Vector6d straight = share * full;
     const bool lifted = liftOver(geometry, q, dt_s, straight);
     const bool open = geometry.allowed(q + dt_s * straight);
-    if (open && !limits.limitsAcceleration()) {
+    if (open && (!limits.limitsAcceleration() || mayTakeUp(geometry, q, straight, dt_s, lastRates))) {
         out.rates = straight;
-        if (time_s > dt_s)
+        if (time_s > dt_s && share >= 1.0)
             out.limits.add((goal - q).head<3>().norm() / limits.maxSpeed_m_s >= time_s * (1.0 - 1e-9)
                                ? Limit::Speed
                                : Limit::Rotation);
