@@ -393,9 +393,10 @@ VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& las
     const Vector6d goal = here_s < dt_s ? m_plan->plan.stays[1].pose : m_plan->plan.stays[0].pose;
     m_plan->plan.spend(dt_s - travel_s, last);
     VelocitySolution out = velocityTowards(geometry, task.from, goal, dt_s, lastRates);
-    if (here_s < dt_s &&
-        !geometry.limits().limitsAcceleration()) // leave within the step, at a lower speed for all of it
-        out.rates *= 1.0 - here_s / dt_s;
+    if (here_s < dt_s) { // leave within the step, at a lower speed for all of it
+        const Vector6d standing = velocityTowards(geometry, task.from, task.from, dt_s, lastRates).rates;
+        out.rates = standing + (1.0 - here_s / dt_s) * (out.rates - standing);
+    }
     return out;
 }
 
