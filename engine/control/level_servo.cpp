@@ -42,7 +42,9 @@ constexpr double kMissedFor_s = 15.0;    ///< for so long, so that noise correct
 constexpr double kMovePrice_K2_m2 = 1.0; ///< of a correction: 10 cm count as a miss of 0.1 K
 constexpr double kNear_K = 0.2;          ///< temperatures this near to the aim need no plan but the rest
 constexpr double kPatience_K_s = 0.01;   ///< by so much farther ones after they could not be brought nearer
-constexpr double kFarthestHold_K = 0.45; ///< but not those farther than this
+constexpr double kFarthestHold_K = 0.6;  ///< but not those farther than this
+constexpr double kFarthestFull_K = 1.5;  ///< or this where there are as many objects as axes
+constexpr double kStayNear_K = 0.45;     ///< on the way to a rest nearer ones stay this near
 constexpr double kLoseHold_K = 0.3; ///< a rest is given up if a temperature is farther from its aim than this
 constexpr double kUnforeseen_K = 0.1; ///< and by this farther than when it was taken
 constexpr double kArrived_s = 0.01;   ///< travel left at a rest: what the robot resolves
@@ -200,15 +202,21 @@ double LevelServo::missedAt_K(const HeatingTask& task, const Vector6d& pose) con
     return (steadyAt_K(task, pose) - task.aim_K).cwiseAbs().maxCoeff();
 }
 
+double LevelServo::farthestHold_K() const {
+    return m_aim_K.size() < m_model.geometry->freeCoordinates().size() ? kFarthestHold_K : kFarthestFull_K;
+}
+
 bool LevelServo::arrivesNear(const HeatingTask& task, const Vector6d& rest) const {
     const double time_s = travelTime_s(m_model.geometry->limits(), task.from, rest);
     // One object alone can always be brought nearer.
     const double patience_K = task.aim_K.size() > 1 ? kPatience_K_s * (m_time_s - m_nearSince_s) : 0.0;
-    const double near_K = std::min(kFarthestHold_K, kNear_K + patience_K);
+    const double near_K = std::min(farthestHold_K(), kNear_K + patience_K);
+    if (farthest_K(task) > near_K)
+        return false;
+    const Eigen::VectorXd allowed_K =
+        (task.temperature_K - task.aim_K).cwiseAbs().cwiseMax(std::min(kStayNear_K, near_K));
     Eigen::VectorXd T_K = task.temperature_K;
     for (int k = 0; k < kWaySteps; ++k) {
-        if ((T_K - task.aim_K).cwiseAbs().maxCoeff() > near_K)
-            return false;
         const Eigen::VectorXd F =
             m_model.geometry->viewFactorsFast(task.from + (k + 0.5) / kWaySteps * (rest - task.from));
         for (Eigen::Index i = 0; i < F.size(); ++i) {
@@ -217,17 +225,20 @@ bool LevelServo::arrivesNear(const HeatingTask& task, const Vector6d& rest) cons
             T_K[i] =
                 steady_K + (T_K[i] - steady_K) * std::exp(-time_s / kWaySteps / rates.timeConstant_s(T_K[i]));
         }
+        if (((T_K - task.aim_K).cwiseAbs() - allowed_K).maxCoeff() > 0.0)
+            return false;
     }
-    return (T_K - task.aim_K).cwiseAbs().maxCoeff() <= near_K;
+    return true;
 }
 
 void LevelServo::chooseHold(const HeatingTask& task) {
-    const double off_K = farthest_K(task);
-    const double lose_K = m_hold ? std::max(kLoseHold_K, m_heldOff_K + kUnforeseen_K) : kFarthestHold_K;
-    if (off_K > lose_K) {
+    const Eigen::VectorXd off_K = (task.temperature_K - task.aim_K).cwiseAbs();
+    const bool isLost =
+        m_hold && (off_K.array() > (m_heldOff_K.array() + kUnforeseen_K).max(kLoseHold_K)).any();
+    if (isLost)
         m_hold.reset();
+    if (isLost || farthest_K(task) > farthestHold_K())
         m_nearSince_s = m_time_s;
-    }
     if (m_hold)
         return correctHold(task);
     std::vector<Vector6d> rests{task.from};

@@ -57,6 +57,8 @@ private:
     static double farthest_K(const HeatingTask& task);
     /// Farthest steady temperature of a pose from its aim.
     double missedAt_K(const HeatingTask& task, const Vector6d& pose) const;
+    /// Objects farther from their aim than this are still moved there by plans.
+    double farthestHold_K() const;
     /// Returns whether every temperature stays near its aim on the straight way to a rest.
     bool arrivesNear(const HeatingTask& task, const Vector6d& rest) const;
     /// Takes up or gives up a rest to go to and stand at.
@@ -86,7 +88,7 @@ private:
     bool m_compromise = false;      ///< whether m_aim_K differs from the targets
     std::optional<Vector6d> m_hold; ///< the rest that the robot is at, or goes to
     double m_nearSince_s = 0.0;     ///< since when every temperature may be held
-    double m_heldOff_K = 0.0;       ///< farthest temperature from its aim when the rest was taken
+    Eigen::VectorXd m_heldOff_K;    ///< N, distances from the aim when the rest was taken
     double m_missedSince_s = 0.0;   ///< since when the steady temperatures of the hold miss the aim
     double m_time_s = 0.0;          ///< of the last step
     double m_nextRest_s = 0.0;      ///< time of the next search for rests
