@@ -101,9 +101,9 @@ void matrixOfThree(benchmark::State& state) {
     const auto mounted = [](const Shape& shape, double x, double y) {
         return MountedContour{RadiatingContour(shape), poseFromCoordinates(at(x, y, 0.0))};
     };
-    const MountedContour objects[] = {
-        mounted(kDisk, 0.0, 0.05), mounted(bunny(5), -0.0435, -0.025),
-        mounted(fitFourier(outlineFrom("hand_mm.csv"), 5)->contour, 0.0435, -0.025)};
+    const MountedObjects objects(
+        {mounted(kDisk, 0.0, 0.05), mounted(bunny(5), -0.0435, -0.025),
+         mounted(fitFourier(outlineFrom("hand_mm.csv"), 5)->contour, 0.0435, -0.025)});
     const RadiatingContour source(Disk{0.1});
     const Pose X_SE = poseFromCoordinates(at(0.01, 0.02, 0.10, 0.1));
     for (auto _ : state)

@@ -150,11 +150,14 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
 /// View factors at the sampled points of a plan, in the order of the path: a difference changes only few of
 /// them.
 struct PlanCost::Places {
-    Places() { q.fill(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())); }
+    template <std::size_t count> struct Values {
+        Values() { q.fill(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())); }
 
-    static constexpr std::size_t kCount = 3 * (kLegSteps + 1);
-    std::array<Vector6d, kCount> q;
-    std::array<Eigen::VectorXd, kCount> F;
+        std::array<Vector6d, count> q;
+        std::array<Eigen::VectorXd, count> value;
+    };
+    Values<3 * (kLegSteps + 1)> F; ///< without shade
+    Values<3 * 2 + 1> shares; ///< that shade leaves: at the start, in the middles and at the ends of legs
 };
 
 /// Temperatures along a plan, and the residuals from them.
@@ -167,6 +170,8 @@ public:
           m_residuals(Eigen::VectorXd::Zero(m_T.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3)) {
         for (Eigen::Index i = 0; i < m_T.size(); ++i)
             m_toGo_s[i] = toGo_s(i);
+        if (m_geometry.mayShade())
+            m_share = shareAt(m_at);
     }
 
     void go(const Vector6d& to) {
@@ -174,11 +179,23 @@ public:
         if (time_s < kHere_s) {
             m_next += kLegSteps * m_T.size();
             m_place += kLegSteps;
+            m_sharePlace += 2;
         } else {
+            const Eigen::VectorXd from = m_share;
+            Eigen::VectorXd middle, there;
+            if (m_geometry.mayShade()) {
+                middle = shareAt(0.5 * (m_at + to));
+                there = shareAt(to);
+            }
             for (int k = 0; k < kLegSteps; ++k) {
-                lookAt(m_at + (k + 0.5) / kLegSteps * (to - m_at));
+                const double part = (k + 0.5) / kLegSteps;
+                if (m_geometry.mayShade()) // the parabola through the three
+                    m_share = (1.0 - part) * (1.0 - 2.0 * part) * from + 4.0 * part * (1.0 - part) * middle +
+                              part * (2.0 * part - 1.0) * there;
+                lookAt(m_at + part * (to - m_at));
                 step(time_s / kLegSteps);
             }
+            m_share = there;
         }
         m_residuals[m_next++] = m_cost.m_travel_s * time_s / std::sqrt(time_s + kShortTravel_s);
         m_at = to;
@@ -216,16 +233,36 @@ public:
     Eigen::VectorXd take() { return std::move(m_residuals); }
 
 private:
-    void lookAt(const Vector6d& q) {
-        const std::size_t place = m_place++;
-        if (m_known && m_known->q[place] == q)
-            m_F = m_known->F[place];
+    /// The values at a place of the plan, known or computed.
+    template <class Values, class Compute>
+    static void find(const Values* known, Values* seen, std::size_t place, const Vector6d& q,
+                     Eigen::VectorXd& value, const Compute& compute) {
+        if (known && known->q[place] == q)
+            value = known->value[place];
         else
-            m_geometry.viewFactorsFast(q, m_F);
-        if (m_seen) {
-            m_seen->q[place] = q;
-            m_seen->F[place] = m_F;
+            compute(q, value);
+        if (seen) {
+            seen->q[place] = q;
+            seen->value[place] = value;
         }
+    }
+
+    void lookAt(const Vector6d& q) {
+        find(m_known ? &m_known->F : nullptr, m_seen ? &m_seen->F : nullptr, m_place++, q, m_F,
+             [this](const Vector6d& at, Eigen::VectorXd& F) { m_geometry.unshadedViewFactors(at, F); });
+        if (m_geometry.mayShade())
+            m_F.array() *= m_share.array();
+    }
+
+    Eigen::VectorXd shareAt(const Vector6d& q) {
+        Eigen::VectorXd share;
+        find(m_known ? &m_known->shares : nullptr, m_seen ? &m_seen->shares : nullptr, m_sharePlace++, q,
+             share, [this](const Vector6d& at, Eigen::VectorXd& found) {
+                 Eigen::VectorXd F;
+                 m_geometry.unshadedViewFactors(at, F);
+                 found = m_geometry.roughShares(at, F);
+             });
+        return share;
     }
 
     /// Signed time that an object needs to reach its aim. Cold: the time to heat it, in which large errors
@@ -268,11 +305,12 @@ private:
     const HeatingTask& m_task;
     const Places* m_known;
     Places* m_seen;
-    std::size_t m_place = 0;
+    std::size_t m_place = 0, m_sharePlace = 0;
     Vector6d m_at;
     Eigen::VectorXd m_T;
     Eigen::VectorXd m_toGo_s; ///< N, at m_T
     Eigen::VectorXd m_F;
+    Eigen::VectorXd m_share; ///< N, at m_at or on the way from there; empty if nothing shades
     Eigen::VectorXd m_residuals;
     Eigen::Index m_next = 0;
 };

@@ -186,8 +186,7 @@ bool LevelServo::allSure() const {
     return true;
 }
 
-Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Vector6d& pose) const {
-    const Eigen::VectorXd F = m_model.geometry->viewFactorsFast(pose);
+Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Eigen::VectorXd& F) const {
     Eigen::VectorXd out(F.size());
     for (Eigen::Index i = 0; i < F.size(); ++i)
         out[i] = task.rates[static_cast<std::size_t>(i)].steadyTemperature_K(F[i]);
@@ -199,7 +198,7 @@ double LevelServo::farthest_K(const HeatingTask& task) {
 }
 
 double LevelServo::missedAt_K(const HeatingTask& task, const Vector6d& pose) const {
-    return (steadyAt_K(task, pose) - task.aim_K).cwiseAbs().maxCoeff();
+    return (steadyAt_K(task, m_model.geometry->viewFactorsFast(pose)) - task.aim_K).cwiseAbs().maxCoeff();
 }
 
 double LevelServo::farthestHold_K() const {
@@ -218,7 +217,7 @@ bool LevelServo::arrivesNear(const HeatingTask& task, const Vector6d& rest) cons
     Eigen::VectorXd T_K = task.temperature_K;
     for (int k = 0; k < kWaySteps; ++k) {
         const Eigen::VectorXd F =
-            m_model.geometry->viewFactorsFast(task.from + (k + 0.5) / kWaySteps * (rest - task.from));
+            m_model.geometry->roughViewFactors(task.from + (k + 0.5) / kWaySteps * (rest - task.from));
         for (Eigen::Index i = 0; i < F.size(); ++i) {
             const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(F[i]);
@@ -281,7 +280,7 @@ void LevelServo::findRests(const HeatingTask& task) {
     const TravelTime travel(geometry.limits(), task.from);
     for (const Vector6d& start : starts) {
         const Vector6d pose = refinePose(geometry, query, start, kRefinements);
-        const Eigen::VectorXd steady_K = steadyAt_K(task, pose);
+        const Eigen::VectorXd steady_K = steadyAt_K(task, geometry.viewFactorsFast(pose));
         const double missed_K2 = (steady_K - targets_K).squaredNorm();
         if (nearest_K.size() == 0 || missed_K2 < (nearest_K - targets_K).squaredNorm())
             nearest_K = steady_K;
@@ -326,13 +325,14 @@ std::vector<HeatingPlan> LevelServo::heatingPlans(const HeatingTask& task, const
     for (const Vector6d& start : m_lookup->best(first, kLevelPoses)) {
         HeatingPlan plan;
         plan.rest = rest;
-        plan.stays[0].pose = refinePose(*m_model.geometry, first, start, kRefinements);
+        plan.stays[0].pose = refinePose(*m_model.geometry, first, start, kRefinements, Shade::Rough);
         HeatingTask then = task;
         plan.stays[0].time_s = stayAt(plan.stays[0].pose, false, then);
         const PoseQuery second = level(then);
         const std::vector<Vector6d> next = m_lookup->best(second, 1);
         plan.stays[1].pose =
-            next.empty() ? rest : refinePose(*m_model.geometry, second, next.front(), kRefinements);
+            next.empty() ? rest
+                         : refinePose(*m_model.geometry, second, next.front(), kRefinements, Shade::Rough);
         plan.stays[1].time_s = stayAt(plan.stays[1].pose, true, then);
         out.push_back(plan);
     }
@@ -340,7 +340,7 @@ std::vector<HeatingPlan> LevelServo::heatingPlans(const HeatingTask& task, const
 }
 
 double LevelServo::stayAt(const Vector6d& pose, bool all, HeatingTask& task) const {
-    const Eigen::VectorXd steady_K = steadyAt_K(task, pose);
+    const Eigen::VectorXd steady_K = steadyAt_K(task, m_model.geometry->roughViewFactors(pose));
     double time_s = all ? 0.0 : std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < steady_K.size(); ++i) {
         const double off_K = task.aim_K[i] - task.temperature_K[i];

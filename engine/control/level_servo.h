@@ -52,7 +52,7 @@ private:
 
     PoseQuery level(const HeatingTask& task) const; ///< the outer loop's view factors
     PoseQuery steady(const HeatingTask& task, const std::vector<double>& aim_K) const;
-    Eigen::VectorXd steadyAt_K(const HeatingTask& task, const Vector6d& pose) const;
+    Eigen::VectorXd steadyAt_K(const HeatingTask& task, const Eigen::VectorXd& F) const;
     /// Farthest present temperature from its aim.
     static double farthest_K(const HeatingTask& task);
     /// Farthest steady temperature of a pose from its aim.

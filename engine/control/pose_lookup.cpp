@@ -62,7 +62,9 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
     m_F.resize(static_cast<Eigen::Index>(m_poses.size()), m_geometry->objects());
     Eigen::VectorXd F;
     for (std::size_t k = 0; k < m_poses.size(); ++k) {
-        m_geometry->viewFactorsFast(m_poses[k], F);
+        m_geometry->unshadedViewFactors(m_poses[k], F);
+        if (m_geometry->mayShade())
+            F.array() *= m_geometry->roughShares(m_poses[k], F).array();
         m_F.row(static_cast<Eigen::Index>(k)) = F.array();
     }
 }
@@ -105,8 +107,11 @@ std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const 
     return out;
 }
 
-Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
-                    int iterations) {
+namespace {
+
+/// `from`: where the price of a move is zero.
+Vector6d descend(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& from,
+                 const Vector6d& start, int iterations) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Eigen::VectorXd price(n); // of the squared change of each free coordinate
@@ -117,14 +122,14 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
     const auto moved = [&](const Vector6d& to) {
         Eigen::VectorXd out(n);
         for (Eigen::Index k = 0; k < n; ++k)
-            out[k] = to[free[static_cast<std::size_t>(k)]] - start[free[static_cast<std::size_t>(k)]];
+            out[k] = to[free[static_cast<std::size_t>(k)]] - from[free[static_cast<std::size_t>(k)]];
         return out;
     };
     const auto costOf = [&](const Vector6d& at, const Eigen::VectorXd& F) {
         return residualCost(query, F) + price.dot(moved(at).cwiseAbs2());
     };
     Vector6d q = start;
-    ViewFactors now = geometry.viewFactors(q);
+    ViewFactors now = geometry.viewFactors(q, Shade::Rough);
     double cost = costOf(q, now.F);
     double damping = 1e-3;
     for (int i = 0; i < iterations; ++i) {
@@ -151,7 +156,7 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
             break;
         bool better = false;
         if (geometry.allowed(next)) {
-            ViewFactors there = geometry.viewFactors(next);
+            ViewFactors there = geometry.viewFactors(next, Shade::Rough);
             const double nextCost = costOf(next, there.F);
             if (nextCost < cost) {
                 better = true;
@@ -163,6 +168,20 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
         damping = better ? std::max(1e-9, damping * 0.2) : damping * 8.0;
         if (damping > 1e6)
             break;
+    }
+    return q;
+}
+
+} // namespace
+
+Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
+                    int iterations, Shade shade) {
+    Vector6d q = descend(geometry, query, start, start, iterations);
+    if (shade == Shade::Exact && geometry.mayShade()) {
+        // As the rough view factors miss the exact ones here, so they will at the pose that is found.
+        PoseQuery shifted = query;
+        shifted.wanted -= geometry.viewFactorsFast(q) - geometry.viewFactors(q, Shade::Rough).F;
+        q = descend(geometry, shifted, start, q, iterations);
     }
     return q;
 }

@@ -45,9 +45,9 @@ private:
 /// Returns the weighted sum of squared errors of F.
 double residualCost(const PoseQuery& query, const Eigen::VectorXd& F);
 
-/// Refines a pose by damped Gauss-Newton steps on the residual from `start`, with the exact gradient, inside
-/// workspace and clearance; never returns a worse pose.
+/// Refines a pose by damped Gauss-Newton steps on the residual from `start`, with the gradient, inside
+/// workspace and clearance; without shade it never returns a worse pose.
 Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
-                    int iterations);
+                    int iterations, Shade shade = Shade::Exact);
 
 } // namespace bask

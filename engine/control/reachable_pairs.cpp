@@ -102,7 +102,7 @@ private:
     bool reach(int x, int y, const Vector6d& from) {
         const Eigen::Vector2d half_K = 0.5 * m_map.cell_K();
         const Eigen::Vector2d centre_K = corner_K(x, y) + half_K;
-        const SteadyPose found = m_search.refine(aimAt(m_search, m_map, centre_K), from);
+        const SteadyPose found = m_search.refine(aimAt(m_search, m_map, centre_K), from, Shade::Rough);
         const Eigen::Vector2d missed_K =
             Eigen::Vector2d(found.T_K[m_map.first], found.T_K[m_map.second]) - centre_K;
         if ((missed_K.cwiseAbs() - half_K).maxCoeff() > 0.0)

@@ -14,6 +14,13 @@ constexpr double kSlack = 1e-9; ///< tolerance of positions, m and rad
 /// Faces in one plane have no view factor: objects stop this far above it even without a clearance.
 constexpr double kMinClearance_m = 1e-4;
 
+ViewFactors byCoordinates(const Vector6d& q, const InteractionMatrix& byTwist) {
+    ViewFactors out{byTwist.F, byTwist.J};
+    for (Eigen::Index i = 0; i < out.F.size(); ++i)
+        out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
+    return out;
+}
+
 std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
     if (X.matrix() == Pose::Identity().matrix())
         return std::nullopt;
@@ -32,13 +39,15 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
         if (limits.free[static_cast<std::size_t>(k)])
             m_free.push_back(k);
     constexpr int kOutlinePoints = 72;
+    std::vector<MountedContour> mounted;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        m_mounted.push_back({RadiatingContour(shapes[i]), poseFromCoordinates(mountings[i])});
+        mounted.push_back({RadiatingContour(shapes[i]), poseFromCoordinates(mountings[i])});
         std::vector<Eigen::Vector3d> outline;
         for (const Eigen::Vector2d& p : shapeOutline(shapes[i], kOutlinePoints))
-            outline.push_back(m_mounted.back().X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0));
+            outline.push_back(mounted.back().X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0));
         m_outlines_E.push_back(std::move(outline));
     }
+    m_mounted = MountedObjects(std::move(mounted));
 }
 
 std::shared_ptr<const RigGeometry> RigGeometry::withSourceAt(const Pose& X_RS) const {
@@ -53,28 +62,50 @@ Pose RigGeometry::X_SE(const Vector6d& q) const {
     return m_X_SR ? *m_X_SR * X_RE : X_RE;
 }
 
-ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
-    const InteractionMatrix byTwist =
-        interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear());
-    ViewFactors out{byTwist.F, byTwist.J};
-    for (int i = 0; i < objects(); ++i)
-        out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
-    return out;
+ViewFactors RigGeometry::viewFactors(const Vector6d& q, Shade shade) const {
+    if (shade == Shade::Rough && mayShade())
+        return roughViewFactors(q, {});
+    return byCoordinates(q, interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear()));
+}
+
+ViewFactors RigGeometry::roughViewFactors(const Vector6d& q, const std::vector<bool>& wanted) const {
+    if (!mayShade())
+        return viewFactors(q);
+    return byCoordinates(
+        q, roughInteractionMatrix(m_source, m_mounted, X_SE(q), m_X_RS.linear(), kTableTolerance, wanted));
 }
 
 Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
-    Eigen::VectorXd F;
-    viewFactorsFast(q, F);
+    const Pose X = X_SE(q);
+    Eigen::VectorXd F(objects());
+    for (int i = 0; i < objects(); ++i)
+        F[i] = m_mounted.viewFactorValue(m_source, static_cast<std::size_t>(i), X, kTableTolerance);
     return F;
 }
 
-void RigGeometry::viewFactorsFast(const Vector6d& q, Eigen::VectorXd& F) const {
+void RigGeometry::unshadedViewFactors(const Vector6d& q, Eigen::VectorXd& F) const {
     const Pose X = X_SE(q);
     F.resize(objects());
     for (int i = 0; i < objects(); ++i) {
         const MountedContour& object = m_mounted[static_cast<std::size_t>(i)];
         F[i] = viewFactorValue(m_source, object.contour, X * object.X_EO, kTableTolerance);
     }
+}
+
+Eigen::VectorXd RigGeometry::roughShares(const Vector6d& q, const Eigen::VectorXd& unshaded) const {
+    const Pose X = X_SE(q);
+    Eigen::VectorXd shares(objects());
+    for (int i = 0; i < objects(); ++i)
+        shares[i] = m_mounted.roughShare(m_source, static_cast<std::size_t>(i), X, unshaded[i]);
+    return shares;
+}
+
+Eigen::VectorXd RigGeometry::roughViewFactors(const Vector6d& q) const {
+    Eigen::VectorXd F;
+    unshadedViewFactors(q, F);
+    if (mayShade())
+        F.array() *= roughShares(q, F).array();
+    return F;
 }
 
 std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {

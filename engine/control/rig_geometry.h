@@ -16,6 +16,10 @@ namespace bask {
 /// To compare angles with lengths: a radian counts as 0.1 m.
 inline constexpr double kRotationLength_m = 0.1;
 
+/// How well the shade of objects on one another is known: exactly or, for tables, plans and searches, to
+/// about a hundredth of it in a tenth of the time. Without shade both are the same.
+enum class Shade { Exact, Rough };
+
 /// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
 struct ViewFactors {
     Eigen::VectorXd F;                           ///< N
@@ -50,11 +54,20 @@ public:
     const RobotLimits& limits() const { return m_limits; }
     const std::vector<int>& freeCoordinates() const { return m_free; }
 
-    ViewFactors viewFactors(const Vector6d& q) const;
-    /// Returns only the values, to 1e-6: for tables.
+    ViewFactors viewFactors(const Vector6d& q, Shade shade = Shade::Exact) const;
+    /// With Shade::Rough, only of the objects that are wanted; zero for the others where objects may shade.
+    ViewFactors roughViewFactors(const Vector6d& q, const std::vector<bool>& wanted) const;
+    /// Returns only the values, to 1e-6.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
-    /// Like viewFactorsFast(q), into `F` (N), which is not allocated again.
-    void viewFactorsFast(const Vector6d& q, Eigen::VectorXd& F) const;
+    /// Returns only the values, with Shade::Rough.
+    Eigen::VectorXd roughViewFactors(const Vector6d& q) const;
+    /// Writes the values without shade into `F` (N), which is not allocated again; to 1e-6.
+    void unshadedViewFactors(const Vector6d& q, Eigen::VectorXd& F) const;
+    /// Returns whether an object may shade another at some pose.
+    bool mayShade() const { return m_mounted.mayShade(); }
+    /// Returns the share of the view factors `unshaded` (N) that the others leave to each object, with
+    /// Shade::Rough.
+    Eigen::VectorXd roughShares(const Vector6d& q, const Eigen::VectorXd& unshaded) const;
     /// Returns the clearance of the lowest point of each object.
     std::vector<Clearance> clearances(const Vector6d& q) const;
     /// Returns the smallest clearance of all objects, m.
@@ -72,7 +85,7 @@ private:
     RadiatingContour m_source;
     RobotLimits m_limits;
     std::vector<int> m_free;
-    std::vector<MountedContour> m_mounted;
+    MountedObjects m_mounted;
     std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
     Pose m_X_RS;
     std::optional<Pose> m_X_SR; ///< empty if R and S are the same

@@ -40,6 +40,10 @@ Vector6d repaired(const RigGeometry& geometry, Vector6d q) {
     }
 }
 
+double costOf(const SteadyAim& aim, const Vector6d& q, const Eigen::VectorXd& residual) {
+    return residual.squaredNorm() + aim.pull.cwiseAbs2().dot((q - aim.towards).cwiseAbs2());
+}
+
 } // namespace
 
 SteadySearch::SteadySearch(std::shared_ptr<const RigGeometry> geometry,
@@ -60,29 +64,73 @@ SteadySearch::SteadySearch(std::shared_ptr<const RigGeometry> geometry,
 }
 
 SteadySearch::Gradient SteadySearch::at(const Vector6d& q) const {
-    ViewFactors now = m_geometry->viewFactors(q);
-    Gradient out{Eigen::VectorXd(now.F.size()), std::move(now.dF)};
+    return withTemperatures(m_geometry->viewFactors(q));
+}
+
+SteadySearch::Gradient SteadySearch::withTemperatures(ViewFactors now) const {
+    Gradient out{steadyAt_K(now.F), std::move(now.dF)};
     for (Eigen::Index i = 0; i < now.F.size(); ++i) {
         const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
-        out.T_K[i] = rate.steadyTemperature_K(std::max(0.0, now.F[i]));
         out.dT.row(i) *= rate.lambda1 / rate.lossSlope_1_s(out.T_K[i]);
     }
     return out;
 }
 
-SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) const {
+Eigen::VectorXd SteadySearch::steadyAt_K(const Eigen::VectorXd& F) const {
+    Eigen::VectorXd T_K(F.size());
+    for (Eigen::Index i = 0; i < F.size(); ++i)
+        T_K[i] = m_rates[static_cast<std::size_t>(i)].steadyTemperature_K(std::max(0.0, F[i]));
+    return T_K;
+}
+
+SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start, Shade shade) const {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_geometry->objects());
+    const SteadyPose found = descend(aim, start, none);
+    return shade == Shade::Exact && m_geometry->mayShade() ? madeExact(aim, found) : found;
+}
+
+// Space mapping (J. Bandler et al., 1994): the rough temperatures plus what they miss at the last pose are as
+// good as the exact ones near it, so few exact ones are needed.
+SteadyPose SteadySearch::madeExact(const SteadyAim& aim, SteadyPose found) const {
+    constexpr int kRounds = 6;
+    const double same_K = aim.rows.rows() == 1 ? 1e-3 : 1e-6;
+    SteadyPose best;
+    best.cost_K2 = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd missed_K = Eigen::VectorXd::Zero(m_geometry->objects());
+    for (int round = 0; round < kRounds; ++round) {
+        const Eigen::VectorXd T_K = steadyAt_K(m_geometry->viewFactorsFast(found.q));
+        const Eigen::VectorXd change_K = T_K - found.T_K;
+        missed_K += change_K;
+        const double cost_K2 = costOf(aim, found.q, aim.rows * T_K - aim.wanted);
+        const bool isBetter = cost_K2 < best.cost_K2;
+        if (isBetter)
+            best = {found.q, T_K, cost_K2};
+        if (!isBetter || stopped() || change_K.cwiseAbs().maxCoeff() < same_K)
+            break;
+        found = descend(aim, found.q, missed_K);
+    }
+    return best;
+}
+
+SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
+                                 const Eigen::VectorXd& missed_K) const {
     constexpr int kIterations = 60;
     constexpr double kExact_K2 = 1e-12;
     const auto& free = m_geometry->freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Vector6d q = start;
-    Gradient now = at(q);
+    std::vector<bool> wanted;
+    for (Eigen::Index i = 0; i < aim.rows.cols(); ++i)
+        wanted.push_back(!aim.rows.col(i).isZero());
+    const auto lookAt = [&](const Vector6d& pose) {
+        Gradient seen = withTemperatures(m_geometry->roughViewFactors(pose, wanted));
+        seen.T_K += missed_K;
+        return seen;
+    };
+    Gradient now = lookAt(q);
     Eigen::VectorXd residual = aim.rows * now.T_K - aim.wanted;
     const Vector6d pull2 = aim.pull.cwiseAbs2();
-    const auto costOf = [&](const Vector6d& at, const Eigen::VectorXd& missed_K) {
-        return missed_K.squaredNorm() + pull2.dot((at - aim.towards).cwiseAbs2());
-    };
-    double cost_K2 = costOf(q, residual);
+    double cost_K2 = costOf(aim, q, residual);
     double damping = 1e-3;
     int still = 0; // number of steps in a row with almost no gain
     for (int i = 0; i < kIterations && still < 3 && !stopped(); ++i) {
@@ -111,9 +159,9 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
             break;
         bool better = false;
         if (m_geometry->allowed(next)) {
-            Gradient there = at(next);
+            Gradient there = lookAt(next);
             Eigen::VectorXd left = aim.rows * there.T_K - aim.wanted;
-            if (const double after_K2 = costOf(next, left); after_K2 < cost_K2) {
+            if (const double after_K2 = costOf(aim, next, left); after_K2 < cost_K2) {
                 better = true;
                 still = after_K2 > (1.0 - 1e-6) * cost_K2 ? still + 1 : 0;
                 cost_K2 = after_K2;
@@ -126,6 +174,8 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
         if (damping > 1e6)
             break;
     }
+    if (m_geometry->mayShade()) // the others', too
+        now.T_K = steadyAt_K(m_geometry->roughViewFactors(q)) + missed_K;
     return {q, now.T_K, cost_K2};
 }
 
@@ -159,6 +209,17 @@ std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) c
 }
 
 SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2) const {
+    // A rough pose this much worse than the best one is not worth the exact shade. Of extremes of one
+    // condition, only the best rough one is made exact.
+    constexpr double kRough_K = 0.1;
+    const bool mayShade = m_geometry->mayShade(), isExtreme = aim.rows.rows() == 1;
+    const double rough_K = kRough_K * aim.rows.cwiseAbs().maxCoeff();
+    std::vector<Vector6d> madeAlready;
+    const auto isMade = [&](const Vector6d& q) {
+        constexpr double kSame = 1e-3; // m, rad
+        return std::ranges::any_of(
+            madeAlready, [&](const Vector6d& other) { return (q - other).cwiseAbs().maxCoeff() < kSame; });
+    };
     SteadyPose best;
     best.cost_K2 = std::numeric_limits<double>::infinity();
     double bestMargin_m = 0.0;
@@ -167,7 +228,13 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
         const bool enough = tried % kBatch == 0 && best.cost_K2 <= enough_K2;
         if (tried++ > 0 && (stopped() || enough)) // a stopped search also returns temperatures
             break;
-        SteadyPose found = refine(aim, start);
+        SteadyPose found = refine(aim, start, Shade::Rough);
+        if (mayShade && !isExtreme) {
+            if (std::sqrt(found.cost_K2) > std::sqrt(best.cost_K2) + rough_K || isMade(found.q))
+                continue;
+            madeAlready.push_back(found.q);
+            found = madeExact(aim, std::move(found));
+        }
         const double margin_m = nearestLimit(*m_geometry, found.q).distance_m;
         const bool bothEnough = std::max(found.cost_K2, best.cost_K2) <= enough_K2;
         if (bothEnough ? margin_m > bestMargin_m : found.cost_K2 < best.cost_K2) {
@@ -175,7 +242,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
             bestMargin_m = margin_m;
         }
     }
-    return best;
+    return mayShade && isExtreme ? madeExact(aim, std::move(best)) : best;
 }
 
 LimitDistance nearestLimit(const RigGeometry& geometry, const Vector6d& q) {

@@ -52,8 +52,9 @@ public:
     };
     Gradient at(const Vector6d& q) const;
 
-    /// Searches locally from `start` inside workspace and clearance; the result is never worse than `start`.
-    SteadyPose refine(const SteadyAim& aim, const Vector6d& start) const;
+    /// Searches locally from `start` inside workspace and clearance. Without shade the result is never worse
+    /// than `start`.
+    SteadyPose refine(const SteadyAim& aim, const Vector6d& start, Shade shade = Shade::Exact) const;
 
     /// Returns the best of up to `starts` refinements, tried in ascending order of cost. Ends with the batch
     /// of kBatch in which the cost fell below `enough_K2`; if several in that batch did, the one farthest
@@ -63,6 +64,11 @@ public:
     static constexpr int kBatch = 8;
 
 private:
+    Gradient withTemperatures(ViewFactors now) const;
+    Eigen::VectorXd steadyAt_K(const Eigen::VectorXd& F) const;
+    /// Searches with rough temperatures plus `missed_K` (N).
+    SteadyPose descend(const SteadyAim& aim, const Vector6d& start, const Eigen::VectorXd& missed_K) const;
+    SteadyPose madeExact(const SteadyAim& aim, SteadyPose found) const;
     std::vector<Vector6d> startsFor(const SteadyAim& aim, int count) const;
 
     std::shared_ptr<const RigGeometry> m_geometry;

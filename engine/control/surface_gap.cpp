@@ -18,7 +18,7 @@ std::optional<Vector6d> nearestOnSurface(const SteadySearch& search, int object,
                   Eigen::VectorXd::Constant(1, target_K)};
     aim.pull << Eigen::Vector3d::Constant(kPull_K_m), Eigen::Vector3d::Constant(kFixed_K_rad);
     aim.towards = centre;
-    const SteadyPose found = search.refine(aim, start);
+    const SteadyPose found = search.refine(aim, start, Shade::Rough);
     if (std::abs(found.T_K[object] - target_K) > kReachedWithin_K)
         return std::nullopt;
     return found.q;

@@ -7,13 +7,6 @@ namespace {
 
 constexpr double kTolerance = 1e-7; // of the view factors
 
-std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
-    std::vector<PlantObject> objects;
-    for (const SimulatedObject& object : config.objects)
-        objects.push_back({object.material, config.environment_K, shapeCharacteristicLength(object.shape)});
-    return objects;
-}
-
 /// As strong as the experiment's robot may be asked to be; its travel is wider than the workspace, which the
 /// host keeps.
 GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axes) {
@@ -30,10 +23,8 @@ GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axe
 
 Bench::Bench(const SimulatedRigConfig& rig, const BenchDevices& devices)
     : m_config(rig), m_devices(devices), m_axes(devices.axes, rig.robot.start),
-      m_robot(grblConfig(rig, m_axes)), m_source(rig.source),
+      m_robot(grblConfig(rig, m_axes)), m_source(rig.source), m_objects(mountedObjects(rig)),
       m_plant(plantObjects(rig), rig.sourceModel, rig.environment_K, rig.air) {
-    for (const SimulatedObject& object : rig.objects)
-        m_contours.emplace_back(object.shape);
     if (devices.thermometer) {
         m_module = std::make_unique<ModbusSimulator>();
         m_module->addThermometer(devices.thermometerUnit, *devices.thermometer, rig.environment_K);
@@ -88,9 +79,8 @@ void Bench::advance(double now_s) {
     m_now_s = now_s;
     const Pose X_SE = poseFromCoordinates(m_config.sourcePose).inverse() * poseFromCoordinates(coordinates());
     std::vector<double> F;
-    for (std::size_t i = 0; i < m_contours.size(); ++i)
-        F.push_back(viewFactorValue(m_source, m_contours[i],
-                                    X_SE * poseFromCoordinates(m_config.objects[i].mounting), kTolerance));
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        F.push_back(m_objects.viewFactorValue(m_source, i, X_SE, kTolerance));
     const double J = netSourcePower_W_m2(m_config.sourceModel, plate_K(), m_config.sourceEmittance,
                                          m_config.environment_K);
     m_plant.advance(now_s - from_s, F, std::max(0.0, J));

@@ -62,7 +62,7 @@ private:
     std::unique_ptr<StreamSimulator> m_stream;
     std::unique_ptr<NamurSimulator> m_plate;
     RadiatingContour m_source;
-    std::vector<RadiatingContour> m_contours;
+    MountedObjects m_objects;
     ThermalPlant m_plant;
     std::optional<double> m_now_s;
 };

@@ -1,18 +1,11 @@
 #pragma once
 // The interaction matrix of objects on one end-effector: how their view factors change with its twist.
 
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/mounted_objects.h"
 
 #include <array>
-#include <span>
 
 namespace bask {
-
-/// An object and its mounting on the end-effector.
-struct MountedContour {
-    RadiatingContour contour;
-    Pose X_EO = Pose::Identity();
-};
 
 /// The components of the twist [v; w] in which the robot can move.
 using FreedomMask = std::array<bool, 6>;
@@ -25,12 +18,18 @@ struct InteractionMatrix {
     Eigen::MatrixXd J;
 };
 
-/// Returns the matrix at the pose X_SE, for a twist in the axes of R: R_RS turns the source's axes into them
-/// (identity: the twist is in source axes). The matrix of the paper is lambda1_i times row i. Throws as
-/// viewFactor does.
-InteractionMatrix interactionMatrix(const RadiatingContour& source, std::span<const MountedContour> objects,
+/// Returns the matrix, with the shade of the objects on one another, at the pose X_SE, for a twist in the
+/// axes of R: R_RS turns the source's axes into them (identity: the twist is in source axes). The matrix of
+/// the paper is lambda1_i times row i. Throws as viewFactor does.
+InteractionMatrix interactionMatrix(const RadiatingContour& source, const MountedObjects& objects,
                                     const Pose& X_SE, const FreedomMask& free = kAllFree,
                                     const Eigen::Matrix3d& R_RS = Eigen::Matrix3d::Identity(),
                                     const ViewFactorOptions& options = {});
+
+/// The same for all six components, with rough shade: see roughShadedViewFactor. Rows of objects that are not
+/// wanted are zero; empty: all are.
+InteractionMatrix roughInteractionMatrix(const RadiatingContour& source, const MountedObjects& objects,
+                                         const Pose& X_SE, const Eigen::Matrix3d& R_RS, double tolerance,
+                                         const std::vector<bool>& wanted = {});
 
 } // namespace bask

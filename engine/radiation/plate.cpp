@@ -26,10 +26,10 @@ PlateOutline outlineFor(const Shape& shape, double tolerance) {
     const auto* contour = outlineAs<FourierContour>(shape);
     if (!contour)
         return {SightOutline(shape, 0), 0.0};
-    constexpr int kFewest = 64, kMost = 1024;
-    int corners = kFewest;
+    constexpr int kMin = 16, kMax = 1024;
+    int corners = kMin;
     const double reach_m = shapeRadius(shape);
-    while (corners < kMost && polygonError(*contour, reach_m, corners) > tolerance)
+    while (corners < kMax && polygonError(*contour, reach_m, corners) > tolerance)
         corners *= 2;
     return {SightOutline(shape, corners), polygonError(*contour, reach_m, corners)};
 }
@@ -126,7 +126,8 @@ bool hasOnlyLeftTurns(const std::vector<Eigen::Vector2d>& ring) {
 } // namespace
 
 Plate::Plate(const Shape& shape)
-    : m_coarse(outlineFor(shape, 1e-6)), m_fine(outlineFor(shape, 1e-8)), m_back(mirrored(shape)),
+    : m_coarse(outlineFor(shape, 1e-5)), m_medium(outlineFor(shape, 1e-6)), m_fine(outlineFor(shape, 1e-8)),
+      m_rough(outlineFor(shape, 2e-3).outline), m_back(mirrored(shape)),
       m_faceNodes(nodesOf(shape, shapeArea(shape))), m_reach(shapeRadius(shape)) {
     const bool isPolygon = outlineAs<Contour>(shape) != nullptr;
     if (isPolygon)

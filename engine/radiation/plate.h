@@ -23,7 +23,10 @@ public:
     explicit Plate(const Shape& shape);
 
     /// Returns the outline with as many corners as the tolerance (of a view factor) asks for.
-    const PlateOutline& outline(double tolerance) const { return tolerance < kFineBelow ? m_fine : m_coarse; }
+    const PlateOutline& outline(double tolerance) const {
+        return tolerance < kFineBelow ? m_fine : tolerance < kCoarseFrom ? m_medium : m_coarse;
+    }
+    const SightOutline& roughOutline() const { return m_rough; } ///< to about a thousandth of a shadow
     /// Returns the other side, in the frame turned by half a turn about x.
     const RadiatingContour& back() const { return m_back; }
     /// Returns whether it is known to be convex and without holes: a Fourier outline never is.
@@ -39,9 +42,10 @@ public:
     }
 
 private:
-    static constexpr double kFineBelow = 3e-7;
+    static constexpr double kFineBelow = 3e-7, kCoarseFrom = 3e-6;
 
-    PlateOutline m_coarse, m_fine;
+    PlateOutline m_coarse, m_medium, m_fine;
+    SightOutline m_rough;
     RadiatingContour m_back;
     std::vector<FaceNode> m_faceNodes;
     std::vector<Eigen::Vector2d> m_hull; // contains it to the margin; of a disk empty

@@ -165,6 +165,14 @@ void subtractPart(const Scene& scene, std::span<const Blocker* const> blockers, 
             result.gradientRigid += flux.byBlocker[i] / area;
 }
 
+std::vector<PlacedShape> placedBetween(const Scene& scene, std::span<const Blocker> blockers) {
+    std::vector<PlacedShape> between;
+    for (const Blocker& blocker : blockers)
+        if (!isAside(scene, blocker.contour.impl().plate(), blocker.X_S))
+            between.push_back({blocker.contour, blocker.X_S});
+    return between;
+}
+
 } // namespace
 
 bool isInFront(const RadiatingContour& plate, const Pose& X_B, const Pose& X_O) {
@@ -209,21 +217,25 @@ ShadedViewFactor shadedViewFactor(const RadiatingContour& source, const Radiatin
     return result;
 }
 
-double roughShadedViewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
-                             std::span<const Blocker> blockers, double tolerance) {
-    const double unshaded = viewFactorValue(source, object, X_SO, tolerance);
-    if (unshaded == 0.0)
-        return unshaded;
-    const Scene scene{source, object, X_SO};
-    std::vector<PlacedShape> between;
-    for (const Blocker& blocker : blockers)
-        if (!isAside(scene, blocker.contour.impl().plate(), blocker.X_S))
-            between.push_back({blocker.contour, blocker.X_S});
-    if (between.empty())
-        return unshaded;
-    const double taken =
-        roughShadowFlux({source, Pose::Identity()}, {object, X_SO}, between) / object.area_m2();
-    return std::clamp(unshaded - taken, 0.0, unshaded);
+RigidViewFactor roughShadedViewFactor(const RadiatingContour& source, const RadiatingContour& object,
+                                      const Pose& X_SO, std::span<const Blocker> blockers, double tolerance) {
+    const ViewFactor unshaded = viewFactor(source, object, X_SO, {.tolerance = tolerance});
+    const std::vector<PlacedShape> between = placedBetween({source, object, X_SO}, blockers);
+    if (between.empty() || unshaded.value == 0.0)
+        return {unshaded.value, unshaded.gradient};
+    const RoughShadowFlux flux = roughShadowFlux({source, Pose::Identity()}, {object, X_SO}, between, true);
+    const double area = object.area_m2();
+    return {std::clamp(unshaded.value - flux.value_m2 / area, 0.0, unshaded.value),
+            unshaded.gradient + flux.bySource / area};
+}
+
+double roughShade(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
+                  std::span<const Blocker> blockers) {
+    const std::vector<PlacedShape> between = placedBetween({source, object, X_SO}, blockers);
+    return between.empty()
+               ? 0.0
+               : roughShadowFlux({source, Pose::Identity()}, {object, X_SO}, between, false).value_m2 /
+                     object.area_m2();
 }
 
 } // namespace bask

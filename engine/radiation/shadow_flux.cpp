@@ -464,26 +464,58 @@ ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
     return flux;
 }
 
-double roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
-                       std::span<const PlacedShape> blockers) {
+RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
+                                std::span<const PlacedShape> blockers, bool withGradient) {
+    RoughShadowFlux flux;
     SightScene scene;
     const auto add = [&](const PlacedShape& placed) {
-        return scene.add(SightFigure(placed.contour.impl().plate().outline(1.0).outline, placed.X_S));
+        return scene.add(SightFigure(placed.contour.impl().plate().roughOutline(), placed.X_S));
     };
-    const Vector3d face = -object.X_S.linear().col(2);
-    const HalfSpace above, front{face, -face.dot(object.X_S.translation())};
+    const Vector3d face = -object.X_S.linear().col(2), p_SO = object.X_S.translation();
+    const HalfSpace above, front{face, -face.dot(p_SO)};
     const SightMember downToSource{scene.clipped(add(source), front), 1};
-    std::vector<SightMember> between;
-    for (const PlacedShape& blocker : blockers)
-        if (const std::size_t part = scene.clipped(add(blocker), above); !scene.figure(part).empty())
-            between.push_back({part, 1});
-    if (scene.figure(downToSource.figure).empty() || between.empty())
-        return 0.0;
-    ShadowField field(scene, std::span(&downToSource, 1), between, true);
-    double flux = 0.0;
+    std::vector<std::size_t> wholes;
+    std::vector<SightMember> downToBlockers;
+    for (const PlacedShape& blocker : blockers) {
+        const std::size_t whole = add(blocker);
+        if (const std::size_t part = scene.clipped(whole, above); !scene.figure(part).empty()) {
+            wholes.push_back(whole);
+            downToBlockers.push_back({part, 1});
+        }
+    }
+    if (scene.figure(downToSource.figure).empty() || downToBlockers.empty())
+        return flux;
+    ShadowField down(scene, std::span(&downToSource, 1), downToBlockers, true);
     for (const FaceNode& node : object.contour.impl().plate().faceNodes())
         if (const Vector3d p = object.X_S * Vector3d(node.at.x(), node.at.y(), 0.0); p.z() > 0.0)
-            flux += node.area_m2 * face.dot(field.at(p, true).field) / kPi;
+            flux.value_m2 += node.area_m2 * face.dot(down.at(p, true).field) / kPi;
+    if (!withGradient || flux.value_m2 == 0.0)
+        return flux;
+    const SightMember upToObject{scene.clipped(add(object), above), -1};
+    std::vector<SightMember> upToBlockers;
+    for (const std::size_t whole : wholes)
+        if (const std::size_t part = scene.clipped(whole, front); !scene.figure(part).empty())
+            upToBlockers.push_back({part, -1});
+    if (scene.figure(upToObject.figure).empty() || upToBlockers.empty())
+        return flux;
+    ShadowField up(scene, std::span(&upToObject, 1), upToBlockers, true);
+    const std::vector<Curve> curves = curvesOf(source);
+    double length_m = 0.0;
+    for (const Curve& curve : curves)
+        length_m += curve.speed_m;
+    Sum sum;
+    for (const Curve& curve : curves) {
+        // The middles of even steps: round a closed curve, as good as Gauss' rule.
+        constexpr double kAround = 48.0;
+        const int steps = std::max(2, static_cast<int>(std::lround(kAround * curve.speed_m / length_m)));
+        for (int k = 0; k < steps; ++k) {
+            const auto [p, step] = curve.at((k + 0.5) / steps);
+            if (front.height(p) > 0.0 && up.mayBeSeen(p, 0.0))
+                sum.add(-1.0 / (kPi * steps), p - p_SO,
+                        step.cross(up.at(curve.lookout(p, step), true).field));
+        }
+    }
+    flux.bySource = sum.moments;
     return flux;
 }
 

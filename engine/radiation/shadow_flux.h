@@ -39,9 +39,15 @@ struct ShadowFlux {
 ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
                       std::span<const PlacedShape> blockers, const ShadowFluxGoal& goal);
 
-/// Returns the flux (m2) by a fixed rule over the object's face: to about a hundredth of it and in a
-/// hundredth of the time; it changes evenly with the poses.
-double roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
-                       std::span<const PlacedShape> blockers);
+/// As `ShadowFlux`; the gradient, for a motion of the source alone, is not exactly the value's.
+struct RoughShadowFlux {
+    double value_m2 = 0.0;
+    Vector6d bySource = Vector6d::Zero();
+};
+
+/// By fixed rules over the object's face and along the source's outline: to about a hundredth of the flux and
+/// in less than a tenth of the time; it changes evenly with the poses.
+RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
+                                std::span<const PlacedShape> blockers, bool withGradient);
 
 } // namespace bask

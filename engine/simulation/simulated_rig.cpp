@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace bask {
-namespace {
 
 std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     std::vector<PlantObject> objects;
@@ -13,20 +12,21 @@ std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     return objects;
 }
 
-} // namespace
+MountedObjects mountedObjects(const SimulatedRigConfig& config) {
+    std::vector<MountedContour> objects;
+    for (const SimulatedObject& object : config.objects)
+        objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+    return MountedObjects(std::move(objects));
+}
 
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     : m_config(config), m_plant(plantObjects(config), config.sourceModel, config.environment_K, config.air),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
-      m_camera(config.camera), m_sourceContour(config.source),
+      m_camera(config.camera), m_sourceContour(config.source), m_objects(mountedObjects(config)),
       m_X_RS(poseFromCoordinates(config.sourcePose)) {
-    for (const SimulatedObject& object : config.objects) {
-        m_contours.emplace_back(object.shape);
-        m_X_EO.push_back(poseFromCoordinates(object.mounting));
-    }
-    m_F.assign(m_contours.size(), 0.0);
-    m_isHot.assign(m_contours.size(), false);
+    m_F.assign(m_objects.size(), 0.0);
+    m_isHot.assign(m_objects.size(), false);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
     showCamera();
@@ -79,9 +79,8 @@ void SimulatedRig::seeSource() {
     const Pose X_SE = m_X_RS.inverse() * poseFromCoordinates(m_robot.coordinates());
     if (m_computedAt && X_SE.matrix() == m_computedAt->matrix())
         return;
-    for (std::size_t i = 0; i < m_contours.size(); ++i)
-        m_F[i] =
-            viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], m_config.viewFactorTolerance);
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        m_F[i] = m_objects.viewFactorValue(m_sourceContour, i, X_SE, m_config.viewFactorTolerance);
     m_computedAt = X_SE;
 }
 

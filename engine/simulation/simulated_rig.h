@@ -3,7 +3,7 @@
 // It is part of the released program.
 
 #include "engine/base/time_table.h"
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/mounted_objects.h"
 #include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_robot.h"
 #include "engine/simulation/simulated_sensors.h"
@@ -38,6 +38,11 @@ struct SimulatedRigConfig {
     SimulatedCameraConfig camera;
     double viewFactorTolerance = 1e-8;
 };
+
+/// Returns the objects as the plant needs them, at the temperature of the environment.
+std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config);
+/// Returns the objects on the end-effector, as they shade one another.
+MountedObjects mountedObjects(const SimulatedRigConfig& config);
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).
 /// Its motion starts when the heat comes on, each time from the first pose; without heat it does not move.
@@ -79,8 +84,6 @@ private:
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
-    std::vector<RadiatingContour> m_contours;
-    std::vector<Pose> m_X_EO;
     ThermalPlant m_plant;
     SimulatedRobot m_robot;
     SimulatedThermometer m_thermometer;
@@ -88,6 +91,7 @@ private:
     SimulatedSourceTracker m_tracker;
     SimulatedCamera m_camera;
     RadiatingContour m_sourceContour;
+    MountedObjects m_objects;
     Pose m_X_RS;
     bool m_heated = false; ///< whether it was heated in the last step
     double m_heatedSince_s = 0.0;

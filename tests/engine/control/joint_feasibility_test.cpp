@@ -74,6 +74,22 @@ JointVerdict verdictOf(const FeasibilityRequest& request) {
     return jointFeasibility(request).value();
 }
 
+// A disk of 1.5 cm 3 cm behind one of 3 cm: without its shade, both at 50 and 45 degC were called feasible.
+TEST(JointFeasibility, ADiskBehindALargerOneIsInItsShade) {
+    RobotLimits limits;
+    limits.free = {true, true, true, false, false, false};
+    const std::vector<Shape> shapes{Disk{0.03}, Disk{0.015}};
+    Vector6d behind = Vector6d::Zero();
+    behind[kZ] = 0.03;
+    const auto verdict = [&](double second_degC) {
+        return verdictOf(requestOf(std::make_shared<RigGeometry>(
+                                       Disk{0.1}, shapes, std::vector{mountedAt(0.0, 0.0), behind}, limits),
+                                   SourceModel::Gray, {50.0, second_degC}));
+    };
+    EXPECT_FALSE(verdict(45.0).feasible);
+    EXPECT_TRUE(verdict(35.0).feasible);
+}
+
 // A verdict that forgets the clearance, or the source model: the paper's example, whose third case becomes
 // feasible between 1.7 and 1.6 cm.
 TEST(JointFeasibility, TwoCirclesOfThePaper) {

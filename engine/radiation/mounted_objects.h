@@ -1,0 +1,58 @@
+#pragma once
+// Objects on one end-effector: the view factor of each, with the shade of the others.
+
+#include "engine/radiation/shade.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace bask {
+
+/// An object and its mounting on the end-effector.
+struct MountedContour {
+    RadiatingContour contour;
+    Pose X_EO = Pose::Identity();
+};
+
+/// Knows which objects may shade which: where nothing of the others lies in front of an object's face, as
+/// with objects in one plane, its view factor is viewFactor's own, bit for bit. Objects that pass through one
+/// another do not shade one another; nobody can build them. Immutable; thread-safe.
+class MountedObjects {
+public:
+    MountedObjects() = default;
+    explicit MountedObjects(std::vector<MountedContour> objects);
+
+    std::size_t size() const { return m_objects.size(); }
+    bool empty() const { return m_objects.empty(); }
+    const MountedContour& operator[](std::size_t i) const { return m_objects[i]; }
+    /// Returns the objects of which a part lies in front of the face of object i.
+    const std::vector<std::size_t>& inFrontOf(std::size_t i) const { return m_inFront[i]; }
+
+    /// Returns whether an object may shade another at some pose.
+    bool mayShade() const { return !std::ranges::all_of(m_inFront, &std::vector<std::size_t>::empty); }
+
+    /// Returns the view factor of object i at the end-effector's pose X_SE, and its gradient for a motion of
+    /// the end-effector, about O's origin. The shade is found to max(options.tolerance, 1e-5). Throws as
+    /// viewFactor does.
+    ViewFactor viewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+                          const ViewFactorOptions& options = {}) const;
+    /// Returns only the value, to an absolute tolerance.
+    double viewFactorValue(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+                           double tolerance) const;
+
+    /// The same with rough shade: see roughShadedViewFactor.
+    RigidViewFactor roughViewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+                                    double tolerance) const;
+    /// Returns the share that the others leave, in [0, 1], of the view factor `unshaded`; 1 if that is zero.
+    double roughShare(const RadiatingContour& source, std::size_t i, const Pose& X_SE, double unshaded) const;
+
+private:
+    std::vector<Blocker> blockersOf(std::size_t i, const Pose& X_SE) const;
+    ShadedViewFactor shaded(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+                            const ViewFactorOptions& options) const;
+
+    std::vector<MountedContour> m_objects;
+    std::vector<std::vector<std::size_t>> m_inFront;
+};
+
+} // namespace bask
