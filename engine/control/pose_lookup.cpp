@@ -60,13 +60,8 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
             m_poses.push_back(q);
     }
     m_F.resize(static_cast<Eigen::Index>(m_poses.size()), m_geometry->objects());
-    Eigen::VectorXd F;
-    for (std::size_t k = 0; k < m_poses.size(); ++k) {
-        m_geometry->unshadedViewFactors(m_poses[k], F);
-        if (m_geometry->mayShade())
-            F.array() *= m_geometry->roughShares(m_poses[k], F).array();
-        m_F.row(static_cast<Eigen::Index>(k)) = F.array();
-    }
+    for (std::size_t k = 0; k < m_poses.size(); ++k)
+        m_F.row(static_cast<Eigen::Index>(k)) = m_geometry->roughViewFactors(m_poses[k]).array();
 }
 
 double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
@@ -114,11 +109,13 @@ Vector6d descend(const RigGeometry& geometry, const PoseQuery& query, const Vect
                  const Vector6d& start, int iterations) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
-    Eigen::VectorXd price(n); // of the squared change of each free coordinate
-    for (Eigen::Index k = 0; k < n; ++k) {
-        const double length = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
-        price[k] = query.movePrice_1_m2 * length * length;
-    }
+    Eigen::VectorXd lengths(n); // that a unit of each free coordinate counts
+    for (Eigen::Index k = 0; k < n; ++k)
+        lengths[k] = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
+    const auto timesSquares = [&lengths](double factor) -> Eigen::VectorXd {
+        return (factor * lengths).cwiseProduct(lengths);
+    };
+    const Eigen::VectorXd price = timesSquares(query.movePrice_1_m2); // of the squared change
     const auto moved = [&](const Vector6d& to) {
         Eigen::VectorXd out(n);
         for (Eigen::Index k = 0; k < n; ++k)
@@ -139,10 +136,7 @@ Vector6d descend(const RigGeometry& geometry, const PoseQuery& query, const Vect
         Eigen::MatrixXd H = J.transpose() * query.weights.asDiagonal() * J;
         const double size = std::max(H.trace(), 1e-9);
         H.diagonal() += price;
-        for (Eigen::Index k = 0; k < n; ++k) {
-            const double length = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
-            H(k, k) += damping * size * length * length;
-        }
+        H.diagonal() += timesSquares(damping * size);
         Eigen::MatrixXd G;
         Eigen::VectorXd h;
         stepLimits(geometry, q, G, h);

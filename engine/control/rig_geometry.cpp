@@ -14,13 +14,6 @@ constexpr double kSlack = 1e-9; ///< tolerance of positions, m and rad
 /// Faces in one plane have no view factor: objects stop this far above it even without a clearance.
 constexpr double kMinClearance_m = 1e-4;
 
-ViewFactors byCoordinates(const Vector6d& q, const InteractionMatrix& byTwist) {
-    ViewFactors out{byTwist.F, byTwist.J};
-    for (Eigen::Index i = 0; i < out.F.size(); ++i)
-        out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
-    return out;
-}
-
 std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
     if (X.matrix() == Pose::Identity().matrix())
         return std::nullopt;
@@ -62,17 +55,15 @@ Pose RigGeometry::X_SE(const Vector6d& q) const {
     return m_X_SR ? *m_X_SR * X_RE : X_RE;
 }
 
-ViewFactors RigGeometry::viewFactors(const Vector6d& q, Shade shade) const {
-    if (shade == Shade::Rough && mayShade())
-        return roughViewFactors(q, {});
-    return byCoordinates(q, interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear()));
-}
-
-ViewFactors RigGeometry::roughViewFactors(const Vector6d& q, const std::vector<bool>& wanted) const {
-    if (!mayShade())
-        return viewFactors(q);
-    return byCoordinates(
-        q, roughInteractionMatrix(m_source, m_mounted, X_SE(q), m_X_RS.linear(), kTableTolerance, wanted));
+ViewFactors RigGeometry::viewFactors(const Vector6d& q, Shade shade, const std::vector<bool>& wanted) const {
+    const InteractionMatrix byTwist =
+        shade == Shade::Rough && mayShade()
+            ? roughInteractionMatrix(m_source, m_mounted, X_SE(q), m_X_RS.linear(), kTableTolerance, wanted)
+            : interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear());
+    ViewFactors out{byTwist.F, byTwist.J};
+    for (int i = 0; i < objects(); ++i)
+        out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
+    return out;
 }
 
 Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {

@@ -54,9 +54,9 @@ public:
     const RobotLimits& limits() const { return m_limits; }
     const std::vector<int>& freeCoordinates() const { return m_free; }
 
-    ViewFactors viewFactors(const Vector6d& q, Shade shade = Shade::Exact) const;
-    /// With Shade::Rough, only of the objects that are wanted; zero for the others where objects may shade.
-    ViewFactors roughViewFactors(const Vector6d& q, const std::vector<bool>& wanted) const;
+    /// With Shade::Rough, those of objects that are not `wanted` may be zero; empty: all are wanted.
+    ViewFactors viewFactors(const Vector6d& q, Shade shade = Shade::Exact,
+                            const std::vector<bool>& wanted = {}) const;
     /// Returns only the values, to 1e-6.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
     /// Returns only the values, with Shade::Rough.

@@ -123,7 +123,7 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
     for (Eigen::Index i = 0; i < aim.rows.cols(); ++i)
         wanted.push_back(!aim.rows.col(i).isZero());
     const auto lookAt = [&](const Vector6d& pose) {
-        Gradient seen = withTemperatures(m_geometry->roughViewFactors(pose, wanted));
+        Gradient seen = withTemperatures(m_geometry->viewFactors(pose, Shade::Rough, wanted));
         seen.T_K += missed_K;
         return seen;
     };
