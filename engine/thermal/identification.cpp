@@ -170,9 +170,7 @@ double workingTemperature_K(const std::vector<HeatSample>& record, const std::ve
             readings_K.push_back(record[k].temperature_K);
     if (readings_K.empty())
         return std::numeric_limits<double>::quiet_NaN();
-    const auto middle = readings_K.begin() + static_cast<std::ptrdiff_t>(readings_K.size() / 2);
-    std::nth_element(readings_K.begin(), middle, readings_K.end());
-    return *middle;
+    return medianOf(std::move(readings_K));
 }
 
 /// The fit with the given T3; its reason is set if there are no rates.

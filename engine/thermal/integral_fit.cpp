@@ -24,12 +24,6 @@ constexpr double kOutlierDeviations = 6.0;
 constexpr double kMinOutlier_K = 0.1; ///< rounding of usual sensors is not an outlier
 constexpr double kWorstCondition = 1e6;
 
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 double shortestWindow_s(const std::vector<HeatSample>& record) {
     std::vector<double> steps_s;
     for (std::size_t k = 1; k < record.size(); ++k)
@@ -48,6 +42,12 @@ double duration_s(const std::vector<HeatSample>& record) {
 }
 
 } // namespace
+
+double medianOf(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
 
 IntegralProblem::IntegralProblem(const std::vector<HeatSample>& record, const IdentificationOptions& options)
     : m_record(record), m_options(options), m_shortest_s(shortestWindow_s(record)),

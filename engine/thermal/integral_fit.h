@@ -23,6 +23,9 @@ struct IntegralFit {
     double condition = std::numeric_limits<double>::infinity();
 };
 
+/// Returns the upper of two middle values if there are two; `values` must not be empty.
+double medianOf(std::vector<double> values);
+
 /// Readings of one window with the integrals since its first.
 struct IntegralWindow {
     std::vector<std::size_t> readings; ///< indices into the record
