@@ -172,7 +172,6 @@ public:
 
     double error_m2() const { return std::max(sumOf(&Panel::error), openness_m2()); }
     const std::vector<Panel>& panels() const { return m_panels; }
-    int points() const { return m_points; }
 
 private:
     double sumOf(double Panel::*what) const {
@@ -460,7 +459,6 @@ ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
     addError(object);
     std::ranges::for_each(blockers, addError);
     flux.error_m2 = 0.5 * integrals.error_m2() + polygons * std::abs(flux.value_m2);
-    flux.points = integrals.points();
     return flux;
 }
 

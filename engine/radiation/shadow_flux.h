@@ -27,7 +27,6 @@ struct ShadowFlux {
     Vector6d bySource = Vector6d::Zero();
     std::vector<Vector6d> byBlocker;
     double error_m2 = 0.0; ///< estimated
-    int points = 0;
 };
 
 /// The flux is homogeneous of degree two in all lengths, so by Euler's theorem it is half its derivative for

@@ -20,8 +20,7 @@ struct SessionIdentification {
 /// The data of a run for the fits, collected sample by sample until Stop, because the heat is off afterwards
 /// at any source temperature. Between two samples the robot moves on a straight line, along which the view
 /// factor does not: its mean is by Simpson's rule, with the view factor half way. Of a run with more than
-/// kMax samples it uses every second one, of a longer run every fourth, and so on: the fits use windows of a
-/// sixteenth of the run.
+/// kMax samples it uses every second one, of a longer run every fourth, and so on.
 class HeatRecords {
 public:
     static constexpr std::size_t kMax = 1 << 17; // 3.6 h at 10 Hz
