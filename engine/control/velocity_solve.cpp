@@ -285,10 +285,21 @@ namespace {
 /// Share of full speed that still lets the robot stop after `path_s` seconds of full speed; braking from full
 /// speed takes `braking_s`. Largest p with dt max(p, (p + last) / 2) + way(p) <= path, where way(p) is that
 /// of braking by dt / braking_s each step, trapezoids: of m whole steps and a remainder r,
-/// dt (m^2 step / 2 + (m + 1/2) r).
+/// dt (m^2 step / 2 + (m + 1/2) r). Where full speed can be taken away within one step, a change takes only
+/// its part of braking_s.
 double shareOfSpeed(double path_s, double last, double braking_s, double dt_s) {
     if (braking_s <= 0.0)
         return std::min(1.0, path_s / dt_s);
+    if (braking_s <= dt_s) { // dt p + braking (max(last - p, 0)^2 + p^2) / 2 <= path
+        const double relative_s = dt_s / braking_s;
+        const double steps = path_s / braking_s;
+        const double steady = 2.0 * steps / (relative_s + std::sqrt(relative_s * relative_s + 2.0 * steps));
+        if (steady >= last)
+            return std::min(1.0, steady);
+        const double turn = 0.5 * (last - relative_s); // of the parabola p^2 - 2 turn p
+        return std::clamp(turn + std::sqrt(std::max(0.0, turn * turn + steps - 0.5 * last * last)), 0.0,
+                          std::min(last, 1.0));
+    }
     const double step = dt_s / braking_s;
     const double steps = path_s / (dt_s * step);
     double m = std::floor(std::sqrt(1.0 + 2.0 * steps) - 1.0);

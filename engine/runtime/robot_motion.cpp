@@ -118,7 +118,8 @@ Message RobotMotion::goOn() {
     const bool arrived = left.head<3>().maxCoeff() <= kThere_m && left.tail<3>().maxCoeff() <= kThere_rad;
     const Vector6d rates = velocityTowards(*m_readings.geometry(), q, *m_goal, period_s, m_rates).rates;
     m_approach.add(m_clock.now_s(), left.maxCoeff(), period_s);
-    if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9)
+    const bool stands = std::max(rates.cwiseAbs().maxCoeff(), m_rates.cwiseAbs().maxCoeff()) < 1e-9;
+    if (arrived || stands)
         endMove();
     else if (m_approach.isStill())
         return doesNotMove(left.head<3>().norm());

@@ -226,4 +226,24 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     EXPECT_FALSE(run.loop.moveTo(goal));
 }
 
+// Catches: a robot that never comes to where it is sent, since its acceleration is limited.
+TEST(MoveTo, ArrivesUnderALimitOfAcceleration) {
+    for (const double period_s : {0.1, 1.0}) {
+        Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
+        experiment.sampling.period_s = period_s;
+        experiment.robot.maxAcceleration_m_s2 = 0.3;
+        LoopOnRig run(experiment);
+        run.periods(10);
+        for (const double step_m : {0.001, 0.01, 1.0}) {
+            Vector6d goal = run.rig.simulatedRobot().coordinates();
+            goal[kX] = std::min(goal[kX] + step_m, experiment.robot.upper[kX]);
+            ASSERT_TRUE(run.loop.moveTo(goal));
+            for (int i = 0; i < 20.0 / period_s && run.loop.motion().isMoving(); ++i)
+                run.periods(1);
+            EXPECT_FALSE(run.loop.motion().isMoving()) << step_m;
+            EXPECT_LT((run.rig.simulatedRobot().coordinates() - goal).cwiseAbs().maxCoeff(), 1e-4) << step_m;
+        }
+    }
+}
+
 } // namespace bask
