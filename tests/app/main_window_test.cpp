@@ -290,7 +290,7 @@ TEST_F(MainWindowTest, ThePageShowsNothingOfWhatIsPast) {
     const QString before = detail->text();
     window->pages().show(Page::Run);
     ControllerSettings other = window->document().experiment().controller;
-    other.levelServo.timeConstant_s *= 10.0;
+    other.kind = ControllerKind::ModelBased; // slower
     ASSERT_TRUE(window->document().setController(other).ok());
     window->pages().show(Page::Targets);
     EXPECT_FALSE(predicted()) << detail->text().toStdString();

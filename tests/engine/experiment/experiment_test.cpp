@@ -53,7 +53,9 @@ TEST(Examples, ThreeObjectsAreTheCommonScenario) {
     ASSERT_EQ(e.objects.size(), 3u);
     EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, SourceModel::Gray}));
     EXPECT_EQ(e.environment_K, 298.15);
-    EXPECT_EQ(e.robot, RobotLimits{});
+    RobotLimits limits;
+    limits.maxAcceleration_m_s2 = 0.3; // that of a stepping robot
+    EXPECT_EQ(e.robot, limits);
     EXPECT_EQ(e.start, (Experiment{}.start));
     EXPECT_EQ(e.controller.kind, ControllerKind::LevelServo);
     EXPECT_EQ(e.controller.estimatedRateErrorFactor, 4.0);
