@@ -22,7 +22,7 @@ double AdaptiveController::lossSlope_K3(std::size_t i, double T_K) const {
     return 4.0 * std::pow(T_K, 3) + start.air.slope_1_s(T_K) / start.lambda2;
 }
 
-void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossSlope_K3,
+void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossRate_K4_s,
                                double dt_s) const {
     if (std::abs(zeta_K_s) < kZetaDeadZone_K_s)
         return;
@@ -31,8 +31,7 @@ void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s
         return std::clamp(value, start / kEstimateRange, start * kEstimateRange);
     };
     estimate.a1 = within(estimate.a1 + dt_s * gains.gamma1 * gains.mu * v_K_s * zeta_K_s, estimate.start1);
-    estimate.a2 =
-        within(estimate.a2 - dt_s * gains.gamma2 * v_K_s * zeta_K_s * lossSlope_K3, estimate.start2);
+    estimate.a2 = within(estimate.a2 - dt_s * gains.gamma2 * zeta_K_s * lossRate_K4_s, estimate.start2);
 }
 
 ControlOutput AdaptiveController::step(const Observation& observation, double dt_s) {
@@ -42,20 +41,22 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
     const AdaptiveGains& gains = m_settings.adaptive;
     Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
     std::vector<double> zeta(N);
+    Eigen::VectorXd lossRates_K4_s = -neighbourGainRates_K4_s(*m_model.geometry, observation);
     for (std::size_t i = 0; i < N; ++i) {
         const auto [T, v] = observation.objects[i];
         const Estimate& estimate = m_estimates[i];
         zeta[i] = v + gains.mu * (T - m_model.targets_K[i]);
-        wanted[static_cast<Eigen::Index>(i)] =
-            -gains.mu * estimate.a1 * v - gains.K * zeta[i] + lossSlope_K3(i, T) * estimate.a2 * v;
+        const auto row = static_cast<Eigen::Index>(i);
+        lossRates_K4_s[row] += lossSlope_K3(i, T) * v;
+        wanted[row] = -gains.mu * estimate.a1 * v - gains.K * zeta[i] + estimate.a2 * lossRates_K4_s[row];
     }
     const auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s,
                                      rows * observation.sourceStrength, wanted);
     for (std::size_t i = 0; i < N; ++i) {
-        const auto [T, v] = observation.objects[i];
         if (!out.limits.any())
-            adapt(m_estimates[i], v, zeta[i], lossSlope_K3(i, T), dt_s);
+            adapt(m_estimates[i], observation.objects[i].rate_K_s, zeta[i],
+                  lossRates_K4_s[static_cast<Eigen::Index>(i)], dt_s);
         const HeatRates& start = m_model.estimated[i];
         HeatRates rates;
         rates.lambda1 = 1.0 / m_estimates[i].a1;

@@ -33,7 +33,8 @@ private:
     };
     /// Returns the slope of the losses over lambda2, K3.
     double lossSlope_K3(std::size_t i, double T_K) const;
-    void adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossSlope_K3, double dt_s) const;
+    /// `lossRate_K4_s`: derivative of the losses over lambda2 by time.
+    void adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double lossRate_K4_s, double dt_s) const;
 
     ControllerSettings m_settings;
     ControlModel m_model;

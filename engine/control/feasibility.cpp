@@ -1,6 +1,7 @@
 #include "engine/control/feasibility.h"
 
 #include "engine/control/steady_search.h"
+#include "engine/control/steady_states.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -40,9 +41,12 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
     checkCounts(search, targets_K);
     const std::size_t N = targets_K.size();
     std::vector<TargetVerdict> out(N);
+    const std::vector<HeatRates> beside =
+        ratesAmong(search.rates(), search.geometry().neighbours(),
+                   Eigen::Map<const Eigen::VectorXd>(targets_K.data(), static_cast<Eigen::Index>(N)));
     for (std::size_t i = 0; i < N; ++i) {
         TargetVerdict& verdict = out[i];
-        const HeatRates& rates = search.rates()[i];
+        const HeatRates& rates = beside[i]; // the others at their targets
         verdict.target_K = targets_K[i];
         verdict.lowest_K = rates.steadyTemperature_K(0.0);
         verdict.highest_K = rates.steadyTemperature_K(1.0);

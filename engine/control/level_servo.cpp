@@ -1,5 +1,6 @@
 #include "engine/control/level_servo.h"
 
+#include "engine/control/steady_states.h"
 #include "engine/control/travel_time.h"
 #include "engine/control/velocity_solve.h"
 
@@ -117,16 +118,22 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
     task.from = observation.coordinates;
     task.temperature_K.resize(F.size());
     task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), F.size());
+    for (Eigen::Index i = 0; i < F.size(); ++i)
+        task.temperature_K[i] = observation.objects[static_cast<std::size_t>(i)].temperature_K;
+    const Neighbours& neighbours = m_model.geometry->neighbours();
+    const Eigen::VectorXd gainsNow_K4 = neighbourGains_K4(m_model.estimated, neighbours, task.temperature_K),
+                          gainsThen_K4 = neighbourGains_K4(m_model.estimated, neighbours, task.aim_K);
+    m_early_K_s.resize(F.size());
     for (Eigen::Index i = 0; i < F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const double T_K = observation.objects[k].temperature_K;
-        m_identification[k].add(observation.time_s, T_K, F[i], observation.sourceStrength);
+        const double T_K = task.temperature_K[i];
+        m_identification[k].add(observation.time_s, T_K, F[i], observation.sourceStrength, gainsNow_K4[i]);
         HeatRates rates = m_identification[k].rates();
         rates.lambda1 *= observation.sourceStrength;
         learnDrift(k, rates, T_K, observation.time_s, dt_s);
         rates.lambda3 += m_drift_K_s[i];
-        task.temperature_K[i] = T_K;
-        task.rates.push_back(rates);
+        m_early_K_s[i] = rates.lambda2 * (gainsNow_K4[i] - gainsThen_K4[i]);
+        task.rates.push_back(rates.inWarmerRoom(gainsThen_K4[i]));
     }
     return task;
 }
@@ -445,7 +452,8 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     m_expected_K = task.temperature_K;
     for (Eigen::Index i = 0; i < F.size(); ++i)
         m_expected_K[i] +=
-            dt_s * task.rates[static_cast<std::size_t>(i)].rate_K_s(F[i], task.temperature_K[i]);
+            dt_s *
+            (task.rates[static_cast<std::size_t>(i)].rate_K_s(F[i], task.temperature_K[i]) + m_early_K_s[i]);
 
     ControlOutput out;
     for (const RateIdentification& identification : m_identification)

@@ -80,7 +80,9 @@ private:
     std::optional<PoseLookup> m_lookup;
     Pose m_tableSource = Pose::Identity(); ///< pose of the source when the look-up was made
     std::vector<RateIdentification> m_identification;
-    Eigen::VectorXd m_drift_K_s;   ///< N, slow rate that the identified rates do not explain
+    Eigen::VectorXd m_drift_K_s; ///< N, slow rate that the identified rates do not explain
+    /// N, what the neighbours heat now beyond what they will at their aims
+    Eigen::VectorXd m_early_K_s;
     Eigen::VectorXd m_expected_K;  ///< N, temperatures predicted for this sample by the last one
     std::vector<Vector6d> m_rests; ///< poses at which the aim is steady
     std::optional<PricedPlan> m_plan;

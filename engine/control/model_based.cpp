@@ -17,12 +17,14 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
     const ModelBasedGains& gains = m_settings.modelBased;
     auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
     Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
+    const Eigen::VectorXd gainRates_K4_s = neighbourGainRates_K4_s(*m_model.geometry, observation);
     for (std::size_t i = 0; i < N; ++i) {
         const HeatRates& rates = m_model.estimated[i];
         const auto [T, v] = observation.objects[i];
         const auto row = static_cast<Eigen::Index>(i);
         rows.row(row) *= rates.lambda1 * observation.sourceStrength;
-        wanted[row] = -gains.D * v - gains.K * (T - m_model.targets_K[i]) + rates.lossSlope_1_s(T) * v;
+        wanted[row] = -gains.D * v - gains.K * (T - m_model.targets_K[i]) + rates.lossSlope_1_s(T) * v -
+                      rates.lambda2 * gainRates_K4_s[row];
     }
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s, rows, wanted);
     out.estimate = m_model.estimated;

@@ -1,8 +1,21 @@
 #include "engine/control/paper_law.h"
 
+#include "engine/control/steady_states.h"
+
 #include "engine/control/velocity_solve.h"
 
 namespace bask {
+
+Eigen::VectorXd neighbourGainRates_K4_s(const RigGeometry& geometry, const Observation& observation) {
+    const auto N = static_cast<Eigen::Index>(observation.objects.size());
+    Eigen::VectorXd T_K(N), rates_K_s(N);
+    for (Eigen::Index i = 0; i < N; ++i) {
+        const ObjectObservation& object = observation.objects[static_cast<std::size_t>(i)];
+        T_K[i] = object.temperature_K;
+        rates_K_s[i] = object.rate_K_s;
+    }
+    return neighbourGainRates_K4_s(geometry.neighbours(), T_K, rates_K_s);
+}
 
 ControlOutput followWanted(const RigGeometry& geometry, const ControllerSettings& settings,
                            const Observation& observation, double dt_s,

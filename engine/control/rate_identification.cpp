@@ -17,12 +17,13 @@ double RateIdentification::cooling_K4(double T_K) const {
     return std::pow(T_K, 4) - m_start.lambda3 / m_start.lambda2 + m_start.air.rate_K_s(T_K) / m_start.lambda2;
 }
 
-void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength) {
+void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength,
+                             double neighbours_K4) {
     const double window_s = std::max(kWindow_s, kWindow * m_timeConstant_s);
     double forgetting = kForgetting;
     const double heating = F * sourceStrength;
-    const double cooling = cooling_K4(temperature_K);
-    if (!std::isfinite(temperature_K) || !std::isfinite(heating))
+    const double cooling = cooling_K4(temperature_K) - neighbours_K4;
+    if (!std::isfinite(temperature_K) || !std::isfinite(heating) || !std::isfinite(cooling))
         return;
     // After a pause a single trapezoid would have to represent all changes.
     const auto count = m_samples.size();
@@ -38,11 +39,11 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
         if (!(dt_s > 0.0))
             return;
         forgetting = std::max(kForgetting, std::exp(-dt_s / (kMemory * m_timeConstant_s)));
-        const double lastCooling = cooling_K4(last.temperature_K);
         sample.heating = last.heating + 0.5 * dt_s * (m_lastF + heating);
-        sample.cooling = last.cooling + 0.5 * dt_s * (lastCooling + cooling);
+        sample.cooling = last.cooling + 0.5 * dt_s * (m_lastCooling_K4 + cooling);
     }
     m_lastF = heating;
+    m_lastCooling_K4 = cooling;
     m_samples.push_back(sample);
     while (m_samples.size() > 3 && time_s - m_samples[1].time_s >= window_s)
         m_samples.pop_front();

@@ -26,8 +26,10 @@ public:
 
     explicit RateIdentification(const HeatRates& start);
 
-    /// Adds a sample: measured temperature, view factor and source strength at time_s (ascending).
-    void add(double time_s, double temperature_K, double F, double sourceStrength);
+    /// Adds a sample: measured temperature, view factor, source strength and what the neighbours add to the
+    /// room's T^4 at time_s (ascending).
+    void add(double time_s, double temperature_K, double F, double sourceStrength,
+             double neighbours_K4 = 0.0);
     /// Returns the present estimate; the ratios of all losses to lambda2 are fixed.
     HeatRates rates() const;
     /// Returns the standard deviation of the steady view factor for temperature T_K, from the fit's
@@ -48,6 +50,7 @@ private:
     HeatRates m_start;
     double m_timeConstant_s; ///< at the environment's temperature, with the estimate of the start
     double m_lastF = 0.0;
+    double m_lastCooling_K4 = 0.0;
     std::deque<Sample> m_samples;
     // In units of the start values, about them: minimise x'Ax/2 - b'x, x = lambda / start - 1.
     Eigen::Matrix2d m_information;

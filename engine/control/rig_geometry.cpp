@@ -23,7 +23,8 @@ std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
 } // namespace
 
 RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
-                         const std::vector<Vector6d>& mountings, const RobotLimits& limits, const Pose& X_RS)
+                         const std::vector<Vector6d>& mountings, const RobotLimits& limits, const Pose& X_RS,
+                         const std::vector<FaceMaterial>& fronts)
     : m_source(source), m_limits(limits), m_X_RS(X_RS), m_X_SR(inverseUnlessIdentity(X_RS)) {
     if (shapes.size() != mountings.size())
         throw std::invalid_argument("RigGeometry: one mounting a shape");
@@ -41,6 +42,8 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
         m_outlines_E.push_back(std::move(outline));
     }
     m_mounted = MountedObjects(std::move(mounted));
+    if (!fronts.empty())
+        m_neighbours = Neighbours(m_mounted, fronts);
 }
 
 std::shared_ptr<const RigGeometry> RigGeometry::withSourceAt(const Pose& X_RS) const {
@@ -58,11 +61,14 @@ Pose RigGeometry::X_SE(const Vector6d& q) const {
 ViewFactors RigGeometry::viewFactors(const Vector6d& q, Shade shade, const std::vector<bool>& wanted) const {
     const InteractionMatrix byTwist =
         shade == Shade::Rough && mayShade()
-            ? roughInteractionMatrix(m_source, m_mounted, X_SE(q), m_X_RS.linear(), kTableTolerance, wanted)
+            ? roughInteractionMatrix(m_source, m_mounted, X_SE(q), m_X_RS.linear(), kTableTolerance,
+                                     m_neighbours.exchange() ? std::vector<bool>{} : wanted)
             : interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear());
-    ViewFactors out{byTwist.F, byTwist.J};
+    ViewFactors out{m_neighbours.withReflections(byTwist.F), byTwist.J};
     for (int i = 0; i < objects(); ++i)
         out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
+    if (m_neighbours.exchange())
+        out.dF = m_neighbours.withReflections(out.dF);
     return out;
 }
 
@@ -71,24 +77,35 @@ Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
     Eigen::VectorXd F(objects());
     for (int i = 0; i < objects(); ++i)
         F[i] = m_mounted.viewFactorValue(m_source, static_cast<std::size_t>(i), X, kTableTolerance);
-    return F;
+    return m_neighbours.withReflections(F);
 }
 
-void RigGeometry::unshadedViewFactors(const Vector6d& q, Eigen::VectorXd& F) const {
-    const Pose X = X_SE(q);
+void RigGeometry::directViewFactors(const Pose& X_SE, Eigen::VectorXd& F) const {
     F.resize(objects());
     for (int i = 0; i < objects(); ++i) {
         const MountedContour& object = m_mounted[static_cast<std::size_t>(i)];
-        F[i] = viewFactorValue(m_source, object.contour, X * object.X_EO, kTableTolerance);
+        F[i] = viewFactorValue(m_source, object.contour, X_SE * object.X_EO, kTableTolerance);
     }
+}
+
+void RigGeometry::unshadedViewFactors(const Vector6d& q, Eigen::VectorXd& F) const {
+    directViewFactors(X_SE(q), F);
+    if (m_neighbours.exchange())
+        F = m_neighbours.withReflections(F);
 }
 
 Eigen::VectorXd RigGeometry::roughShares(const Vector6d& q, const Eigen::VectorXd& unshaded) const {
     const Pose X = X_SE(q);
+    Eigen::VectorXd direct = unshaded;
+    if (m_neighbours.exchange())
+        directViewFactors(X, direct);
     Eigen::VectorXd shares(objects());
     for (int i = 0; i < objects(); ++i)
-        shares[i] = m_mounted.roughShare(m_source, static_cast<std::size_t>(i), X, unshaded[i]);
-    return shares;
+        shares[i] = m_mounted.roughShare(m_source, static_cast<std::size_t>(i), X, direct[i]);
+    if (!m_neighbours.exchange())
+        return shares;
+    const Eigen::VectorXd received = m_neighbours.withReflections(direct.cwiseProduct(shares));
+    return (unshaded.array() > 0.0).select(received.array() / unshaded.array(), 1.0);
 }
 
 Eigen::VectorXd RigGeometry::roughViewFactors(const Vector6d& q) const {

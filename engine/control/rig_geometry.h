@@ -4,6 +4,7 @@
 
 #include "engine/control/robot_limits.h"
 #include "engine/radiation/interaction_matrix.h"
+#include "engine/radiation/neighbours.h"
 
 #include <Eigen/Core>
 
@@ -20,7 +21,8 @@ inline constexpr double kRotationLength_m = 0.1;
 /// about a hundredth of it in a tenth of the time. Without shade both are the same.
 enum class Shade { Exact, Rough };
 
-/// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
+/// View factors of all objects, with what the neighbours reflect (see Neighbours), and their derivatives by
+/// the six pose coordinates (1/m, 1/rad).
 struct ViewFactors {
     Eigen::VectorXd F;                           ///< N
     Eigen::Matrix<double, Eigen::Dynamic, 6> dF; ///< N x 6
@@ -37,10 +39,11 @@ struct Clearance {
 /// the robot's base R; the source is at X_RS.
 class RigGeometry {
 public:
-    /// `mountings` are X_EO as pose coordinates, one for each shape. Throws std::invalid_argument if the
-    /// lengths differ.
+    /// `mountings` are X_EO as pose coordinates, one for each shape; `fronts` are the objects' materials: if
+    /// empty, objects exchange nothing with one another. Throws std::invalid_argument if the lengths differ.
     RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
-                const RobotLimits& limits, const Pose& X_RS = Pose::Identity());
+                const RobotLimits& limits, const Pose& X_RS = Pose::Identity(),
+                const std::vector<FaceMaterial>& fronts = {});
 
     /// Returns the same rig with its source at another pose. Shares the contours: cheap enough for every
     /// sample.
@@ -78,14 +81,19 @@ public:
     /// Returns whether a step to `to` is allowed under these limits. A limit that is already violated at
     /// `from` only forbids to go farther out.
     bool mayStep(const Vector6d& from, const Vector6d& to, const RobotLimits& limits) const;
+    /// Returns what the objects exchange with one another.
+    const Neighbours& neighbours() const { return m_neighbours; }
 
 private:
     Pose X_SE(const Vector6d& q) const;
+    /// Writes the values without shade and reflections into `F` (N).
+    void directViewFactors(const Pose& X_SE, Eigen::VectorXd& F) const;
 
     RadiatingContour m_source;
     RobotLimits m_limits;
     std::vector<int> m_free;
     MountedObjects m_mounted;
+    Neighbours m_neighbours;
     std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
     Pose m_X_RS;
     std::optional<Pose> m_X_SR; ///< empty if R and S are the same

@@ -1,5 +1,7 @@
 #include "engine/control/steady_search.h"
 
+#include "engine/control/steady_states.h"
+
 #include "engine/control/bounded_least_squares.h"
 #include "engine/control/velocity_solve.h"
 
@@ -54,6 +56,11 @@ SteadySearch::SteadySearch(std::shared_ptr<const RigGeometry> geometry,
     if (static_cast<int>(m_rates.size()) != m_geometry->objects())
         throw std::invalid_argument("SteadySearch: one rate an object");
     m_T_K = m_lookup->table();
+    if (m_geometry->neighbours().exchange()) {
+        for (Eigen::Index k = 0; k < m_T_K.rows(); ++k)
+            m_T_K.row(k) = steadyAt_K(m_T_K.row(k).matrix().transpose()).transpose().array();
+        return;
+    }
     for (Eigen::Index i = 0; i < m_T_K.cols(); ++i) {
         const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
         if (rate.air.isZero())
@@ -69,6 +76,10 @@ SteadySearch::Gradient SteadySearch::at(const Vector6d& q) const {
 
 SteadySearch::Gradient SteadySearch::withTemperatures(ViewFactors now) const {
     Gradient out{steadyAt_K(now.F), std::move(now.dF)};
+    if (m_geometry->neighbours().exchange()) {
+        out.dT = steadySlopes_K(m_rates, m_geometry->neighbours(), out.T_K) * out.dT;
+        return out;
+    }
     for (Eigen::Index i = 0; i < now.F.size(); ++i) {
         const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
         out.dT.row(i) *= rate.lambda1 / rate.lossSlope_1_s(out.T_K[i]);
@@ -77,10 +88,7 @@ SteadySearch::Gradient SteadySearch::withTemperatures(ViewFactors now) const {
 }
 
 Eigen::VectorXd SteadySearch::steadyAt_K(const Eigen::VectorXd& F) const {
-    Eigen::VectorXd T_K(F.size());
-    for (Eigen::Index i = 0; i < F.size(); ++i)
-        T_K[i] = m_rates[static_cast<std::size_t>(i)].steadyTemperature_K(std::max(0.0, F[i]));
-    return T_K;
+    return steadyTemperatures_K(m_rates, m_geometry->neighbours(), F.cwiseMax(0.0));
 }
 
 SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start, Shade shade) const {

@@ -24,7 +24,7 @@ GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axe
 Bench::Bench(const SimulatedRigConfig& rig, const BenchDevices& devices)
     : m_config(rig), m_devices(devices), m_axes(devices.axes, rig.robot.start),
       m_robot(grblConfig(rig, m_axes)), m_source(rig.source), m_objects(mountedObjects(rig)),
-      m_plant(plantObjects(rig), rig.sourceModel, rig.environment_K, rig.air) {
+      m_plant(thermalPlant(rig, m_objects)) {
     if (devices.thermometer) {
         m_module = std::make_unique<ModbusSimulator>();
         m_module->addThermometer(devices.thermometerUnit, *devices.thermometer, rig.environment_K);

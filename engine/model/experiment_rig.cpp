@@ -5,12 +5,14 @@ namespace bask {
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
     std::vector<Shape> shapes;
     std::vector<Vector6d> mountings;
+    std::vector<FaceMaterial> fronts;
     for (const ObjectSpec& object : experiment.objects) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
+        fronts.push_back({object.material.emittance, object.material.absorptance});
     }
     return std::make_shared<RigGeometry>(experiment.source.shape, shapes, mountings, experiment.robot,
-                                         poseFromCoordinates(experiment.source.pose));
+                                         poseFromCoordinates(experiment.source.pose), fronts);
 }
 
 Surroundings surroundingsOf(const Experiment& experiment, double environment_K) {

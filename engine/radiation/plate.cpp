@@ -34,32 +34,6 @@ PlateOutline outlineFor(const Shape& shape, double tolerance) {
     return {SightOutline(shape, corners), polygonError(*contour, reach_m, corners)};
 }
 
-Contour mirrored(const Contour& ring) {
-    Contour result = ring;
-    std::ranges::reverse(result.points_m);
-    for (Eigen::Vector2d& point : result.points_m)
-        point.y() = -point.y();
-    return result;
-}
-
-Shape mirrored(const Shape& shape) {
-    Shape outline = Disk{};
-    if (const auto* disk = outlineAs<Disk>(shape)) {
-        outline = *disk;
-    } else if (const auto* polygon = outlineAs<Contour>(shape)) {
-        outline = mirrored(*polygon);
-    } else { // x - iy, backwards: the conjugates of the coefficients, in place
-        std::vector<std::complex<double>> coefficients = outlineAs<FourierContour>(shape)->coefficients();
-        for (std::complex<double>& coefficient : coefficients)
-            coefficient = std::conj(coefficient);
-        outline = FourierContour(std::move(coefficients));
-    }
-    std::vector<Contour> holes;
-    for (const Contour& hole : holesOf(shape))
-        holes.push_back(mirrored(hole));
-    return withHoles(outline, std::move(holes));
-}
-
 // A smooth outline, scaled towards its origin: Gauss' rule of two nodes for the weight t, and even steps
 // round.
 void addSmooth(const Shape& outline, std::vector<FaceNode>& nodes) {

@@ -14,7 +14,7 @@
 namespace bask {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr int kMaxPanels = 20000; // for a Fourier outline: a limit for points that almost lie on it
 
 /// The element. With r = s - p, F = -1/(2 pi) loop of n . (r x dr)/|r|^2 over the outline of the part with
@@ -87,7 +87,7 @@ double circulation(const Disk& disk, const Element& element) {
     if (middle <= -tilt)
         return 0.0;
     if (middle >= tilt)
-        return arc.share(-kPi, kPi);
+        return arc.share(-pi, pi);
     // Visible is the arc of +-half about the direction of the normal.
     const double direction = std::atan2(element.n.y(), element.n.x());
     const double half = std::acos(-middle / tilt);
@@ -268,7 +268,7 @@ double pointFactor(const Shape& source, const Eigen::Vector3d& p_SP, const Eigen
         return 0.0;
     const Element element{p_SP, normal_S / length};
     const double loop = std::visit([&](const auto& s) { return circulation(s, element); }, source);
-    return std::clamp(-loop / (2.0 * kPi), 0.0, 1.0);
+    return std::clamp(-loop / (2.0 * pi), 0.0, 1.0);
 }
 
 } // namespace bask

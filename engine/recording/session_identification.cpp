@@ -60,15 +60,28 @@ void HeatRecords::add(const TraceSample& sample) {
     if (size() >= kMax)
         thin();
     const double strength = power_W_m2(sample.source_K) / power_W_m2(m_source.temperature_K);
+    const Eigen::VectorXd neighbours_K4 = neighbourGains_K4(sample);
     for (std::size_t i = 0; i < m_records.size(); ++i) {
         const ObjectSample& row = sample.objects[i];
         std::vector<HeatSample>& record = m_records[i];
         HeatSample added{sample.time_s, row.measured_K, row.viewFactor, strength, row.valid};
+        added.neighbours_K4 = neighbours_K4[static_cast<Eigen::Index>(i)];
         if (!record.empty())
             added.meanViewFactor = m_since_s[i] / (sample.time_s - record.back().time_s);
         record.push_back(added);
         m_since_s[i] = 0.0;
     }
+}
+
+/// A neighbour whose temperature is not known counts as one that rests in the room.
+Eigen::VectorXd HeatRecords::neighbourGains_K4(const TraceSample& sample) const {
+    Eigen::VectorXd excess_K4(static_cast<Eigen::Index>(m_records.size()));
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+        const double rest_K4 = m_environmentShares[i] * std::pow(m_options.environment_K, 4);
+        const double T_K = sample.objects[i].estimated_K;
+        excess_K4[static_cast<Eigen::Index>(i)] = std::isfinite(T_K) ? std::pow(T_K, 4) - rest_K4 : 0.0;
+    }
+    return m_geometry->neighbours().gains_K4(excess_K4);
 }
 
 void HeatRecords::integrate(const TraceSample& before, const TraceSample& sample) {

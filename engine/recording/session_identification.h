@@ -38,6 +38,7 @@ private:
     double power_W_m2(double T1_K) const;
     /// Adds the integrals of the view factors from the sample before, which ended at `before`.
     void integrate(const TraceSample& before, const TraceSample& sample);
+    Eigen::VectorXd neighbourGains_K4(const TraceSample& sample) const;
     void thin();
 
     double m_until_s;

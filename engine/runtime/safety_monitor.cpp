@@ -95,7 +95,8 @@ SensorLimits sensorLimits(const Experiment& experiment) {
 }
 
 SafetyMonitor::SafetyMonitor(const Experiment& experiment)
-    : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K), m_coldAfter_s(0.0) {
+    : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K),
+      m_neighbours(rigGeometry(experiment)->neighbours()), m_coldAfter_s(0.0) {
     const Surroundings surroundings = surroundingsOf(experiment);
     for (const ObjectSpec& object : experiment.objects) {
         const HeatRates rates = startRates(object, surroundings);
@@ -103,7 +104,7 @@ SafetyMonitor::SafetyMonitor(const Experiment& experiment)
         const double timeConstant_s = rates.withoutAir().timeConstant_s(experiment.environment_K);
         const LossRange losses = lossRange(rates, object.material.emittance, experiment.environment_K);
         m_objects.push_back(
-            {WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K), rates.lambda1});
+            {WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K), rates});
         m_coldAfter_s = std::max(m_coldAfter_s, kCoolingTimes * timeConstant_s);
     }
 }
@@ -191,8 +192,16 @@ void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
 }
 
 double SafetyMonitor::power_K_s(std::size_t i, const SafetyObservation& seen) const {
-    return seen.isSourceDark ? 0.0
-                             : m_objects[i].lambda1_K_s * seen.sourceStrength * seen.objects[i].viewFactor;
+    const HeatRates& rates = m_objects[i].rates;
+    const double fromSource =
+        seen.isSourceDark ? 0.0 : rates.lambda1 * seen.sourceStrength * seen.objects[i].viewFactor;
+    if (!m_neighbours.exchange())
+        return fromSource;
+    Eigen::VectorXd excess_K4 = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(m_objects.size()));
+    for (std::size_t j = 0; j < m_objects.size(); ++j)
+        if (const auto& measured_K = seen.objects[j].measured_K) // else as one that rests in the room
+            excess_K4[static_cast<Eigen::Index>(j)] = std::pow(*measured_K, 4) - m_objects[j].rates.rest_K4();
+    return fromSource + rates.lambda2 * m_neighbours.gains_K4(excess_K4)[static_cast<Eigen::Index>(i)];
 }
 
 std::vector<double> SafetyMonitor::powers_K_s(const SafetyObservation& seen) const {

@@ -4,10 +4,12 @@
 #include "engine/base/message.h"
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
+#include "engine/radiation/neighbours.h"
 #include "engine/runtime/quiet_watch.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/source_watch.h"
 #include "engine/runtime/warming_watch.h"
+#include "engine/thermal/heat_balance.h"
 
 #include <limits>
 #include <optional>
@@ -160,7 +162,7 @@ private:
     };
     struct ObjectWatch {
         WarmingWatch warming;
-        double lambda1_K_s;
+        HeatRates rates; ///< as estimated
         std::optional<double> frozenAt_K{};
         double frozenSince_s = 0.0;
         QuietWatch quiet{};
@@ -187,6 +189,7 @@ private:
     Experiment m_experiment;
     std::vector<ObjectWatch> m_objects;
     SourceWatch m_source;
+    Neighbours m_neighbours;
     double m_coldAfter_s; ///< after this time without heat all objects are at the room's temperature
     double m_lastHeat_s = -1e300;
     double m_now_s = 0.0;

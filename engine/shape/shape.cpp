@@ -104,6 +104,35 @@ Shape shapeOfFit(const FourierFit& fit, const std::vector<Contour>& holes) {
     return withHoles(fit.contour, std::move(moved));
 }
 
+namespace {
+
+Contour mirroredContour(Contour contour) {
+    for (Eigen::Vector2d& p : contour.points_m)
+        p.y() = -p.y();
+    std::ranges::reverse(contour.points_m);
+    return contour;
+}
+
+} // namespace
+
+Shape mirrored(const Shape& shape) {
+    return std::visit(Overloaded{[](const Disk& disk) -> Shape { return disk; },
+                                 [](const FourierContour& series) -> Shape { // conj z(-phi)
+                                     std::vector<std::complex<double>> coefficients = series.coefficients();
+                                     for (std::complex<double>& c : coefficients)
+                                         c = std::conj(c);
+                                     return FourierContour(std::move(coefficients));
+                                 },
+                                 [](const Contour& polygon) -> Shape { return mirroredContour(polygon); },
+                                 [](const PiercedShape& pierced) {
+                                     std::vector<Contour> holes;
+                                     for (const Contour& hole : pierced.holes)
+                                         holes.push_back(mirroredContour(hole));
+                                     return withHoles(mirrored(withHoles(pierced, {})), std::move(holes));
+                                 }},
+                      shape);
+}
+
 double shapeArea(const Shape& shape) {
     return std::visit(Overloaded{[](const Disk& d) { return std::numbers::pi * d.radius_m * d.radius_m; },
                                  [](const FourierContour& c) { return c.area(); },

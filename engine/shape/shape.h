@@ -57,6 +57,9 @@ Result<void> checkHole(const Contour& hole, const std::vector<Eigen::Vector2d>& 
 /// centroid.
 Shape shapeOfFit(const FourierFit& fit, const std::vector<Contour>& holes);
 
+/// Returns the shape as seen from its other side: y becomes -y, and it is counter-clockwise again.
+Shape mirrored(const Shape& shape);
+
 double shapeArea(const Shape& shape);      ///< m2, without the holes
 double shapePerimeter(const Shape& shape); ///< m, of the outline without holes
 /// Returns area over perimeter, m: the characteristic length of a plate in natural convection.

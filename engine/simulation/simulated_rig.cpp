@@ -5,13 +5,6 @@
 
 namespace bask {
 
-std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
-    std::vector<PlantObject> objects;
-    for (const SimulatedObject& object : config.objects)
-        objects.push_back({object.material, config.environment_K, shapeCharacteristicLength(object.shape)});
-    return objects;
-}
-
 MountedObjects mountedObjects(const SimulatedRigConfig& config) {
     std::vector<MountedContour> objects;
     for (const SimulatedObject& object : config.objects)
@@ -19,11 +12,22 @@ MountedObjects mountedObjects(const SimulatedRigConfig& config) {
     return MountedObjects(std::move(objects));
 }
 
+ThermalPlant thermalPlant(const SimulatedRigConfig& config, const MountedObjects& objects) {
+    std::vector<PlantObject> plates;
+    std::vector<FaceMaterial> fronts;
+    for (const SimulatedObject& object : config.objects) {
+        plates.push_back({object.material, config.environment_K, shapeCharacteristicLength(object.shape)});
+        fronts.push_back({object.material.emittance, object.material.absorptance});
+    }
+    return {std::move(plates), config.sourceModel, config.environment_K, config.air,
+            Neighbours(objects, fronts)};
+}
+
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
-    : m_config(config), m_plant(plantObjects(config), config.sourceModel, config.environment_K, config.air),
+    : m_config(config), m_objects(mountedObjects(config)), m_plant(thermalPlant(config, m_objects)),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
-      m_camera(config.camera), m_sourceContour(config.source), m_objects(mountedObjects(config)),
+      m_camera(config.camera), m_sourceContour(config.source),
       m_X_RS(poseFromCoordinates(config.sourcePose)) {
     m_F.assign(m_objects.size(), 0.0);
     m_isHot.assign(m_objects.size(), false);

@@ -39,10 +39,10 @@ struct SimulatedRigConfig {
     double viewFactorTolerance = 1e-8;
 };
 
-/// Returns the objects as the plant needs them, at the temperature of the environment.
-std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config);
 /// Returns the objects on the end-effector, as they shade one another.
 MountedObjects mountedObjects(const SimulatedRigConfig& config);
+/// Returns the plant of these objects, at the temperature of the environment.
+ThermalPlant thermalPlant(const SimulatedRigConfig& config, const MountedObjects& objects);
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).
 /// Its motion starts when the heat comes on, each time from the first pose; without heat it does not move.
@@ -84,6 +84,7 @@ private:
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
+    MountedObjects m_objects;
     ThermalPlant m_plant;
     SimulatedRobot m_robot;
     SimulatedThermometer m_thermometer;
@@ -91,7 +92,6 @@ private:
     SimulatedSourceTracker m_tracker;
     SimulatedCamera m_camera;
     RadiatingContour m_sourceContour;
-    MountedObjects m_objects;
     Pose m_X_RS;
     bool m_heated = false; ///< whether it was heated in the last step
     double m_heatedSince_s = 0.0;

@@ -2,6 +2,7 @@
 
 #include "engine/base/units.h"
 #include "engine/control/controller_catalogue.h"
+#include "engine/control/steady_states.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/studies/study_random.h"
 
@@ -49,9 +50,8 @@ std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry
     for (int attempt = 0; attempt < kPosesPerSource; ++attempt) {
         const Vector6d q = drawAllowedPose(random, geometry, experiment.start);
         const Eigen::VectorXd F = geometry.viewFactorsFast(q);
-        std::vector<double> targets_K;
-        for (std::size_t i = 0; i < rates.size(); ++i)
-            targets_K.push_back(rates[i].steadyTemperature_K(F[static_cast<Eigen::Index>(i)]));
+        const Eigen::VectorXd steady_K = steadyTemperatures_K(rates, geometry.neighbours(), F);
+        std::vector<double> targets_K(steady_K.begin(), steady_K.end());
         if (std::ranges::min(targets_K) >= experiment.environment_K + kAlarmMinRise_K &&
             std::ranges::max(targets_K) <= kAlarmMaxTarget_K)
             return targets_K;

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/control/pose_lookup.h"
+#include "engine/control/steady_states.h"
 #include "engine/control/velocity_solve.h"
 #include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
@@ -54,9 +55,8 @@ void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig
     for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
         drawn.goal = drawAllowedPose(random, geometry, rig.start);
         const Eigen::VectorXd F = geometry.viewFactors(drawn.goal).F;
-        drawn.targets_K.clear();
-        for (std::size_t i = 0; i < rates.size(); ++i)
-            drawn.targets_K.push_back(rates[i].steadyTemperature_K(F[static_cast<Eigen::Index>(i)]));
+        const Eigen::VectorXd steady_K = steadyTemperatures_K(rates, geometry.neighbours(), F);
+        drawn.targets_K.assign(steady_K.begin(), steady_K.end());
         if (std::ranges::min(drawn.targets_K) >= rig.environment_K + kStudyRise_K)
             return;
     }

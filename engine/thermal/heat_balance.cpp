@@ -114,6 +114,10 @@ double HeatRates::timeConstant_s(double T_K) const {
     return 1.0 / lossSlope_1_s(T_K);
 }
 
+HeatRates HeatRates::inWarmerRoom(double gain_K4) const {
+    return {lambda1, lambda2, lambda3 + lambda2 * gain_K4, air};
+}
+
 HeatRates HeatRates::scaled(double heating, double losses) const {
     return {lambda1 * heating, lambda2 * losses, lambda3 * losses, air.scaled(losses)};
 }

@@ -103,6 +103,11 @@ struct HeatRates {
     /// Returns rates with other heating, and with all losses (and what the room gives) in the same proportion
     /// to one another: h and the emittance are known better than m c / A.
     HeatRates scaled(double heating, double losses) const;
+    /// Returns the fourth power of the temperature at which radiation alone lets the object rest in the room,
+    /// K4.
+    double rest_K4() const { return lambda3 / lambda2; }
+    /// Returns the rates in a room whose temperature's fourth power is higher by this, K4: see Neighbours.
+    HeatRates inWarmerRoom(double gain_K4) const;
     /// Returns the rates of radiation alone.
     HeatRates withoutAir() const { return {lambda1, lambda2, lambda3}; }
 

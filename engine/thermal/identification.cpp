@@ -74,7 +74,7 @@ Eigen::VectorXd quantities(const IntegralProblem& problem, const IntegralFit& fi
         double loss = 0.0;
         for (std::size_t c = 0; c < problem.columns().size(); ++c)
             loss -= fit.parameters[static_cast<Eigen::Index>(c)] *
-                    problem.term(problem.columns()[c], T_K, environment_K);
+                    problem.term(problem.columns()[c], T_K, environment_K, 0.0);
         return loss;
     };
     const Eigen::Index p = fit.parameters.size();

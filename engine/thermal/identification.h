@@ -20,6 +20,7 @@ struct HeatSample {
     bool valid = true;           ///< temperature_K is a fresh reading
     /// Mean view factor since the row before; NaN: that of a straight line between the two.
     double meanViewFactor = std::numeric_limits<double>::quiet_NaN();
+    double neighbours_K4 = 0.0; ///< by which neighbours raise the room's T^4, see Neighbours
 };
 
 struct IdentificationOptions {
@@ -68,8 +69,8 @@ struct IdentifiedRates {
 
 /// Fits the integral of the heat balance over two windows [t0, t0 + w] of the record, or more of ten minutes,
 ///
-///   T(t) = T0 + lambda1 (int s F + d s (F(t) - F(t0))) - lambda2 int T^4 + lambda3 (t - t0) - h' int (T -
-///   T3),
+///   T(t) = T0 + lambda1 (int s F + d s (F(t) - F(t0))) - lambda2 int (T^4 - neighbours) + lambda3 (t - t0) -
+///   h' int (T - T3),
 ///
 /// with its own T0 in each window and one time d by which all readings come before or after the view factors.
 /// The integral form needs no differentiated temperature: a difference quotient of two readings dt apart

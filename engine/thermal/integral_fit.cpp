@@ -93,14 +93,14 @@ double IntegralProblem::meanHeating(std::size_t k) const {
     return next.meanViewFactor * 0.5 * (m_record[k].sourceStrength + next.sourceStrength);
 }
 
-double IntegralProblem::term(FitColumn column, double T_K, double environment_K) const {
+double IntegralProblem::term(FitColumn column, double T_K, double environment_K, double neighbours_K4) const {
     switch (column) {
     case FitColumn::Cooling: {
         const double rest_K4 =
             m_options.freeAmbient ? 0.0 : fourth(environment_K) * m_options.environmentShare;
         AirLoss air = m_options.airPerLambda2;
         air.air_K = environment_K;
-        return -(fourth(T_K) - rest_K4 + (m_options.convection ? 0.0 : air.rate_K_s(T_K)));
+        return -(fourth(T_K) - rest_K4 - neighbours_K4 + (m_options.convection ? 0.0 : air.rate_K_s(T_K)));
     }
     case FitColumn::Rest:
         return 1.0;
@@ -123,8 +123,10 @@ IntegralProblem::Row IntegralProblem::integrals(std::size_t a, std::size_t b) co
             sum = heating(b) - heating(a);
         else
             sum = 0.5 * dt_s *
-                  (term(m_columns[c], m_record[a].temperature_K, m_options.environment_K) +
-                   term(m_columns[c], m_record[b].temperature_K, m_options.environment_K));
+                  (term(m_columns[c], m_record[a].temperature_K, m_options.environment_K,
+                        m_record[a].neighbours_K4) +
+                   term(m_columns[c], m_record[b].temperature_K, m_options.environment_K,
+                        m_record[b].neighbours_K4));
         out[static_cast<Eigen::Index>(c)] = sum;
     }
     return out;

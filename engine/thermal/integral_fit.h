@@ -64,9 +64,9 @@ public:
     double heating(std::size_t k) const { return m_record[k].viewFactor * m_record[k].sourceStrength; }
     /// Returns the mean of s F between row k and the next.
     double meanHeating(std::size_t k) const;
-    /// Returns the term that a column's rate is multiplied by, but for Heating and Delay, at this temperature
-    /// and with this room, 1, K or K4.
-    double term(FitColumn column, double T_K, double environment_K) const;
+    /// Returns the term that a column's rate is multiplied by, but for Heating and Delay, at this
+    /// temperature, with this room and what neighbours add to its T^4, 1, K or K4.
+    double term(FitColumn column, double T_K, double environment_K, double neighbours_K4) const;
 
 private:
     using Row = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1>; ///< one entry for each column

@@ -49,11 +49,14 @@ double SyntheticRecords::step(std::size_t k, double T_K, double environment_K) c
     const double dt_s = m_record[k + 1].time_s - m_record[k].time_s;
     const double first = m_problem.heating(k), last = m_problem.heating(k + 1);
     const double bulge = 6.0 * m_problem.meanHeating(k) - 3.0 * (first + last);
+    const double neighboursFirst_K4 = m_record[k].neighbours_K4,
+                 neighboursLast_K4 = m_record[k + 1].neighbours_K4;
     const auto rate = [&](double at, double T) {
+        const double neighbours_K4 = neighboursFirst_K4 + (neighboursLast_K4 - neighboursFirst_K4) * at;
         double sum = m_lambda1 * (first + (last - first) * at + bulge * at * (1.0 - at));
         for (std::size_t c = 0; c < m_problem.columns().size(); ++c)
             sum += m_fit.parameters[static_cast<Eigen::Index>(c)] *
-                   m_problem.term(m_problem.columns()[c], T, environment_K);
+                   m_problem.term(m_problem.columns()[c], T, environment_K, neighbours_K4);
         return sum;
     };
     const double slope_1_s = std::abs(rate(0.0, T_K + 0.5) - rate(0.0, T_K - 0.5));

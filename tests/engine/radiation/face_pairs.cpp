@@ -5,29 +5,6 @@
 namespace bask::test {
 namespace {
 
-Shape mirrored(const Shape& shape) {
-    if (const auto* polygon = std::get_if<Contour>(&shape)) {
-        Contour result;
-        for (const Eigen::Vector2d& p : polygon->points_m)
-            result.points_m.emplace_back(p.x(), -p.y());
-        std::ranges::reverse(result.points_m);
-        return result;
-    }
-    if (const auto* fourier = std::get_if<FourierContour>(&shape)) {
-        auto c = fourier->coefficients();
-        for (auto& one : c)
-            one = std::conj(one);
-        return FourierContour(c);
-    }
-    if (const auto* pierced = std::get_if<PiercedShape>(&shape)) {
-        std::vector<Contour> holes;
-        for (const Contour& hole : pierced->holes)
-            holes.push_back(std::get<Contour>(mirrored(hole)));
-        return withHoles(mirrored(withHoles(shape, {})), holes);
-    }
-    return shape;
-}
-
 // Where the outline crosses the plane through `p` with the normal `n`, along `direction`, in order.
 std::vector<double> crossings(const Shape& shape, const Pose& X, const Eigen::Vector3d& p,
                               const Eigen::Vector3d& n, const Eigen::Vector3d& direction) {

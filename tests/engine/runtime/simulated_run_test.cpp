@@ -218,6 +218,88 @@ TEST(Air, AVerdictCountsWhatTheExperimentStates) {
     EXPECT_NE(jointVerdict(experiment).reason.code, MessageCode::TargetAboveCeiling);
 }
 
+/// Two disks, tilted towards each other, with targets that a pose holds.
+Experiment tiltedNeighbours() {
+    Experiment experiment = example("three-objects.json");
+    experiment.source.emittance = 0.9;
+    experiment.objects.resize(2);
+    for (std::size_t i = 0; i < 2; ++i) {
+        ObjectSpec& object = experiment.objects[i];
+        object.shape = Disk{0.02};
+        object.origin = {};
+        object.mounting = Vector6d::Zero();
+        object.mounting[kX] = i == 0 ? -0.025 : 0.025;
+        object.mounting[kThetaY] = i == 0 ? -0.7 : 0.7;
+    }
+    return experiment;
+}
+
+// Catches a verdict that knows nothing of what neighbours give one another, or counts it twice.
+TEST(NeighboursOnARig, AVerdictCountsWhatTheyExchange) {
+    Experiment experiment = tiltedNeighbours();
+    const Vector6d goal(0.02, 0.01, 0.12, 0.1, 0.0, 0.0);
+    const auto plantAt = [&](const Vector6d& pose) {
+        const SimulatedRigConfig config = simulatedRigConfig(experiment);
+        const MountedObjects objects = mountedObjects(config);
+        const RadiatingContour source(config.source);
+        std::vector<double> F;
+        for (std::size_t i = 0; i < objects.size(); ++i)
+            F.push_back(objects.viewFactorValue(source, i, poseFromCoordinates(pose), 1e-8));
+        ThermalPlant plant = thermalPlant(config, objects);
+        const Surroundings surroundings = trueSurroundings(experiment, experiment.source.temperature_K);
+        for (int k = 0; k < 4000; ++k)
+            plant.advance(1.0, F, surroundings.netSourcePower_W_m2);
+        return std::vector<double>{plant.temperature_K(0), plant.temperature_K(1)};
+    };
+    const std::vector<double> held_K = plantAt(goal);
+    for (std::size_t i = 0; i < 2; ++i)
+        experiment.objects[i].target_K = held_K[i];
+    const JointVerdict verdict = jointVerdict(experiment);
+    ASSERT_TRUE(verdict.feasible);
+    const std::vector<double> steady_K = plantAt(verdict.pose);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(steady_K[i], held_K[i], kReachedWithin_K) << i;
+        EXPECT_NEAR(verdict.steady_K[i], steady_K[i], 0.01) << i;
+        // It is worth counting.
+        const HeatRates alone = nominalRates(experiment, experiment.environment_K)[i];
+        const double F = rigGeometry(experiment)->viewFactors(verdict.pose).F[static_cast<Eigen::Index>(i)];
+        EXPECT_GT(steady_K[i], alone.steadyTemperature_K(F) + 1.0) << i;
+    }
+
+    SimulatedRunOptions options;
+    options.duration_s = 1200.0;
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome);
+    EXPECT_TRUE(outcome->settled);
+    for (const ObjectOutcome& object : outcome->objects)
+        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+}
+
+// Catches rates that take what a neighbour gives for what the source gives, or for a smaller loss.
+TEST(NeighboursOnARig, AreNotTakenForOtherRates) {
+    Experiment experiment = tiltedNeighbours();
+    experiment.objects[0].target_K = kelvinFromCelsius(60.0);
+    experiment.objects[1].target_K = kelvinFromCelsius(40.0);
+    const JointVerdict verdict = jointVerdict(experiment);
+    for (std::size_t i = 0; i < 2; ++i)
+        experiment.objects[i].target_K = verdict.nearest_K[i];
+    std::vector<HeatRates> last;
+    SimulatedRunOptions options;
+    options.duration_s = 1200.0;
+    options.progress = [&](double, const TraceSample& sample) {
+        last.clear();
+        for (const ObjectSample& object : sample.objects)
+            last.push_back({object.lambda1, object.lambda2, 0.0});
+    };
+    ASSERT_TRUE(runSimulated(experiment, options));
+    const std::vector<HeatRates> rates = trueRates(experiment);
+    ASSERT_EQ(last.size(), rates.size());
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_NEAR(last[i].lambda1 / rates[i].lambda1, 1.0, 0.03) << i;
+        EXPECT_NEAR(last[i].lambda2 / rates[i].lambda2, 1.0, 0.03) << i;
+    }
+}
+
 // Catches a prediction that simulates still air although the experiment states moving air.
 TEST(Air, APredictionHasTheAirThatTheExperimentStates) {
     Experiment experiment = example("three-objects.json");

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace bask {
 namespace {
@@ -69,6 +70,31 @@ TEST(ThermalPlant, AFoilIsStiffButNotUnstable) {
     const double balance = 0.9 * 2000.0 - 0.9 * 5.670374419e-8 * (std::pow(T, 4) - std::pow(kRoom_K, 4)) -
                            1000.0 * (T - kRoom_K);
     EXPECT_NEAR(balance, 0.0, 1e-6);
+}
+
+// Two plates face each other, 2 cm apart at 80 and 30 degC: what one gives the other gets.
+TEST(ThermalPlant, NeighboursExchangeRadiation) {
+    const double hot_K = 353.15, cold_K = 303.15;
+    const Pose turned(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
+    const MountedObjects plates({{RadiatingContour(Disk{0.1}), turned},
+                                 {RadiatingContour(Disk{0.1}), Pose(Eigen::Translation3d(0, 0, 0.02))}});
+    const auto rates_W_m2 = [&](const Neighbours& neighbours) -> Eigen::Vector2d {
+        ThermalPlant plant({{kPainted, hot_K}, {kPainted, cold_K}}, SourceModel::Gray, kRoom_K, {},
+                           neighbours);
+        plant.advance(0.01, {0.0, 0.0}, 0.0);
+        return Eigen::Vector2d(plant.temperature_K(0) - hot_K, plant.temperature_K(1) - cold_K) / 0.01 *
+               kPainted.arealHeatCapacity_J_m2K();
+    };
+    const Neighbours facing(plates, {{0.9, 0.9}, {0.9, 0.9}});
+    const Eigen::Vector2d gained = rates_W_m2(facing) - rates_W_m2({});
+    constexpr double kSigma = 5.670374419e-8;
+    const double f = 0.8190; // closed form of equal coaxial disks, a fifth of the radius apart
+    const double hot = kSigma * (std::pow(hot_K, 4) - std::pow(kRoom_K, 4)),
+                 cold = kSigma * (std::pow(cold_K, 4) - std::pow(kRoom_K, 4));
+    const double all = 1.0 - std::pow(f * 0.1, 2);
+    EXPECT_NEAR(gained[1], 0.9 * f * 0.9 * (hot + 0.1 * f * cold) / all, 0.5);
+    EXPECT_NEAR(gained[0], 0.9 * f * 0.9 * (cold + 0.1 * f * hot) / all, 0.5);
+    EXPECT_GT(gained[1], 250.0);
 }
 
 TEST(SimulatedRobot, MovesAtTheAskedVelocityUntilItExpires) {
