@@ -143,6 +143,7 @@ template <class Found> void rootsOf(const Conic& f, const Found& found) {
 // Ascends with the angle from 0 to kWholeTurn.
 constexpr double kWholeTurn = 4.0;
 constexpr double kSameCut = 1e-13; // between two cuts at one place
+constexpr double kEdgeOn = 1e-12;  // of a figure's size: nearer to its plane, a point sees nothing of it
 double angleOrder(const Eigen::Vector2d& u) {
     return u.y() >= 0.0 ? 1.0 - u.x() : 3.0 + u.x();
 }
@@ -734,8 +735,11 @@ ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
         seen.h = -seen.figure->n.dot(back);
         seen.circleCuts.clear();
         seen.edgeCuts.clear();
-        if (seen.isTarget && seen.h == 0.0)
+        if (std::abs(seen.h) > kEdgeOn * seen.figure->reach())
+            continue;
+        if (seen.isTarget)
             return look;
+        seen.isActive = false;
     }
     for (std::size_t a = 0; a < m_seen.size(); ++a)
         for (std::size_t b = a + 1; b < m_seen.size(); ++b) {

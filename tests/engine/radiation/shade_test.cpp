@@ -237,6 +237,29 @@ TEST(Shade, countsOverlappingShadowsOnce) {
     expectGradients(scene, 2e-4);
 }
 
+// From the middle of a tilted object's edge, a plate beside it is seen from the edge: to rounding, from above
+// or from below.
+TEST(Shade, isRightForAPlateSeenFromItsEdge) {
+    const RadiatingContour source(Disk{0.1}), object(square(0.04)), plate(Disk{0.02});
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> angle(0.5, 1.0), tilt(-0.15, 0.15);
+    for (int i = 0; i < 100; ++i) {
+        const Pose X_SE =
+            poseFromRotationVector(Vector3d(-0.05, 0.0, 0.06), {tilt(random), angle(random), 0.0});
+        const Pose X_EO = poseFromRotationVector(Vector3d(0.0, 0.0, 0.0), {tilt(random), 0.0, 0.0});
+        const auto shaded = [&](double lift_m) {
+            const Blocker beside{plate, X_SE * at(0.045, 0.01, lift_m)};
+            return shadedViewFactor(source, object, X_SE * X_EO, {&beside, 1},
+                                    {.unshaded = {}, .tolerance = 1e-6});
+        };
+        const ShadedViewFactor even = shaded(0.0), lifted = shaded(1e-8);
+        EXPECT_LT(even.errorEstimate, 2e-6);
+        EXPECT_LT(even.value, even.unshaded);
+        EXPECT_NEAR(even.value, lifted.value, 5e-6);
+        EXPECT_TRUE(even.gradientRigid.allFinite());
+    }
+}
+
 // Catches: a shield that moves with the end-effector although it stands with the source.
 TEST(Shade, letsAShieldStand) {
     ShadedScene scene{RadiatingContour(Disk{0.1}),
