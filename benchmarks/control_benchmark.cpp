@@ -113,6 +113,42 @@ void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool a
         state.counters["feasible"] = jointFeasibility(request)->feasible ? 1.0 : 0.0;
 }
 
+/// The same where the objects shade one another: three heights, and tilts. 300 ms at most, and 1 s for the
+/// look-up. Baseline: the same objects in one plane.
+std::optional<FeasibilityRequest> requestAtHeights(benchmark::State& state, bool inOnePlane) {
+    auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
+    if (!experiment) {
+        state.SkipWithError(describe(experiment.error()).c_str());
+        return std::nullopt;
+    }
+    if (!inOnePlane) {
+        experiment->objects[1].mounting[kZ] = 0.02;
+        experiment->objects[1].mounting[kThetaX] = radFromDeg(8.0);
+        experiment->objects[2].mounting[kZ] = -0.015;
+        experiment->objects[2].mounting[kThetaX] = radFromDeg(-10.0);
+    }
+    return feasibilityRequest(*experiment);
+}
+
+void feasibilityAtHeights(benchmark::State& state, bool inOnePlane, const std::vector<double>& targets_degC) {
+    auto request = requestAtHeights(state, inOnePlane);
+    if (!request)
+        return;
+    for (std::size_t i = 0; i < targets_degC.size(); ++i)
+        request->targets_K[i] = kelvinFromCelsius(targets_degC[i]);
+    request->lookup = feasibilityLookup(request->geometry, request->rest);
+    for (auto _ : state)
+        state.counters["feasible"] = jointFeasibility(*request)->feasible ? 1.0 : 0.0;
+}
+
+void lookUpAtHeights(benchmark::State& state, bool inOnePlane) {
+    const auto request = requestAtHeights(state, inOnePlane);
+    if (!request)
+        return;
+    for (auto _ : state)
+        benchmark::DoNotOptimize(feasibilityLookup(request->geometry, request->rest));
+}
+
 /// Baseline: the best of a grid of 1.5 million poses, without gradients. How far off it still is: best_K.
 void feasibilityByGrid(benchmark::State& state) {
     const auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
@@ -182,6 +218,17 @@ BASK_FEASIBILITY(triangle, "three-objects.json", false);
 BASK_FEASIBILITY(triangleAtHand, "three-objects.json", true);
 BASK_FEASIBILITY(line, "three-objects-in-line.json", false);
 BASK_FEASIBILITY(lineAtHand, "three-objects-in-line.json", true);
+#define BASK_AT_HEIGHTS(function, name, ...)                                                                 \
+    BENCHMARK_CAPTURE(function, name##OnePlane, true __VA_OPT__(, ) __VA_ARGS__)                             \
+        ->Unit(benchmark::kMillisecond)                                                                      \
+        ->UseRealTime();                                                                                     \
+    BENCHMARK_CAPTURE(function, name##ThreeHeights, false __VA_OPT__(, ) __VA_ARGS__)                        \
+        ->Unit(benchmark::kMillisecond)                                                                      \
+        ->UseRealTime()
+BASK_AT_HEIGHTS(feasibilityAtHeights, feasible, std::vector{40.0, 40.0, 40.0});
+BASK_AT_HEIGHTS(feasibilityAtHeights, notTogether, std::vector{60.0, 60.0, 60.0});
+BASK_AT_HEIGHTS(feasibilityAtHeights, tooFarApart, std::vector{85.0, 30.0, 60.0});
+BASK_AT_HEIGHTS(lookUpAtHeights, lookUp);
 BENCHMARK(feasibilityByGrid)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
 

@@ -72,11 +72,12 @@ ViewFactors RigGeometry::viewFactors(const Vector6d& q, Shade shade, const std::
     return out;
 }
 
-Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
+Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q, const std::vector<bool>& wanted) const {
     const Pose X = X_SE(q);
-    Eigen::VectorXd F(objects());
-    for (int i = 0; i < objects(); ++i)
-        F[i] = m_mounted.viewFactorValue(m_source, static_cast<std::size_t>(i), X, kTableTolerance);
+    Eigen::VectorXd F = Eigen::VectorXd::Zero(objects());
+    for (std::size_t i = 0; i < m_mounted.size(); ++i)
+        if (wanted.empty() || wanted[i] || m_neighbours.exchange())
+            F[static_cast<Eigen::Index>(i)] = m_mounted.viewFactorValue(m_source, i, X, kTableTolerance);
     return m_neighbours.withReflections(F);
 }
 

@@ -42,6 +42,18 @@ Vector6d repaired(const RigGeometry& geometry, Vector6d q) {
     }
 }
 
+std::vector<bool> wantedBy(const SteadyAim& aim) {
+    std::vector<bool> wanted;
+    for (Eigen::Index i = 0; i < aim.rows.cols(); ++i)
+        wanted.push_back(!aim.rows.col(i).isZero());
+    return wanted;
+}
+
+/// One combination, to be as small or as large as it can be.
+bool isForExtreme(const SteadyAim& aim) {
+    return aim.rows.rows() == 1;
+}
+
 double costOf(const SteadyAim& aim, const Vector6d& q, const Eigen::VectorXd& residual) {
     return residual.squaredNorm() + aim.pull.cwiseAbs2().dot((q - aim.towards).cwiseAbs2());
 }
@@ -98,22 +110,28 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start, Sha
 }
 
 // Space mapping (J. Bandler et al., 1994): the rough temperatures plus what they miss at the last pose are as
-// good as the exact ones near it, so few exact ones are needed.
+// good as the exact ones near it, so few exact ones are needed. Where a single combination does not get as
+// far as wanted, it does not get there by what is missed either: a shift does not move its extreme.
 SteadyPose SteadySearch::madeExact(const SteadyAim& aim, SteadyPose found) const {
     constexpr int kRounds = 6;
-    const double same_K = aim.rows.rows() == 1 ? 1e-3 : 1e-6;
+    constexpr double kSame_K = 1e-6, kShort_K = 1e-3;
+    const std::vector<bool> wanted = wantedBy(aim);
     SteadyPose best;
     best.cost_K2 = std::numeric_limits<double>::infinity();
     Eigen::VectorXd missed_K = Eigen::VectorXd::Zero(m_geometry->objects());
     for (int round = 0; round < kRounds; ++round) {
-        const Eigen::VectorXd T_K = steadyAt_K(m_geometry->viewFactorsFast(found.q));
+        const Eigen::VectorXd T_K = steadyAt_K(m_geometry->viewFactorsFast(found.q, wanted));
         const Eigen::VectorXd change_K = T_K - found.T_K;
         missed_K += change_K;
-        const double cost_K2 = costOf(aim, found.q, aim.rows * T_K - aim.wanted);
+        const Eigen::VectorXd roughly = aim.rows * found.T_K - aim.wanted,
+                              exactly = aim.rows * T_K - aim.wanted;
+        const double cost_K2 = costOf(aim, found.q, exactly);
         const bool isBetter = cost_K2 < best.cost_K2;
+        const bool isExtreme =
+            isForExtreme(aim) && std::abs(roughly[0]) > kShort_K && roughly[0] * exactly[0] > 0.0;
         if (isBetter)
             best = {found.q, T_K, cost_K2};
-        if (!isBetter || stopped() || change_K.cwiseAbs().maxCoeff() < same_K)
+        if (!isBetter || isExtreme || stopped() || change_K.cwiseAbs().maxCoeff() < kSame_K)
             break;
         found = descend(aim, found.q, missed_K);
     }
@@ -127,9 +145,7 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
     const auto& free = m_geometry->freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Vector6d q = start;
-    std::vector<bool> wanted;
-    for (Eigen::Index i = 0; i < aim.rows.cols(); ++i)
-        wanted.push_back(!aim.rows.col(i).isZero());
+    const std::vector<bool> wanted = wantedBy(aim);
     const auto lookAt = [&](const Vector6d& pose) {
         Gradient seen = withTemperatures(m_geometry->viewFactors(pose, Shade::Rough, wanted));
         seen.T_K += missed_K;
@@ -182,8 +198,6 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
         if (damping > 1e6)
             break;
     }
-    if (m_geometry->mayShade()) // the others', too
-        now.T_K = steadyAt_K(m_geometry->roughViewFactors(q)) + missed_K;
     return {q, now.T_K, cost_K2};
 }
 
@@ -220,7 +234,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
     // A rough pose this much worse than the best one is not worth the exact shade. Of extremes of one
     // condition, only the best rough one is made exact.
     constexpr double kRough_K = 0.1;
-    const bool mayShade = m_geometry->mayShade(), isExtreme = aim.rows.rows() == 1;
+    const bool mayShade = m_geometry->mayShade(), isExtreme = isForExtreme(aim);
     const double rough_K = kRough_K * aim.rows.cwiseAbs().maxCoeff();
     std::vector<Vector6d> madeAlready;
     const auto isMade = [&](const Vector6d& q) {

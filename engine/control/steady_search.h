@@ -22,7 +22,7 @@ struct SteadyAim {
 /// A pose and the steady temperatures of the objects there.
 struct SteadyPose {
     Vector6d q = Vector6d::Zero(); ///< in R
-    Eigen::VectorXd T_K;           ///< N
+    Eigen::VectorXd T_K;           ///< N; without meaning for objects in no row of the aim
     double cost_K2 = 0.0;          ///< squared residual of the aim
 };
 
