@@ -88,6 +88,8 @@ private:
 constexpr double kHalfStep = 0.098491403357164253; // tan(pi / 32): from a middle to its samples
 
 /// Newton's method between two points where the function has opposite signs, halving where it leaves them.
+/// The error after a step is like the step's square.
+constexpr double kLastStep = 1e-8;
 template <class F, class Slope>
 double rootBetween(const F& f, const Slope& slope, double a, double fa, double b, double fb) {
     double t = (a * fb - b * fa) / (fb - fa);
@@ -95,9 +97,10 @@ double rootBetween(const F& f, const Slope& slope, double a, double fa, double b
         const double value = f(t);
         ((value > 0.0) == (fa > 0.0) ? a : b) = t;
         double next = t - value / slope(t);
-        if (!(next >= a && next <= b))
+        const bool isNewton = next >= a && next <= b;
+        if (!isNewton)
             next = 0.5 * (a + b);
-        if (std::abs(next - t) < 1e-15)
+        if (std::abs(next - t) < (isNewton ? kLastStep : 1e-15))
             return next;
         t = next;
     }
@@ -743,7 +746,7 @@ ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
     }
     for (std::size_t a = 0; a < m_seen.size(); ++a)
         for (std::size_t b = a + 1; b < m_seen.size(); ++b) {
-            if (!m_seen[a].isActive || !m_seen[b].isActive)
+            if (!m_seen[a].isActive || !m_seen[b].isActive || !mayOverlap(m_seen[a], m_seen[b]))
                 continue;
             const bool roundA = m_seen[a].figure->isCircle(), roundB = m_seen[b].figure->isCircle();
             const bool edgesA = !m_seen[a].figure->edges().empty(),

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 
 namespace bask {
@@ -22,35 +23,37 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kStep = 0.7;    // of the smallest plate's size
 constexpr double kNudge = 1e-11; // of a plate's size
 
-// Gauss-Kronrod rules on [0, 1] (R. Piessens et al., QUADPACK).
+// Rules on [0, 1], each with the nodes of the one before (T. Patterson, The optimum addition of points to
+// quadrature formulae, Math. Comp. 22, 1968): of 1, 3, 7 and 15 nodes.
 struct Node {
-    double at, weight, gauss; ///< `gauss`: weight of the Gauss rule inside
+    double at, weight;
+    double before, beforeThat; ///< weights of the two rules inside
 };
 constexpr std::array<Node, 7> kSeven{{
-    {0.019754365645989858288, 0.052328113013233632597, 0.0},
-    {0.11270166537925831148, 0.13424404493416672036, 0.27777777777777777778},
-    {0.282878125326598721, 0.20069870738798111145, 0.0},
-    {0.5, 0.22545826932923707117, 0.44444444444444444444},
-    {0.717121874673401279, 0.20069870738798111145, 0.0},
-    {0.88729833462074168852, 0.13424404493416672036, 0.27777777777777777778},
-    {0.98024563435401014171, 0.052328113013233632597, 0.0},
+    {0.01975436564598985829, 0.052328113013233632597, 0.0, 0.0},
+    {0.11270166537925831148, 0.13424404493416672036, 0.27777777777777777778, 0.0},
+    {0.282878125326598721, 0.20069870738798111145, 0.0, 0.0},
+    {0.5, 0.22545826932923707117, 0.44444444444444444444, 1.0},
+    {0.717121874673401279, 0.20069870738798111145, 0.0, 0.0},
+    {0.88729833462074168852, 0.13424404493416672036, 0.27777777777777777778, 0.0},
+    {0.98024563435401014171, 0.052328113013233632597, 0.0, 0.0},
 }};
 constexpr std::array<Node, 15> kFifteen{{
-    {0.0042723144395936803966, 0.011467661005264612482, 0.0},
-    {0.025446043828620737737, 0.031546046314989276645, 0.064742483084434846635},
-    {0.067567788320115463605, 0.05239500516112509192, 0.0},
-    {0.12923440720030278007, 0.070326629857762959373, 0.13985269574463833395},
-    {0.20695638226615443485, 0.084502363319633951413, 0.0},
-    {0.29707742431130141655, 0.095175289032392704957, 0.19091502525255947248},
-    {0.3961075224960507662, 0.10221647003764944621, 0.0},
-    {0.5, 0.10474107054236391401, 0.20897959183673469388},
-    {0.6038924775039492338, 0.10221647003764944621, 0.0},
-    {0.70292257568869858345, 0.095175289032392704957, 0.19091502525255947248},
-    {0.79304361773384556515, 0.084502363319633951413, 0.0},
-    {0.87076559279969721993, 0.070326629857762959373, 0.13985269574463833395},
-    {0.93243221167988453639, 0.05239500516112509192, 0.0},
-    {0.97455395617137926226, 0.031546046314989276645, 0.064742483084434846635},
-    {0.9957276855604063196, 0.011467661005264612482, 0.0},
+    {0.003084018393622488895, 0.00850085981497013017, 0.0, 0.0},
+    {0.01975436564598985829, 0.02580164149853986985, 0.052328113013233632597, 0.0},
+    {0.055770383563871500555, 0.046463597657562268845, 0.0, 0.0},
+    {0.11270166537925831148, 0.06720762762189211018, 0.13424404493416672036, 0.27777777777777777778},
+    {0.18944852663138679853, 0.085755954568195690395, 0.0, 0.0},
+    {0.282878125326598721, 0.100314264688494510515, 0.20069870738798111145, 0.0},
+    {0.388306656785516559185, 0.1095784292007937482, 0.0, 0.0},
+    {0.5, 0.112755249899103343695, 0.22545826932923707117, 0.44444444444444444444},
+    {0.611693343214483440815, 0.1095784292007937482, 0.0, 0.0},
+    {0.717121874673401279, 0.100314264688494510515, 0.20069870738798111145, 0.0},
+    {0.81055147336861320147, 0.085755954568195690395, 0.0, 0.0},
+    {0.88729833462074168852, 0.06720762762189211018, 0.13424404493416672036, 0.27777777777777777778},
+    {0.944229616436128499445, 0.046463597657562268845, 0.0, 0.0},
+    {0.98024563435401014171, 0.02580164149853986985, 0.052328113013233632597, 0.0},
+    {0.996915981606377511105, 0.00850085981497013017, 0.0, 0.0},
 }};
 
 /// A smooth part of an outline in S, with a parameter from 0 to 1.
@@ -131,7 +134,8 @@ struct Panel {
     bool changesFrom = false, changesTo = false;
     std::size_t outline = 0;
     const Curve* curve = nullptr;
-    bool isFine = false; ///< of fifteen nodes, not seven
+    bool isFine = false;             ///< of fifteen nodes, not seven
+    std::optional<std::size_t> kept; ///< its seven nodes
     Sum sum;
     double error = 0.0;      ///< estimated, of the stretch
     double difference = 0.0; ///< of two rules: what the error hardly exceeds
@@ -153,6 +157,7 @@ public:
         for (int attempt = 0; attempt < kTries; ++attempt, step_m *= 0.25, m_precision *= 0.1) {
             m_step_m = step_m;
             m_panels.clear();
+            m_kept.clear();
             for (std::size_t k = 0; k < m_outlines.size(); ++k)
                 for (const Curve& curve : m_outlines[k].curves)
                     addPanels(k, curve);
@@ -199,6 +204,7 @@ private:
                 panel.isFine = true;
                 evaluate(panel);
             } else {
+                panel.kept.reset();
                 Panel right = panel;
                 panel.to = right.from = 0.5 * (panel.from + panel.to);
                 panel.changesTo = right.changesFrom = false;
@@ -307,48 +313,64 @@ private:
         }
     }
 
-    void evaluate(Panel& panel) {
+    /// What a node adds to the integrals, but for the rule's weight.
+    struct Share {
+        Vector3d arm = Vector3d::Zero(), force = Vector3d::Zero();
+    };
+
+    Share shareAt(const Panel& panel, double u) {
         Outline& outline = m_outlines[panel.outline];
-        Sum sum;
-        double size = 0.0, gauss = 0.0, middle = 0.0;
         const double length = panel.to - panel.from;
+        double slope = 1.0;
+        // A root (t - t0)^(3/2) at an end becomes a cube.
+        if (panel.changesFrom && panel.changesTo) {
+            slope = 6.0 * u * (1.0 - u);
+            u *= u * (3.0 - 2.0 * u);
+        } else if (panel.changesFrom) {
+            slope = 2.0 * u;
+            u *= u;
+        } else if (panel.changesTo) {
+            slope = 2.0 * (1.0 - u);
+            u *= 2.0 - u;
+        }
+        const auto [p, step] = panel.curve->at(panel.from + length * u);
+        if (!isSeen(outline, p))
+            return {};
+        ++m_points;
+        const Vector3d eye = panel.curve->lookout(p, step);
+        Vector3d field = Vector3d::Zero();
+        for (Outline::Part& part : outline.parts)
+            field += part.sign * part.field.at(eye, true).field;
+        return {p - m_p_SO, step.cross(field) * (length * slope / kPi)};
+    }
+
+    void evaluate(Panel& panel) {
         const std::span<const Node> rule =
             panel.isFine ? std::span<const Node>(kFifteen) : std::span<const Node>(kSeven);
-        for (const Node& node : rule) {
-            // A root (t - t0)^(3/2) at an end becomes a cube.
-            double u = node.at, slope = 1.0;
-            if (panel.changesFrom && panel.changesTo) {
-                slope = 6.0 * u * (1.0 - u);
-                u *= u * (3.0 - 2.0 * u);
-            } else if (panel.changesFrom) {
-                slope = 2.0 * u;
-                u *= u;
-            } else if (panel.changesTo) {
-                slope = 2.0 * (1.0 - u);
-                u *= 2.0 - u;
+        Sum sum;
+        double size = 0.0, before = 0.0, beforeThat = 0.0;
+        for (std::size_t i = 0; i < rule.size(); ++i) {
+            const Node& node = rule[i];
+            const bool isKnown = panel.isFine && panel.kept && i % 2 == 1;
+            const Share share = isKnown ? m_kept[*panel.kept][i / 2] : shareAt(panel, node.at);
+            if (!panel.isFine) {
+                if (i == 0) {
+                    panel.kept = m_kept.size();
+                    m_kept.emplace_back();
+                }
+                m_kept.back()[i] = share;
             }
-            const auto [p, step] = panel.curve->at(panel.from + length * u);
-            if (!isSeen(outline, p))
-                continue;
-            ++m_points;
-            const Vector3d eye = panel.curve->lookout(p, step);
-            Vector3d field = Vector3d::Zero();
-            for (Outline::Part& part : outline.parts)
-                field += part.sign * part.field.at(eye, true).field;
-            const Vector3d force = step.cross(field) * (length * slope / kPi);
-            const Vector3d arm = p - m_p_SO;
-            const double value = arm.dot(force);
-            sum.add(node.weight, arm, force);
-            gauss += node.gauss * value;
-            if (node.at == 0.5)
-                middle = value;
+            const double value = share.arm.dot(share.force);
+            sum.add(node.weight, share.arm, share.force);
+            before += node.before * value;
+            beforeThat += node.beforeThat * value;
             size += node.weight * std::abs(value);
         }
         panel.sum = sum;
-        // The differences between the rules of 1, n and 2n + 1 nodes fall; so will the next.
-        const double before = std::abs(gauss - middle);
-        panel.difference = std::abs(sum.stretch - gauss);
-        const double ratio = before > 0.0 ? std::min(1.0, kCaution * panel.difference / before) : 1.0;
+        // The differences between the rules fall; so will the next.
+        panel.difference = std::abs(sum.stretch - before);
+        const double last = std::abs(before - beforeThat);
+        const double ratio = last > 0.0 ? std::min(1.0, kCaution * panel.difference / last) : 1.0;
         panel.error =
             std::max(panel.difference * ratio, 16.0 * std::numeric_limits<double>::epsilon() * size);
     }
@@ -363,6 +385,7 @@ private:
     double m_step_m = 0.0;
     bool m_startFine = false;
     std::vector<Panel> m_panels;
+    std::vector<std::array<Share, kSeven.size()>> m_kept;
     int m_points = 0;
 };
 
