@@ -42,6 +42,8 @@ Vector6d repaired(const RigGeometry& geometry, Vector6d q) {
     }
 }
 
+constexpr double kAlmostNone = 1e-6; // gain of a step, relative
+
 std::vector<bool> wantedBy(const SteadyAim& aim) {
     std::vector<bool> wanted;
     for (Eigen::Index i = 0; i < aim.rows.cols(); ++i)
@@ -105,7 +107,7 @@ Eigen::VectorXd SteadySearch::steadyAt_K(const Eigen::VectorXd& F) const {
 
 SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start, Shade shade) const {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_geometry->objects());
-    const SteadyPose found = descend(aim, start, none);
+    const SteadyPose found = descend(aim, start, none, kAlmostNone);
     return shade == Shade::Exact && m_geometry->mayShade() ? madeExact(aim, found) : found;
 }
 
@@ -133,15 +135,17 @@ SteadyPose SteadySearch::madeExact(const SteadyAim& aim, SteadyPose found) const
             best = {found.q, T_K, cost_K2};
         if (!isBetter || isExtreme || stopped() || change_K.cwiseAbs().maxCoeff() < kSame_K)
             break;
-        found = descend(aim, found.q, missed_K);
+        found = descend(aim, found.q, missed_K, kAlmostNone);
     }
     return best;
 }
 
-SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
-                                 const Eigen::VectorXd& missed_K) const {
+SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start, const Eigen::VectorXd& missed_K,
+                                 double gain) const {
     constexpr int kIterations = 60;
     constexpr double kExact_K2 = 1e-12;
+    constexpr double kTrusted = 1e-2; // damping up to which a step is about the best one
+    const bool mayShade = m_geometry->mayShade();
     const auto& free = m_geometry->freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Vector6d q = start;
@@ -156,7 +160,7 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
     const Vector6d pull2 = aim.pull.cwiseAbs2();
     double cost_K2 = costOf(aim, q, residual);
     double damping = 1e-3;
-    int still = 0; // number of steps in a row with almost no gain
+    int still = 0; // number of steps in a row without this gain
     for (int i = 0; i < kIterations && still < 3 && !stopped(); ++i) {
         if (cost_K2 < kExact_K2)
             break;
@@ -175,6 +179,9 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
         Eigen::VectorXd h;
         stepLimits(*m_geometry, q, G, h);
         const Eigen::VectorXd y = solveBounded(H, f, G, h).y;
+        const double expected_K2 = y.dot(2.0 * f - H * y);
+        if (mayShade && damping < kTrusted && expected_K2 < gain * cost_K2)
+            break;
         Vector6d next = q;
         for (Eigen::Index k = 0; k < n; ++k)
             next[free[static_cast<std::size_t>(k)]] += y[k];
@@ -187,7 +194,7 @@ SteadyPose SteadySearch::descend(const SteadyAim& aim, const Vector6d& start,
             Eigen::VectorXd left = aim.rows * there.T_K - aim.wanted;
             if (const double after_K2 = costOf(aim, next, left); after_K2 < cost_K2) {
                 better = true;
-                still = after_K2 > (1.0 - 1e-6) * cost_K2 ? still + 1 : 0;
+                still = after_K2 > (1.0 - gain) * cost_K2 ? still + 1 : 0;
                 cost_K2 = after_K2;
                 q = next;
                 now = std::move(there);
@@ -231,16 +238,17 @@ std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) c
 }
 
 SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2) const {
-    // A rough pose this much worse than the best one is not worth the exact shade. Of extremes of one
-    // condition, only the best rough one is made exact.
-    constexpr double kRough_K = 0.1;
+    // With shade, a first descent ends where it gains little, and a pose this much worse than the best one is
+    // worth no second descent or no exact shade. Of extremes of one condition, only the best one is.
+    constexpr double kFirst_K = 1.0, kRough_K = 0.1, kLittle = 0.01;
+    constexpr double kNear = 3e-3, kSame = 1e-3; // m, rad
     const bool mayShade = m_geometry->mayShade(), isExtreme = isForExtreme(aim);
-    const double rough_K = kRough_K * aim.rows.cwiseAbs().maxCoeff();
-    std::vector<Vector6d> madeAlready;
-    const auto isMade = [&](const Vector6d& q) {
-        constexpr double kSame = 1e-3; // m, rad
+    const double scale = aim.rows.cwiseAbs().maxCoeff();
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_geometry->objects());
+    std::vector<Vector6d> firstEnds, madeAlready;
+    const auto isIn = [](const std::vector<Vector6d>& poses, const Vector6d& q, double apart) {
         return std::ranges::any_of(
-            madeAlready, [&](const Vector6d& other) { return (q - other).cwiseAbs().maxCoeff() < kSame; });
+            poses, [&](const Vector6d& other) { return (q - other).cwiseAbs().maxCoeff() < apart; });
     };
     SteadyPose best;
     best.cost_K2 = std::numeric_limits<double>::infinity();
@@ -250,9 +258,16 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
         const bool enough = tried % kBatch == 0 && best.cost_K2 <= enough_K2;
         if (tried++ > 0 && (stopped() || enough)) // a stopped search also returns temperatures
             break;
-        SteadyPose found = refine(aim, start, Shade::Rough);
+        SteadyPose found = descend(aim, start, none, mayShade ? kLittle : kAlmostNone);
         if (mayShade && !isExtreme) {
-            if (std::sqrt(found.cost_K2) > std::sqrt(best.cost_K2) + rough_K || isMade(found.q))
+            const auto isFar = [&](double allowed_K) {
+                return std::sqrt(found.cost_K2) > std::sqrt(best.cost_K2) + allowed_K * scale;
+            };
+            if (isFar(kFirst_K) || isIn(firstEnds, found.q, kNear))
+                continue;
+            firstEnds.push_back(found.q);
+            found = descend(aim, found.q, none, kAlmostNone);
+            if (isFar(kRough_K) || isIn(madeAlready, found.q, kSame))
                 continue;
             madeAlready.push_back(found.q);
             found = madeExact(aim, std::move(found));
@@ -264,7 +279,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
             bestMargin_m = margin_m;
         }
     }
-    return mayShade && isExtreme ? madeExact(aim, std::move(best)) : best;
+    return mayShade && isExtreme ? madeExact(aim, descend(aim, best.q, none, kAlmostNone)) : best;
 }
 
 LimitDistance nearestLimit(const RigGeometry& geometry, const Vector6d& q) {

@@ -66,8 +66,10 @@ public:
 private:
     Gradient withTemperatures(ViewFactors now) const;
     Eigen::VectorXd steadyAt_K(const Eigen::VectorXd& F) const;
-    /// Searches with rough temperatures plus `missed_K` (N).
-    SteadyPose descend(const SteadyAim& aim, const Vector6d& start, const Eigen::VectorXd& missed_K) const;
+    /// Searches with rough temperatures plus `missed_K` (N). Ends when three steps in a row gain less than
+    /// this part of the cost.
+    SteadyPose descend(const SteadyAim& aim, const Vector6d& start, const Eigen::VectorXd& missed_K,
+                       double gain) const;
     SteadyPose madeExact(const SteadyAim& aim, SteadyPose found) const;
     std::vector<Vector6d> startsFor(const SteadyAim& aim, int count) const;
 
