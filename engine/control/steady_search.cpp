@@ -118,7 +118,7 @@ SteadyPose SteadySearch::madeExact(const SteadyAim& aim, SteadyPose found) const
     constexpr int kRounds = 6;
     constexpr double kSame_K = 1e-6, kShort_K = 1e-3;
     const std::vector<bool> wanted = wantedBy(aim);
-    SteadyPose best;
+    SteadyPose best = found;
     best.cost_K2 = std::numeric_limits<double>::infinity();
     Eigen::VectorXd missed_K = Eigen::VectorXd::Zero(m_geometry->objects());
     for (int round = 0; round < kRounds; ++round) {
