@@ -117,6 +117,10 @@ Eigen::VectorXd RigGeometry::roughViewFactors(const Vector6d& q) const {
     return F;
 }
 
+std::vector<TakenLight> RigGeometry::takenLight(const Vector6d& q) const {
+    return m_mounted.takenLight(m_source, X_SE(q));
+}
+
 std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {
     const Pose X_RE = poseFromCoordinates(q);
     const Eigen::Vector3d n = away();

@@ -72,6 +72,8 @@ public:
     /// Returns the share of the view factors `unshaded` (N) that the others leave to each object, with
     /// Shade::Rough.
     Eigen::VectorXd roughShares(const Vector6d& q, const Eigen::VectorXd& unshaded) const;
+    /// Returns what each object takes of the light of each other one: see MountedObjects::takenLight.
+    std::vector<TakenLight> takenLight(const Vector6d& q) const;
     /// Returns the clearance of the lowest point of each object.
     std::vector<Clearance> clearances(const Vector6d& q) const;
     /// Returns the smallest clearance of all objects, m.

@@ -7,11 +7,6 @@
 #include <algorithm>
 
 namespace bask {
-namespace {
-
-constexpr double kMinShadeTolerance = 1e-5;
-
-} // namespace
 
 MountedObjects::MountedObjects(std::vector<MountedContour> objects)
     : m_objects(std::move(objects)), m_inFront(m_objects.size()) {
@@ -25,10 +20,14 @@ MountedObjects::MountedObjects(std::vector<MountedContour> objects)
         }
 }
 
+Blocker MountedObjects::blocker(std::size_t i, const Pose& X_SE) const {
+    return {m_objects[i].contour, X_SE * m_objects[i].X_EO};
+}
+
 std::vector<Blocker> MountedObjects::blockersOf(std::size_t i, const Pose& X_SE) const {
     std::vector<Blocker> blockers;
     for (const std::size_t other : m_inFront[i])
-        blockers.push_back({m_objects[other].contour, X_SE * m_objects[other].X_EO});
+        blockers.push_back(blocker(other, X_SE));
     return blockers;
 }
 
@@ -36,7 +35,7 @@ ShadedViewFactor MountedObjects::shaded(const RadiatingContour& source, std::siz
                                         const ViewFactorOptions& options) const {
     ShadeOptions shade;
     shade.unshaded = options;
-    shade.tolerance = std::max(options.tolerance, kMinShadeTolerance);
+    shade.tolerance = std::max(options.tolerance, kShadeTolerance);
     shade.refusesCrossing = false;
     return shadedViewFactor(source, m_objects[i].contour, X_SE * m_objects[i].X_EO, blockersOf(i, X_SE),
                             shade);
@@ -70,6 +69,33 @@ double MountedObjects::roughShare(const RadiatingContour& source, std::size_t i,
     const double taken =
         roughShade(source, m_objects[i].contour, X_SE * m_objects[i].X_EO, blockersOf(i, X_SE));
     return std::clamp(1.0 - taken / unshaded, 0.0, 1.0);
+}
+
+std::vector<TakenLight> MountedObjects::takenLight(const RadiatingContour& source, const Pose& X_SE,
+                                                   double min) const {
+    constexpr double kOfShare = 1e-3;
+    constexpr double kMinTolerance = 1e-9; // of a view factor that hardly is one
+    std::vector<TakenLight> taken;
+    for (std::size_t i = 0; i < size(); ++i) {
+        if (m_inFront[i].empty())
+            continue;
+        const Pose X_SO = X_SE * m_objects[i].X_EO;
+        const double unshaded = bask::viewFactorValue(source, m_objects[i].contour, X_SO, kMinTolerance);
+        ShadeOptions options;
+        options.tolerance = std::max(kOfShare * unshaded, kMinTolerance);
+        options.refusesCrossing = false;
+        for (const std::size_t taker : m_inFront[i]) {
+            if (unshaded <= 0.0)
+                break;
+            const Blocker alone = blocker(taker, X_SE);
+            const ShadedViewFactor left =
+                shadedViewFactor(source, m_objects[i].contour, X_SO, {&alone, 1}, options);
+            const double share = std::clamp(1.0 - left.value / unshaded, 0.0, 1.0);
+            if (share > 0.0 && share >= min)
+                taken.push_back({i, taker, share});
+        }
+    }
+    return taken;
 }
 
 } // namespace bask

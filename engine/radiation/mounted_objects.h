@@ -14,6 +14,19 @@ struct MountedContour {
     Pose X_EO = Pose::Identity();
 };
 
+/// Error to which the shade is found, absolute, where less is not asked for.
+inline constexpr double kShadeTolerance = 1e-5;
+
+/// Shares below this are not worth a sentence.
+inline constexpr double kMinToldShare = 0.005;
+
+/// What one object takes of the light of another.
+struct TakenLight {
+    std::size_t object = 0;
+    std::size_t taker = 0;
+    double share = 0.0; ///< of the object's view factor without shade, in (0, 1]
+};
+
 /// Knows which objects may shade which: where nothing of the others lies in front of an object's face, as
 /// with objects in one plane, its view factor is viewFactor's own, bit for bit. Objects that pass through one
 /// another do not shade one another; nobody can build them. Immutable; thread-safe.
@@ -32,8 +45,8 @@ public:
     bool mayShade() const { return !std::ranges::all_of(m_inFront, &std::vector<std::size_t>::empty); }
 
     /// Returns the view factor of object i at the end-effector's pose X_SE, and its gradient for a motion of
-    /// the end-effector, about O's origin. The shade is found to max(options.tolerance, 1e-5). Throws as
-    /// viewFactor does.
+    /// the end-effector, about O's origin. The shade is found to max(options.tolerance, kShadeTolerance).
+    /// Throws as viewFactor does.
     ViewFactor viewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
                           const ViewFactorOptions& options = {}) const;
     /// Returns only the value, to an absolute tolerance.
@@ -46,7 +59,17 @@ public:
     /// Returns the share that the others leave, in [0, 1], of the view factor `unshaded`; 1 if that is zero.
     double roughShare(const RadiatingContour& source, std::size_t i, const Pose& X_SE, double unshaded) const;
 
+    /// Returns what each object takes of the light of each other object at the end-effector's pose X_SE, to
+    /// about 0.001: the share of the other's view factor without shade that it would lose if these two were
+    /// alone. Where shadows of several objects meet, each is charged with what lies in its own shadow, so the
+    /// shares of one object may add up to more than what is lost. Shares below `min` are left out, and so
+    /// are objects without a view factor. In the order of the objects, then of the takers. Throws as
+    /// viewFactor does.
+    std::vector<TakenLight> takenLight(const RadiatingContour& source, const Pose& X_SE,
+                                       double min = kMinToldShare) const;
+
 private:
+    Blocker blocker(std::size_t i, const Pose& X_SE) const;
     std::vector<Blocker> blockersOf(std::size_t i, const Pose& X_SE) const;
     ShadedViewFactor shaded(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
                             const ViewFactorOptions& options) const;

@@ -107,5 +107,43 @@ TEST(MountedObjects, AreRoughlyShadedByFixedRules) {
     EXPECT_LT(worstSlope, 0.1);
 }
 
+// Catches: a share of what is left instead of what there was, of the one that shades instead of the shaded,
+// or of all takers together. Coaxial disks: BEYOND.md's closed forms.
+TEST(MountedObjects, TellWhoTakesWhoseLight) {
+    const RadiatingContour source(Disk{0.08});
+    const Pose X_SE = mountedAt(0, 0, 0.1);
+    const MountedContour behind{RadiatingContour(Disk{0.015}), Pose::Identity()};
+    const MountedContour low{RadiatingContour(Disk{0.02}), mountedAt(0, 0, -0.06)};
+    const MountedContour high{RadiatingContour(Disk{0.02}), mountedAt(0, 0, -0.04)};
+    const MountedContour aside{RadiatingContour(Disk{0.01}), mountedAt(0.3, 0, -0.02)};
+    const double unshaded = viewFactorValue(source, behind.contour, X_SE);
+    const MountedObjects objects({low, behind, high, aside});
+    const std::vector<TakenLight> taken = objects.takenLight(source, X_SE);
+    const auto share = [&](std::size_t object, std::size_t taker) {
+        for (const TakenLight& each : taken)
+            if (each.object == object && each.taker == taker)
+                return each.share;
+        return 0.0;
+    };
+    EXPECT_NEAR(share(1, 0), 1.0 - 0.2918324772 / unshaded, 2e-3);
+    EXPECT_NEAR(share(1, 2), 1.0 - 0.203821211 / unshaded, 2e-3);
+    EXPECT_GT(share(2, 0), 0.3);
+    ASSERT_EQ(taken.size(), 3u) << "nothing of one that hides nobody";
+    EXPECT_EQ(taken[0].object, 1u);
+    EXPECT_EQ(taken[0].taker, 0u);
+    const double together = 1.0 - objects.viewFactorValue(source, 1, X_SE, 1e-6) / unshaded;
+    EXPECT_GT(share(1, 0) + share(1, 2), together + 0.1) << "each is charged with its own shadow";
+    EXPECT_EQ(objects.takenLight(source, X_SE, 0.55).size(), 1u);
+    EXPECT_TRUE(MountedObjects({low, aside}).takenLight(source, X_SE, 0.05).empty());
+}
+
+// Catches: a share told of an object that sees nothing of the source.
+TEST(MountedObjects, WhoHasNoLightLosesNone) {
+    const MountedObjects objects({{RadiatingContour(Disk{0.015}), mountedAt(0, 0, 0)},
+                                  {RadiatingContour(Disk{0.03}), mountedAt(0, 0, -0.03)}});
+    const Pose away = poseFromRotationVector({0, 0, 0.1}, {3.14159, 0, 0});
+    EXPECT_TRUE(objects.takenLight(RadiatingContour(Disk{0.08}), away).empty());
+}
+
 } // namespace
 } // namespace bask
