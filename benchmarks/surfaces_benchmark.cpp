@@ -47,6 +47,24 @@ BENCHMARK(fields)
     ->UseRealTime()
     ->Unit(benchmark::kMillisecond);
 
+/// The same objects 3 cm above one another, which shade one another; on a grid of so many cm.
+void shadedFields(benchmark::State& state) {
+    Experiment experiment = example();
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+        experiment.objects[i].mounting[kZ] = 0.03 * (1.0 - static_cast<double>(i));
+    TargetGeometry of = geometry(experiment);
+    of.axes = surfaceAxes(PoseSubset::Translation, experiment.robot,
+                          kSurfaceStep_m * static_cast<double>(state.range(0)));
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(targetFields(of));
+}
+BENCHMARK(shadedFields)
+    ->Name("target_fields_with_shade")
+    ->Arg(1)
+    ->Arg(2)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
 void surfaces(benchmark::State& state) {
     const Experiment experiment = example();
     const auto sampled = *targetFields(geometry(experiment));

@@ -89,6 +89,18 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
     const Shape source = experiment ? experiment->source.shape : presetSource();
     const Shape shape = object ? object->shape : presetObject();
     Request request{{RadiatingContour(source), RadiatingContour(shape), {}}, {}, {}};
+    const QString shade = parser.value("shade");
+    if (shade != "rough" && shade != "exact" && shade != "none")
+        return Error(MessageCode::ValueUnknown, "--shade", {shade.toStdString(), "rough, exact, none"});
+    request.field.isShadeRough = shade == "rough";
+    if (object != nullptr &&
+        shade != "none") { // the coordinates are the object's own; the others stand beside it
+        const Pose X_OE = poseFromCoordinates(object->mounting).inverse();
+        for (const ObjectSpec& other : experiment->objects)
+            if (&other != object)
+                request.field.others.push_back(
+                    {RadiatingContour(other.shape), X_OE * poseFromCoordinates(other.mounting)});
+    }
     if (quantity == "T")
         request.field.quantity = steadyTemperature(*experiment, *object);
     request.title = (object ? "object \"" + object->name + '"' : "disk of 15 mm radius") +
@@ -187,6 +199,12 @@ void warnOfUndefined(const Field& field) {
                      count, field.values.size(), count == 1 ? "has" : "have");
 }
 
+void tellOfShade(const Field& field) {
+    if (field.isShadeRough)
+        std::fprintf(stderr, "bask field: the shade of the other objects is rough, to about a hundredth of "
+                             "what they take; see --shade\n");
+}
+
 void warnOfUnreached(const Field& field) {
     if (field.unreachedSamples > 0)
         std::fprintf(stderr,
@@ -222,6 +240,7 @@ int sampleAndWrite(const Request& request) {
         return refuse(field.error());
     warnOfUndefined(**field);
     warnOfUnreached(**field);
+    tellOfShade(**field);
     if (!request.path.empty())
         if (const auto written = writeField(**field, request.path, request.title); !written)
             return refuse(written.error());
@@ -237,9 +256,12 @@ int fieldCommand(const QStringList& arguments) {
         "Samples the view factor of an object over the source on a grid of up to four of the coordinates\n"
         "x, y, z (m) and theta_x, theta_y, theta_z (rad, R = Rz Ry Rx) of the object's centre in the "
         "source's\n"
-        "frame, on all cores, and writes a VTK image for ParaView. The last line printed says how many "
-        "samples\n"
-        "were computed and how fast. Without -o nothing is written.");
+        "frame, on all cores, and writes a VTK image for ParaView. The other objects of the experiment go "
+        "along and "
+        "shade\n"
+        "it where they stand in its light. The last line printed says how many samples were computed and how "
+        "fast.\n"
+        "Without -o nothing is written.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "Source and objects; a preset needs none.",
                                  "[EXPERIMENT.json]");
@@ -255,8 +277,12 @@ int fieldCommand(const QStringList& arguments) {
           "a disk of 1.5 cm over a disk of 10 cm, unless EXPERIMENT and --object say otherwise.",
           "NAME"},
          {"quantity", "F, the view factor, or T, the steady temperature in K (needs an object).", "F|T", "F"},
+         {"shade",
+          "rough, exact or none: of the experiment's other objects. Rough is right to about a hundredth of "
+          "what they take; exact goes to 1e-5 and takes some ten to a hundred times as long.",
+          "SHADE", "rough"},
          {"gradient", "Also the derivatives of F by the six coordinates."},
-         {"tolerance", "Of F, absolute; 1e-9 unless given.", "NUMBER"},
+         {"tolerance", "Of F, absolute; 1e-9 unless given. The shade has its own.", "NUMBER"},
          {{"o", "output"}, "The file to write.", "FILE.vti"}});
     const bool parsed = parser.parse(QStringList{"bask"} + arguments);
     const auto given = parser.positionalArguments().size();

@@ -161,10 +161,13 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     if (!chosen)
         return chosen.error();
     const ObjectSpec& object = **chosen;
-    const MountedContour mounted{RadiatingContour(object.shape), poseFromCoordinates(object.mounting)};
     const SourceSpec& source = experiment->source;
     Request request{
-        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {mounted}, {}}, {}, {}, {}, {}};
+        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {}, {}}, {}, {}, {}, {}};
+    for (const ObjectSpec& each : experiment->objects)
+        request.geometry.objects.push_back(
+            {RadiatingContour(each.shape), poseFromCoordinates(each.mounting)});
+    request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +
@@ -231,6 +234,8 @@ int isosurfaceCommand(const QStringList& arguments) {
         "Writes the surfaces on which the end-effector gives an object a view factor or a steady "
         "temperature,\n"
         "in the robot's axes (m or rad), as VTK poly data for ParaView. Prints a line for each surface.\n"
+        "The other objects stand in its light where they are mounted so; this shade is rough "
+        "(docs/model.md).\n"
         "Without -o nothing is written. Exit code 3: the object has none of the values on the grid.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "Source, objects and robot.");

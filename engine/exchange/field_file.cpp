@@ -63,6 +63,8 @@ void explain(vtkDataSet* data, const Field& field, const std::string& title) {
     describeAxes(data, field);
     describeFixed(data, field);
     vtkfile::addNumbers(data, "tolerance", {field.tolerance});
+    if (field.isShadeRough)
+        vtkfile::addNumbers(data, "rough_shade", {1.0});
     vtkfile::addNumbers(data, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
     vtkfile::addNumbers(data, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
     vtkfile::addNumbers(data, "largest_error_estimate", {field.largestErrorEstimate});

@@ -24,7 +24,7 @@ Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis
 /// array (or pair) a step, "view_factor at theta_x=0.1 rad": VTK's own time steps of a .vti lose the image's
 /// origin and spacing when they are read (seen with VTK 9.1). Field data, so that the file explains itself:
 /// made_by, title, axis_names, axis_units, axis_first, axis_step, axis_count, held_names, held_units,
-/// held_values, tolerance, undefined_samples.
+/// held_values, tolerance, undefined_samples; rough_shade where the shade of other objects is rough.
 /// Errors: FileUnwritable, and those of checkFieldFile.
 Result<void> writeField(const Field& field, const std::string& path, const std::string& title);
 

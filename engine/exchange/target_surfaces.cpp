@@ -62,11 +62,18 @@ std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits,
 Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
                                                                const std::stop_token& stop) {
     std::vector<std::shared_ptr<const Field>> fields;
-    for (const MountedContour& object : geometry.objects) {
+    for (std::size_t i = 0; i < geometry.objects.size(); ++i) {
+        if (geometry.only && i != *geometry.only)
+            continue;
+        const MountedContour& object = geometry.objects[i];
         FieldRequest request{geometry.source, object.contour, geometry.axes,
                              geometry.fixed,  object.X_EO,    geometry.X_RS};
         request.tolerance = geometry.tolerance;
         request.minHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
+        request.isShadeRough = true;
+        for (std::size_t other = 0; other < geometry.objects.size(); ++other)
+            if (other != i)
+                request.others.push_back(geometry.objects[other]);
         auto field = sampleField(request, {.stop = stop});
         if (!field)
             return field.error();

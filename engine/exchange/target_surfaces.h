@@ -39,10 +39,13 @@ struct TargetGeometry {
     /// Poses that are a grid step too near for this clearance are left out, and so are the surfaces there.
     double clearance_m = 0.0;
     double tolerance = 1e-6; ///< of F; between samples the error of a surface is larger
+    /// The object whose field is wanted, the others only shade it; empty: the fields of all.
+    std::optional<std::size_t> only = {};
 };
 
-/// Returns the view factors of every object over the grid, one field for each. They are valid until the
-/// geometry changes: another target only needs other surfaces. Errors: those of sampleField. Throws
+/// Returns the view factors of every object over the grid, one field for each, with the rough shade of the
+/// other objects (see roughShadedViewFactor). They are valid until the geometry changes: another target only
+/// needs other surfaces. Errors: those of sampleField. Throws
 /// std::invalid_argument for ofOwnCentres over an angle.
 Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
                                                                const std::stop_token& stop = {});

@@ -105,6 +105,12 @@ struct Grid {
             for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
                 turns[a].push_back(turnBy(axis.at(i)));
         }
+        std::vector<MountedContour> mounted{{request.object, request.X_EO}};
+        mounted.insert(mounted.end(), request.others.begin(), request.others.end());
+        if (MountedObjects all(std::move(mounted)); !all.inFrontOf(0).empty()) {
+            held = std::move(all);
+            X_OE = request.X_EO.inverse();
+        }
         if (request.minHeight_m)
             outline = shapeOutline(request.object.shape(), kOutlinePoints);
     }
@@ -115,6 +121,8 @@ struct Grid {
     bool isMounted; ///< the same of X_EO
     std::vector<std::vector<Turn>> turns; ///< one list an axis, empty for a translation
     std::vector<Eigen::Vector2d> outline; ///< of the object, where its height matters
+    std::optional<MountedObjects> held;   ///< the object, then the others; empty if none may shade it
+    Pose X_OE = Pose::Identity();         ///< only where there is shade
     std::size_t samples = 1;
 };
 
@@ -277,7 +285,7 @@ private:
     Tally sample(std::size_t begin, std::size_t end) {
         const FieldQuantity& quantity = m_grid.request.quantity;
         // An estimate contains the error of the rule and of rounding.
-        const double reached = 1.01 * m_grid.request.tolerance;
+        const double reached = 1.01 * m_field.tolerance;
         Tally tally;
         Cursor cursor(m_grid, begin);
         for (std::size_t i = begin; i < end; ++i) {
@@ -306,6 +314,8 @@ private:
         if (cursor.isTooLow())
             return none();
         try {
+            if (m_grid.held)
+                return shadedAt(cursor, i, error);
             if (!request.withGradient)
                 return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance,
                                        &error);
@@ -318,6 +328,27 @@ private:
         } catch (const std::invalid_argument&) {
             return none();
         }
+    }
+
+    double shadedAt(const Cursor& cursor, std::size_t i, double& error) {
+        const FieldRequest& request = m_grid.request;
+        const MountedObjects& held = *m_grid.held;
+        const Pose X_SE = cursor.X_SO() * m_grid.X_OE;
+        if (request.isShadeRough && !request.withGradient) {
+            const double unshaded =
+                viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance, &error);
+            return unshaded * held.roughShare(request.source, 0, X_SE, unshaded);
+        }
+        if (request.isShadeRough) {
+            const RigidViewFactor factor = held.roughViewFactor(request.source, 0, X_SE, request.tolerance);
+            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
+            return factor.value;
+        }
+        const ViewFactor factor = held.viewFactor(request.source, 0, X_SE, {.tolerance = request.tolerance});
+        error = factor.errorEstimate;
+        if (request.withGradient)
+            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
+        return factor.value;
     }
 
     const Grid& m_grid;
@@ -360,7 +391,9 @@ Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, co
     field->fixed = request.fixed;
     field->quantity = request.quantity.name;
     field->unit = request.quantity.unit;
-    field->tolerance = request.tolerance;
+    field->tolerance =
+        grid.held && !request.isShadeRough ? std::max(request.tolerance, kShadeTolerance) : request.tolerance;
+    field->isShadeRough = grid.held && request.isShadeRough;
     field->values.resize(grid.samples);
     field->gradient.resize(request.withGradient ? 6 * grid.samples : 0);
     Sampling sampling(grid, run, *field);

@@ -2,13 +2,14 @@
 // View factors on a grid of poses: one to four of the six pose coordinates vary along axes, the others are
 // fixed.
 
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/mounted_objects.h"
 
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 namespace bask {
 
@@ -51,12 +52,18 @@ struct FieldRequest {
     /// Pose of the source in R, the frame of the coordinates: X_SO = X_RS^-1 * poseFromCoordinates(q) * X_EO.
     Pose X_RS = Pose::Identity();
     /// If set, samples in which a point of the object's outline is lower than this above the source's plane
-    /// (m) are left out (NaN): plates cannot pass through each other, and view factors there take long to
-    /// compute.
+    /// (m) are left out (NaN), whatever the others do: plates cannot pass through each other, and view
+    /// factors there take long to compute.
     std::optional<double> minHeight_m = {};
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
     FieldQuantity quantity = {};
+    /// The other objects on the end-effector, with the object's own X_EO: those of them that may stand in its
+    /// light are counted. Without such ones the field is that of the object alone, bit for bit.
+    std::vector<MountedContour> others = {};
+    /// Whether the shade is rough (see roughShadedViewFactor), for some ten times as many samples a second;
+    /// else it is found to max(tolerance, kShadeTolerance). The error of a rough shade is not estimated.
+    bool isShadeRough = false;
 };
 
 /// Samples in one block, the first axis fastest: sample (i, j, ...) is values[i + axes[0].count * (j + ...)].
@@ -65,7 +72,10 @@ struct Field {
     Vector6d fixed = Vector6d::Zero(); ///< as requested; only the coordinates without an axis are used
     std::string quantity;
     std::string unit;
-    double tolerance = 0.0;
+    double tolerance = 0.0; ///< as requested, or kShadeTolerance where the shade is found to that
+    /// Whether others may stand in the object's light, and how much they take is known roughly only: that is
+    /// not in the error estimates.
+    bool isShadeRough = false;
     std::vector<double> values;
     /// dF/dq by the six pose coordinates (1/m, 1/rad), six numbers for each sample; empty if not requested.
     std::vector<double> gradient;

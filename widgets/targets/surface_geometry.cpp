@@ -2,18 +2,32 @@
 
 namespace bask {
 
-TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed) {
-    const double step = subset == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m;
-    TargetGeometry geometry{.source = RadiatingContour(experiment.source.shape),
-                            .X_RS = poseFromCoordinates(experiment.source.pose),
-                            .objects = {},
-                            .axes = surfaceAxes(subset, experiment.robot, step),
-                            .fixed = fixed,
-                            .ofOwnCentres = subset == PoseSubset::OwnTranslation,
-                            .clearance_m = experiment.robot.clearance_m};
+namespace {
+
+std::vector<MountedContour> mountedContours(const Experiment& experiment) {
+    std::vector<MountedContour> objects;
     for (const ObjectSpec& object : experiment.objects)
-        geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    return geometry;
+        objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+    return objects;
+}
+
+} // namespace
+
+TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed,
+                               SurfaceGrid grid) {
+    const double step = (subset == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m) *
+                        (grid == SurfaceGrid::Coarse ? 2.0 : 1.0);
+    return {.source = RadiatingContour(experiment.source.shape),
+            .X_RS = poseFromCoordinates(experiment.source.pose),
+            .objects = mountedContours(experiment),
+            .axes = surfaceAxes(subset, experiment.robot, step),
+            .fixed = fixed,
+            .ofOwnCentres = subset == PoseSubset::OwnTranslation,
+            .clearance_m = experiment.robot.clearance_m};
+}
+
+bool mayShade(const Experiment& experiment) {
+    return MountedObjects(mountedContours(experiment)).mayShade();
 }
 
 std::vector<double> neededViewFactors(const JointVerdict& verdict) {

@@ -11,7 +11,15 @@
 
 namespace bask {
 
-TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed);
+/// Grids of the surfaces: the paper's, or one of twice its step, for a first look or for many frames where
+/// shade makes the fine one slow.
+enum class SurfaceGrid { Fine, Coarse };
+
+TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed,
+                               SurfaceGrid grid = SurfaceGrid::Fine);
+
+/// Returns whether an object may stand in the light of another: then fields take a second or two.
+bool mayShade(const Experiment& experiment);
 
 /// Returns the view factors that the verdict's targets need, one for each object.
 std::vector<double> neededViewFactors(const JointVerdict& verdict);

@@ -192,17 +192,25 @@ void SurfacesView::changeSpace() {
 }
 
 void SurfacesView::compute() {
+    computeOn(SurfaceGrid::Coarse);
+}
+
+/// On the coarse grid only what takes long on the fine one.
+void SurfacesView::computeOn(SurfaceGrid grid) {
     showControls();
     if (!ready() || !isVisible() || m_player->isSaving())
         return;
     const Vector6d fixed = fixedPose();
-    const bool same = m_fields && m_fieldsFixed == fixed && m_fieldsSubset == subset();
+    const bool same =
+        m_fields && m_fieldsFixed == fixed && m_fieldsSubset == subset() && m_fieldsGrid == SurfaceGrid::Fine;
     m_job.run(
-        [experiment = m_experiment, fixed, subset = subset(), known = same ? m_fields : nullptr,
+        [experiment = m_experiment, fixed, subset = subset(), known = same ? m_fields : nullptr, grid,
          viewFactors = neededViewFactors(*m_verdict)](const std::stop_token& stop) {
-            Answer answer{known, fixed, subset, {}, {}};
+            Answer answer{known, fixed, subset, SurfaceGrid::Fine, {}, {}};
             if (!known) {
-                auto fields = targetFields(surfaceGeometry(experiment, subset, fixed), stop);
+                if (grid == SurfaceGrid::Coarse && mayShade(experiment))
+                    answer.grid = SurfaceGrid::Coarse;
+                auto fields = targetFields(surfaceGeometry(experiment, subset, fixed, answer.grid), stop);
                 if (!fields) {
                     answer.problem = fields.error();
                     return answer;
@@ -219,27 +227,31 @@ void SurfacesView::compute() {
 void SurfacesView::take(Answer answer) {
     if (answer.problem.code() != MessageCode::None)
         emit problem(messageText(answer.problem.message));
+    const bool isFirstLook = answer.grid == SurfaceGrid::Coarse && answer.problem.code() == MessageCode::None;
     m_fields = std::move(answer.fields);
     m_fieldsFixed = answer.fixed;
     m_fieldsSubset = answer.subset;
+    m_fieldsGrid = answer.grid;
     m_scene->setSurfaces(std::move(answer.surfaces), answer.fixed, answer.subset);
-    m_behind = false;
+    m_behind = isFirstLook;
     showStale();
     showCut();
+    if (isFirstLook)
+        computeOn(SurfaceGrid::Fine);
 }
 
-std::optional<Sweep> SurfacesView::sweep() const {
+std::optional<Sweep> SurfacesView::sweep(SurfaceGrid grid) const {
     const auto varied = sweptCoordinate(subset(), m_experiment.robot);
     if (!ready() || !varied)
         return std::nullopt;
-    return Sweep{surfaceGeometry(m_experiment, subset(), fixedPose()), subset(), *varied,
+    return Sweep{surfaceGeometry(m_experiment, subset(), fixedPose(), grid), subset(), *varied,
                  sweptValues(m_experiment.robot, *varied, Sweep::kFrames), neededViewFactors(*m_verdict)};
 }
 
 void SurfacesView::play(bool on) {
     if (!on)
         return endPlay();
-    auto frames = sweep();
+    auto frames = sweep(mayShade(m_experiment) ? SurfaceGrid::Coarse : SurfaceGrid::Fine);
     if (frames && isVisible() && !m_player->isSaving()) {
         m_job.forget();
         m_scene->clearPick();
@@ -292,7 +304,7 @@ void SurfacesView::savePicture(const QString& path, QSize size) {
 }
 
 void SurfacesView::saveAnimation(const QString& folder, QSize size) {
-    auto frames = sweep();
+    auto frames = sweep(SurfaceGrid::Fine);
     if (!frames)
         return;
     endPlay();

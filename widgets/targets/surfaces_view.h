@@ -7,6 +7,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/model/experiment.h"
 #include "widgets/common/latest_job.h"
+#include "widgets/targets/surface_geometry.h"
 #include "widgets/targets/sweep_player.h"
 
 #include <QWidget>
@@ -27,9 +28,11 @@ class TargetScene;
 class ViewBar;
 
 /// Takes values; fields and surfaces are computed off the GUI thread while the view is shown, fields again
-/// only if the geometry or the fixed coordinates change. Playing ends when the view is hidden. Object names:
-/// "surfaceSpace" (what the surfaces are drawn over, in PoseSubset's order), "targetScene" and those of the
-/// rows: ViewBar, HeldControls, ExportBar, CutControls, PickedPanel.
+/// only if the geometry or the fixed coordinates change. Where objects shade one another, surfaces on a
+/// coarse grid come first, hatched until the fine ones are there; those of a played sweep are coarse. Playing
+/// ends when the view is hidden. Object names: "surfaceSpace" (what the surfaces are drawn over, in
+/// PoseSubset's order), "targetScene" and those of the rows: ViewBar, HeldControls, ExportBar, CutControls,
+/// PickedPanel.
 class SurfacesView : public QWidget {
     Q_OBJECT
 
@@ -66,6 +69,7 @@ private:
         std::shared_ptr<const Fields> fields;
         Vector6d fixed = Vector6d::Zero();
         PoseSubset subset = PoseSubset::Translation;
+        SurfaceGrid grid = SurfaceGrid::Fine;
         std::vector<Isosurface> surfaces;
         Error problem; ///< without a code if there is none
     };
@@ -74,8 +78,9 @@ private:
     bool ready() const;
     Vector6d foundPose() const;
     Vector6d fixedPose() const;
-    std::optional<Sweep> sweep() const;
+    std::optional<Sweep> sweep(SurfaceGrid grid) const;
     void compute();
+    void computeOn(SurfaceGrid grid);
     void take(Answer answer);
     void showVerdict();
     void showStale();
@@ -92,9 +97,10 @@ private:
     Experiment m_experiment;
     std::optional<JointVerdict> m_verdict;
     std::array<std::optional<double>, 6> m_fixedManually; ///< empty ones are as in the verdict's pose
-    std::shared_ptr<const Fields> m_fields; ///< for the experiment, m_fieldsFixed and m_fieldsSubset
+    std::shared_ptr<const Fields> m_fields;               ///< for the experiment and the three that follow
     Vector6d m_fieldsFixed = Vector6d::Zero();
     PoseSubset m_fieldsSubset = PoseSubset::Translation;
+    SurfaceGrid m_fieldsGrid = SurfaceGrid::Fine;
     bool m_stale = false;  ///< whether the verdict is stale
     bool m_behind = false; ///< whether the surfaces are older than the verdict
     QString m_exportFolder;

@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
+#include "engine/radiation/mounted_objects.h"
 #include "tests/engine/exchange/read_image.h"
 #include "tests/support/captured_command.h"
 
@@ -253,6 +254,38 @@ TEST_F(FieldCommand, helps) {
     EXPECT_EQ(outcome.code, kExitDone);
     for (const char* words : {"bask field [options] [EXPERIMENT.json]", "--axes", "--preset", "--gradient"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+}
+
+// Catches: the other objects of the experiment not in the light of the one, or where they are not mounted.
+TEST_F(FieldCommand, theOtherObjectsShadeUnlessTheyShallNot) {
+    auto experiment = readExperiment(kThreeObjects.toStdString());
+    ASSERT_TRUE(experiment);
+    experiment->objects[1].shape = Disk{0.02};
+    experiment->objects[1].mounting = experiment->objects[0].mounting; // in front of the circle
+    experiment->objects[1].mounting[kZ] -= 0.03;
+    ASSERT_TRUE(writeExperiment(*experiment, path("stacked.json").toStdString()));
+    const auto valueOf = [&](const char* shade, bool told) {
+        const test::Captured outcome = run({path("stacked.json"), "--object", "circle", "--axes",
+                                            "z=0.1:0.1:0.01", "--shade", shade, "-o", path()});
+        EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
+        EXPECT_EQ(outcome.err.find("the shade of the other objects is rough") != std::string::npos, told);
+        const auto data = readImage(path().toStdString());
+        EXPECT_EQ(data->GetFieldData()->HasArray("rough_shade"), told ? 1 : 0);
+        return data->GetScalarComponentAsDouble(0, 0, 0, 0);
+    };
+    const double none = valueOf("none", false), exact = valueOf("exact", false),
+                 rough = valueOf("rough", true);
+    const RadiatingContour source(experiment->source.shape), circle(experiment->objects[0].shape);
+    const MountedObjects held({{circle, Pose::Identity()},
+                               {RadiatingContour(Disk{0.02}), Pose(Eigen::Translation3d(0.0, 0.0, -0.03))}});
+    const Pose above(Eigen::Translation3d(0.0, 0.0, 0.1));
+    EXPECT_NEAR(none, viewFactorValue(source, circle, above), 1e-8);
+    EXPECT_NEAR(exact, held.viewFactorValue(source, 0, above, 1e-6), 3e-5);
+    EXPECT_LT(exact, 0.8 * none);
+    EXPECT_NEAR(rough, exact, 0.03 * (none - exact));
+    const test::Captured refused =
+        run({path("stacked.json"), "--object", "circle", "--axes", "z=0.1:0.1:0.01", "--shade", "some"});
+    EXPECT_EQ(refused.code, kExitBadInput);
 }
 
 } // namespace

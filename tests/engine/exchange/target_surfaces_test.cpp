@@ -247,5 +247,64 @@ TEST(TargetSurfaces, aSweepHasAFrameForEachValue) {
     EXPECT_FALSE(targetSweep(of, kThetaX, std::array{0.0}, std::array{0.3, 0.2}, stop.get_token()));
 }
 
+/// Three disks one above the other and to the side, as nobody hides nobody in one plane.
+TargetGeometry stacked() {
+    TargetGeometry out = geometry(movedSource());
+    out.objects.clear();
+    for (const auto& [x, z, radius] :
+         {std::array{0.0, 0.0, 0.015}, {0.01, -0.03, 0.02}, {-0.02, 0.03, 0.015}}) {
+        Pose X_EO = Pose::Identity();
+        X_EO.translation() << x, 0.0, z;
+        out.objects.push_back({RadiatingContour(Disk{radius}), X_EO});
+    }
+    return out;
+}
+
+// Catches: surfaces of the view factors without shade, which an object does not have there.
+TEST(TargetSurfaces, countTheShadeOfTheOtherObjects) {
+    const TargetGeometry of = stacked();
+    std::vector<Shape> shapes;
+    std::vector<Vector6d> places;
+    for (const MountedContour& object : of.objects) {
+        shapes.push_back(object.contour.shape());
+        places.push_back(coordinatesFromPose(object.X_EO));
+    }
+    const RigGeometry rig(kSource, shapes, places, {}, of.X_RS);
+    const auto fields = targetFields(of);
+    ASSERT_TRUE(fields);
+    const std::array<double, 3> values{0.15, 0.25, 0.12};
+    const auto surfaces = targetSurfaces(*fields, values);
+    ASSERT_TRUE(surfaces);
+    double gap = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::vector<Eigen::Vector3d>& points = (*surfaces)[i].points;
+        ASSERT_GT(points.size(), 100u) << i;
+        for (std::size_t k = 0; k < points.size(); k += std::max<std::size_t>(1, points.size() / 60)) {
+            Vector6d q = of.fixed;
+            q.head<3>() = points[k];
+            EXPECT_NEAR(rig.viewFactors(q).F[static_cast<Eigen::Index>(i)], values[i], 8e-3) << i << ' ' << k;
+            Eigen::VectorXd unshaded;
+            rig.unshadedViewFactors(q, unshaded);
+            gap = std::max(gap, unshaded[static_cast<Eigen::Index>(i)] - values[i]);
+        }
+    }
+    EXPECT_GT(gap, 0.05);
+}
+
+// Catches: the field of another object, or one without the shade of those that are not asked for.
+TEST(TargetSurfaces, theOnlyFieldIsThatOneOfAll) {
+    TargetGeometry of = stacked();
+    of.axes = surfaceAxes(PoseSubset::Translation, {}, 0.04);
+    const auto all = targetFields(of);
+    of.only = 2;
+    const auto one = targetFields(of);
+    ASSERT_TRUE(all && one);
+    ASSERT_EQ(one->size(), 1u);
+    for (std::size_t k = 0; k < one->front()->values.size(); ++k)
+        if (!std::isnan((*all)[2]->values[k])) {
+            ASSERT_EQ(one->front()->values[k], (*all)[2]->values[k]);
+        }
+}
+
 } // namespace
 } // namespace bask::test

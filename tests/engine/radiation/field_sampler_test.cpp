@@ -334,5 +334,86 @@ TEST(FieldSampler, refusesHugeGridsBeforeTakingMemory) {
     expectRefused(gradient, MessageCode::FieldTooLarge, "14300000 samples, more than the 14285714");
 }
 
+/// Three objects of a rig at three heights; the second is the field's.
+FieldRequest shadedRequest() {
+    FieldRequest asked = request({axisOf(kX), axisOf(kY), {kZ, 0.12, 0.04, 3}});
+    asked.fixed << 0.0, 0.0, 0.0, 0.15, -0.1, 0.4;
+    asked.X_EO = poseFromCoordinates((Vector6d() << 0.01, -0.01, 0.02, 0.1, 0.0, 0.3).finished());
+    asked.X_RS = movedSource();
+    asked.others = {{RadiatingContour(Disk{0.02}),
+                     poseFromCoordinates((Vector6d() << 0.0, 0.01, -0.02, 0, 0, 0).finished())},
+                    {RadiatingContour(Disk{0.03}),
+                     poseFromCoordinates((Vector6d() << -0.02, 0.0, 0.05, 0.2, 0, 0).finished())}};
+    return asked;
+}
+
+MountedObjects heldIn(const FieldRequest& asked) {
+    std::vector<MountedContour> all{{asked.object, asked.X_EO}};
+    all.insert(all.end(), asked.others.begin(), asked.others.end());
+    return MountedObjects(all);
+}
+
+// Catches: a field without shade, another object's, or of others that stand elsewhere than they are mounted.
+TEST(FieldSampler, countsTheShadeOfTheOthers) {
+    FieldRequest asked = shadedRequest();
+    const MountedObjects held = heldIn(asked);
+    const auto exact = sampled(asked);
+    asked.isShadeRough = true;
+    const auto rough = sampled(asked);
+    EXPECT_EQ(exact->tolerance, kShadeTolerance);
+    EXPECT_FALSE(exact->isShadeRough);
+    EXPECT_TRUE(rough->isShadeRough);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < exact->values.size(); ++i) {
+        const Vector6d q = coordinatesOf(asked, i);
+        const Pose X_SE = asked.X_RS.inverse() * poseFromCoordinates(q);
+        const double alone = valueAt(asked, q);
+        ASSERT_NEAR(exact->values[i], held.viewFactorValue(kSource, 0, X_SE, 1e-9), 2e-5) << i;
+        ASSERT_NEAR(rough->values[i], alone * held.roughShare(kSource, 0, X_SE, alone), 1e-9) << i;
+        ASSERT_LE(exact->values[i], alone + 1e-9);
+        largest = std::max(largest, alone - exact->values[i]);
+        ASSERT_NEAR(rough->values[i], exact->values[i], 0.1 * (alone - exact->values[i]) + 1e-5) << i;
+    }
+    EXPECT_GT(largest, 0.05) << "else nothing is shaded here";
+}
+
+// Catches: a gradient of the object alone, or about another point than the end-effector's.
+TEST(FieldSampler, theGradientIsThatOfTheShadedField) {
+    FieldRequest asked = shadedRequest();
+    asked.axes = {{kX, -0.03, 0.03, 3}, {kThetaY, -0.3, 0.3, 3}};
+    asked.fixed[kZ] = 0.15;
+    asked.withGradient = true;
+    const MountedObjects held = heldIn(asked);
+    const auto field = sampled(asked);
+    const auto at = [&](const Vector6d& q) {
+        return held.viewFactor(kSource, 0, asked.X_RS.inverse() * poseFromCoordinates(q)).value;
+    };
+    for (std::size_t i = 0; i < field->values.size(); ++i) {
+        const Vector6d q = coordinatesOf(asked, i);
+        for (int c = 0; c < 6; ++c) {
+            const Vector6d d = 2e-3 * Vector6d::Unit(c);
+            const double slope = (at(q + d) - at(q - d)) / 4e-3;
+            EXPECT_NEAR(field->gradient[6 * i + c], slope, 0.02 * std::abs(slope) + 0.05) << i << ' ' << c;
+        }
+    }
+}
+
+// Catches: other bits, or another time, where nothing can be shaded.
+TEST(FieldSampler, objectsInOnePlaneChangeNoBit) {
+    FieldRequest asked = request({axisOf(kX), axisOf(kZ), axisOf(kThetaX)});
+    asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
+    const auto alone = sampled(asked);
+    for (const double x : {-0.05, 0.02, 0.04})
+        asked.others.push_back(
+            {RadiatingContour(Disk{0.02}), asked.X_EO * Pose(Eigen::Translation3d(x, -0.04, 0.0))});
+    for (const bool isRough : {true, false}) {
+        asked.isShadeRough = isRough;
+        const auto together = sampled(asked);
+        EXPECT_EQ(std::memcmp(alone->values.data(), together->values.data(), 8 * alone->values.size()), 0);
+        EXPECT_EQ(together->tolerance, alone->tolerance);
+        EXPECT_FALSE(together->isShadeRough);
+    }
+}
+
 } // namespace
 } // namespace bask

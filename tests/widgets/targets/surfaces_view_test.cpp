@@ -238,5 +238,27 @@ TEST_F(SurfacesViewTest, TheControlsFitANarrowWindow) {
         }
 }
 
+// Catches: a page that waits for the fine surfaces where shade makes them slow, or stays with coarse ones.
+TEST_F(SurfacesViewTest, WithShadeCoarseSurfacesComeFirst) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    for (std::size_t i = 0; i < 3; ++i)
+        experiment.objects[i].mounting[kZ] = 0.03 * (1.0 - static_cast<double>(i));
+    view.setExperiment(experiment);
+    const QImage empty = picture();
+    view.setVerdict(verdict());
+    ASSERT_TRUE(QThreadPool::globalInstance()->waitForDone(120000));
+    QApplication::processEvents(); // the coarse ones; the fine ones have begun
+    const QImage coarse = picture();
+    EXPECT_GT(differentPixels(coarse, empty), 600 * 400 / 20);
+    keep("surfaces_shaded_coarse.png");
+    settle();
+    const QImage fine = picture();
+    EXPECT_GT(differentPixels(fine, coarse), 600 * 400 / 100) << "hatched no more";
+    keep("surfaces_shaded.png");
+    settle();
+    EXPECT_LT(differentPixels(picture(), fine), 600 * 400 / 100) << "and there it ends";
+}
+
 } // namespace
 } // namespace bask::test
