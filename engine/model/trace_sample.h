@@ -24,11 +24,12 @@ struct ObjectSample {
     double estimated_K = 0.0;
     double rate_K_s = 0.0;
     double target_K = 0.0;
-    double viewFactor = 0.0;
-    double lambda1 = 0.0; ///< the controller's present estimate, K/s; NaN if it has none
-    double lambda2 = 0.0; ///< 1/(K3 s)
-    double true_K = 0.0;  ///< the simulated plant's own temperature; NaN on a real rig
-    bool valid = false;   ///< measured_K is a fresh, plausible reading
+    double viewFactor = 0.0;         ///< with the shade of the other objects
+    double unshadedViewFactor = 0.0; ///< without it
+    double lambda1 = 0.0;            ///< the controller's present estimate, K/s; NaN if it has none
+    double lambda2 = 0.0;            ///< 1/(K3 s)
+    double true_K = 0.0;             ///< the simulated plant's own temperature; NaN on a real rig
+    bool valid = false;              ///< measured_K is a fresh, plausible reading
 };
 
 /// Returns the temperature for judging a result: the plant's own temperature if it is known, else the
@@ -207,6 +208,14 @@ inline constexpr std::array kObjectColumns{
                  .title = QT_TRANSLATE_NOOP("Column", "View factors"),
                  .caption = QT_TRANSLATE_NOOP("Column", "View factor of the source from each object."),
                  .decimals = 3},
+    ObjectColumn{.key = "view_factor_unshaded",
+                 .unit = unit::kNone,
+                 .value = kOfObject<&ObjectSample::unshadedViewFactor>,
+                 .stored = {.place = 10, .view = "sample", .isLater = true},
+                 .csv = "view factor without shade",
+                 .nexus = NexusLog{"view_factor_unshaded",
+                                   "view factor of the source from the object, if no other object shaded it"},
+                 .vtk = "view_factor_unshaded"},
     ObjectColumn{.key = "lambda1_K_s",
                  .unit = unit::kKelvinPerSecond,
                  .value = kOfObject<&ObjectSample::lambda1>,

@@ -25,6 +25,7 @@ TraceSample atStart(const Experiment& e) {
     for (const ObjectSpec& object : e.objects) {
         ObjectSample row;
         row.measured_K = row.estimated_K = row.true_K = row.viewFactor = kNoValue;
+        row.unshadedViewFactor = kNoValue;
         row.target_K = object.target_K;
         sample.objects.push_back(row);
     }

@@ -127,12 +127,18 @@ void RigReadings::readViewFactors() {
     if (m_devices.isReal && m_geometry->lowestPoint_m(m_coordinates) <= 0.0) {
         m_robot.isPlaceSure = false;
         for (ObjectSample& object : m_sample.objects)
-            object.viewFactor = kNaN;
+            object.viewFactor = object.unshadedViewFactor = kNaN;
         return;
     }
     const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
-    for (std::size_t i = 0; i < m_sample.objects.size(); ++i)
+    if (m_geometry->mayShade())
+        m_geometry->unshadedViewFactors(m_coordinates, m_unshaded);
+    else
+        m_unshaded = F;
+    for (std::size_t i = 0; i < m_sample.objects.size(); ++i) {
         m_sample.objects[i].viewFactor = F[static_cast<Eigen::Index>(i)];
+        m_sample.objects[i].unshadedViewFactor = m_unshaded[static_cast<Eigen::Index>(i)];
+    }
 }
 
 void RigReadings::readSource() {

@@ -127,6 +127,7 @@ private:
     const Clock& m_clock;
     TraceSample& m_sample;
     std::shared_ptr<const RigGeometry> m_geometry;
+    Eigen::VectorXd m_unshaded; ///< view factors; a member, so that it is not allocated at every sample
     SensorChannels m_sensors;
     double m_sampleTime_s = 0.0;
     RigAnswers m_answers;

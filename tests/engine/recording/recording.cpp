@@ -22,8 +22,8 @@ bool same(double a, double b) {
 bool sameObject(const ObjectSample& a, const ObjectSample& b) {
     return same(a.measured_K, b.measured_K) && same(a.estimated_K, b.estimated_K) &&
            same(a.rate_K_s, b.rate_K_s) && same(a.target_K, b.target_K) && same(a.viewFactor, b.viewFactor) &&
-           same(a.lambda1, b.lambda1) && same(a.lambda2, b.lambda2) && same(a.true_K, b.true_K) &&
-           a.valid == b.valid;
+           same(a.unshadedViewFactor, b.unshadedViewFactor) && same(a.lambda1, b.lambda1) &&
+           same(a.lambda2, b.lambda2) && same(a.true_K, b.true_K) && a.valid == b.valid;
 }
 
 } // namespace
@@ -52,6 +52,7 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
         o.rate_K_s = k < 10 ? kNotMeasured : std::sin(x);
         o.target_K = experiment.objects[i].target_K;
         o.viewFactor = 1.0 / (1.5 + x);
+        o.unshadedViewFactor = o.viewFactor + 0.01 * static_cast<double>(i);
         o.lambda1 = i == 0 ? 0.1 / (1.0 + x) : kNotMeasured;
         o.lambda2 = 1e-11 / (1.0 + x);
         o.true_K = o.measured_K - 0.01;
@@ -68,6 +69,17 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
     if (k % 3 == 0)
         s.limits.add(Limit::Workspace, k % 6);
     return s;
+}
+
+TraceSample asVersionOne(TraceSample sample) {
+    for (ObjectSample& object : sample.objects)
+        for (const ObjectColumn& column : kObjectColumns)
+            if (column.stored.isLater)
+                column.value.set(object, kNotMeasured);
+    for (const RunColumn& column : kRunColumns)
+        if (column.stored.isLater)
+            column.value.set(sample, kNotMeasured);
+    return sample;
 }
 
 bool sameSample(const TraceSample& a, const TraceSample& b) {

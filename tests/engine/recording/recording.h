@@ -13,6 +13,9 @@ Experiment twoDisks();
 /// Sample number k of a run at 1 Hz: every column differs and none is round; some are NaN.
 TraceSample madeUpSample(const Experiment& experiment, int k);
 
+/// The same without the values that came after version 1 of the files.
+TraceSample asVersionOne(TraceSample sample);
+
 /// True when the two samples are the same but for the coordinates' last digits (they are stored as a
 /// quaternion).
 bool sameSample(const TraceSample& a, const TraceSample& b);

@@ -13,6 +13,7 @@
 #include <QFileInfo>
 #include <QProcess>
 #include <QSqlDatabase>
+#include <QSqlError>
 #include <QSqlQuery>
 #include <QTemporaryDir>
 #include <QThread>
@@ -109,7 +110,8 @@ TEST_F(SessionFile, VersionOneReadsTheSame) {
     EXPECT_EQ(record->outcome, "settled");
     ASSERT_EQ(record->samples.size(), 40u);
     for (int k = 0; k < 40; ++k)
-        EXPECT_TRUE(sameSample(record->samples[static_cast<std::size_t>(k)], madeUpSample(twoDisks(), k)))
+        EXPECT_TRUE(sameSample(record->samples[static_cast<std::size_t>(k)],
+                               test::asVersionOne(madeUpSample(twoDisks(), k))))
             << k;
     EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 13u);
 }
@@ -211,7 +213,8 @@ TEST_F(SessionFile, HasThePromisedHeaderAndColumns) {
         EXPECT_EQ(one("PRAGMA application_id"), std::to_string(0x4261736b));
         EXPECT_EQ(one("PRAGMA user_version"), "2");
         EXPECT_EQ(one("PRAGMA journal_mode"), "wal");
-        EXPECT_EQ(columns("sample"), "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor");
+        EXPECT_EQ(columns("sample"), "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor,"
+                                     "view_factor_unshaded");
         EXPECT_EQ(columns("object_state"), "time_s,object,lambda1_K_s,lambda2_1_K3s,reading_valid");
         EXPECT_EQ(columns("truth"), "time_s,object,temperature_K");
         EXPECT_EQ(columns("motion"), "time_s,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,"
@@ -426,15 +429,16 @@ TEST_F(SessionFile, ExportsTheTracesSideBySideWithUnits) {
     std::istringstream row(line);
     for (std::string field; std::getline(row, field, ',');)
         fields.push_back(field);
-    ASSERT_EQ(fields.size(), 8u + 2u * 8u);
+    ASSERT_EQ(fields.size(), 8u + 2u * 9u);
     EXPECT_EQ(std::stod(fields[0]), expected.time_s);
     EXPECT_DOUBLE_EQ(std::stod(fields[1]), expected.source_K - 273.15);
     EXPECT_NEAR(std::stod(fields[7]), expected.coordinates[kThetaZ], 1e-12);
-    EXPECT_DOUBLE_EQ(std::stod(fields[16]), expected.objects[1].measured_K - 273.15);
-    EXPECT_DOUBLE_EQ(std::stod(fields[19]), expected.objects[1].measured_K - expected.objects[1].target_K);
-    EXPECT_EQ(std::stod(fields[21]), expected.objects[1].viewFactor);
-    EXPECT_EQ(fields[22], expected.objects[1].valid ? "1" : "0");
-    EXPECT_DOUBLE_EQ(std::stod(fields[23]), expected.objects[1].true_K - 273.15);
+    EXPECT_DOUBLE_EQ(std::stod(fields[17]), expected.objects[1].measured_K - 273.15);
+    EXPECT_DOUBLE_EQ(std::stod(fields[20]), expected.objects[1].measured_K - expected.objects[1].target_K);
+    EXPECT_EQ(std::stod(fields[22]), expected.objects[1].viewFactor);
+    EXPECT_EQ(std::stod(fields[23]), expected.objects[1].unshadedViewFactor);
+    EXPECT_EQ(fields[24], expected.objects[1].valid ? "1" : "0");
+    EXPECT_DOUBLE_EQ(std::stod(fields[25]), expected.objects[1].true_K - 273.15);
 }
 
 TEST_F(SessionFile, ExportsOneCsvPerTable) {
@@ -454,7 +458,8 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     std::istringstream sample(contents(qfile("deep/csv/sample.csv")));
     std::string line;
     std::getline(sample, line);
-    EXPECT_EQ(line, "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor");
+    EXPECT_EQ(line,
+              "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor,view_factor_unshaded");
     std::getline(sample, line);
     EXPECT_EQ(line.substr(line.find(','), 13), ",\"left, the\",");
     EXPECT_NE(line.find(",,,313.15,"), std::string::npos) << "not known is an empty field: " << line;
@@ -491,6 +496,30 @@ TEST_F(SessionFile, TextsOfACsvAreNoFormulas) {
     EXPECT_NE(contents(qfile("csv/traces.csv")).find(",'=cmd|'/c calc'!A0 measured (degC),"),
               std::string::npos);
     EXPECT_NE(contents(qfile("csv/pose.csv")).find(",-0.25,"), std::string::npos);
+}
+
+// Catches: a file of before a column came that cannot be read, or is read as if the value had been 0.
+TEST_F(SessionFile, AColumnThatCameLaterIsUnknownInAnOlderFile) {
+    const std::string path = recorded("run.bask", 3);
+    {
+        auto db = QSqlDatabase::addDatabase("QSQLITE", "older");
+        db.setDatabaseName(QString::fromStdString(path));
+        ASSERT_TRUE(db.open());
+        QSqlQuery query(db);
+        for (const char* sql : {"DROP VIEW sample", "ALTER TABLE step DROP COLUMN view_factor_unshaded_1",
+                                "ALTER TABLE step DROP COLUMN view_factor_unshaded_2"})
+            EXPECT_TRUE(query.exec(sql)) << sql << query.lastError().text().toStdString();
+        query.clear();
+        db.close();
+    }
+    QSqlDatabase::removeDatabase("older");
+    const auto record = readSession(path);
+    ASSERT_TRUE(record) << describe(record.error());
+    ASSERT_EQ(record->samples.size(), 3u);
+    for (const ObjectSample& object : record->samples[2].objects) {
+        EXPECT_TRUE(std::isnan(object.unshadedViewFactor));
+        EXPECT_TRUE(std::isfinite(object.viewFactor));
+    }
 }
 
 } // namespace

@@ -449,4 +449,22 @@ TEST_F(ServoLoopTest, ATargetAboveTheWarningLimitIsRefused) {
     EXPECT_EQ(arm.error().code(), MessageCode::TargetAboveWarning);
 }
 
+// Catches: the same number twice where one object stands in the light of the other, or another one where none
+// can.
+TEST(ServoLoopRecord, HasTheViewFactorWithAndWithoutShade) {
+    Experiment experiment = twoDisks(35.0);
+    const auto latest = [&] {
+        LoopOnRig on(experiment);
+        on.periods(2);
+        return on.loop.latest().objects;
+    };
+    for (const ObjectSample& object : latest())
+        EXPECT_EQ(object.unshadedViewFactor, object.viewFactor);
+    experiment.objects[0].mounting[kY] = 0.03;
+    experiment.objects[0].mounting[kZ] = -0.04;
+    const std::vector<ObjectSample> seen = latest();
+    EXPECT_NEAR(seen[0].unshadedViewFactor, seen[0].viewFactor, 2e-6);
+    EXPECT_GT(seen[1].unshadedViewFactor, 1.05 * seen[1].viewFactor);
+}
+
 } // namespace bask
