@@ -223,7 +223,7 @@ void PageHost::connectJudge() {
         if (m_judge.isStale() || !m_judge.verdict())
             m_targets->setStale(true);
         else
-            m_targets->setVerdict(*m_judge.verdict());
+            m_targets->setVerdict(*m_judge.verdict(), m_judge.shade());
         reportInfeasible();
     });
     connect(&m_judge, &TargetJudge::predictionChanged, this, [this] {

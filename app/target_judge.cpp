@@ -66,11 +66,15 @@ void TargetJudge::judge(Experiment experiment) {
         request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
         if (kept.size() == experiment.objects.size())
             request.fixed = kept;
-        return Judgement{jointFeasibility(request, stop), request.lookup};
+        Judgement judgement{jointFeasibility(request, stop), request.lookup, {}};
+        if (judgement.verdict && judgement.verdict->anyPose)
+            judgement.shade = shadeRemarks(experiment, judgement.verdict->pose, ShadedPose::Here);
+        return judgement;
     };
     m_judge.run(work, [this](Judgement judgement) {
         m_verdict = std::move(judgement.verdict);
         m_lookup = std::move(judgement.lookup);
+        m_shade = std::move(judgement.shade);
         m_stale = false;
         emit verdictChanged();
         if (m_pairsWanted)

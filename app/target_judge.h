@@ -3,7 +3,7 @@
 // temperatures of each pair of objects can be combined.
 
 #include "engine/control/reachable_pairs.h"
-#include "engine/model/experiment.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>
@@ -35,6 +35,8 @@ public:
 
     /// The newest verdict; empty before the first.
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
+    /// Returns who shades whom at the verdict's pose.
+    const std::vector<MountingRemark>& shade() const { return m_shade; }
     bool isStale() const { return m_stale; }
     /// Whether verdict and maps are, or will be, about targets that are only tried.
     bool isTrying() const { return m_judged != m_experiment; }
@@ -61,6 +63,7 @@ private:
     struct Judgement {
         std::optional<JointVerdict> verdict; ///< empty if it was stopped
         std::shared_ptr<const PoseLookup> lookup;
+        std::vector<MountingRemark> shade;
     };
     void judgeTargets();
     void judge(Experiment experiment);
@@ -73,6 +76,7 @@ private:
     std::vector<bool> m_kept;
     std::shared_ptr<const PoseLookup> m_lookup; ///< for the present objects, source and robot
     std::optional<JointVerdict> m_verdict;
+    std::vector<MountingRemark> m_shade;
     bool m_stale = true;
     LatestJob<Judgement> m_judge;
     bool m_trying = false;

@@ -1599,6 +1599,14 @@
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
         <translation>cet enregistrement ne distingue pas le rayonnement de ce que l’air emporte&#xa0;: seules la perte des deux ensemble et sa pente à %1 sont sûres&#xa0;; indiquez la convection de l’air dans l’expérience, ou enregistrez des températures étendues</translation>
     </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at the start pose</source>
+        <translation>%1 prend %2&#xa0;% de la lumière de %3 à la pose de départ</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at this pose</source>
+        <translation>%1 prend %2&#xa0;% de la lumière de %3 à cette pose</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -7528,6 +7536,26 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>convection not known, not counted</source>
         <translation>convection inconnue, non comptée</translation>
+    </message>
+    <message>
+        <source>Mean view factor</source>
+        <translation>Facteur de forme moyen</translation>
+    </message>
+    <message>
+        <source>Without shade</source>
+        <translation>Sans ombre</translation>
+    </message>
+    <message>
+        <source>Taken by the others, mean</source>
+        <translation>Pris par les autres, moyenne</translation>
+    </message>
+    <message>
+        <source>Taken by the others, largest</source>
+        <translation>Pris par les autres, maximum</translation>
+    </message>
+    <message>
+        <source>Shade of the objects on one another, from Start until Stop</source>
+        <translation>Ombre des objets les uns sur les autres, du démarrage à l’arrêt</translation>
     </message>
 </context>
 <context>

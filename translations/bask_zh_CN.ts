@@ -1599,6 +1599,14 @@
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
         <translation>此记录无法区分辐射与空气带走的热量：只有两者合计的损失及其在 %1 处的斜率是确定的；请在实验中说明空气的对流，或记录更宽的温度范围</translation>
     </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at the start pose</source>
+        <translation>在起始位姿，%1 挡住 %3 的 %2 % 的光</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at this pose</source>
+        <translation>在此位姿，%1 挡住 %3 的 %2 % 的光</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -7514,6 +7522,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>convection not known, not counted</source>
         <translation>对流未知，未计入</translation>
+    </message>
+    <message>
+        <source>Mean view factor</source>
+        <translation>平均角系数</translation>
+    </message>
+    <message>
+        <source>Without shade</source>
+        <translation>无遮挡</translation>
+    </message>
+    <message>
+        <source>Taken by the others, mean</source>
+        <translation>被其他物体挡住，平均</translation>
+    </message>
+    <message>
+        <source>Taken by the others, largest</source>
+        <translation>被其他物体挡住，最大</translation>
+    </message>
+    <message>
+        <source>Shade of the objects on one another, from Start until Stop</source>
+        <translation>从“开始”到“停止”期间物体之间的相互遮挡</translation>
     </message>
 </context>
 <context>

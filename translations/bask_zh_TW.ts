@@ -1599,6 +1599,14 @@
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
         <translation>此記錄無法區分輻射與空氣帶走的熱量：只有兩者合計的損失及其在 %1 處的斜率是確定的；請在實驗中說明空氣的對流，或記錄更寬的溫度範圍</translation>
     </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at the start pose</source>
+        <translation>在起始位姿，%1 擋住 %3 的 %2 % 的光</translation>
+    </message>
+    <message>
+        <source>%1 takes %2 % of the light of %3 at this pose</source>
+        <translation>在此位姿，%1 擋住 %3 的 %2 % 的光</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -7514,6 +7522,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>convection not known, not counted</source>
         <translation>對流未知，未計入</translation>
+    </message>
+    <message>
+        <source>Mean view factor</source>
+        <translation>平均角係數</translation>
+    </message>
+    <message>
+        <source>Without shade</source>
+        <translation>無遮擋</translation>
+    </message>
+    <message>
+        <source>Taken by the others, mean</source>
+        <translation>被其他物體擋住，平均</translation>
+    </message>
+    <message>
+        <source>Taken by the others, largest</source>
+        <translation>被其他物體擋住，最大</translation>
+    </message>
+    <message>
+        <source>Shade of the objects on one another, from Start until Stop</source>
+        <translation>從「開始」到「停止」期間物體之間的相互遮擋</translation>
     </message>
 </context>
 <context>

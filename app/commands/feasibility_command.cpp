@@ -128,6 +128,15 @@ Json condition2Json(const Experiment& experiment, const std::vector<PairVerdict>
     return rows;
 }
 
+Json shadeJson(const Experiment& experiment, const Vector6d& pose) {
+    Json rows = Json::array();
+    for (const TakenLight& taken : rigGeometry(experiment)->takenLight(pose))
+        rows.push_back({{"object", experiment.objects[taken.object].name},
+                        {"taken_by", experiment.objects[taken.taker].name},
+                        {"share", taken.share}});
+    return rows;
+}
+
 std::string summaryJson(const Experiment& experiment, const JointVerdict& verdict,
                         const std::optional<double>& predicted_s) {
     Json summary;
@@ -137,10 +146,13 @@ std::string summaryJson(const Experiment& experiment, const JointVerdict& verdic
     for (const MountingRemark& remark : overlapsInPlane(experiment))
         summary["remarks"].push_back(describe(remark.message));
     summary["caveat"] = describe(verdict.caveat);
+    summary["shade_at_start"] = shadeJson(experiment, experiment.start);
     summary["pose"] = nullptr;
     summary["margin"] = nullptr;
+    summary["shade_at_pose"] = Json::array();
     if (verdict.anyPose) {
         summary["pose"] = poseJson(verdict.pose);
+        summary["shade_at_pose"] = shadeJson(experiment, verdict.pose);
         summary["margin"] = {
             {"distance_cm", verdict.margin.distance_m * 100.0},
             {"limit", limitName(verdict.margin)},
@@ -169,6 +181,11 @@ void printPose(const JointVerdict& verdict) {
         verdict.margin.smallestSingularValue_K_m / 100.0);
 }
 
+void printShade(const Experiment& experiment, const Vector6d& pose, ShadedPose which) {
+    for (const MountingRemark& remark : shadeRemarks(experiment, pose, which))
+        std::printf("shade: %s\n", describe(remark.message).c_str());
+}
+
 void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
                   const std::optional<double>& predicted_s) {
     std::printf("%-16s %10s %10s %10s %10s   %s\n", "object", "target_C", "steady_C", "nearest_C", "needed_F",
@@ -190,6 +207,9 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
                     v.largest_K);
     if (verdict.anyPose)
         printPose(verdict);
+    printShade(experiment, experiment.start, ShadedPose::Start);
+    if (verdict.anyPose)
+        printShade(experiment, verdict.pose, ShadedPose::Here);
     if (verdict.feasible)
         std::printf("feasible; on the simulated rig the experiment's controller %s\n",
                     predicted_s ? ("settles after " + formatNumber(*predicted_s) + " s").c_str()

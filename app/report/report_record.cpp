@@ -252,6 +252,58 @@ QString summarySection(const RunReportInput& input) {
     return text;
 }
 
+namespace {
+
+/// The view factors of an object in a run, of the samples in which both are known.
+struct SeenShade {
+    double F = 0.0, unshaded = 0.0, largestShare = 0.0;
+    std::size_t samples = 0;
+
+    void add(const ObjectSample& object) {
+        if (!std::isfinite(object.viewFactor) || !std::isfinite(object.unshadedViewFactor))
+            return;
+        F += object.viewFactor;
+        unshaded += object.unshadedViewFactor;
+        ++samples;
+        if (object.unshadedViewFactor > 0.0)
+            largestShare = std::max(largestShare, 1.0 - object.viewFactor / object.unshadedViewFactor);
+    }
+};
+
+QString percent(double share) {
+    return QLocale().toString(100.0 * share, 'f', 1) + QStringLiteral("\u00a0%");
+}
+
+/// Nothing where no object lost a share worth a sentence.
+QString shadeTable(const SessionRecord& session) {
+    std::vector<SeenShade> seen(session.experiment.objects.size());
+    for (const TraceSample& sample : session.controlledSamples())
+        for (std::size_t i = 0; i < seen.size(); ++i)
+            seen[i].add(sample.objects[i]);
+    if (std::ranges::none_of(seen, [](const SeenShade& s) { return s.largestShare >= kMinToldShare; }))
+        return {};
+    html::Table table({RecordText::tr("Object"), RecordText::tr("Mean view factor"),
+                       RecordText::tr("Without shade"), RecordText::tr("Taken by the others, mean"),
+                       RecordText::tr("Taken by the others, largest")},
+                      {1, 2, 3, 4});
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        const SeenShade& s = seen[i];
+        const QString name = QString::fromStdString(session.experiment.objects[i].name);
+        if (s.samples == 0) {
+            table.add({name, RecordText::tr("not known"), {}, {}, {}});
+            continue;
+        }
+        const auto count = static_cast<double>(s.samples);
+        table.add({name, QLocale().toString(s.F / count, 'f', 4),
+                   QLocale().toString(s.unshaded / count, 'f', 4),
+                   percent(s.unshaded > 0.0 ? 1.0 - s.F / s.unshaded : 0.0), percent(s.largestShare)});
+    }
+    return subheading(RecordText::tr("Shade of the objects on one another, from Start until Stop")) +
+           table.text();
+}
+
+} // namespace
+
 QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
     const RunMetrics metrics = runMetrics(session);
     QString text = heading(RecordText::tr("Metrics"));
@@ -275,7 +327,8 @@ QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
         run << std::pair(metricName(metric), metricText(metric, metrics));
         definitions << std::pair(metricName(metric), metricDefinition(metric));
     }
-    return text + table.text() + facts(run) + subheading(RecordText::tr("Definitions")) + facts(definitions);
+    return text + table.text() + facts(run) + shadeTable(session) +
+           subheading(RecordText::tr("Definitions")) + facts(definitions);
 }
 
 QString eventsSection(const SessionRecord& session, TemperatureUnit unit) {

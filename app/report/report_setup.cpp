@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/display.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/rig/device_words.h"
@@ -199,6 +200,13 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
     return bodies.text() + materials.text();
 }
 
+QString shadeParagraphs(const Experiment& e, const Vector6d& pose, ShadedPose which) {
+    QString text;
+    for (const MountingRemark& remark : shadeRemarks(e, pose, which))
+        text += paragraph(messageText(remark.message) + u'.');
+    return text;
+}
+
 QString verdictWords(const TargetVerdict& verdict) {
     if (verdict.verdict == FeasibilityVerdict::TooHot)
         return SetupText::tr("too hot");
@@ -223,7 +231,8 @@ QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
            facts(rigFacts(session) + sourceFacts(session, unit) + robotFacts(session.experiment) +
                  controllerFacts(session.experiment)) +
            subheading(SetupText::tr("Safety limits")) + facts(limitFacts(session.experiment.safety, unit)) +
-           subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit);
+           subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit) +
+           shadeParagraphs(session.experiment, session.experiment.start, ShadedPose::Start);
 }
 
 std::vector<double> lastTargets_K(const SessionRecord& session) {
@@ -268,7 +277,7 @@ QString feasibilitySection(const SessionRecord& session, const std::vector<doubl
                    number(own.neededViewFactor, 3), formatTemperature(verdict->steady_K.at(i), unit),
                    formatTemperature(verdict->nearest_K.at(i), unit)});
     }
-    return text + table.text();
+    return text + table.text() + shadeParagraphs(session.experiment, verdict->pose, ShadedPose::Here);
 }
 
 QString calibrationSection(const SessionRecord& session) {

@@ -7,6 +7,7 @@
 #include "engine/shape/crossing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -33,6 +34,15 @@ bool overlap(const Rings& one, const Rings& other) {
         return std::ranges::any_of(other,
                                    [&](const Outline& its) { return findMeeting(ring, its).has_value(); });
     });
+}
+
+/// Whether two mounted plates lie in one plane, within what nobody could build otherwise.
+bool inOnePlane(const Pose& one, const Pose& other) {
+    constexpr double kTurn_rad = 1e-3;
+    constexpr double kApart_m = 1e-4;
+    const Eigen::Vector3d n = one.linear().col(2);
+    return n.cross(other.linear().col(2)).norm() < kTurn_rad &&
+           std::abs(n.dot(other.translation() - one.translation())) < kApart_m;
 }
 
 bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -79,6 +89,12 @@ template <class F> void forPassages(const Experiment& experiment, const F& take)
             take(passageOf(shapes[i], poseFromCoordinates(objects[i].mounting), shapes[k],
                            poseFromCoordinates(objects[k].mounting)),
                  i, k);
+}
+
+/// 12, 3.4: whole percent, but for small shares.
+std::string percentText(double share) {
+    const double percent = 100.0 * share;
+    return formatNumber(percent < 9.95 ? std::round(10.0 * percent) / 10.0 : std::round(percent));
 }
 
 Contour thinnedRing(const Contour& ring) {
@@ -128,6 +144,18 @@ std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment) {
     return out;
 }
 
+std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vector6d& pose,
+                                         ShadedPose which) {
+    const auto code = which == ShadedPose::Start ? MessageCode::ShadeAtStart : MessageCode::ShadeAtPose;
+    std::vector<MountingRemark> out;
+    for (const TakenLight& taken : rigGeometry(experiment)->takenLight(pose))
+        out.push_back({{code,
+                        {experiment.objects[taken.taker].name, percentText(taken.share),
+                         experiment.objects[taken.object].name}},
+                       {static_cast<int>(taken.object), static_cast<int>(taken.taker)}});
+    return out;
+}
+
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     Experiment quick = experiment;
     const std::vector<ObjectSpec>& objects = quick.objects;
@@ -155,7 +183,13 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                             {name(i), formatNumber(100.0 * radius_m, 3), formatNumber(100.0 * max_m, 3)}},
                            {i}});
         for (int k = i + 1; k < count; ++k) {
-            if (overlap(at(outlines, i), at(outlines, k)))
+            const Pose X_EI = poseFromCoordinates(at(objects, i).mounting);
+            const Pose X_EK = poseFromCoordinates(at(objects, k).mounting);
+            const bool isTold = inOnePlane(X_EI, X_EK)
+                                    ? overlap(at(outlines, i), at(outlines, k))
+                                    : passageOf(at(quick.objects, i).shape, X_EI, at(quick.objects, k).shape,
+                                                X_EK) == Passage::Through;
+            if (isTold)
                 out.push_back({{MessageCode::MountingOverlap, {name(i), name(k)}}, {i, k}});
             for (int l = k + 1; l < count; ++l)
                 if (inLine(at(places, i), at(places, k), at(places, l)))

@@ -10,8 +10,11 @@ struct MountingRemark {
     std::vector<int> objects; ///< the objects it is about
 };
 
-/// Returns remarks on an experiment that validates. Objects that overlap when seen along E's z axis: they
-/// shade one another, which the view factors ignore; one inside the hole of another does not. Objects farther
+/// The pose that a sentence about shade speaks of.
+enum class ShadedPose { Start, Here };
+
+/// Returns remarks on an experiment that validates. Objects that overlap in one plane or pass through one
+/// another; one above another, or inside the hole of another, does not (see shadeRemarks). Objects farther
 /// from E than RobotLimits::maxMountingRadius_m. Three objects on a line, which cannot be at similar
 /// temperatures: a line meets a convex surface of equal view factor at most twice (docs/model.md, section 7).
 /// Then what the free axes can do: objects whose view factors they cannot change independently
@@ -26,6 +29,12 @@ Result<void> checkMounting(const Experiment& experiment);
 
 /// Returns remarks on every two objects that overlap a part in one plane.
 std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment);
+
+/// Returns a remark on each share of its light, of at least kMinToldShare, that an object loses to another
+/// one at a pose of the end-effector (MountedObjects::takenLight). Takes about 1 ms for each two objects of
+/// which one stands in the light of the other, nothing for objects in one plane.
+std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vector6d& pose,
+                                         ShadedPose which);
 
 /// Returns the shape for drawings and remarks: a polygon of many points simplified to 0.2 mm, others
 /// unchanged.

@@ -303,5 +303,20 @@ TEST_F(RunReport, EveryFormOfExportAtOnce) {
         EXPECT_TRUE(QFile::exists(path("out") + '/' + name)) << name;
 }
 
+// Catches: a report that hides that an object stood in another's light, or tells it of objects that cannot.
+TEST_F(RunReport, TellsTheShadeOfTheObjects) {
+    Experiment experiment = test::twoDisks();
+    EXPECT_FALSE(readable(report(recorded(experiment, 240, "settled"))).contains("of the light of"));
+    experiment.objects[1].mounting[kX] = -0.03;
+    experiment.objects[1].mounting[kZ] = 0.04;
+    const QString text = readable(report(recorded(experiment, 240, "settled")));
+    EXPECT_TRUE(text.contains(
+        QRegularExpression("left, the takes [0-9.]+ % of the light of right at the start pose\\.")))
+        << text.toStdString();
+    EXPECT_TRUE(text.contains("of the light of right at this pose."));
+    EXPECT_TRUE(text.contains("Shade of the objects on one another, from Start until Stop"));
+    EXPECT_TRUE(text.contains("Taken by the others, largest"));
+}
+
 } // namespace
 } // namespace bask

@@ -239,5 +239,19 @@ TEST_F(TargetJudgeTest, KeptTargetsGoWithTheirObjects) {
     EXPECT_TRUE(judge.verdict()->fixedKept);
 }
 
+// Catches: a verdict without word of the shade at its pose, or with that of other objects.
+TEST_F(TargetJudgeTest, TellsWhoShadesWhomAtTheVerdictsPose) {
+    Experiment stacked = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
+    stacked.objects[1].mounting = stacked.objects[0].mounting;
+    stacked.objects[1].mounting[kZ] += 0.04;
+    set(stacked);
+    ASSERT_TRUE(waitFor([&] { return !judge.isStale(); }));
+    ASSERT_EQ(judge.shade().size(), 1u);
+    EXPECT_EQ(judge.shade()[0].objects, (std::vector<int>{1, 0}));
+    set(readExperiment(BASK_EXAMPLES "/two-circles.json").value());
+    ASSERT_TRUE(waitFor([&] { return !judge.isStale(); }));
+    EXPECT_TRUE(judge.shade().empty());
+}
+
 } // namespace
 } // namespace bask::test

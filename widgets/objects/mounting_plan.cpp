@@ -74,6 +74,11 @@ void MountingPlan::setObjects(const std::vector<ObjectSpec>& objects, int select
     update();
 }
 
+void MountingPlan::setRemarked(const std::set<int>& remarked) {
+    m_remarked = remarked;
+    update();
+}
+
 void MountingPlan::setReadOnly(bool readOnly) {
     m_readOnly = readOnly;
     m_drag.reset();

@@ -28,6 +28,8 @@ public:
     /// objects, 0 for none.
     void setObjects(const std::vector<ObjectSpec>& objects, int selected, const std::set<int>& remarked = {},
                     double reach_m = 0.0);
+    /// Changes only which objects have a remark; a drag goes on.
+    void setRemarked(const std::set<int>& remarked);
     void setReadOnly(bool readOnly);
 
     QSize minimumSizeHint() const override { return {180, 160}; }

@@ -1,7 +1,6 @@
 #include "widgets/objects/objects_page.h"
 
 #include "engine/model/experiment_rig.h"
-#include "engine/model/mounting_check.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
@@ -514,14 +513,32 @@ void ObjectsPage::showAll() {
 }
 
 void ObjectsPage::showMounting() {
+    m_plan->setObjects(m_experiment.objects, m_selected, {}, m_experiment.robot.maxMountingRadius_m);
+    m_mountingRemarks = mountingRemarks(m_experiment);
+    m_shading.run(
+        [experiment = m_experiment] { return shadeRemarks(experiment, experiment.start, ShadedPose::Start); },
+        [this, count = m_experiment.objects.size()](std::vector<MountingRemark> shade) {
+            if (count != m_experiment.objects.size())
+                return;
+            m_shade = std::move(shade);
+            showRemarks();
+        });
+    const auto isGone = [this](int i) { return i >= static_cast<int>(m_experiment.objects.size()); };
+    std::erase_if(m_shade,
+                  [&](const MountingRemark& remark) { return std::ranges::any_of(remark.objects, isGone); });
+    showRemarks();
+}
+
+void ObjectsPage::showRemarks() {
     std::set<int> remarked;
     QStringList sentences;
-    for (const MountingRemark& remark : mountingRemarks(m_experiment)) {
-        sentences << QStringLiteral("\u2022 ") + messageText(remark.message);
-        remarked.insert(remark.objects.begin(), remark.objects.end());
-    }
+    for (const auto* remarks : {&m_mountingRemarks, &m_shade})
+        for (const MountingRemark& remark : *remarks) {
+            sentences << QStringLiteral("\u2022 ") + messageText(remark.message);
+            remarked.insert(remark.objects.begin(), remark.objects.end());
+        }
     m_remarks->setText(sentences.join(QLatin1Char('\n')));
-    m_plan->setObjects(m_experiment.objects, m_selected, remarked, m_experiment.robot.maxMountingRadius_m);
+    m_plan->setRemarked(remarked);
 }
 
 void ObjectsPage::showSelected() {

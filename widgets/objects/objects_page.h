@@ -2,7 +2,7 @@
 // The Objects page: list, import, outlines, harmonics, material, mounting.
 
 #include "engine/base/units.h"
-#include "engine/model/experiment.h"
+#include "engine/model/mounting_check.h"
 #include "engine/shape/contour_import.h"
 #include "widgets/common/latest_job.h"
 
@@ -27,7 +27,7 @@ class OutlinePreview;
 
 /// Setters in, signals out. Every committed edit is one experimentEdited with the whole value, shown as if it
 /// were taken; the receiver answers a refused one with setExperiment(the value before) and showError. Files
-/// are read off the GUI thread.
+/// are read, and the shade of objects on one another is found, off the GUI thread.
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes",
 /// "duplicateObject", "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks",
@@ -91,6 +91,7 @@ private:
     void showAll();
     void showSelected();
     void showMounting();
+    void showRemarks();
     void updateEnabled();
     void refreshTexts();
     bool hasSelection() const;
@@ -112,6 +113,9 @@ private:
     QStackedWidget* m_stack; ///< the page, or the import panel
     ImportPanel* m_importPanel;
     LatestJob<Result<OriginalShape>> m_fitting; ///< fits the imported outline
+    std::vector<MountingRemark> m_mountingRemarks;
+    std::vector<MountingRemark> m_shade; ///< who shades whom at the start pose
+    LatestJob<std::vector<MountingRemark>> m_shading;
     ObjectList* m_list;
     QLabel* m_listTitle;
     QLabel* m_count;

@@ -247,7 +247,8 @@ void TargetsPage::setExperiment(const Experiment& experiment) {
     emit keptChanged(kept());
 }
 
-void TargetsPage::setVerdict(const JointVerdict& verdict) {
+void TargetsPage::setVerdict(const JointVerdict& verdict, const std::vector<MountingRemark>& shade) {
+    m_shade = shade;
     m_verdict.reset();
     if (verdict.conditions1.size() == m_rows.size())
         m_verdict = verdict;
@@ -464,6 +465,9 @@ void TargetsPage::showJoint() {
     QString detail = stale || m_rows.empty() ? QString() : jointDetail();
     if (!detail.isEmpty() && m_verdict->caveat != Message{})
         detail += QLatin1Char('\n') + sentenceText(m_verdict->caveat, m_unit);
+    if (!detail.isEmpty())
+        for (const MountingRemark& remark : m_shade)
+            detail += QStringLiteral("\n\u2022 ") + messageText(remark.message, m_unit);
     m_jointDetail->setText(detail);
     m_jointDetail->setPalette(captionPalette(palette()));
     m_useNearest->setText(tr("Use nearest feasible"));

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/control/reachable_pairs.h"
-#include "engine/model/experiment.h"
+#include "engine/model/mounting_check.h"
 
 #include <QWidget>
 
@@ -38,8 +38,8 @@ public:
 
     void setExperiment(const Experiment& experiment);
     /// Sets the verdict on the experiment's objects, in their order; one with another number of objects
-    /// counts as none.
-    void setVerdict(const JointVerdict& verdict);
+    /// counts as none. `shade`: who shades whom at its pose.
+    void setVerdict(const JointVerdict& verdict, const std::vector<MountingRemark>& shade = {});
     void setStale(bool stale);
     /// Sets the prediction for the shown verdict, after predictionWanted(): the time when all have settled on
     /// the simulated rig; empty if not within the experiment's duration limit.
@@ -103,6 +103,7 @@ private:
     Experiment m_experiment;       ///< the experiment with the shown targets, perhaps only tried
     std::vector<double> m_given_K; ///< its targets as last set or sent
     std::optional<JointVerdict> m_verdict;
+    std::vector<MountingRemark> m_shade; ///< at its pose
     bool m_stale = true;
     /// prediction for the verdict; empty if not known yet
     std::optional<std::optional<double>> m_prediction_s;

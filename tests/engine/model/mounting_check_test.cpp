@@ -307,4 +307,28 @@ TEST(MountingCheck, IsQuickWithManyHoles) {
     EXPECT_LT(test::threadTime_s() - before_s, test::kIsSanitized ? 5.0 : 0.5);
 }
 
+// Catches: an object above another taken for one that overlaps it; a shade that is not told, or told of the
+// wrong two, with the wrong pose or a share that is nothing.
+TEST(MountingCheck, WhoShadesWhomIsToldFromHalfAPercent) {
+    Experiment experiment;
+    experiment.objects = {disk("hand", 0.0, 0.0), disk("bunny", 0.02, 0.0)};
+    experiment.start[kZ] = 0.15;
+    EXPECT_TRUE(shadeRemarks(experiment, experiment.start, ShadedPose::Start).empty());
+    experiment.objects[1].mounting[kZ] = -0.03;
+    EXPECT_EQ(std::ranges::count(codesOf(experiment), MessageCode::MountingOverlap), 0);
+    const auto told = shadeRemarks(experiment, experiment.start, ShadedPose::Start);
+    ASSERT_EQ(told.size(), 1u);
+    EXPECT_EQ(told[0].objects, (std::vector<int>{0, 1}));
+    const double percent = std::stod(told[0].message.args.at(1).text());
+    EXPECT_GT(percent, 5.0);
+    EXPECT_LT(percent, 60.0);
+    EXPECT_EQ(describe(told[0].message),
+              "bunny takes " + told[0].message.args[1].text() + " % of the light of hand at the start pose");
+    const auto here = shadeRemarks(experiment, experiment.start, ShadedPose::Here);
+    ASSERT_EQ(here.size(), 1u);
+    EXPECT_TRUE(describe(here[0].message).ends_with(" of the light of hand at this pose"));
+    experiment.objects[1].mounting[kX] = 0.3;
+    EXPECT_TRUE(shadeRemarks(experiment, experiment.start, ShadedPose::Start).empty()) << "less than 0.5 %";
+}
+
 } // namespace bask

@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace bask::test {
 namespace {
 
@@ -37,6 +39,30 @@ protected:
 
     QTemporaryDir m_folder;
 };
+
+// Catches: a shade that counts in the answer and is not told in it.
+TEST_F(FeasibilityCommand, WhoShadesWhomIsInTheAnswer) {
+    QFile example(QStringLiteral(BASK_EXAMPLES "/two-circles.json")), stacked(file("stacked.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly) && stacked.open(QIODevice::WriteOnly));
+    json experiment = json::parse(example.readAll().toStdString());
+    experiment["objects"][1]["mounting"] = json::parse(R"({"x_cm": 0, "y_cm": 3, "z_cm": 4})");
+    stacked.write(QByteArray::fromStdString(experiment.dump()));
+    stacked.close();
+    const Captured answer = feasibility({file("stacked.json"), "--summary", file("summary.json")});
+    const std::regex sentence(R"(shade: left takes \d+(\.\d)? % of the light of right at the start pose\n)");
+    EXPECT_TRUE(std::regex_search(answer.out, sentence)) << answer.out;
+    EXPECT_NE(answer.out.find(" % of the light of right at this pose\n"), std::string::npos) << answer.out;
+    QFile written(file("summary.json"));
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const json summary = json::parse(written.readAll().toStdString());
+    for (const char* key : {"shade_at_start", "shade_at_pose"}) {
+        ASSERT_EQ(summary[key].size(), 1u) << key;
+        EXPECT_EQ(summary[key][0]["object"], "right");
+        EXPECT_EQ(summary[key][0]["taken_by"], "left");
+        EXPECT_GE(summary[key][0]["share"].get<double>(), 0.005);
+        EXPECT_LE(summary[key][0]["share"].get<double>(), 1.0);
+    }
+}
 
 // Catches: two objects in one place, or through each other, told to be feasible; and two of which one only
 // shades the other refused.

@@ -657,5 +657,22 @@ TEST_F(ObjectsPageTest, PictureInBothThemes) {
     EXPECT_LE(page.minimumSizeHint().height(), 560);
 }
 
+// Catches: an object in another's light that nobody is told of, or is told to overlap it; words of a mounting
+// before.
+TEST_F(ObjectsPageTest, WhoShadesWhomAtTheStartIsTold) {
+    auto* remarks = child<QLabel>("mountingRemarks");
+    Experiment stacked = example();
+    stacked.objects[1].mounting = stacked.objects[2].mounting; // the bunny 4 cm below the hand
+    stacked.objects[1].mounting[kZ] -= 0.04;
+    page.setExperiment(stacked);
+    const QRegularExpression told(
+        QString::fromUtf8("\u2022 bunny takes \\d+ % of the light of hand at the start pose"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return remarks->text().contains(told); }))
+        << remarks->text().toStdString();
+    EXPECT_FALSE(remarks->text().contains("overlap"));
+    page.setExperiment(example());
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !remarks->text().contains("takes"); }));
+}
+
 } // namespace
 } // namespace bask

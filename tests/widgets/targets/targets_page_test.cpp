@@ -450,5 +450,18 @@ TEST_F(TargetsPageTest, PictureInBothThemes) {
     EXPECT_LE(page.minimumSizeHint().width(), 1100);
 }
 
+// Catches: a shade that counts in the verdict and is not told with it, or told of the verdict before.
+TEST_F(TargetsPageTest, WhoShadesWhomIsToldWithTheVerdict) {
+    const MountingRemark shade{{MessageCode::ShadeAtPose, {"bunny", "12", "hand"}}, {2, 1}};
+    const JointVerdict held = joint({verdict(40.0, 0.16), verdict(120.0, 0.31), verdict(20.0, 0.15)});
+    page.setVerdict(held, {shade});
+    auto* detail = child<QLabel>("jointDetail");
+    EXPECT_TRUE(detail->text().endsWith(
+        QString::fromUtf8("\n\u2022 bunny takes 12 % of the light of hand at this pose")))
+        << detail->text().toStdString();
+    page.setVerdict(held);
+    EXPECT_FALSE(detail->text().contains("of the light of"));
+}
+
 } // namespace
 } // namespace bask
