@@ -1,6 +1,7 @@
 #include "engine/radiation/point_factor.h"
 
 #include "engine/radiation/gauss_rule.h"
+#include "engine/radiation/lambert_field.h"
 
 #include <Eigen/Geometry>
 
@@ -14,7 +15,6 @@
 namespace bask {
 namespace {
 
-using std::numbers::pi;
 constexpr int kMaxPanels = 20000; // for a Fourier outline: a limit for points that almost lie on it
 
 /// The element. With r = s - p, F = -1/(2 pi) loop of n . (r x dr)/|r|^2 over the outline of the part with
@@ -28,9 +28,7 @@ struct Element {
 
     /// Contribution of the straight line from r = a to r = b to the loop, without the factor.
     double edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
-        const Eigen::Vector3d cross = a.cross(b);
-        const double length = cross.norm();
-        return length > 0.0 ? n.dot(cross) / length * std::atan2(length, a.dot(b)) : 0.0;
+        return n.dot(straightField(a, b));
     }
     /// The same on the line where the element's plane meets the source plane. The pieces of a non-convex
     /// source are joined there in the order of the outline: parts that are passed twice cancel.
@@ -39,63 +37,24 @@ struct Element {
     }
 };
 
-/// The arc from angle `from` to `to` of a circle about the origin, in closed form: |r|^2 is a - b cos(angle),
-/// and the integrals of 1, cos and sin over it are elementary.
-class Arc {
-public:
-    Arc(double radius, const Element& element)
-        : m_radius(radius), m_z(element.p.z()), m_rho(std::hypot(element.p.x(), element.p.y())),
-          m_azimuth(m_rho > 0.0 ? std::atan2(element.p.y(), element.p.x()) : 0.0) {
-        const double c = std::cos(m_azimuth), s = std::sin(m_azimuth);
-        m_n = {c * element.n.x() + s * element.n.y(), c * element.n.y() - s * element.n.x(), element.n.z()};
-        m_a = m_rho * m_rho + m_z * m_z + radius * radius;
-        m_b = 2.0 * radius * m_rho;
-        m_s = std::hypot(radius - m_rho, m_z) * std::hypot(radius + m_rho, m_z);
-    }
-
-    double azimuth() const { return m_azimuth; }
-
-    /// Angles are counted from the element's azimuth; to - from in [0, 2 pi].
-    double share(double from, double to) const {
-        const double turn = to - from;
-        const double q = 1.0 / (m_a + m_s); // b q is the ratio of the Fourier series of 1/(a - b cos)
-        const double swing = angleOverB(to, q) - angleOverB(from, q);
-        const double cosine = (q * turn * m_b + 2.0 * m_a * swing) / m_s;
-        const double one = (turn + 2.0 * m_b * swing) / m_s;
-        const double step = (std::cos(from) - std::cos(to)) / (m_a - m_b * std::cos(from));
-        const double sine = m_b * step > 1e-9 || m_b * step < -1e-9 ? std::log1p(m_b * step) / m_b
-                                                                    : step * (1.0 - 0.5 * m_b * step);
-        return m_n.x() * m_z * m_radius * cosine + m_n.y() * m_z * m_radius * sine +
-               m_n.z() * (m_radius * m_radius * one - m_rho * m_radius * cosine);
-    }
-
-private:
-    double angleOverB(double angle, double q) const {
-        const double ratio = m_b * q;
-        return ratio > 1e-12 ? std::atan2(ratio * std::sin(angle), 1.0 - ratio * std::cos(angle)) / m_b
-                             : q * std::sin(angle);
-    }
-
-    double m_radius, m_z, m_rho, m_azimuth, m_a, m_b, m_s;
-    Eigen::Vector3d m_n;
-};
-
 double circulation(const Disk& disk, const Element& element) {
-    const Arc arc(disk.radius_m, element);
+    const ArcField arc(disk.radius_m, element.p);
     const double tilt = disk.radius_m * std::hypot(element.n.x(), element.n.y());
     const double middle = element.height(0.0, 0.0);
     if (middle <= -tilt)
         return 0.0;
     if (middle >= tilt)
-        return arc.share(-pi, pi);
+        return element.n.dot(arc.whole());
     // Visible is the arc of +-half about the direction of the normal.
     const double direction = std::atan2(element.n.y(), element.n.x());
     const double half = std::acos(-middle / tilt);
-    const auto rim = [&](double angle) {
-        return element.to(disk.radius_m * std::cos(angle), disk.radius_m * std::sin(angle));
+    const Eigen::Vector2d from(std::cos(direction - half), std::sin(direction - half)),
+        to(std::cos(direction + half), std::sin(direction + half));
+    const auto rim = [&](const Eigen::Vector2d& u) {
+        return element.to(disk.radius_m * u.x(), disk.radius_m * u.y());
     };
-    return arc.share(direction - half - arc.azimuth(), direction + half - arc.azimuth()) +
-           element.edgeOnHorizon(rim(direction + half), rim(direction - half));
+    return element.n.dot(arc.between(from, to, half > 0.5 * std::numbers::pi)) +
+           element.edgeOnHorizon(rim(to), rim(from));
 }
 
 double circulation(const Contour& polygon, const Element& element) {
@@ -268,7 +227,7 @@ double pointFactor(const Shape& source, const Eigen::Vector3d& p_SP, const Eigen
         return 0.0;
     const Element element{p_SP, normal_S / length};
     const double loop = std::visit([&](const auto& s) { return circulation(s, element); }, source);
-    return std::clamp(-loop / (2.0 * pi), 0.0, 1.0);
+    return std::clamp(-loop / (2.0 * std::numbers::pi), 0.0, 1.0);
 }
 
 } // namespace bask

@@ -1,146 +1,18 @@
 #include "engine/radiation/shadow_field.h"
 
-#include <Eigen/Geometry>
+#include "engine/radiation/conic_roots.h"
+#include "engine/radiation/lambert_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace bask {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
     hash ^= value + 0x9e3779b97f4a7c15ULL + (hash << 6) + (hash >> 2);
     return hash * 0xff51afd7ed558ccdULL;
-}
-
-// A trigonometric polynomial of degree two on the unit circle.
-struct Conic {
-    double mean, c1, s1, c2, s2;
-};
-
-constexpr std::size_t kSamples = 16;
-
-struct Samples {
-    std::array<double, kSamples> c1, s1, c2, s2;
-};
-
-const Samples& samples() {
-    static const Samples kTable = [] {
-        Samples all;
-        for (std::size_t i = 0; i < kSamples; ++i) {
-            const double angle = kTwoPi * static_cast<double>(i) / kSamples;
-            all.c1[i] = std::cos(angle);
-            all.s1[i] = std::sin(angle);
-            all.c2[i] = std::cos(2.0 * angle);
-            all.s2[i] = std::sin(2.0 * angle);
-        }
-        return all;
-    }();
-    return kTable;
-}
-
-/// The polynomial about the middle between two samples as a quartic in t = tan(half the angle from there),
-/// without the factor (1 + t^2)^-2.
-class Quartic {
-public:
-    Quartic(const Conic& f, std::size_t sample) {
-        static const Samples kMiddles = [] {
-            Samples all;
-            for (std::size_t i = 0; i < kSamples; ++i) {
-                const double angle = kTwoPi * (static_cast<double>(i) + 0.5) / kSamples;
-                all.c1[i] = std::cos(angle);
-                all.s1[i] = std::sin(angle);
-                all.c2[i] = std::cos(2.0 * angle);
-                all.s2[i] = std::sin(2.0 * angle);
-            }
-            return all;
-        }();
-        m_middle = {kMiddles.c1[sample], kMiddles.s1[sample]};
-        const double c1 = f.c1 * kMiddles.c1[sample] + f.s1 * kMiddles.s1[sample];
-        const double s1 = f.s1 * kMiddles.c1[sample] - f.c1 * kMiddles.s1[sample];
-        const double c2 = f.c2 * kMiddles.c2[sample] + f.s2 * kMiddles.s2[sample];
-        const double s2 = f.s2 * kMiddles.c2[sample] - f.c2 * kMiddles.s2[sample];
-        m_a = {f.mean + c1 + c2, 2.0 * s1 + 4.0 * s2, 2.0 * f.mean - 6.0 * c2, 2.0 * s1 - 4.0 * s2,
-               f.mean - c1 + c2};
-    }
-
-    double value(double t) const { return m_a[0] + t * (m_a[1] + t * (m_a[2] + t * (m_a[3] + t * m_a[4]))); }
-    double slope(double t) const {
-        return m_a[1] + t * (2.0 * m_a[2] + t * (3.0 * m_a[3] + t * 4.0 * m_a[4]));
-    }
-    double bend(double t) const { return 2.0 * m_a[2] + t * (6.0 * m_a[3] + t * 12.0 * m_a[4]); }
-    Eigen::Vector2d point(double t) const {
-        const double scale = 1.0 / (1.0 + t * t);
-        const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale;
-        return {m_middle.x() * c - m_middle.y() * s, m_middle.y() * c + m_middle.x() * s};
-    }
-
-private:
-    Eigen::Vector2d m_middle;
-    std::array<double, 5> m_a;
-};
-
-constexpr double kHalfStep = 0.098491403357164253; // tan(pi / 32): from a middle to its samples
-
-/// Newton's method between two points where the function has opposite signs, halving where it leaves them.
-/// The error after a step is like the step's square.
-constexpr double kLastStep = 1e-8;
-template <class F, class Slope>
-double rootBetween(const F& f, const Slope& slope, double a, double fa, double b, double fb) {
-    double t = (a * fb - b * fa) / (fb - fa);
-    for (int step = 0; step < 60; ++step) {
-        const double value = f(t);
-        ((value > 0.0) == (fa > 0.0) ? a : b) = t;
-        double next = t - value / slope(t);
-        const bool isNewton = next >= a && next <= b;
-        if (!isNewton)
-            next = 0.5 * (a + b);
-        if (std::abs(next - t) < (isNewton ? kLastStep : 1e-15))
-            return next;
-        t = next;
-    }
-    return t;
-}
-
-template <class Found> void rootsOf(const Conic& f, const Found& found) {
-    const double most = std::sqrt(f.c1 * f.c1 + f.s1 * f.s1) + std::sqrt(f.c2 * f.c2 + f.s2 * f.s2);
-    if (std::abs(f.mean) > most)
-        return;
-    const Samples& at = samples();
-    std::array<double, kSamples + 1> values;
-    for (std::size_t i = 0; i < kSamples; ++i)
-        values[i] = f.mean + f.c1 * at.c1[i] + f.s1 * at.s1[i] + f.c2 * at.c2[i] + f.s2 * at.s2[i];
-    values[kSamples] = values[0];
-    // Between two samples the value bends by at most so much.
-    const double sag = most * 4.0 * (kTwoPi / kSamples) * (kTwoPi / kSamples) / 8.0;
-    for (std::size_t i = 0; i < kSamples; ++i) {
-        const double here = values[i], there = values[i + 1];
-        const bool changes = (here > 0.0) != (there > 0.0);
-        if (!changes && std::min(std::abs(here), std::abs(there)) > sag)
-            continue;
-        const Quartic q(f, i);
-        const auto value = [&q](double t) { return q.value(t); };
-        const auto slope = [&q](double t) { return q.slope(t); };
-        if (changes) {
-            found(q.point(rootBetween(value, slope, -kHalfStep, here, kHalfStep, there)));
-            continue;
-        }
-        const double slopeHere = q.slope(-kHalfStep), slopeThere = q.slope(kHalfStep);
-        if (here > 0.0 ? !(slopeHere < 0.0 && slopeThere > 0.0) : !(slopeHere > 0.0 && slopeThere < 0.0))
-            continue;
-        const double turn = rootBetween(
-            slope, [&q](double t) { return q.bend(t); }, -kHalfStep, slopeHere, kHalfStep, slopeThere);
-        const double least = q.value(turn);
-        if ((least > 0.0) == (here > 0.0))
-            continue;
-        found(q.point(rootBetween(value, slope, -kHalfStep, here, turn, least)));
-        found(q.point(rootBetween(value, slope, turn, least, kHalfStep, there)));
-    }
 }
 
 // Ascends with the angle from 0 to kWholeTurn.
@@ -151,113 +23,7 @@ double angleOrder(const Eigen::Vector2d& u) {
     return u.y() >= 0.0 ? 1.0 - u.x() : 3.0 + u.x();
 }
 
-Eigen::Vector3d straightField(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    const Eigen::Vector3d cross = a.cross(b);
-    const double length = cross.norm();
-    const double dot = a.dot(b);
-    if (length == 0.0)
-        return Eigen::Vector3d::Zero();
-    if (length < 0.1 * dot) { // atan(x)/x for a small x
-        const double x2 = (length / dot) * (length / dot);
-        return (1.0 -
-                x2 * (1.0 / 3.0 -
-                      x2 * (0.2 - x2 * (1.0 / 7.0 - x2 * (1.0 / 9.0 - x2 * (1.0 / 11.0 - x2 / 13.0)))))) /
-               dot * cross;
-    }
-    return std::atan2(length, dot) / length * cross;
-}
-
-// Integral of r x dr / |r|^2 along the arc of a circle: point_factor.cpp has the derivation.
-class ArcField {
-public:
-    ArcField(double radius, const Eigen::Vector3d& p) // p in the circle's frame
-        : m_radius(radius), m_z(p.z()), m_rho(std::hypot(p.x(), p.y())),
-          m_azimuth(m_rho > 0.0 ? Eigen::Vector2d(p.head<2>() / m_rho) : Eigen::Vector2d(1.0, 0.0)) {
-        m_a = m_rho * m_rho + m_z * m_z + radius * radius;
-        m_b = 2.0 * radius * m_rho;
-        m_s = std::sqrt(((radius - m_rho) * (radius - m_rho) + m_z * m_z) *
-                        ((radius + m_rho) * (radius + m_rho) + m_z * m_z));
-    }
-
-    Eigen::Vector3d whole() const { return assembled(kTwoPi, 0.0, 0.0); }
-
-    // From one unit vector to another, counter-clockwise, by more than half a turn or not.
-    Eigen::Vector3d between(const Eigen::Vector2d& from, const Eigen::Vector2d& to, bool isLong) const {
-        double turn = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
-        if (isLong && turn < 0.0)
-            turn += kTwoPi;
-        const Eigen::Vector2d a = rotated(from), b = rotated(to);
-        const double q = 1.0 / (m_a + m_s);
-        const double ratio = m_b * q;
-        double swing; // over b
-        if (ratio > 1e-12) {
-            const Eigen::Vector2d za(1.0 - ratio * a.x(), ratio * a.y()),
-                zb(1.0 - ratio * b.x(), ratio * b.y());
-            swing = std::atan2(za.x() * zb.y() - za.y() * zb.x(), za.dot(zb)) / m_b;
-        } else {
-            swing = q * (b.y() - a.y());
-        }
-        const double step = (a.x() - b.x()) / (m_a - m_b * a.x());
-        const double sine =
-            std::abs(m_b * step) > 1e-9 ? std::log1p(m_b * step) / m_b : step * (1.0 - 0.5 * m_b * step);
-        return assembled(turn, swing, sine);
-    }
-
-private:
-    Eigen::Vector2d rotated(const Eigen::Vector2d& u) const {
-        return {u.dot(m_azimuth), u.y() * m_azimuth.x() - u.x() * m_azimuth.y()};
-    }
-    Eigen::Vector3d assembled(double turn, double swing, double sine) const {
-        const double cosine = (turn * m_b / (m_a + m_s) + 2.0 * m_a * swing) / m_s;
-        const double one = (turn + 2.0 * m_b * swing) / m_s;
-        const double along = m_z * m_radius * cosine;
-        const double across = m_z * m_radius * sine;
-        return {m_azimuth.x() * along - m_azimuth.y() * across,
-                m_azimuth.y() * along + m_azimuth.x() * across,
-                m_radius * m_radius * one - m_rho * m_radius * cosine};
-    }
-
-    double m_radius, m_z, m_rho, m_a, m_b, m_s;
-    Eigen::Vector2d m_azimuth;
-};
-
 } // namespace
-
-std::size_t SightScene::add(SightFigure figure) {
-    m_figures.push_back(std::move(figure));
-    m_relations.clear();
-    return m_figures.size() - 1;
-}
-
-std::size_t SightScene::clipped(std::size_t figure, const HalfSpace& space) {
-    SightFigure part = m_figures[figure];
-    return part.clip(space) ? add(std::move(part)) : figure;
-}
-
-const SightScene::Relation& SightScene::relation(std::size_t of, std::size_t to) const {
-    m_relations.resize(m_figures.size() * m_figures.size());
-    std::unique_ptr<Relation>& relation = m_relations[of * m_figures.size() + to];
-    if (!relation) {
-        relation = std::make_unique<Relation>();
-        const SightFigure& own = m_figures[of];
-        const SightFigure& frame = m_figures[to];
-        const auto inFrame = [&frame](const Eigen::Vector3d& v) {
-            return Eigen::Vector3d(frame.e1.dot(v), frame.e2.dot(v), frame.n.dot(v));
-        };
-        relation->origin = inFrame(own.origin - frame.origin);
-        relation->e1 = inFrame(own.e1);
-        relation->e2 = inFrame(own.e2);
-        for (const Eigen::Vector2d& corner : own.corners())
-            relation->corners.emplace_back(relation->origin + corner.x() * relation->e1 +
-                                           corner.y() * relation->e2);
-        for (const SightFigure::Chain& chain : own.chains()) {
-            const Eigen::Vector2d middle = chain.middle();
-            relation->chains.emplace_back(
-                relation->origin + middle.x() * relation->e1 + middle.y() * relation->e2, chain.radius());
-        }
-    }
-    return *relation;
-}
 
 ShadowField::ShadowField(const SightScene& scene, std::span<const SightMember> targets,
                          std::span<const SightMember> blockers, bool through)
@@ -342,21 +108,23 @@ void ShadowField::cutCircles(std::size_t a, std::size_t b) {
     };
     const Image p = axis(from.e1), q = axis(from.e2);
     const auto product = [r2 = radiusB * radiusB](const Image& s, const Image& t) {
-        return s.u * t.u + s.v * t.v - r2 * s.w * t.w;
+        return formOf(s, t, r2);
     };
     const double pp = product(p, p), qq = product(q, q);
     const Conic f{product(c, c) + 0.5 * (pp + qq), 2.0 * product(c, p), 2.0 * product(c, q), 0.5 * (pp - qq),
                   product(p, q)};
-    rootsOf(f, [&](const Eigen::Vector2d& u) {
+    const ConicRoots roots = rootsOf(f);
+    for (std::size_t k = 0; k < roots.count; ++k) {
+        const Eigen::Vector2d& u = roots.at[k];
         const double w = c.w + u.x() * p.w + u.y() * q.w;
         if (!isAhead(onto, w * travel(a, radiusA * u)))
-            return;
+            continue;
         m_seen[a].circleCuts.push_back({u, angleOrder(u), static_cast<int>(b)});
         const double scale = 1.0 / (radiusB * w);
         const Eigen::Vector2d on(scale * (c.u + u.x() * p.u + u.y() * q.u),
                                  scale * (c.v + u.x() * p.v + u.y() * q.v));
         m_seen[b].circleCuts.push_back({on, angleOrder(on), static_cast<int>(a)});
-    });
+    }
 }
 
 // A ray r from p meets the plane at h r / (n . r); if r changes by at most the radius, so much does that
@@ -379,9 +147,7 @@ void ShadowField::cutCircleByEdges(std::size_t circle, std::size_t straight) {
     const SightFigure& figure = *own.figure;
     const SightScene::Relation& from = relation(straight, circle);
     const double radius = onto.figure->radius(), radius2 = radius * radius;
-    const auto product = [radius2](const Image& s, const Image& t) {
-        return s.u * t.u + s.v * t.v - radius2 * s.w * t.w;
-    };
+    const auto product = [radius2](const Image& s, const Image& t) { return formOf(s, t, radius2); };
     const auto cut = [&](int i, const Image& a, double faa, const Image& b, double fbb) {
         if (faa < 0.0 && fbb < 0.0 && a.w * b.w > 0.0) // a circle is convex
             return;

@@ -1,37 +1,13 @@
 #pragma once
 // The radiation through a point that goes from the object to the source and meets a blocker, as a vector.
 
-#include "engine/radiation/sight_figure.h"
+#include "engine/radiation/sight_scene.h"
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <vector>
 
 namespace bask {
-
-/// The figures of a scene, and how each lies in the frames of the others. It must outlive what refers to it.
-class SightScene {
-public:
-    /// A figure's axes, origin and corners in the frame of another one.
-    struct Relation {
-        Eigen::Vector3d origin, e1, e2;
-        std::vector<Eigen::Vector3d> corners;
-        std::vector<std::pair<Eigen::Vector3d, double>> chains; ///< middle and radius
-    };
-
-    /// Returns the number of the new figure.
-    std::size_t add(SightFigure figure);
-    /// Returns the number of the figure or, if it does not lie wholly in the half space, of a new one that
-    /// does.
-    std::size_t clipped(std::size_t figure, const HalfSpace& space);
-    const SightFigure& figure(std::size_t number) const { return m_figures[number]; }
-    const Relation& relation(std::size_t of, std::size_t to) const;
-
-private:
-    std::vector<SightFigure> m_figures;
-    mutable std::vector<std::unique_ptr<Relation>> m_relations; // made when asked for
-};
 
 /// A figure that a ray through the point meets: ahead of it (1), behind it (-1), on either side (0).
 struct SightMember {
@@ -94,6 +70,10 @@ private:
     static Image image(const Seen& onto, const Eigen::Vector3d& point) {
         return {onto.h * point.x() + onto.x * point.z(), onto.h * point.y() + onto.y * point.z(),
                 point.z() + onto.h};
+    }
+    /// The bilinear form of a circle about the other figure's origin: zero for a point on it with itself.
+    static double formOf(const Image& s, const Image& t, double radius2) {
+        return s.u * t.u + s.v * t.v - radius2 * s.w * t.w;
     }
     const SightScene::Relation& relation(std::size_t of, std::size_t to) const {
         return *m_relations[of * m_seen.size() + to];

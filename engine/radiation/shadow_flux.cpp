@@ -19,7 +19,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kStep = 0.7;    // of the smallest plate's size
 constexpr double kNudge = 1e-11; // of a plate's size
 
@@ -341,7 +340,7 @@ private:
         Vector3d field = Vector3d::Zero();
         for (Outline::Part& part : outline.parts)
             field += part.sign * part.field.at(eye, true).field;
-        return {p - m_p_SO, step.cross(field) * (length * slope / kPi)};
+        return {p - m_p_SO, step.cross(field) * (length * slope / std::numbers::pi)};
     }
 
     void evaluate(Panel& panel) {
@@ -509,7 +508,7 @@ RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& ob
     ShadowField down(scene, std::span(&downToSource, 1), downToBlockers, true);
     for (const FaceNode& node : object.contour.impl().plate().faceNodes())
         if (const Vector3d p = object.X_S * Vector3d(node.at.x(), node.at.y(), 0.0); p.z() > 0.0)
-            flux.value_m2 += node.area_m2 * face.dot(down.at(p, true).field) / kPi;
+            flux.value_m2 += node.area_m2 * face.dot(down.at(p, true).field) / std::numbers::pi;
     if (!withGradient || flux.value_m2 == 0.0)
         return flux;
     const SightMember upToObject{scene.clipped(add(object), above), -1};
@@ -532,7 +531,7 @@ RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& ob
         for (int k = 0; k < steps; ++k) {
             const auto [p, step] = curve.at((k + 0.5) / steps);
             if (front.height(p) > 0.0 && up.mayBeSeen(p, 0.0))
-                sum.add(-1.0 / (kPi * steps), p - p_SO,
+                sum.add(-1.0 / (std::numbers::pi * steps), p - p_SO,
                         step.cross(up.at(curve.lookout(p, step), true).field));
         }
     }
