@@ -239,10 +239,12 @@ std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) c
 
 SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2) const {
     // With shade, a first descent ends where it gains little, and a pose this much worse than the best one is
-    // worth no second descent or no exact shade. Of extremes of one condition, only the best one is.
-    constexpr double kFirst_K = 1.0, kRough_K = 0.1, kLittle = 0.01;
+    // worth no second descent or no exact shade. An extreme stays as wrong as its rough values, so more of
+    // them are made exact.
+    constexpr double kFirst_K = 1.0, kRough_K = 0.1, kRoughExtreme_K = 0.5, kLittle = 0.01;
     constexpr double kNear = 3e-3, kSame = 1e-3; // m, rad
-    const bool mayShade = m_geometry->mayShade(), isExtreme = isForExtreme(aim);
+    const bool mayShade = m_geometry->mayShade();
+    const double rough_K = isForExtreme(aim) ? kRoughExtreme_K : kRough_K;
     const double scale = aim.rows.cwiseAbs().maxCoeff();
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(m_geometry->objects());
     std::vector<Vector6d> firstEnds, madeAlready;
@@ -259,7 +261,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
         if (tried++ > 0 && (stopped() || enough)) // a stopped search also returns temperatures
             break;
         SteadyPose found = descend(aim, start, none, mayShade ? kLittle : kAlmostNone);
-        if (mayShade && !isExtreme) {
+        if (mayShade) {
             const auto isFar = [&](double allowed_K) {
                 return std::sqrt(found.cost_K2) > std::sqrt(best.cost_K2) + allowed_K * scale;
             };
@@ -267,7 +269,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
                 continue;
             firstEnds.push_back(found.q);
             found = descend(aim, found.q, none, kAlmostNone);
-            if (isFar(kRough_K) || isIn(madeAlready, found.q, kSame))
+            if (isFar(rough_K) || isIn(madeAlready, found.q, kSame))
                 continue;
             madeAlready.push_back(found.q);
             found = madeExact(aim, std::move(found));
@@ -279,7 +281,7 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
             bestMargin_m = margin_m;
         }
     }
-    return mayShade && isExtreme ? madeExact(aim, descend(aim, best.q, none, kAlmostNone)) : best;
+    return best;
 }
 
 LimitDistance nearestLimit(const RigGeometry& geometry, const Vector6d& q) {
