@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -147,8 +148,10 @@ std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment) {
 std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vector6d& pose,
                                          ShadedPose which) {
     const auto code = which == ShadedPose::Start ? MessageCode::ShadeAtStart : MessageCode::ShadeAtPose;
+    std::vector<TakenLight> all = rigGeometry(experiment)->takenLight(pose);
+    std::ranges::stable_sort(all, std::ranges::greater(), &TakenLight::share);
     std::vector<MountingRemark> out;
-    for (const TakenLight& taken : rigGeometry(experiment)->takenLight(pose))
+    for (const TakenLight& taken : all)
         out.push_back({{code,
                         {experiment.objects[taken.taker].name, percentText(taken.share),
                          experiment.objects[taken.object].name}},

@@ -31,8 +31,8 @@ Result<void> checkMounting(const Experiment& experiment);
 std::vector<MountingRemark> overlapsInPlane(const Experiment& experiment);
 
 /// Returns a remark on each share of its light, of at least kMinToldShare, that an object loses to another
-/// one at a pose of the end-effector (MountedObjects::takenLight). Takes about 1 ms for each two objects of
-/// which one stands in the light of the other, nothing for objects in one plane.
+/// one at a pose of the end-effector (MountedObjects::takenLight), the largest first. Takes about 1 ms for
+/// each two objects of which one stands in the light of the other, nothing for objects in one plane.
 std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vector6d& pose,
                                          ShadedPose which);
 

@@ -327,6 +327,15 @@ TEST(MountingCheck, WhoShadesWhomIsToldFromHalfAPercent) {
     const auto here = shadeRemarks(experiment, experiment.start, ShadedPose::Here);
     ASSERT_EQ(here.size(), 1u);
     EXPECT_TRUE(describe(here[0].message).ends_with(" of the light of hand at this pose"));
+    experiment.objects.push_back(disk("little", 0.01, 0.0, 0.004)); // just above the bunny
+    experiment.objects[2].mounting[kZ] = -0.02;
+    const auto largestFirst = shadeRemarks(experiment, experiment.start, ShadedPose::Here);
+    ASSERT_GE(largestFirst.size(), 2u);
+    EXPECT_EQ(largestFirst[0].objects[0], 2) << "the last in the order of the objects";
+    for (std::size_t i = 1; i < largestFirst.size(); ++i)
+        EXPECT_GE(std::stod(largestFirst[i - 1].message.args[1].text()),
+                  std::stod(largestFirst[i].message.args[1].text()));
+    experiment.objects.pop_back();
     experiment.objects[1].mounting[kX] = 0.3;
     EXPECT_TRUE(shadeRemarks(experiment, experiment.start, ShadedPose::Start).empty()) << "less than 0.5 %";
 }
