@@ -7,6 +7,7 @@
 #include "widgets/scene/cut_sheet.h"
 #include "widgets/scene/scene_frame.h"
 #include "widgets/scene/scene_rays.h"
+#include "widgets/scene/source_shadow.h"
 
 #include <QLocale>
 #include <QPainter>
@@ -233,6 +234,19 @@ void TargetPicture::showCut(bool dark) {
     });
 }
 
+/// Of each object at the ghost's pose, in its colour: what the others hide from its centre.
+void TargetPicture::showShadows(bool dark) {
+    std::vector<Eigen::Vector3d> all;
+    std::vector<QColor> lineColours;
+    if (!isOverAngles() && rig->mayShade())
+        for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+            const std::vector<Eigen::Vector3d> lines = shadowLines(experiment, i, ghost());
+            all.insert(all.end(), lines.begin(), lines.end());
+            lineColours.insert(lineColours.end(), lines.size() / 2, seriesColor(static_cast<int>(i), dark));
+        }
+    targets->setShadows(all, lineColours);
+}
+
 void TargetPicture::showMarks(bool dark) {
     std::vector<Eigen::Vector3d> points;
     if (isAtVerdict() && verdict->feasible)
@@ -397,6 +411,7 @@ void TargetPicture::prepare(const QPalette& palette, const QFont& font) {
         if (rebuild || resurface || remark) {
             showCut(dark);
             showMarks(dark);
+            showShadows(dark);
             targets->setColours(colours(dark), palette.color(QPalette::Text), palette.color(QPalette::Base),
                                 stale);
         }

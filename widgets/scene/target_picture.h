@@ -92,6 +92,7 @@ private:
     void showBounds();
     void pointArrows(PickedPose& pose) const;
     void showCut(bool dark);
+    void showShadows(bool dark);
     void showMarks(bool dark);
     void addObjectLabels(OverlayContent& content, bool dark) const;
     OverlayContent overlayContent(bool dark) const;

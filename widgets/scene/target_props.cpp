@@ -134,20 +134,23 @@ struct TargetProps::Impl {
         arrows.width_px = 3.0F;
         join.width_px = 3.0F;
         lines.width_px = 1.5F;
+        shadows.mapper->ScalarVisibilityOn();
+        shadows.width_px = 2.5F;
     }
 
     vtkRenderer& renderer;
     std::vector<ScenePart> surfaces;
     ScenePart bounds, boundsFill;
     ScenePart sheet, lines;
+    ScenePart shadows;
     ScenePart marks, join;
     ScenePart picked, arrowEdges, arrows;
     double lineScale = 1.0;
     bool boundsBefore = false;
 
     std::vector<ScenePart*> parts() {
-        std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet,      &lines, &marks,
-                                    &join,   &picked,     &arrowEdges, &arrows};
+        std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet,      &lines,  &marks,
+                                    &join,   &picked,     &arrowEdges, &arrows, &shadows};
         for (ScenePart& surface : surfaces)
             all.push_back(&surface);
         return all;
@@ -240,6 +243,10 @@ void TargetProps::setMarks(const std::vector<Eigen::Vector3d>& points, double ra
     setLines(*m->join.data, points, {});
 }
 
+void TargetProps::setShadows(const std::vector<Eigen::Vector3d>& lines, const std::vector<QColor>& colours) {
+    setLines(*m->shadows.data, lines, colours);
+}
+
 void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& marks) {
     m->lines.actor->SetPosition(lines.x(), lines.y(), lines.z());
     for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->arrows})
@@ -247,7 +254,8 @@ void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& m
     const Eigen::Vector3d behind = 0.95 * marks;
     const Eigen::Vector3d bounds = m->boundsBefore ? behind : Eigen::Vector3d::Zero();
     m->bounds.actor->SetPosition(bounds.x(), bounds.y(), bounds.z());
-    m->arrowEdges.actor->SetPosition(behind.x(), behind.y(), behind.z());
+    for (ScenePart* part : {&m->arrowEdges, &m->shadows})
+        part->actor->SetPosition(behind.x(), behind.y(), behind.z());
 }
 
 void TargetProps::setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours) {

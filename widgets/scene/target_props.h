@@ -45,6 +45,9 @@ public:
     void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
     /// Sets a sphere at each point; two points are joined by a line.
     void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);
+    /// Sets the shadows on the source, seen through everything: lines from each even point to the odd one
+    /// after it, a colour a line.
+    void setShadows(const std::vector<Eigen::Vector3d>& lines, const std::vector<QColor>& colours);
     /// Sets arrows in the surfaces' colours, with a sphere where they start; null for none.
     void setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours);
     /// Moves lines on the cut, and marks and arrows, towards the viewer (R, m), as SceneProps::setPoses does:
