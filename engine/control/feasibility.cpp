@@ -9,13 +9,23 @@
 namespace bask {
 namespace {
 
-/// Minimum or maximum of `row` times the steady temperatures within the workspace; `bound_K` is a limit that
-/// it cannot exceed.
-double extreme_K(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
+/// Where `row` times the steady temperatures is smallest or largest within the workspace; `bound_K` is a
+/// limit that it cannot exceed.
+SteadyPose extreme(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
     const int starts =
         row.cwiseAbs().sum() > 1.0 ? 8 : 2; // differences have more minima at the workspace's edge
     const SteadyAim aim{row, Eigen::VectorXd::Constant(1, bound_K)};
-    return (row * search.best(aim, starts, 0.0).T_K)[0];
+    return search.best(aim, starts, 0.0);
+}
+
+double extreme_K(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
+    return (row * extreme(search, row, bound_K).T_K)[0];
+}
+
+/// The view factor that holds object i at its temperature beside the others at theirs.
+double neededViewFactor(const SteadySearch& search, const Eigen::VectorXd& T_K, std::size_t i) {
+    return ratesAmong(search.rates(), search.geometry().neighbours(), T_K)[i].steadyViewFactor(
+        T_K[static_cast<Eigen::Index>(i)]);
 }
 
 void checkCounts(const SteadySearch& search, const std::vector<double>& targets_K) {
@@ -41,26 +51,27 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
     checkCounts(search, targets_K);
     const std::size_t N = targets_K.size();
     std::vector<TargetVerdict> out(N);
-    const std::vector<HeatRates> beside =
-        ratesAmong(search.rates(), search.geometry().neighbours(),
-                   Eigen::Map<const Eigen::VectorXd>(targets_K.data(), static_cast<Eigen::Index>(N)));
+    const Eigen::VectorXd all_K =
+        Eigen::Map<const Eigen::VectorXd>(targets_K.data(), static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
         TargetVerdict& verdict = out[i];
-        const HeatRates& rates = beside[i]; // the others at their targets
+        const HeatRates& rates = search.rates()[i];
         verdict.target_K = targets_K[i];
         verdict.lowest_K = rates.steadyTemperature_K(0.0);
         verdict.highest_K = rates.steadyTemperature_K(1.0);
-        verdict.neededViewFactor = rates.steadyViewFactor(targets_K[i]);
+        verdict.neededViewFactor = neededViewFactor(search, all_K, i);
         if (search.empty()) {
             verdict.verdict = FeasibilityVerdict::TooHot; // no pose of the workspace keeps the clearance
             continue;
         }
         const Eigen::RowVectorXd row =
             Eigen::RowVectorXd::Unit(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(i));
-        verdict.reachableMin_K = extreme_K(search, row, verdict.lowest_K);
-        verdict.reachableMax_K = extreme_K(search, row, verdict.highest_K);
-        verdict.reachableMin_F = std::max(0.0, rates.steadyViewFactor(verdict.reachableMin_K));
-        verdict.reachableMax_F = rates.steadyViewFactor(verdict.reachableMax_K);
+        const SteadyPose coldest = extreme(search, row, verdict.lowest_K),
+                         hottest = extreme(search, row, verdict.highest_K);
+        verdict.reachableMin_K = coldest.T_K[static_cast<Eigen::Index>(i)];
+        verdict.reachableMax_K = hottest.T_K[static_cast<Eigen::Index>(i)];
+        verdict.reachableMin_F = std::max(0.0, neededViewFactor(search, coldest.T_K, i));
+        verdict.reachableMax_F = neededViewFactor(search, hottest.T_K, i);
         if (verdict.target_K > verdict.reachableMax_K + kReachedWithin_K)
             verdict.verdict = FeasibilityVerdict::TooHot;
         else if (verdict.target_K < verdict.reachableMin_K - kReachedWithin_K)

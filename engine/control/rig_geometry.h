@@ -60,7 +60,7 @@ public:
     /// With Shade::Rough, those of objects that are not `wanted` may be zero; empty: all are wanted.
     ViewFactors viewFactors(const Vector6d& q, Shade shade = Shade::Exact,
                             const std::vector<bool>& wanted = {}) const;
-    /// Returns only the values, to 1e-6; those of objects that are not `wanted` are zero; empty: all are
+    /// Returns only the values, to 1e-6; those of objects that are not `wanted` may be zero; empty: all are
     /// wanted.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q, const std::vector<bool>& wanted = {}) const;
     /// Returns only the values, with Shade::Rough.
