@@ -32,14 +32,22 @@ Result<Experiment> studyRig(StudyMounting mounting) {
 using Rows = std::vector<ClosedLoopRow>;
 
 QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
-    static constexpr const char* kMountings[] = {"triangle", "line", "random mountings"};
-    return QString::fromUtf8("%1 runs, seed %2: %3, rates wrong within ×%4, source model %5, %6")
+    static constexpr const char* kMountings[] = {"triangle", "line", "random mountings",
+                                                 "random heights and tilts"};
+    QString conditions;
+    if (request.convection_W_m2K > 0.0)
+        conditions += QString::fromUtf8(", h to %1 W/(m²K)").arg(request.convection_W_m2K);
+    if (request.sensorLag_s > 0.0)
+        conditions += QStringLiteral(", lag to %1 s").arg(request.sensorLag_s);
+    if (request.robotLatency_s > 0.0)
+        conditions += QStringLiteral(", latency to %1 s").arg(request.robotLatency_s);
+    return QString::fromUtf8("%1 runs, seed %2: %3, rates wrong within ×%4, source model %5, %6%7")
         .arg(study.count)
         .arg(study.seed)
         .arg(QLatin1String(controllerKindName(request.controller)))
         .arg(request.rateError)
         .arg(request.sourceModel == SourceModel::Gray ? QStringLiteral("gray") : QStringLiteral("paper"))
-        .arg(QLatin1String(kMountings[static_cast<int>(request.mounting)]));
+        .arg(QLatin1String(kMountings[static_cast<int>(request.mounting)]), conditions);
 }
 
 Figure settlingFigure(const Rows& rows, const QString& note) {
@@ -144,8 +152,15 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
     auto rig = studyRig(request.mounting);
     if (!rig)
         return refuseStudy(rig.error());
-    ClosedLoopStudy study{std::move(*rig), request.mounting == StudyMounting::Random, request.count,
-                          request.seed};
+    static constexpr StudyMountings kMountings[] = {StudyMountings::AsGiven, StudyMountings::AsGiven,
+                                                    StudyMountings::InPlane, StudyMountings::Heights};
+    ClosedLoopStudy study{std::move(*rig),
+                          kMountings[static_cast<std::size_t>(request.mounting)],
+                          request.count,
+                          request.seed,
+                          request.convection_W_m2K,
+                          request.sensorLag_s,
+                          request.robotLatency_s};
     study.rig.controller.kind = request.controller;
     study.rig.controller.estimatedRateErrorFactor = request.rateError;
     study.rig.source.model = request.sourceModel;

@@ -11,7 +11,7 @@ namespace bask {
 
 int viewFactorStudyCommand(const QString& folder, int maxElements);
 
-enum class StudyMounting { Triangle, Line, Random };
+enum class StudyMounting { Triangle, Line, Random, Heights };
 
 /// Options of the closed-loop study; the rig is that of the three-object examples.
 struct ClosedLoopRequest {
@@ -19,6 +19,9 @@ struct ClosedLoopRequest {
     SourceModel sourceModel = SourceModel::Gray;
     StudyMounting mounting = StudyMounting::Triangle;
     double rateError = 4.0;
+    double convection_W_m2K = 0.0; ///< these three: as in ClosedLoopStudy
+    double sensorLag_s = 0.0;
+    double robotLatency_s = 0.0;
     int count = 200;
     std::uint64_t seed = 1;
 };

@@ -17,6 +17,7 @@ namespace {
 constexpr int kMinElements = 10, kMaxElements = 20000;
 constexpr int kMaxCount = 100000;
 constexpr double kMaxRateError = 8.0; // as experiments have it
+constexpr double kMaxConvection_W_m2K = 50.0, kMaxLag_s = 30.0, kMaxLatency_s = 2.0;
 const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop"),
               kAlarms = QStringLiteral("alarms");
 
@@ -74,7 +75,8 @@ private:
 
 int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "kind", "first"},
+    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "convection",
+                  "lag", "latency", "kind", "first"},
                  kViewFactor);
     const int elements = options.wholeNumber("elements", kMinElements, kMaxElements);
     if (!options.complaint().isEmpty())
@@ -96,13 +98,16 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     options.none({"elements", "kind", "first"}, kClosedLoop);
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
     static constexpr StudyMounting kMountings[] = {StudyMounting::Triangle, StudyMounting::Line,
-                                                   StudyMounting::Random};
+                                                   StudyMounting::Random, StudyMounting::Heights};
     ClosedLoopRequest request;
     request.controller =
         controllerCatalogue()[static_cast<std::size_t>(options.oneOf("controller", controllers()))].kind;
     request.sourceModel = kModels[options.oneOf("source-model", {"gray", "paper"})];
-    request.mounting = kMountings[options.oneOf("mounting", {"triangle", "line", "random"})];
+    request.mounting = kMountings[options.oneOf("mounting", {"triangle", "line", "random", "heights"})];
     request.rateError = options.number("rate-error", 1.0, kMaxRateError);
+    request.convection_W_m2K = options.number("convection", 0.0, kMaxConvection_W_m2K);
+    request.sensorLag_s = options.number("lag", 0.0, kMaxLag_s);
+    request.robotLatency_s = options.number("latency", 0.0, kMaxLatency_s);
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     if (!options.complaint().isEmpty())
@@ -112,7 +117,9 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
 
 int runAlarms(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"elements", "controller", "source-model", "rate-error", "mounting"}, kAlarms);
+    options.none(
+        {"elements", "controller", "source-model", "rate-error", "mounting", "convection", "lag", "latency"},
+        kAlarms);
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
     AlarmRequest request;
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
@@ -144,8 +151,14 @@ void addOptions(QCommandLineParser& parser) {
          {"source-model", "closed-loop: gray or paper.", "NAME", "gray"},
          {"rate-error", "closed-loop: estimated rates are wrong by random factors within this one, 1 to 8.",
           "FACTOR", "4"},
-         {"mounting", "closed-loop: the objects on a triangle, a line or random places.", "NAME",
-          "triangle"}});
+         {"mounting",
+          "closed-loop: the objects on a triangle, a line, at random places, or there at random heights and\n"
+          "tilts (heights).",
+          "NAME", "triangle"},
+         {"convection", "closed-loop: h of each run, drawn up to this and unknown, 0 to 50 W/(m2 K).", "H",
+          "0"},
+         {"lag", "closed-loop: lag of the sensors, drawn up to this, 0 to 30 s.", "S", "0"},
+         {"latency", "closed-loop: latency of the robot, drawn up to this, 0 to 2 s.", "S", "0"}});
 }
 
 } // namespace

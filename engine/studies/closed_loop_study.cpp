@@ -12,6 +12,7 @@
 #include "engine/studies/study_random.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,7 +29,8 @@ constexpr double kMaxBound_s = 1.0e6; // targets are below the steady temperatur
 using Random = StudyRandom;
 
 /// Centroids anywhere in a disk about E, turned anyhow, the circles about the outlines apart.
-std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec>& objects) {
+std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec>& objects,
+                                    StudyMountings kind) {
     for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
         std::vector<Vector6d> mountings;
         bool apart = true;
@@ -39,6 +41,11 @@ std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec
             mounting[kX] = radius_m * std::cos(angle);
             mounting[kY] = radius_m * std::sin(angle);
             mounting[kThetaZ] = uniform(random, -std::numbers::pi, std::numbers::pi);
+            if (kind == StudyMountings::Heights) {
+                mounting[kZ] = uniform(random, -kStudyHeight_m, kStudyHeight_m);
+                mounting[kThetaX] = uniform(random, -kStudyTilt_rad, kStudyTilt_rad);
+                mounting[kThetaY] = uniform(random, -kStudyTilt_rad, kStudyTilt_rad);
+            }
             for (std::size_t j = 0; j < i; ++j)
                 apart = apart && (mounting - mountings[j]).head<2>().norm() >
                                      shapeRadius(objects[i].shape) + shapeRadius(objects[j].shape);
@@ -196,6 +203,16 @@ private:
     double m_commandAcceleration_m_s2 = 0.0;
 };
 
+/// What is not drawn stays as the rig has it.
+void setConditions(const ClosedLoopStudy& study, const ClosedLoopCase& drawn, SimulationSpec& simulation) {
+    if (study.convection_W_m2K > 0.0)
+        simulation.convection_W_m2K = drawn.convection_W_m2K;
+    if (study.sensorLag_s > 0.0)
+        simulation.sensorLag_s = drawn.sensorLag_s;
+    if (study.robotLatency_s > 0.0)
+        simulation.robotLatency_s = drawn.robotLatency_s;
+}
+
 Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
     ClosedLoopRow row;
     row.drawn = drawClosedLoopCase(study, index);
@@ -270,11 +287,16 @@ std::string csvRow(int index, const ClosedLoopRow& row) {
         text += ',' + number(celsiusFromKelvin(drawn.targets_K[i])) + ',' +
                 number(celsiusFromKelvin(row.final_K[i])) + ',' + number(100.0 * drawn.mountings[i][kX]) +
                 ',' + number(100.0 * drawn.mountings[i][kY]) + ',' +
-                number(degFromRad(drawn.mountings[i][kThetaZ]));
+                number(degFromRad(drawn.mountings[i][kThetaZ])) + ',' +
+                number(100.0 * drawn.mountings[i][kZ]) + ',' +
+                number(degFromRad(drawn.mountings[i][kThetaX])) + ',' +
+                number(degFromRad(drawn.mountings[i][kThetaY]));
     text += coordinates(drawn.start) + coordinates(drawn.goal) + (row.toldCompromise ? ",1," : ",0,") +
             quoted(row.failure);
     return text + ',' + (row.restSpeed_m_s ? number(1000.0 * *row.restSpeed_m_s) : std::string()) + ',' +
-           number(row.way_m) + ',' + number(1000.0 * row.commandAcceleration_m_s2) + '\n';
+           number(row.way_m) + ',' + number(1000.0 * row.commandAcceleration_m_s2) + ',' +
+           number(drawn.convection_W_m2K) + ',' + number(drawn.sensorLag_s) + ',' +
+           number(drawn.robotLatency_s) + '\n';
 }
 
 } // namespace
@@ -309,8 +331,13 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     ClosedLoopCase drawn;
     drawn.seed = random();
     Experiment rig = study.rig;
-    if (study.randomMountings) {
-        drawn.mountings = drawMountings(random, rig.objects);
+    Random conditions = studyRandom(~study.seed, index); // of their own: the other draws stay as they are
+    drawn.convection_W_m2K = uniform(conditions, 0.0, study.convection_W_m2K);
+    drawn.sensorLag_s = uniform(conditions, 0.0, study.sensorLag_s);
+    drawn.robotLatency_s = uniform(conditions, 0.0, study.robotLatency_s);
+    setConditions(study, drawn, rig.simulation);
+    if (study.mountings != StudyMountings::AsGiven) {
+        drawn.mountings = drawMountings(random, rig.objects, study.mountings);
         for (std::size_t i = 0; i < rig.objects.size(); ++i)
             rig.objects[i].mounting = drawn.mountings[i];
     } else {
@@ -331,6 +358,7 @@ Experiment closedLoopExperiment(const ClosedLoopStudy& study, const ClosedLoopCa
     Experiment experiment = study.rig;
     experiment.start = drawn.start;
     experiment.simulation.seed = drawn.seed;
+    setConditions(study, drawn, experiment.simulation);
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         experiment.objects[i].mounting = drawn.mountings[i];
         experiment.objects[i].target_K = drawn.targets_K[i];
@@ -388,6 +416,8 @@ ClosedLoopSummary summarize(const std::vector<ClosedLoopRow>& rows) {
 }
 
 std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<ClosedLoopRow>& rows) {
+    static constexpr std::array<const char*, 3> kMountingWords{"as in the experiment", "random in one plane",
+                                                               "random, with heights and tilts"};
     const Experiment& rig = study.rig;
     std::string text =
         "# Bask closed-loop study: random targets that a pose of the workspace holds, from random starts.\n"
@@ -395,8 +425,9 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         std::string(controllerKindName(rig.controller.kind)) + ", source model " +
         (rig.source.model == SourceModel::Gray ? "gray" : "paper") +
         ", believed rates wrong by random factors within " + number(rig.controller.estimatedRateErrorFactor) +
-        ", mountings " + (study.randomMountings ? "random" : "as in the experiment") + ", seed " +
-        std::to_string(study.seed) +
+        ", mountings " + kMountingWords[static_cast<std::size_t>(study.mountings)] + ", convection to " +
+        number(study.convection_W_m2K) + " W/(m2 K), sensor lag to " + number(study.sensorLag_s) +
+        " s, robot latency to " + number(study.robotLatency_s) + " s, seed " + std::to_string(study.seed) +
         ".\n"
         "# Settled: every true temperature within +-" +
         number(kSettledBand_K) + " K of its target until the end of the run, which lasts " +
@@ -414,11 +445,13 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
     for (const ObjectSpec& object : rig.objects)
         text += ',' + quoted(object.name + " target_degC") + ',' + quoted(object.name + " final_degC") + ',' +
                 quoted(object.name + " x_cm") + ',' + quoted(object.name + " y_cm") + ',' +
-                quoted(object.name + " theta_z_deg");
+                quoted(object.name + " theta_z_deg") + ',' + quoted(object.name + " z_cm") + ',' +
+                quoted(object.name + " theta_x_deg") + ',' + quoted(object.name + " theta_y_deg");
     for (const char* pose : {"start", "goal"})
         for (const char* coordinate : {"x_cm", "y_cm", "z_cm", "theta_x_deg", "theta_y_deg", "theta_z_deg"})
             text += std::string(",") + pose + "_" + coordinate;
-    text += ",told_compromise,failure,rest_speed_mm_s,way_m,command_acceleration_mm_s2\n";
+    text += ",told_compromise,failure,rest_speed_mm_s,way_m,command_acceleration_mm_s2,convection_W_m2K,"
+            "sensor_lag_s,robot_latency_s\n";
     for (std::size_t k = 0; k < rows.size(); ++k)
         text += csvRow(static_cast<int>(k) + 1, rows[k]);
     return text;

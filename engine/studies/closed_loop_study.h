@@ -13,19 +13,32 @@
 
 namespace bask {
 
+/// Where the objects are mounted in each run.
+enum class StudyMountings {
+    AsGiven,
+    InPlane, ///< at random places in one plane, turned anyhow
+    Heights, ///< also at random heights and tilts: they shade one another and exchange radiation
+};
+
 /// The settings of the study.
 struct ClosedLoopStudy {
     /// Rig, sensors, controller and the error factor of its estimated rates. Targets, start and seed are
     /// drawn for each run. The rig must have poses that keep every object kStudyRise_K above its environment.
     Experiment rig;
-    bool randomMountings = false; ///< draw the objects' positions on the end-effector, too
+    StudyMountings mountings = StudyMountings::AsGiven;
     int count = 200;
     std::uint64_t seed = 1;
+    // Drawn for each run from zero to these; none of them is told to the controller.
+    double convection_W_m2K = 0.0;
+    double sensorLag_s = 0.0;
+    double robotLatency_s = 0.0;
 };
 
 /// Smallest distance of a target above the environment.
 inline constexpr double kStudyRise_K = 2.0;
 inline constexpr double kStudyMountingRadius_m = 0.06; ///< random mountings: of the centroids about E
+inline constexpr double kStudyHeight_m = 0.03;         ///< random heights: above or below E
+inline constexpr double kStudyTilt_rad = 0.349066;     ///< random tilts: 20 degrees
 inline constexpr double kStudyRestAfter_s = 60.0;    ///< after settling: from then on the robot should stand
 inline constexpr double kStudyBounds = 3.0;          ///< a run lasts this many times the bound
 inline constexpr double kStudyMinDuration_s = 400.0; ///< plus this
@@ -49,6 +62,9 @@ struct ClosedLoopCase {
     Vector6d start = Vector6d::Zero(); ///< end-effector's coordinates in S
     Vector6d goal = Vector6d::Zero();
     std::vector<double> targets_K;
+    double convection_W_m2K = 0.0;
+    double sensorLag_s = 0.0;
+    double robotLatency_s = 0.0;
     double radiation_s = 0.0; ///< SettlingBound
     double bound_s = 0.0;
     double travel_s = 0.0; ///< straight from start to goal at full speed

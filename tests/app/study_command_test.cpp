@@ -185,20 +185,26 @@ TEST_F(StudyCommand, ClosedLoopEndsWithItsThreeNumbersAndIsReproducible) {
 // Catches: wrong words taken for right ones.
 TEST_F(StudyCommand, RefusesWrongWords) {
     const QString to = folder("out");
-    for (const QStringList& arguments :
-         {QStringList{}, QStringList{"view-factor"}, QStringList{"tomography", "-o", to},
-          QStringList{"view-factor", "-o", ""}, QStringList{"view-factor", "-o", to, "--elements", "many"},
-          QStringList{"view-factor", "-o", to, "--elements", "20001"},
-          QStringList{"view-factor", "-o", to, "--count", "3"}, QStringList{"closed-loop"},
-          QStringList{"closed-loop", "-o", to, "--elements", "500"},
-          QStringList{"closed-loop", "-o", to, "--controller", "pid"},
-          QStringList{"closed-loop", "-o", to, "--source-model", "black"},
-          QStringList{"closed-loop", "-o", to, "--mounting", "circle"},
-          QStringList{"closed-loop", "-o", to, "--rate-error", "0.5"},
-          QStringList{"closed-loop", "-o", to, "--rate-error", "nan"},
-          QStringList{"closed-loop", "-o", to, "--count", "0"},
-          QStringList{"closed-loop", "-o", to, "--seed", "-1"},
-          QStringList{"view-factor", "-o", to, "-platform", "xcb"}}) {
+    for (const QStringList& arguments : {QStringList{},
+                                         QStringList{"view-factor"},
+                                         QStringList{"tomography", "-o", to},
+                                         QStringList{"view-factor", "-o", ""},
+                                         QStringList{"view-factor", "-o", to, "--elements", "many"},
+                                         QStringList{"view-factor", "-o", to, "--elements", "20001"},
+                                         QStringList{"view-factor", "-o", to, "--count", "3"},
+                                         QStringList{"closed-loop"},
+                                         QStringList{"closed-loop", "-o", to, "--elements", "500"},
+                                         QStringList{"closed-loop", "-o", to, "--controller", "pid"},
+                                         QStringList{"closed-loop", "-o", to, "--source-model", "black"},
+                                         QStringList{"closed-loop", "-o", to, "--mounting", "circle"},
+                                         QStringList{"closed-loop", "-o", to, "--rate-error", "0.5"},
+                                         QStringList{"closed-loop", "-o", to, "--rate-error", "nan"},
+                                         QStringList{"closed-loop", "-o", to, "--convection", "-1"},
+                                         QStringList{"closed-loop", "-o", to, "--lag", "soon"},
+                                         QStringList{"alarms", "-o", to, "--latency", "0.1"},
+                                         QStringList{"closed-loop", "-o", to, "--count", "0"},
+                                         QStringList{"closed-loop", "-o", to, "--seed", "-1"},
+                                         QStringList{"view-factor", "-o", to, "-platform", "xcb"}}) {
         const Answer answer = study(arguments);
         EXPECT_EQ(answer.exitCode, 2) << arguments.join(u' ').toStdString();
         EXPECT_TRUE(answer.err.contains(QStringLiteral("bask study --help"))) << answer.err.toStdString();

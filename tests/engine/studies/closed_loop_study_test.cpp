@@ -19,13 +19,14 @@
 namespace bask {
 namespace {
 
-ClosedLoopStudy studyOf(const std::string& example, bool randomMountings = false, int count = 4) {
+ClosedLoopStudy studyOf(const std::string& example, StudyMountings mountings = StudyMountings::AsGiven,
+                        int count = 4) {
     auto rig = readExperiment(BASK_EXAMPLES "/" + example);
     EXPECT_TRUE(rig) << (rig ? "" : describe(rig.error()));
     ClosedLoopStudy study;
     if (rig)
         study.rig = *rig;
-    study.randomMountings = randomMountings;
+    study.mountings = mountings;
     study.count = count;
     return study;
 }
@@ -52,7 +53,9 @@ std::vector<std::string> cells(const std::string& line) {
 TEST(ClosedLoopStudy, EveryDrawIsHeldByAPoseOfTheWorkspace) {
     for (const SourceModel model : {SourceModel::Gray, SourceModel::Paper}) {
         for (const char* example : {"three-objects.json", "three-objects-in-line.json"}) {
-            ClosedLoopStudy study = studyOf(example, example == std::string("three-objects.json"));
+            ClosedLoopStudy study =
+                studyOf(example, example == std::string("three-objects.json") ? StudyMountings::InPlane
+                                                                              : StudyMountings::AsGiven);
             study.rig.source.model = model;
             for (int index = 0; index < 10; ++index) {
                 const ClosedLoopCase drawn = drawClosedLoopCase(study, index);
@@ -75,7 +78,7 @@ TEST(ClosedLoopStudy, EveryDrawIsHeldByAPoseOfTheWorkspace) {
 
 // Catches mountings that overlap, lie too far out or are the same in every run.
 TEST(ClosedLoopStudy, RandomMountingsLieApartWithinTheirDisk) {
-    const ClosedLoopStudy study = studyOf("three-objects.json", true);
+    const ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::InPlane);
     for (int index = 0; index < 20; ++index) {
         const ClosedLoopCase drawn = drawClosedLoopCase(study, index);
         for (std::size_t i = 0; i < drawn.mountings.size(); ++i) {
@@ -86,6 +89,35 @@ TEST(ClosedLoopStudy, RandomMountingsLieApartWithinTheirDisk) {
         }
     }
     EXPECT_NE(drawClosedLoopCase(study, 0).mountings[0], drawClosedLoopCase(study, 1).mountings[0]);
+}
+
+// Catches: objects in one plane, or all conditions the same, that a study of the laboratory asks otherwise;
+// and draws of conditions that change what else is drawn.
+TEST(ClosedLoopStudy, HeightsAndConditionsAreDrawnForEachRun) {
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::Heights);
+    const ClosedLoopCase still = drawClosedLoopCase(study, 0);
+    study.convection_W_m2K = 15.0;
+    study.sensorLag_s = 5.0;
+    study.robotLatency_s = 0.3;
+    const ClosedLoopCase drawn = drawClosedLoopCase(study, 0), next = drawClosedLoopCase(study, 1);
+    EXPECT_EQ(drawn.start, still.start);
+    EXPECT_EQ(drawn.mountings, still.mountings);
+    for (const ClosedLoopCase& one : {drawn, next}) {
+        for (const Vector6d& mounting : one.mountings) {
+            EXPECT_LE(std::abs(mounting[kZ]), kStudyHeight_m);
+            EXPECT_LE(mounting.segment<2>(kThetaX).cwiseAbs().maxCoeff(), kStudyTilt_rad);
+            EXPECT_NE(mounting[kZ], 0.0);
+        }
+        EXPECT_GT(one.convection_W_m2K, 0.0);
+        EXPECT_LE(one.convection_W_m2K, 15.0);
+        EXPECT_LE(one.sensorLag_s, 5.0);
+        EXPECT_LE(one.robotLatency_s, 0.3);
+    }
+    EXPECT_NE(drawn.convection_W_m2K, next.convection_W_m2K);
+    const SimulationSpec simulation = closedLoopExperiment(study, drawn).simulation;
+    EXPECT_EQ(simulation.convection_W_m2K, drawn.convection_W_m2K);
+    EXPECT_EQ(simulation.sensorLag_s, drawn.sensorLag_s);
+    EXPECT_EQ(simulation.robotLatency_s, drawn.robotLatency_s);
 }
 
 // Catches a bound that a run can beat, or that grows where it must not.
@@ -128,7 +160,7 @@ TEST(SettlingBound, IsThatOfTheScenario) {
 
 // Catches a study of objects that nobody can build.
 TEST(ClosedLoopStudy, ObjectsInOnePlaceAreRefused) {
-    ClosedLoopStudy study = studyOf("two-circles.json", false, 1);
+    ClosedLoopStudy study = studyOf("two-circles.json", StudyMountings::AsGiven, 1);
     study.rig.objects[1].mounting = study.rig.objects[0].mounting;
     const auto rows = runClosedLoopStudy(study, 1, {});
     ASSERT_FALSE(rows);
@@ -137,7 +169,7 @@ TEST(ClosedLoopStudy, ObjectsInOnePlaceAreRefused) {
 }
 
 TEST(ClosedLoopStudy, RowsDoNotDependOnThreadsNorDrawsOnTheController) {
-    ClosedLoopStudy study = studyOf("three-objects.json", false, 2);
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::AsGiven, 2);
     const auto one = runClosedLoopStudy(study, 1, {});
     const auto two = runClosedLoopStudy(study, 2, {});
     ASSERT_TRUE(one);
@@ -159,7 +191,7 @@ TEST(ClosedLoopStudy, RowsDoNotDependOnThreadsNorDrawsOnTheController) {
 
 // Catches a table whose rows and header disagree.
 TEST(ClosedLoopStudy, TheTableParses) {
-    ClosedLoopStudy study = studyOf("three-objects.json", true, 2);
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::InPlane, 2);
     study.rig.controller.kind = ControllerKind::ModelBased; // the cheapest
     const auto rows = runClosedLoopStudy(study, 0, {});
     ASSERT_TRUE(rows);
@@ -179,7 +211,7 @@ TEST(ClosedLoopStudy, TheTableParses) {
 // Catches failures counted as settled, or a failure without words: a controller that must be told apart from
 // one that works.
 TEST(ClosedLoopStudy, AControllerThatDoesNotAimFailsInWords) {
-    ClosedLoopStudy study = studyOf("three-objects.json", false, 2);
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::AsGiven, 2);
     study.rig.controller.kind = ControllerKind::ModelBased;
     study.rig.controller.modelBased.K = 1e-9;
     const auto rows = runClosedLoopStudy(study, 0, {});
@@ -197,7 +229,7 @@ TEST(ClosedLoopStudy, AControllerThatDoesNotAimFailsInWords) {
 // Catches a robot that chatters after settling, worst with as many objects as axes: 3.7 to 5.6 mm/s before a
 // rest was held.
 TEST(ClosedLoopStudy, AfterSettlingTheRobotStandsAlsoWithAsManyObjectsAsAxes) {
-    ClosedLoopStudy study = studyOf("three-objects.json", true, 3);
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::InPlane, 3);
     ObjectSpec fourth = study.rig.objects.front();
     fourth.name = "disk";
     fourth.mounting[kY] = -0.07; // drawn anew; the rig itself must be one that can be built
