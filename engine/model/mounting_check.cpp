@@ -151,6 +151,7 @@ std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vec
     std::vector<TakenLight> all = rigGeometry(experiment)->takenLight(pose);
     std::ranges::stable_sort(all, std::ranges::greater(), &TakenLight::share);
     std::vector<MountingRemark> out;
+    out.reserve(all.size());
     for (const TakenLight& taken : all)
         out.push_back({{code,
                         {experiment.objects[taken.taker].name, percentText(taken.share),

@@ -89,10 +89,10 @@ ConicRoots rootsOf(const Conic& f) {
     const double most = std::sqrt(f.c1 * f.c1 + f.s1 * f.s1) + std::sqrt(f.c2 * f.c2 + f.s2 * f.s2);
     if (std::abs(f.mean) > most)
         return roots;
-    static const Samples at(0.0);
+    static const Samples kAt(0.0);
     std::array<double, kSamples + 1> values;
     for (std::size_t i = 0; i < kSamples; ++i)
-        values[i] = f.mean + f.c1 * at.c1[i] + f.s1 * at.s1[i] + f.c2 * at.c2[i] + f.s2 * at.s2[i];
+        values[i] = f.mean + f.c1 * kAt.c1[i] + f.s1 * kAt.s1[i] + f.c2 * kAt.c2[i] + f.s2 * kAt.s2[i];
     values[kSamples] = values[0];
     // Between two samples the value bends by at most so much.
     const double sag = most * 4.0 * kSampleStep * kSampleStep / 8.0;
