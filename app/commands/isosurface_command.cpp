@@ -163,10 +163,11 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     const ObjectSpec& object = **chosen;
     const SourceSpec& source = experiment->source;
     Request request{
-        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), {}, {}}, {}, {}, {}, {}};
-    for (const ObjectSpec& each : experiment->objects)
-        request.geometry.objects.push_back(
-            {RadiatingContour(each.shape), poseFromCoordinates(each.mounting)});
+        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), mountedContours(*experiment), {}},
+        {},
+        {},
+        {},
+        {}};
     request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
     request.set.title = "end-effector where object \"" + object.name +

@@ -1,8 +1,7 @@
 #include "engine/control/steady_search.h"
 
-#include "engine/control/steady_states.h"
-
 #include "engine/control/bounded_least_squares.h"
+#include "engine/control/steady_states.h"
 #include "engine/control/velocity_solve.h"
 
 #include <algorithm>

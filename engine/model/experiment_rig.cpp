@@ -2,6 +2,13 @@
 
 namespace bask {
 
+std::vector<MountedContour> mountedContours(const Experiment& experiment) {
+    std::vector<MountedContour> objects;
+    for (const ObjectSpec& object : experiment.objects)
+        objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+    return objects;
+}
+
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
     std::vector<Shape> shapes;
     std::vector<Vector6d> mountings;

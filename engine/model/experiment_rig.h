@@ -5,8 +5,12 @@
 #include "engine/model/experiment.h"
 
 #include <memory>
+#include <vector>
 
 namespace bask {
+
+/// Returns the objects as they are mounted on the end-effector.
+std::vector<MountedContour> mountedContours(const Experiment& experiment);
 
 /// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);

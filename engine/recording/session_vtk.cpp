@@ -106,17 +106,14 @@ private:
         const Experiment& e = m_session.experiment;
         const TraceSample last = lastUnderControl();
         const double span_m = (e.robot.upper - e.robot.lower).head<3>().maxCoeff();
-        TargetGeometry geometry{.source = RadiatingContour(e.source.shape),
-                                .X_RS = poseFromCoordinates(last.source),
-                                .objects = {},
-                                .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,
-                                                    std::max(kSurfaceStep_m, span_m / kMaxFieldSteps)),
-                                .fixed = last.coordinates,
-                                .ofOwnCentres = true,
-                                .clearance_m = e.robot.clearance_m};
-        for (const ObjectSpec& object : e.objects)
-            geometry.objects.push_back(
-                {RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+        const TargetGeometry geometry{.source = RadiatingContour(e.source.shape),
+                                      .X_RS = poseFromCoordinates(last.source),
+                                      .objects = mountedContours(e),
+                                      .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,
+                                                          std::max(kSurfaceStep_m, span_m / kMaxFieldSteps)),
+                                      .fixed = last.coordinates,
+                                      .ofOwnCentres = true,
+                                      .clearance_m = e.robot.clearance_m};
         const auto sampled = targetFields(geometry, m_stop);
         if (!sampled)
             return sampled.error();

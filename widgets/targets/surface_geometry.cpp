@@ -1,17 +1,8 @@
 #include "widgets/targets/surface_geometry.h"
 
+#include "engine/model/experiment_rig.h"
+
 namespace bask {
-
-namespace {
-
-std::vector<MountedContour> mountedContours(const Experiment& experiment) {
-    std::vector<MountedContour> objects;
-    for (const ObjectSpec& object : experiment.objects)
-        objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    return objects;
-}
-
-} // namespace
 
 TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed,
                                SurfaceGrid grid) {
