@@ -124,9 +124,11 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
     const Eigen::VectorXd gainsNow_K4 = neighbourGains_K4(m_model.estimated, neighbours, task.temperature_K),
                           gainsThen_K4 = neighbourGains_K4(m_model.estimated, neighbours, task.aim_K);
     m_early_K_s.resize(F.size());
+    m_read_K.resize(F.size());
     for (Eigen::Index i = 0; i < F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
         const double T_K = task.temperature_K[i];
+        m_read_K[i] = T_K;
         m_identification[k].add(observation.time_s, T_K, F[i], observation.sourceStrength, gainsNow_K4[i]);
         HeatRates rates = m_identification[k].rates();
         rates.lambda1 *= observation.sourceStrength;
@@ -134,6 +136,9 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
         rates.lambda3 += m_drift_K_s[i];
         m_early_K_s[i] = rates.lambda2 * (gainsNow_K4[i] - gainsThen_K4[i]);
         task.rates.push_back(rates.inWarmerRoom(gainsThen_K4[i]));
+        const double seen = m_identification[k].seenViewFactor(F[i], 0.0);
+        task.temperature_K[i] +=
+            m_identification[k].lag_s() * (task.rates.back().rate_K_s(seen, T_K) + m_early_K_s[i]);
     }
     return task;
 }
@@ -449,14 +454,15 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     }
     const Eigen::VectorXd F =
         m_model.geometry->viewFactorsFast(observation.coordinates + 0.5 * dt_s * motion.rates);
-    m_expected_K = task.temperature_K;
-    for (Eigen::Index i = 0; i < F.size(); ++i)
-        m_expected_K[i] +=
-            dt_s *
-            (task.rates[static_cast<std::size_t>(i)].rate_K_s(F[i], task.temperature_K[i]) + m_early_K_s[i]);
+    m_expected_K = m_read_K;
+    for (Eigen::Index i = 0; i < F.size(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double seen = m_identification[k].seenViewFactor(F[i], 0.5 * dt_s);
+        m_expected_K[i] += dt_s * (task.rates[k].rate_K_s(seen, m_read_K[i]) + m_early_K_s[i]);
+    }
 
     ControlOutput out;
-    for (const RateIdentification& identification : m_identification)
+    for (const LaggedIdentification& identification : m_identification)
         out.estimate.push_back(identification.rates());
     out.rates = motion.rates;
     out.limits = motion.limits;

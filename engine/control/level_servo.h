@@ -27,8 +27,8 @@
 
 #include "engine/control/controller.h"
 #include "engine/control/heating_plan.h"
+#include "engine/control/lagged_identification.h"
 #include "engine/control/pose_lookup.h"
-#include "engine/control/rate_identification.h"
 #include "engine/control/velocity_solve.h"
 
 #include <optional>
@@ -79,7 +79,8 @@ private:
     ControlModel m_model;
     std::optional<PoseLookup> m_lookup;
     Pose m_tableSource = Pose::Identity(); ///< pose of the source when the look-up was made
-    std::vector<RateIdentification> m_identification;
+    std::vector<LaggedIdentification> m_identification;
+    Eigen::VectorXd m_read_K;    ///< N, present readings
     Eigen::VectorXd m_drift_K_s; ///< N, slow rate that the identified rates do not explain
     /// N, what the neighbours heat now beyond what they will at their aims
     Eigen::VectorXd m_early_K_s;

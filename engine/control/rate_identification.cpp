@@ -17,14 +17,14 @@ double RateIdentification::cooling_K4(double T_K) const {
     return std::pow(T_K, 4) - m_start.lambda3 / m_start.lambda2 + m_start.air.rate_K_s(T_K) / m_start.lambda2;
 }
 
-void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength,
-                             double neighbours_K4) {
+double RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength,
+                               double neighbours_K4) {
     const double window_s = std::max(kWindow_s, kWindow * m_timeConstant_s);
     double forgetting = kForgetting;
     const double heating = F * sourceStrength;
     const double cooling = cooling_K4(temperature_K) - neighbours_K4;
     if (!std::isfinite(temperature_K) || !std::isfinite(heating) || !std::isfinite(cooling))
-        return;
+        return 0.0;
     // After a pause a single trapezoid would have to represent all changes.
     const auto count = m_samples.size();
     if (count >= 2) {
@@ -37,7 +37,7 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
         const Sample& last = m_samples.back();
         const double dt_s = time_s - last.time_s;
         if (!(dt_s > 0.0))
-            return;
+            return 0.0;
         forgetting = std::max(kForgetting, std::exp(-dt_s / (kMemory * m_timeConstant_s)));
         sample.heating = last.heating + 0.5 * dt_s * (m_lastF + heating);
         sample.cooling = last.cooling + 0.5 * dt_s * (m_lastCooling_K4 + cooling);
@@ -47,14 +47,16 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
     m_samples.push_back(sample);
     while (m_samples.size() > 3 && time_s - m_samples[1].time_s >= window_s)
         m_samples.pop_front();
-    if (m_samples.size() >= 3)
-        update(m_samples.front(), m_samples.back(), forgetting);
+    return m_samples.size() >= 3 ? update(m_samples.front(), m_samples.back(), forgetting) : 0.0;
 }
 
-void RateIdentification::update(const Sample& from, const Sample& to, double forgetting) {
+double RateIdentification::update(const Sample& from, const Sample& to, double forgetting) {
     const Eigen::Vector2d phi(m_start.lambda1 * (to.heating - from.heating),
                               -m_start.lambda2 * (to.cooling - from.cooling));
-    const double surprise = to.temperature_K - from.temperature_K - phi.sum();
+    const double change_K = to.temperature_K - from.temperature_K;
+    const double surprise = change_K - phi.sum();
+    const double guessed = phi.dot(m_information.inverse() * phi) / (kNoise_K * kNoise_K);
+    const double missed_K = (change_K - phi.dot(m_relative)) / std::sqrt(1.0 + guessed);
     const Eigen::Matrix2d prior = Eigen::Matrix2d::Identity() / (kPrior * kPrior);
     m_information =
         prior + forgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
@@ -63,6 +65,7 @@ void RateIdentification::update(const Sample& from, const Sample& to, double for
     G << 1.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0;
     const Eigen::Vector4d h(1.0 / kRange - 1.0, 1.0 / kRange - 1.0, 1.0 - kRange, 1.0 - kRange);
     m_relative = Eigen::Vector2d::Ones() + solveBounded(m_information, m_vector, G, h).y;
+    return missed_K;
 }
 
 HeatRates RateIdentification::rates() const {

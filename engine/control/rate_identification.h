@@ -28,8 +28,11 @@ public:
 
     /// Adds a sample: measured temperature, view factor, source strength and what the neighbours add to the
     /// room's T^4 at time_s (ascending).
-    void add(double time_s, double temperature_K, double F, double sourceStrength,
-             double neighbours_K4 = 0.0);
+    /// Returns the error of the predicted change over the window, K, divided by the square root of 1 + the
+    /// variance that the rates' uncertainty adds to the noise's: what is still guessed counts less. 0 without
+    /// a change.
+    double add(double time_s, double temperature_K, double F, double sourceStrength,
+               double neighbours_K4 = 0.0);
     /// Returns the present estimate; the ratios of all losses to lambda2 are fixed.
     HeatRates rates() const;
     /// Returns the standard deviation of the steady view factor for temperature T_K, from the fit's
@@ -45,7 +48,7 @@ private:
     };
     /// Returns the losses over lambda2, K4.
     double cooling_K4(double T_K) const;
-    void update(const Sample& from, const Sample& to, double forgetting);
+    double update(const Sample& from, const Sample& to, double forgetting);
 
     HeatRates m_start;
     double m_timeConstant_s; ///< at the environment's temperature, with the estimate of the start

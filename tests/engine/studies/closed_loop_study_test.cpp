@@ -244,6 +244,20 @@ TEST(ClosedLoopStudy, AfterSettlingTheRobotStandsAlsoWithAsManyObjectsAsAxes) {
     }
 }
 
+// Catches a servo that takes the lag of its sensors for wrong rates: it moved on for good, or did not settle.
+TEST(ClosedLoopStudy, SensorsThatLagAreReckonedWith) {
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::AsGiven, 6);
+    study.seed = 3;
+    study.rig.simulation.sensorLag_s = 4.0;
+    const auto rows = runClosedLoopStudy(study, 2, {});
+    ASSERT_TRUE(rows);
+    const ClosedLoopSummary summary = summarize(*rows);
+    EXPECT_EQ(summary.successRate, 1.0);
+    ASSERT_TRUE(summary.medianOverBound && summary.meanRestSpeed_m_s);
+    EXPECT_LT(*summary.medianOverBound, 2.0);
+    EXPECT_LT(*summary.meanRestSpeed_m_s, 5e-4);
+}
+
 // Catches a robot that wanders while it learns the rates, or jumps off the source where it slides along the
 // clearance: 0.8 to 1.05 m, where the straight way is 0.4 m; or commands that a stepping robot cannot follow.
 TEST(ClosedLoopStudy, TheThreeObjectExampleGoesStraight) {
