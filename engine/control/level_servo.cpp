@@ -23,6 +23,7 @@ constexpr int kRests = 3;             ///< number of them that are kept
 constexpr double kRestsApart_s = 1.0; ///< minimum travel between two of them
 constexpr double kRestMiss_K = 0.05;  ///< a rest this good stays where it is
 constexpr double kRestTravelPrice_K2_s = 1e-3;
+constexpr double kTrustInReading = 0.3; ///< the rest is the temperature predicted from the last ones
 /// minimum time over which an object's drift is learnt, in its time constants
 constexpr double kDriftShare = 1.0;
 
@@ -127,12 +128,13 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
     m_read_K.resize(F.size());
     for (Eigen::Index i = 0; i < F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const double T_K = task.temperature_K[i];
-        m_read_K[i] = T_K;
-        m_identification[k].add(observation.time_s, T_K, F[i], observation.sourceStrength, gainsNow_K4[i]);
+        const double reading_K = observation.objects[k].temperature_K;
+        m_identification[k].add(observation.time_s, reading_K, F[i], observation.sourceStrength,
+                                gainsNow_K4[i]);
         HeatRates rates = m_identification[k].rates();
         rates.lambda1 *= observation.sourceStrength;
-        learnDrift(k, rates, T_K, observation.time_s, dt_s);
+        const double T_K = observe(k, rates, observation, dt_s);
+        m_read_K[i] = T_K;
         rates.lambda3 += m_drift_K_s[i];
         m_early_K_s[i] = rates.lambda2 * (gainsNow_K4[i] - gainsThen_K4[i]);
         task.rates.push_back(rates.inWarmerRoom(gainsThen_K4[i]));
@@ -143,14 +145,18 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
     return task;
 }
 
-void LevelServo::learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s) {
-    // A change during a pause, or predicted with guessed rates, is not drift.
+double LevelServo::observe(std::size_t k, const HeatRates& rates, const Observation& observation,
+                           double dt_s) {
     const auto i = static_cast<Eigen::Index>(k);
-    if (m_expected_K.size() == 0 || time_s - m_time_s > 1.5 * dt_s || !sure(k))
-        return;
+    const double reading_K = observation.objects[k].temperature_K;
+    // A change during a pause, or predicted with guessed rates, is neither noise nor drift.
+    if (m_expected_K.size() == 0 || observation.time_s - m_time_s > 1.5 * dt_s || !sure(k))
+        return reading_K;
+    const double corrected_K = kTrustInReading * (reading_K - m_expected_K[i]);
     const double over_s =
-        std::max(m_settings.levelServo.integralTime_s, kDriftShare * rates.timeConstant_s(T_K));
-    m_drift_K_s[i] += (T_K - m_expected_K[i]) / over_s;
+        std::max(m_settings.levelServo.integralTime_s, kDriftShare * rates.timeConstant_s(reading_K));
+    m_drift_K_s[i] += corrected_K / over_s;
+    return m_expected_K[i] + corrected_K;
 }
 
 PoseQuery LevelServo::level(const HeatingTask& task) const {

@@ -45,7 +45,9 @@ public:
 
 private:
     HeatingTask identify(const Observation& observation, const Eigen::VectorXd& F, double dt_s);
-    void learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s);
+    /// Returns the reading of object k, its noise reduced by what the last step predicted, and learns the
+    /// drift from their difference. A reading that rates still guessed predicted is returned as it is.
+    double observe(std::size_t k, const HeatRates& rates, const Observation& observation, double dt_s);
     /// Returns whether the identified rates of object k determine its steady temperatures within kSure_K.
     bool sure(std::size_t k) const;
     bool allSure() const;
