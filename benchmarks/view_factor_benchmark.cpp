@@ -97,14 +97,40 @@ void byProcessor(benchmark::State& state) {
     kernels::useKernels(usual);
 }
 
-void matrixOfThree(benchmark::State& state) {
+/// Even, in sectors (polygons), or in rings (disks), as many as the argument says.
+RadiatingSource cutInto(int sectors, int rings) {
+    std::vector<SourceTerm> terms;
+    std::vector<double> factors;
+    for (int k = 0; k < sectors; ++k) {
+        constexpr int kChords = 12;
+        Contour sector;
+        sector.points_m.emplace_back(0.0, 0.0);
+        for (int c = 0; c <= kChords; ++c)
+            sector.points_m.push_back(
+                0.1 *
+                Eigen::Rotation2Dd(2.0 * std::numbers::pi * (k + static_cast<double>(c) / kChords) / sectors)
+                    .toRotationMatrix()
+                    .col(0));
+        terms.push_back({RadiatingContour(sector)});
+        factors.push_back(1.0 + 0.1 * (k % 2));
+    }
+    for (int k = 0; k < rings; ++k) {
+        terms.push_back({RadiatingContour(Disk{0.1 * (k + 1) / rings})});
+        factors.push_back(1.0 / rings);
+    }
+    if (terms.empty())
+        return RadiatingContour(Disk{0.1});
+    return {std::move(terms), std::move(factors)};
+}
+
+void matrixOfThree(benchmark::State& state, int sectors, int rings) {
     const auto mounted = [](const Shape& shape, double x, double y) {
         return MountedContour{RadiatingContour(shape), poseFromCoordinates(at(x, y, 0.0))};
     };
     const MountedObjects objects(
         {mounted(kDisk, 0.0, 0.05), mounted(bunny(5), -0.0435, -0.025),
          mounted(fitFourier(outlineFrom("hand_mm.csv"), 5)->contour, 0.0435, -0.025)});
-    const RadiatingContour source(Disk{0.1});
+    const RadiatingSource source = cutInto(sectors, rings);
     const Pose X_SE = poseFromCoordinates(at(0.01, 0.02, 0.10, 0.1));
     for (auto _ : state)
         benchmark::DoNotOptimize(interactionMatrix(source, objects, X_SE));
@@ -130,7 +156,11 @@ BENCHMARK_CAPTURE(gradient, bunny5_fourier_source_near_1e9, fourierSource(), bun
                   1e-9);
 BENCHMARK_CAPTURE(gradient, rough40_over_itself_cut_1e9, roughSource(), roughSource(),
                   at(0.0, 0.0, 0.001, 0.02), 1e-9);
-BENCHMARK(matrixOfThree);
+BENCHMARK_CAPTURE(matrixOfThree, even, 0, 0);
+BENCHMARK_CAPTURE(matrixOfThree, sectors6, 6, 0);
+BENCHMARK_CAPTURE(matrixOfThree, sectors16, 16, 0);
+BENCHMARK_CAPTURE(matrixOfThree, rings8, 0, 8);
+BENCHMARK_CAPTURE(matrixOfThree, rings40, 0, 40);
 BENCHMARK(byProcessor)->DenseRange(0, 2);
 
 } // namespace

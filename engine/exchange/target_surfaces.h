@@ -28,7 +28,7 @@ std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits,
 
 /// The geometry that determines the fields of targets: no temperature, no material.
 struct TargetGeometry {
-    RadiatingContour source;
+    RadiatingSource source;
     Pose X_RS = Pose::Identity();
     std::vector<MountedContour> objects;
     std::vector<FieldAxis> axes;       ///< three of the end-effector's coordinates in R; see surfaceAxes

@@ -41,7 +41,7 @@ struct FieldQuantity {
 };
 
 struct FieldRequest {
-    RadiatingContour source;
+    RadiatingSource source;
     RadiatingContour object;
     std::vector<FieldAxis> axes;
     /// Values of the coordinates that have no axis.

@@ -34,7 +34,7 @@ InteractionMatrix matrixOf(const MountedObjects& objects, const Pose& X_SE, cons
 
 } // namespace
 
-InteractionMatrix interactionMatrix(const RadiatingContour& source, const MountedObjects& objects,
+InteractionMatrix interactionMatrix(const RadiatingSource& source, const MountedObjects& objects,
                                     const Pose& X_SE, const FreedomMask& free, const Eigen::Matrix3d& R_RS,
                                     const ViewFactorOptions& options) {
     return matrixOf(objects, X_SE, free, R_RS, [&](std::size_t i) {
@@ -43,7 +43,7 @@ InteractionMatrix interactionMatrix(const RadiatingContour& source, const Mounte
     });
 }
 
-InteractionMatrix roughInteractionMatrix(const RadiatingContour& source, const MountedObjects& objects,
+InteractionMatrix roughInteractionMatrix(const RadiatingSource& source, const MountedObjects& objects,
                                          const Pose& X_SE, const Eigen::Matrix3d& R_RS, double tolerance,
                                          const std::vector<bool>& wanted) {
     return matrixOf(

@@ -21,14 +21,14 @@ struct InteractionMatrix {
 /// Returns the matrix, with the shade of the objects on one another, at the pose X_SE, for a twist in the
 /// axes of R: R_RS turns the source's axes into them (identity: the twist is in source axes). The matrix of
 /// the paper is lambda1_i times row i. Throws as viewFactor does.
-InteractionMatrix interactionMatrix(const RadiatingContour& source, const MountedObjects& objects,
+InteractionMatrix interactionMatrix(const RadiatingSource& source, const MountedObjects& objects,
                                     const Pose& X_SE, const FreedomMask& free = kAllFree,
                                     const Eigen::Matrix3d& R_RS = Eigen::Matrix3d::Identity(),
                                     const ViewFactorOptions& options = {});
 
 /// The same for all six components, with rough shade: see roughShadedViewFactor. Rows of objects that are not
 /// wanted are zero; empty: all are.
-InteractionMatrix roughInteractionMatrix(const RadiatingContour& source, const MountedObjects& objects,
+InteractionMatrix roughInteractionMatrix(const RadiatingSource& source, const MountedObjects& objects,
                                          const Pose& X_SE, const Eigen::Matrix3d& R_RS, double tolerance,
                                          const std::vector<bool>& wanted = {});
 

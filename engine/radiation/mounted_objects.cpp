@@ -31,7 +31,7 @@ std::vector<Blocker> MountedObjects::blockersOf(std::size_t i, const Pose& X_SE)
     return blockers;
 }
 
-ShadedViewFactor MountedObjects::shaded(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+ShadedViewFactor MountedObjects::shaded(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                                         const ViewFactorOptions& options) const {
     ShadeOptions shade;
     shade.unshaded = options;
@@ -41,7 +41,7 @@ ShadedViewFactor MountedObjects::shaded(const RadiatingContour& source, std::siz
                             shade);
 }
 
-ViewFactor MountedObjects::viewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+ViewFactor MountedObjects::viewFactor(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                                       const ViewFactorOptions& options) const {
     if (m_inFront[i].empty())
         return bask::viewFactor(source, m_objects[i].contour, X_SE * m_objects[i].X_EO, options);
@@ -49,20 +49,20 @@ ViewFactor MountedObjects::viewFactor(const RadiatingContour& source, std::size_
     return {factor.value, factor.gradientRigid, factor.visibility, factor.errorEstimate};
 }
 
-double MountedObjects::viewFactorValue(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+double MountedObjects::viewFactorValue(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                                        double tolerance) const {
     if (m_inFront[i].empty())
         return bask::viewFactorValue(source, m_objects[i].contour, X_SE * m_objects[i].X_EO, tolerance);
     return shaded(source, i, X_SE, {.tolerance = tolerance}).value;
 }
 
-RigidViewFactor MountedObjects::roughViewFactor(const RadiatingContour& source, std::size_t i,
+RigidViewFactor MountedObjects::roughViewFactor(const RadiatingSource& source, std::size_t i,
                                                 const Pose& X_SE, double tolerance) const {
     return roughShadedViewFactor(source, m_objects[i].contour, X_SE * m_objects[i].X_EO, blockersOf(i, X_SE),
                                  tolerance);
 }
 
-double MountedObjects::roughShare(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+double MountedObjects::roughShare(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                                   double unshaded) const {
     if (m_inFront[i].empty() || unshaded == 0.0)
         return 1.0;
@@ -71,7 +71,7 @@ double MountedObjects::roughShare(const RadiatingContour& source, std::size_t i,
     return std::clamp(1.0 - taken / unshaded, 0.0, 1.0);
 }
 
-std::vector<TakenLight> MountedObjects::takenLight(const RadiatingContour& source, const Pose& X_SE,
+std::vector<TakenLight> MountedObjects::takenLight(const RadiatingSource& source, const Pose& X_SE,
                                                    double min) const {
     constexpr double kOfShare = 1e-3;
     constexpr double kMinTolerance = 1e-9; // of a view factor that hardly is one

@@ -1,7 +1,7 @@
 #pragma once
 // Objects on one end-effector: the view factor of each, with the shade of the others.
 
-#include "engine/radiation/shade.h"
+#include "engine/radiation/radiating_source.h"
 
 #include <algorithm>
 #include <vector>
@@ -47,17 +47,17 @@ public:
     /// Returns the view factor of object i at the end-effector's pose X_SE, and its gradient for a motion of
     /// the end-effector, about O's origin. The shade is found to max(options.tolerance, kShadeTolerance).
     /// Throws as viewFactor does.
-    ViewFactor viewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+    ViewFactor viewFactor(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                           const ViewFactorOptions& options = {}) const;
     /// Returns only the value, to an absolute tolerance.
-    double viewFactorValue(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+    double viewFactorValue(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                            double tolerance) const;
 
     /// The same with rough shade: see roughShadedViewFactor.
-    RigidViewFactor roughViewFactor(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+    RigidViewFactor roughViewFactor(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                                     double tolerance) const;
     /// Returns the share that the others leave, in [0, 1], of the view factor `unshaded`; 1 if that is zero.
-    double roughShare(const RadiatingContour& source, std::size_t i, const Pose& X_SE, double unshaded) const;
+    double roughShare(const RadiatingSource& source, std::size_t i, const Pose& X_SE, double unshaded) const;
 
     /// Returns what each object takes of the light of each other object at the end-effector's pose X_SE, to
     /// about 0.001: the share of the other's view factor without shade that it would lose if these two were
@@ -65,13 +65,13 @@ public:
     /// shares of one object may add up to more than what is lost. Shares below `min` are left out, and so
     /// are objects without a view factor. In the order of the objects, then of the takers. Throws as
     /// viewFactor does.
-    std::vector<TakenLight> takenLight(const RadiatingContour& source, const Pose& X_SE,
+    std::vector<TakenLight> takenLight(const RadiatingSource& source, const Pose& X_SE,
                                        double min = kMinToldShare) const;
 
 private:
     Blocker blocker(std::size_t i, const Pose& X_SE) const;
     std::vector<Blocker> blockersOf(std::size_t i, const Pose& X_SE) const;
-    ShadedViewFactor shaded(const RadiatingContour& source, std::size_t i, const Pose& X_SE,
+    ShadedViewFactor shaded(const RadiatingSource& source, std::size_t i, const Pose& X_SE,
                             const ViewFactorOptions& options) const;
 
     std::vector<MountedContour> m_objects;
