@@ -21,6 +21,8 @@
 namespace bask {
 namespace {
 
+const std::vector<ProfilePoint> kColdRim{{0.0, 1.05}, {0.06, 1.0}, {0.1, 0.85}};
+
 struct Bench {
     Experiment experiment;
     std::shared_ptr<const RigGeometry> geometry;
@@ -99,12 +101,14 @@ void lookUpRebuild(benchmark::State& state) {
 /// The verdict on all targets together, three objects and four axes: 100 ms at most on 2 cores, with the
 /// workspace sampled anew (a geometry was edited) or at hand (a target was). Line: the search finds nothing
 /// and tries all its starts.
-void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool atHand) {
-    const auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
+void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool atHand, bool uneven = false) {
+    auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return;
     }
+    if (uneven)
+        experiment->source.uneven.profile = kColdRim;
     FeasibilityRequest request = feasibilityRequest(*experiment);
     request.targets_K.assign(3, kelvinFromCelsius(45.0));
     if (atHand)
@@ -115,12 +119,15 @@ void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool a
 
 /// The same where the objects shade one another: three heights, and tilts. 300 ms at most, and 1 s for the
 /// look-up. Baseline: the same objects in one plane.
-std::optional<FeasibilityRequest> requestAtHeights(benchmark::State& state, bool inOnePlane) {
+std::optional<FeasibilityRequest> requestAtHeights(benchmark::State& state, bool inOnePlane,
+                                                   bool uneven = false) {
     auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return std::nullopt;
     }
+    if (uneven)
+        experiment->source.uneven.profile = kColdRim;
     if (!inOnePlane) {
         experiment->objects[1].mounting[kZ] = 0.02;
         experiment->objects[1].mounting[kThetaX] = radFromDeg(8.0);
@@ -130,8 +137,9 @@ std::optional<FeasibilityRequest> requestAtHeights(benchmark::State& state, bool
     return feasibilityRequest(*experiment);
 }
 
-void feasibilityAtHeights(benchmark::State& state, bool inOnePlane, const std::vector<double>& targets_degC) {
-    auto request = requestAtHeights(state, inOnePlane);
+void feasibilityAtHeights(benchmark::State& state, bool inOnePlane, const std::vector<double>& targets_degC,
+                          bool uneven = false) {
+    auto request = requestAtHeights(state, inOnePlane, uneven);
     if (!request)
         return;
     for (std::size_t i = 0; i < targets_degC.size(); ++i)
@@ -141,8 +149,8 @@ void feasibilityAtHeights(benchmark::State& state, bool inOnePlane, const std::v
         state.counters["feasible"] = jointFeasibility(*request)->feasible ? 1.0 : 0.0;
 }
 
-void lookUpAtHeights(benchmark::State& state, bool inOnePlane) {
-    const auto request = requestAtHeights(state, inOnePlane);
+void lookUpAtHeights(benchmark::State& state, bool inOnePlane, bool uneven = false) {
+    const auto request = requestAtHeights(state, inOnePlane, uneven);
     if (!request)
         return;
     for (auto _ : state)
@@ -216,6 +224,9 @@ BENCHMARK_CAPTURE(mountingRemarksOf, worst, true, 0)->Unit(benchmark::kMilliseco
     BENCHMARK_CAPTURE(jointFeasibilityOf, name, file, atHand)->Unit(benchmark::kMillisecond)->UseRealTime()
 BASK_FEASIBILITY(triangle, "three-objects.json", false);
 BASK_FEASIBILITY(triangleAtHand, "three-objects.json", true);
+BENCHMARK_CAPTURE(jointFeasibilityOf, triangleColdRim, "three-objects.json", false, true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 BASK_FEASIBILITY(line, "three-objects-in-line.json", false);
 BASK_FEASIBILITY(lineAtHand, "three-objects-in-line.json", true);
 #define BASK_IN_PLANE_OR_NOT(function, name, inOnePlane, ...)                                                \
@@ -228,7 +239,9 @@ BASK_FEASIBILITY(lineAtHand, "three-objects-in-line.json", true);
     BASK_IN_PLANE_OR_NOT(function, name##ThreeHeights, false __VA_OPT__(, ) __VA_ARGS__)
 BASK_AT_HEIGHTS(feasibilityAtHeights, feasible, std::vector{40.0, 40.0, 40.0});
 BASK_AT_HEIGHTS(feasibilityAtHeights, tooFarApart, std::vector{85.0, 30.0, 60.0});
+BASK_AT_HEIGHTS(feasibilityAtHeights, feasibleColdRim, std::vector{40.0, 40.0, 40.0}, true);
 BASK_AT_HEIGHTS(lookUpAtHeights, lookUp);
+BASK_AT_HEIGHTS(lookUpAtHeights, lookUpColdRim, true);
 BENCHMARK(feasibilityByGrid)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
 

@@ -1607,6 +1607,46 @@
         <source>%1 takes %2 % of the light of %3 at this pose</source>
         <translation>%1 prend %2&#xa0;% de la lumière de %3 à cette pose</translation>
     </message>
+    <message>
+        <source>the list is empty; leave it out for a source that is even</source>
+        <translation>la liste est vide ; omettez-la pour une source uniforme</translation>
+    </message>
+    <message>
+        <source>this part of the source overlaps %1; parts may touch but not cover one another</source>
+        <translation>cette partie de la source chevauche %1 ; les parties peuvent se toucher mais pas se recouvrir</translation>
+    </message>
+    <message>
+        <source>this part reaches %1 mm beyond the source&apos;s contour; move it or make the contour larger</source>
+        <translation>cette partie dépasse le contour de la source de %1 mm ; déplacez-la ou agrandissez le contour</translation>
+    </message>
+    <message>
+        <source>this part stands %1 mm out of the source&apos;s plane, from which clearances are measured; lower it, or move the source&apos;s pose up</source>
+        <translation>cette partie dépasse de %1 mm le plan de la source, à partir duquel les distances de sécurité sont mesurées ; abaissez-la ou relevez la pose de la source</translation>
+    </message>
+    <message>
+        <source>this part of the source stands on edge or faces away; tilt it by less than 89 degrees</source>
+        <translation>cette partie de la source est sur la tranche ou tournée de l'autre côté ; inclinez-la de moins de 89 degrés</translation>
+    </message>
+    <message>
+        <source>this part lies in front of %1; what parts of a source hide from one another is not computed</source>
+        <translation>cette partie se trouve devant %1 ; ce que les parties d'une source se cachent l'une à l'autre n'est pas calculé</translation>
+    </message>
+    <message>
+        <source>the radii must grow, but %1 mm comes after %2 mm</source>
+        <translation>les rayons doivent croître, mais %1 mm vient après %2 mm</translation>
+    </message>
+    <message>
+        <source>a radial profile needs a source whose contour is a disk without holes</source>
+        <translation>un profil radial demande une source dont le contour est un disque sans trous</translation>
+    </message>
+    <message>
+        <source>the first line must name two columns: the radius (radius_mm, radius_cm or radius_m) and temperature_ratio or temperature_offset_K</source>
+        <translation>la première ligne doit nommer deux colonnes : le rayon (radius_mm, radius_cm ou radius_m) et temperature_ratio ou temperature_offset_K</translation>
+    </message>
+    <message>
+        <source>line %1: two numbers expected, &quot;%2&quot; found</source>
+        <translation>ligne %1 : deux nombres attendus, « %2 » trouvé</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3685,6 +3725,21 @@
     </message>
 </context>
 <context>
+    <name>bask::EvennessText</name>
+    <message>
+        <source>even</source>
+        <translation>uniforme</translation>
+    </message>
+    <message>
+        <source>Parts: %1, which radiate %2 to %3 % of what an even one does</source>
+        <translation>Parties : %1, qui rayonnent de %2 à %3 % de ce que rayonne une source uniforme</translation>
+    </message>
+    <message>
+        <source>Radial profile of %1 points, radiating %2 to %3 % of what an even one does</source>
+        <translation>Profil radial de %1 points, rayonnant de %2 à %3 % de ce que rayonne une source uniforme</translation>
+    </message>
+</context>
+<context>
     <name>bask::EventList</name>
     <message>
         <source>Priority %1</source>
@@ -4507,6 +4562,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1 : %2 au lieu de %3</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>Uniformité</translation>
     </message>
 </context>
 <context>
@@ -7556,6 +7615,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Shade of the objects on one another, from Start until Stop</source>
         <translation>Ombre des objets les uns sur les autres, du démarrage à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Evenness of the source</source>
+        <translation>Uniformité de la source</translation>
     </message>
 </context>
 <context>

@@ -1607,6 +1607,46 @@
         <source>%1 takes %2 % of the light of %3 at this pose</source>
         <translation>在此位姿，%1 挡住 %3 的 %2 % 的光</translation>
     </message>
+    <message>
+        <source>the list is empty; leave it out for a source that is even</source>
+        <translation>列表为空；热源均匀时请省略它</translation>
+    </message>
+    <message>
+        <source>this part of the source overlaps %1; parts may touch but not cover one another</source>
+        <translation>热源的这一部分与 %1 重叠；各部分可以相接，但不能互相覆盖</translation>
+    </message>
+    <message>
+        <source>this part reaches %1 mm beyond the source&apos;s contour; move it or make the contour larger</source>
+        <translation>这一部分超出热源轮廓 %1 mm；请移动它或扩大轮廓</translation>
+    </message>
+    <message>
+        <source>this part stands %1 mm out of the source&apos;s plane, from which clearances are measured; lower it, or move the source&apos;s pose up</source>
+        <translation>这一部分高出热源平面 %1 mm，而安全距离从该平面量起；请降低它，或上移热源的位姿</translation>
+    </message>
+    <message>
+        <source>this part of the source stands on edge or faces away; tilt it by less than 89 degrees</source>
+        <translation>热源的这一部分侧立或背向；倾斜角须小于 89 度</translation>
+    </message>
+    <message>
+        <source>this part lies in front of %1; what parts of a source hide from one another is not computed</source>
+        <translation>这一部分位于 %1 前方；热源各部分之间的遮挡不作计算</translation>
+    </message>
+    <message>
+        <source>the radii must grow, but %1 mm comes after %2 mm</source>
+        <translation>半径必须递增，但 %2 mm 之后是 %1 mm</translation>
+    </message>
+    <message>
+        <source>a radial profile needs a source whose contour is a disk without holes</source>
+        <translation>径向分布要求热源轮廓为无孔圆盘</translation>
+    </message>
+    <message>
+        <source>the first line must name two columns: the radius (radius_mm, radius_cm or radius_m) and temperature_ratio or temperature_offset_K</source>
+        <translation>第一行必须给出两列的名称：半径（radius_mm、radius_cm 或 radius_m）以及 temperature_ratio 或 temperature_offset_K</translation>
+    </message>
+    <message>
+        <source>line %1: two numbers expected, &quot;%2&quot; found</source>
+        <translation>第 %1 行：应为两个数，实为“%2”</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3680,6 +3720,21 @@
     </message>
 </context>
 <context>
+    <name>bask::EvennessText</name>
+    <message>
+        <source>even</source>
+        <translation>均匀</translation>
+    </message>
+    <message>
+        <source>Parts: %1, which radiate %2 to %3 % of what an even one does</source>
+        <translation>%1 个部分，辐射为均匀热源的 %2 至 %3 %</translation>
+    </message>
+    <message>
+        <source>Radial profile of %1 points, radiating %2 to %3 % of what an even one does</source>
+        <translation>%1 个点的径向分布，辐射为均匀热源的 %2 至 %3 %</translation>
+    </message>
+</context>
+<context>
     <name>bask::EventList</name>
     <message>
         <source>Priority %1</source>
@@ -4502,6 +4557,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1：%2，而不是 %3</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>均匀性</translation>
     </message>
 </context>
 <context>
@@ -7542,6 +7601,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Shade of the objects on one another, from Start until Stop</source>
         <translation>从“开始”到“停止”期间物体之间的相互遮挡</translation>
+    </message>
+    <message>
+        <source>Evenness of the source</source>
+        <translation>热源的均匀性</translation>
     </message>
 </context>
 <context>

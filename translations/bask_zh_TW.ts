@@ -1607,6 +1607,46 @@
         <source>%1 takes %2 % of the light of %3 at this pose</source>
         <translation>在此位姿，%1 擋住 %3 的 %2 % 的光</translation>
     </message>
+    <message>
+        <source>the list is empty; leave it out for a source that is even</source>
+        <translation>清單為空；熱源均勻時請省略它</translation>
+    </message>
+    <message>
+        <source>this part of the source overlaps %1; parts may touch but not cover one another</source>
+        <translation>熱源的這一部分與 %1 重疊；各部分可以相接，但不能互相覆蓋</translation>
+    </message>
+    <message>
+        <source>this part reaches %1 mm beyond the source&apos;s contour; move it or make the contour larger</source>
+        <translation>這一部分超出熱源輪廓 %1 mm；請移動它或擴大輪廓</translation>
+    </message>
+    <message>
+        <source>this part stands %1 mm out of the source&apos;s plane, from which clearances are measured; lower it, or move the source&apos;s pose up</source>
+        <translation>這一部分高出熱源平面 %1 mm，而安全距離從該平面量起；請降低它，或上移熱源的位姿</translation>
+    </message>
+    <message>
+        <source>this part of the source stands on edge or faces away; tilt it by less than 89 degrees</source>
+        <translation>熱源的這一部分側立或背向；傾斜角須小於 89 度</translation>
+    </message>
+    <message>
+        <source>this part lies in front of %1; what parts of a source hide from one another is not computed</source>
+        <translation>這一部分位於 %1 前方；熱源各部分之間的遮擋不作計算</translation>
+    </message>
+    <message>
+        <source>the radii must grow, but %1 mm comes after %2 mm</source>
+        <translation>半徑必須遞增，但 %2 mm 之後是 %1 mm</translation>
+    </message>
+    <message>
+        <source>a radial profile needs a source whose contour is a disk without holes</source>
+        <translation>徑向分布要求熱源輪廓為無孔圓盤</translation>
+    </message>
+    <message>
+        <source>the first line must name two columns: the radius (radius_mm, radius_cm or radius_m) and temperature_ratio or temperature_offset_K</source>
+        <translation>第一行必須給出兩欄的名稱：半徑（radius_mm、radius_cm 或 radius_m）以及 temperature_ratio 或 temperature_offset_K</translation>
+    </message>
+    <message>
+        <source>line %1: two numbers expected, &quot;%2&quot; found</source>
+        <translation>第 %1 行：應為兩個數，實為「%2」</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3680,6 +3720,21 @@
     </message>
 </context>
 <context>
+    <name>bask::EvennessText</name>
+    <message>
+        <source>even</source>
+        <translation>均勻</translation>
+    </message>
+    <message>
+        <source>Parts: %1, which radiate %2 to %3 % of what an even one does</source>
+        <translation>%1 個部分，輻射為均勻熱源的 %2 至 %3 %</translation>
+    </message>
+    <message>
+        <source>Radial profile of %1 points, radiating %2 to %3 % of what an even one does</source>
+        <translation>%1 個點的徑向分布，輻射為均勻熱源的 %2 至 %3 %</translation>
+    </message>
+</context>
+<context>
     <name>bask::EventList</name>
     <message>
         <source>Priority %1</source>
@@ -4502,6 +4557,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1：%2，而不是 %3</translation>
+    </message>
+    <message>
+        <source>Evenness</source>
+        <translation>均勻性</translation>
     </message>
 </context>
 <context>
@@ -7542,6 +7601,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Shade of the objects on one another, from Start until Stop</source>
         <translation>從「開始」到「停止」期間物體之間的相互遮擋</translation>
+    </message>
+    <message>
+        <source>Evenness of the source</source>
+        <translation>熱源的均勻性</translation>
     </message>
 </context>
 <context>

@@ -12,6 +12,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/text_file.h"
 #include "engine/model/mounting_check.h"
+#include "engine/model/uneven_source.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -188,6 +189,8 @@ void printShade(const Experiment& experiment, const Vector6d& pose, ShadedPose w
 
 void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
                   const std::optional<double>& predicted_s) {
+    if (!experiment.source.uneven.isEven())
+        std::printf("source: %s\n", unevennessWords(experiment).c_str());
     std::printf("%-16s %10s %10s %10s %10s   %s\n", "object", "target_C", "steady_C", "nearest_C", "needed_F",
                 "within the workspace");
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {

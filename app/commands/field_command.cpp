@@ -10,6 +10,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/model/uneven_source.h"
 
 #include <QCommandLineParser>
 
@@ -86,9 +87,12 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
         return Error(MessageCode::ValueUnknown, "--quantity", {quantity.toStdString(), "F, T"});
     if (quantity == "T" && object == nullptr)
         return refused("--quantity T", "an experiment with an object named by --object", "none");
-    const Shape source = experiment ? experiment->source.shape : presetSource();
     const Shape shape = object ? object->shape : presetObject();
-    Request request{{RadiatingContour(source), RadiatingContour(shape), {}}, {}, {}};
+    Request request{{experiment ? radiatingSource(*experiment) : RadiatingContour(presetSource()),
+                     RadiatingContour(shape),
+                     {}},
+                    {},
+                    {}};
     const QString shade = parser.value("shade");
     if (shade != "rough" && shade != "exact" && shade != "none")
         return Error(MessageCode::ValueUnknown, "--shade", {shade.toStdString(), "rough, exact, none"});

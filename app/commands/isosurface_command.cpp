@@ -13,6 +13,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/model/uneven_source.h"
 
 #include <QCommandLineParser>
 
@@ -34,6 +35,7 @@ struct Request {
     SurfaceSet set;             ///< without its surfaces
     std::vector<double> values; ///< view factors
     std::string path;           ///< empty: nothing is written
+    double maxViewFactor = 1.0; ///< no pose has more
 };
 
 Error refused(const std::string& option, const std::string& expected, const std::string& found) {
@@ -90,7 +92,8 @@ Result<void> readValue(const QString& text, Request& request) {
     const HeatRates& rates = request.rates;
     const bool isFactor = text.startsWith('F');
     const double min = isFactor ? 0.0 : celsiusFromKelvin(rates.steadyTemperature_K(0.0));
-    const double max = isFactor ? 1.0 : celsiusFromKelvin(rates.steadyTemperature_K(1.0));
+    const double maxF = request.maxViewFactor;
+    const double max = isFactor ? maxF : celsiusFromKelvin(rates.steadyTemperature_K(maxF));
     if (*number < min || *number > max)
         return outOfRange(where, *number, min, max, isFactor ? "" : "degC");
     const double F = isFactor ? *number : rates.steadyViewFactor(kelvinFromCelsius(*number));
@@ -163,13 +166,14 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     const ObjectSpec& object = **chosen;
     const SourceSpec& source = experiment->source;
     Request request{
-        {RadiatingContour(source.shape), poseFromCoordinates(source.pose), mountedContours(*experiment), {}},
+        {radiatingSource(*experiment), poseFromCoordinates(source.pose), mountedContours(*experiment), {}},
         {},
         {},
         {},
         {}};
     request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
+    request.maxViewFactor = rigGeometry(*experiment)->maxViewFactor();
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +
                         std::filesystem::path(input).filename().string();

@@ -3,6 +3,7 @@
 #include "app/commands/field_axes.h"
 #include "engine/base/units.h"
 #include "engine/exchange/isosurface.h"
+#include "engine/model/uneven_source.h"
 #include "engine/rig/rig_setup.h"
 
 #include "widgets/plots/figure_surfaces.h"
@@ -122,8 +123,8 @@ QColor objectColor(std::size_t object) {
 Result<QList<FigureSurface>> steadySurfaces(const Experiment& experiment, std::size_t object,
                                             const std::vector<double>& temperatures_K) {
     const HeatRates rates = nominalRates(experiment, experiment.environment_K)[object];
-    FieldRequest request{RadiatingContour(experiment.source.shape),
-                         RadiatingContour(experiment.objects[object].shape), translations()};
+    FieldRequest request{radiatingSource(experiment), RadiatingContour(experiment.objects[object].shape),
+                         translations()};
     request.tolerance = kTolerance;
     const auto field = sampleField(request);
     if (!field)

@@ -58,7 +58,7 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
         const HeatRates& rates = search.rates()[i];
         verdict.target_K = targets_K[i];
         verdict.lowest_K = rates.steadyTemperature_K(0.0);
-        verdict.highest_K = rates.steadyTemperature_K(1.0);
+        verdict.highest_K = rates.steadyTemperature_K(search.geometry().maxViewFactor());
         verdict.neededViewFactor = neededViewFactor(search, all_K, i);
         if (search.empty()) {
             verdict.verdict = FeasibilityVerdict::TooHot; // no pose of the workspace keeps the clearance
@@ -92,9 +92,10 @@ std::vector<PairVerdict> pairVerdicts(const SteadySearch& search, const std::vec
             const HeatRates& b = search.rates()[second];
             const Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(N, i) - Eigen::RowVectorXd::Unit(N, j);
             PairVerdict verdict{i, j, targets_K[first] - targets_K[second]};
-            verdict.min_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(1.0));
+            const double max = search.geometry().maxViewFactor();
+            verdict.min_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(max));
             verdict.largest_K =
-                extreme_K(search, row, a.steadyTemperature_K(1.0) - b.steadyTemperature_K(0.0));
+                extreme_K(search, row, a.steadyTemperature_K(max) - b.steadyTemperature_K(0.0));
             verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kReachedWithin_K &&
                             verdict.wanted_K >= verdict.min_K - 2.0 * kReachedWithin_K;
             out.push_back(verdict);

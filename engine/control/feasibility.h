@@ -26,8 +26,9 @@ enum class FeasibilityVerdict {
 /// Condition 1 for one object.
 struct TargetVerdict {
     double target_K = 0.0;
-    double lowest_K = 0.0;         ///< steady temperature at F = 0
-    double highest_K = 0.0;        ///< steady temperature at F = 1
+    double lowest_K = 0.0; ///< steady temperature at F = 0
+    double highest_K =
+        0.0; ///< steady temperature at the largest F of all: 1, or more for a source with hotter parts
     double neededViewFactor = 0.0; ///< F* of the target (may lie outside [0, 1])
     double reachableMin_F = 0.0;   ///< smallest and largest F within workspace and clearance
     double reachableMax_F = 0.0;

@@ -137,8 +137,9 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
     : m_geometry(geometry), m_task(task), m_cold_s_K(task.aim_K.size()) {
     for (Eigen::Index i = 0; i < m_cold_s_K.size(); ++i) {
         const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
-        const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kMinPull);
-        m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
+        const double max = geometry.maxViewFactor();
+        const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, max - kMinPull);
+        m_cold_s_K[i] = 1.0 / (rates.lambda1 * (max - F));
     }
     const double max_s_K = m_cold_s_K.maxCoeff();
     m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * max_s_K);

@@ -59,6 +59,7 @@ constexpr double kMet_K = 0.3;   ///< and ends below this
 // The look-up gives starting points only: it may be this far behind a moving source.
 constexpr double kTableShift_m = 0.01;
 constexpr double kTableTurn_rad = 0.05;
+constexpr double kTableWarmer_K = 20.0; // of an uneven source: view factors change by 1 % in 50 K
 
 /// Slope of the steady temperature by the view factor, K.
 double temperaturePerViewFactor_K(const HeatRates& rates, double T_K) {
@@ -107,10 +108,12 @@ void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
         m_plan->plan.move(moved, geometry->limits());
     if (m_hold)
         m_hold = movedWithin(*m_hold, moved, geometry->limits());
+    const bool isOtherHeat =
+        std::abs(geometry->source_K() - m_tableSource_K) > kTableWarmer_K && !geometry->isSourceEven();
     m_model.geometry = std::move(geometry);
     const Pose sinceTable = m_tableSource.inverse() * m_model.geometry->X_RS();
     if (sinceTable.translation().norm() > kTableShift_m ||
-        Eigen::AngleAxisd(sinceTable.linear()).angle() > kTableTurn_rad)
+        Eigen::AngleAxisd(sinceTable.linear()).angle() > kTableTurn_rad || isOtherHeat)
         m_lookup.reset();
 }
 
@@ -167,8 +170,8 @@ PoseQuery LevelServo::level(const HeatingTask& task) const {
         const double timeConstant_s =
             std::max(m_settings.levelServo.timeConstant_s, 1.0 / (kLargestGain_1_K * rates.lambda1));
         const double rate_K_s = (task.aim_K[i] - task.temperature_K[i]) / timeConstant_s;
-        out.wanted[i] =
-            std::clamp(rate_K_s / rates.lambda1 + rates.steadyViewFactor(task.temperature_K[i]), 0.0, 1.0);
+        out.wanted[i] = std::clamp(rate_K_s / rates.lambda1 + rates.steadyViewFactor(task.temperature_K[i]),
+                                   0.0, m_model.geometry->maxViewFactor());
         // A fast object must be controlled more tightly than a slow one, which must not be forgotten either.
         out.weights[i] = rates.lambda1;
     }
@@ -182,7 +185,7 @@ PoseQuery LevelServo::steady(const HeatingTask& task, const std::vector<double>&
     for (Eigen::Index i = 0; i < N; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const HeatRates& rates = task.rates[k];
-        out.wanted[i] = std::clamp(rates.steadyViewFactor(aim_K[k]), 0.0, 1.0);
+        out.wanted[i] = std::clamp(rates.steadyViewFactor(aim_K[k]), 0.0, m_model.geometry->maxViewFactor());
         out.weights[i] = std::pow(temperaturePerViewFactor_K(rates, aim_K[k]), 2);
     }
     out.weights /= out.weights.maxCoeff();
@@ -435,6 +438,7 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     if (!m_lookup) {
         m_lookup.emplace(m_model.geometry, observation.coordinates);
         m_tableSource = m_model.geometry->X_RS();
+        m_tableSource_K = m_model.geometry->source_K();
     }
     const ViewFactors fields = m_model.geometry->viewFactors(observation.coordinates);
     HeatingTask task = identify(observation, fields.F, dt_s);

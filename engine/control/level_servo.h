@@ -81,6 +81,7 @@ private:
     ControlModel m_model;
     std::optional<PoseLookup> m_lookup;
     Pose m_tableSource = Pose::Identity(); ///< pose of the source when the look-up was made
+    double m_tableSource_K = 0.0;          ///< its temperature, if it is uneven
     std::vector<LaggedIdentification> m_identification;
     Eigen::VectorXd m_read_K;    ///< N, present readings
     Eigen::VectorXd m_drift_K_s; ///< N, slow rate that the identified rates do not explain

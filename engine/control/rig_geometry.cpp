@@ -25,7 +25,8 @@ std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
 RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
                          const std::vector<Vector6d>& mountings, const RobotLimits& limits, const Pose& X_RS,
                          const std::vector<FaceMaterial>& fronts)
-    : m_source(source), m_limits(limits), m_X_RS(X_RS), m_X_SR(inverseUnlessIdentity(X_RS)) {
+    : m_source(RadiatingContour(source)), m_limits(limits), m_X_RS(X_RS),
+      m_X_SR(inverseUnlessIdentity(X_RS)) {
     if (shapes.size() != mountings.size())
         throw std::invalid_argument("RigGeometry: one mounting a shape");
     m_limits.clearance_m = std::max(limits.clearance_m, kMinClearance_m);
@@ -51,6 +52,22 @@ std::shared_ptr<const RigGeometry> RigGeometry::withSourceAt(const Pose& X_RS) c
     moved->m_X_RS = X_RS;
     moved->m_X_SR = inverseUnlessIdentity(X_RS);
     return moved;
+}
+
+std::shared_ptr<const RigGeometry> RigGeometry::withSource(std::vector<SourceTerm> terms,
+                                                           SourceEmission emission, double source_K) const {
+    auto uneven = std::make_shared<RigGeometry>(*this);
+    uneven->m_source = RadiatingSource(std::move(terms), emission.factors(source_K));
+    uneven->m_maxViewFactor = emission.maxWeight(source_K);
+    uneven->m_emission = std::move(emission);
+    uneven->m_source_K = source_K;
+    return uneven;
+}
+
+std::shared_ptr<const RigGeometry> RigGeometry::withSourceTemperature(double source_K) const {
+    if (isSourceEven())
+        return std::make_shared<RigGeometry>(*this);
+    return withSource(m_source.terms(), m_emission, source_K);
 }
 
 Pose RigGeometry::X_SE(const Vector6d& q) const {

@@ -5,6 +5,7 @@
 #include "engine/control/robot_limits.h"
 #include "engine/radiation/interaction_matrix.h"
 #include "engine/radiation/neighbours.h"
+#include "engine/thermal/source_emission.h"
 
 #include <Eigen/Core>
 
@@ -48,6 +49,18 @@ public:
     /// Returns the same rig with its source at another pose. Shares the contours: cheap enough for every
     /// sample.
     std::shared_ptr<const RigGeometry> withSourceAt(const Pose& X_RS) const;
+    /// Returns the same rig with an uneven source, at a temperature: `terms` are those of the emission, in S.
+    /// Throws std::invalid_argument unless there is one emission for each of at least one term.
+    std::shared_ptr<const RigGeometry> withSource(std::vector<SourceTerm> terms, SourceEmission emission,
+                                                  double source_K) const;
+    /// Returns the same rig with its source at another temperature, K: only the factors of an uneven one
+    /// differ.
+    std::shared_ptr<const RigGeometry> withSourceTemperature(double source_K) const;
+    bool isSourceEven() const { return m_emission.isEven(); }
+    /// Returns the temperature that an uneven source's factors are for, K.
+    double source_K() const { return m_source_K; }
+    /// Returns a bound of all view factors: 1, and more for a source with parts hotter than itself.
+    double maxViewFactor() const { return m_maxViewFactor; }
     const Pose& X_RS() const { return m_X_RS; }
     /// Returns the source's normal in R: the direction away from its plane.
     Eigen::Vector3d away() const { return m_X_RS.linear().col(2); }
@@ -92,7 +105,10 @@ private:
     /// Writes the values without shade and reflections into `F` (N).
     void directViewFactors(const Pose& X_SE, Eigen::VectorXd& F) const;
 
-    RadiatingContour m_source;
+    RadiatingSource m_source;
+    SourceEmission m_emission; ///< of an uneven source
+    double m_source_K = 0.0;
+    double m_maxViewFactor = 1.0;
     RobotLimits m_limits;
     std::vector<int> m_free;
     MountedObjects m_mounted;

@@ -23,7 +23,7 @@ GrblSimulatorConfig grblConfig(const SimulatedRigConfig& rig, const AxisMap& axe
 
 Bench::Bench(const SimulatedRigConfig& rig, const BenchDevices& devices)
     : m_config(rig), m_devices(devices), m_axes(devices.axes, rig.robot.start),
-      m_robot(grblConfig(rig, m_axes)), m_source(rig.source), m_objects(mountedObjects(rig)),
+      m_robot(grblConfig(rig, m_axes)), m_source(rig), m_objects(mountedObjects(rig)),
       m_plant(thermalPlant(rig, m_objects)) {
     if (devices.thermometer) {
         m_module = std::make_unique<ModbusSimulator>();
@@ -78,9 +78,10 @@ void Bench::advance(double now_s) {
         return;
     m_now_s = now_s;
     const Pose X_SE = poseFromCoordinates(m_config.sourcePose).inverse() * poseFromCoordinates(coordinates());
+    m_source.setTemperature(plate_K());
     std::vector<double> F;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
-        F.push_back(m_objects.viewFactorValue(m_source, i, X_SE, kTolerance));
+        F.push_back(m_objects.viewFactorValue(m_source.source(), i, X_SE, kTolerance));
     const double J = netSourcePower_W_m2(m_config.sourceModel, plate_K(), m_config.sourceEmittance,
                                          m_config.environment_K);
     m_plant.advance(now_s - from_s, F, std::max(0.0, J));

@@ -7,7 +7,6 @@
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/stream_simulator.h"
 #include "engine/protocols/axis_map.h"
-#include "engine/radiation/view_factor.h"
 #include "engine/simulation/simulated_rig.h"
 #include "engine/simulation/thermal_plant.h"
 
@@ -61,7 +60,7 @@ private:
     std::unique_ptr<ModbusSimulator> m_module, m_controller;
     std::unique_ptr<StreamSimulator> m_stream;
     std::unique_ptr<NamurSimulator> m_plate;
-    RadiatingContour m_source;
+    SimulatedSourceFace m_source;
     MountedObjects m_objects;
     ThermalPlant m_plant;
     std::optional<double> m_now_s;

@@ -7,9 +7,11 @@
 #include "engine/experiment/faults_json.h"
 #include "engine/experiment/outline_json.h"
 #include "engine/experiment/parameter_json.h"
+#include "engine/experiment/radial_profile_file.h"
 #include "engine/experiment/rig_json.h"
 #include "engine/experiment/vision_json.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/uneven_source.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,10 +43,14 @@ Eigen::Vector2d centroidOf(const Contour& polygon) {
     return contourCentroid(polygon);
 }
 
-/// The input may be off the outline's centroid; the holes move with the outline.
-template <class Outline> Shape centredShape(const Outline& outline, std::vector<Contour> holes) {
+/// Whether an outline that is off its centroid is moved there: where it has a pose of its own, it stays.
+enum class Centring { Moved, AsGiven };
+
+/// The holes move with the outline.
+template <class Outline>
+Shape placedShape(const Outline& outline, std::vector<Contour> holes, Centring centring) {
     const Eigen::Vector2d centroid = centroidOf(outline);
-    if (!(centroid.norm() > kCentredTolerance_m))
+    if (centring == Centring::AsGiven || !(centroid.norm() > kCentredTolerance_m))
         return withHoles(outline, std::move(holes));
     for (Contour& hole : holes)
         hole = shifted(hole, -centroid);
@@ -82,7 +88,7 @@ void readImport(Fields& fields, const std::string& folder, Shape& shape, Contour
 }
 
 void readContourForm(const json& j, const std::string& path, const std::string& folder, Failure& failure,
-                     Shape& shape, ContourOrigin& origin) {
+                     Shape& shape, ContourOrigin& origin, Centring centring = Centring::Moved) {
     enum class Form { Disk, Fourier, Polygon, Import };
     Fields fields(j, path, failure);
     Form form = Form::Disk;
@@ -103,7 +109,7 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     } else if (form == Form::Fourier) {
         fields.find("coefficients", true);
         const FourierContour series = readCoefficients(fields, "coefficients");
-        shape = centredShape(series, readHoles(fields, "holes_m"));
+        shape = placedShape(series, readHoles(fields, "holes_m"), centring);
         for (const char* figure :
              {"area_mm2", "net_area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm", "area_error",
               "centre_mm", "unit", "warnings", "outline", "holes"})
@@ -111,7 +117,7 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     } else {
         fields.find("points_m", true);
         const Contour polygon = readPoints(fields, "points_m");
-        shape = centredShape(polygon, readHoles(fields, "holes_m"));
+        shape = placedShape(polygon, readHoles(fields, "holes_m"), centring);
     }
     fields.read("file", origin.file);
     fields.read("harmonics", origin.harmonics);
@@ -167,6 +173,54 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     return object;
 }
 
+SourcePartSpec readSourcePart(const json& j, const std::string& path, const std::string& folder,
+                              Failure& failure) {
+    SourcePartSpec part;
+    Fields fields(j, path, failure);
+    readPart(fields, "contour", true, [&](const json& contour, const std::string& where) {
+        readContourForm(contour, where, folder, failure, part.shape, part.origin, Centring::AsGiven);
+    });
+    readPart(fields, "pose", false, [&](const json& pose, const std::string& where) {
+        readCoordinates(pose, where, failure, part.pose);
+    });
+    readParameters(fields, sourcePartParameters(), part);
+    fields.close();
+    return part;
+}
+
+void refuseEmpty(Fields& fields, const std::string& key) {
+    if (const json* list = fields.find(key); list != nullptr && list->is_array() && list->empty())
+        fields.fail(MessageCode::SourcePartsNone, fields.pathOf(key));
+}
+
+/// Parts and profile under keys that begin with `prefix`.
+void readUnevenness(Fields& fields, const std::string& prefix, const std::string& folder, Unevenness& out) {
+    const std::string parts = prefix + "parts", profile = prefix + "profile", file = prefix + "profile_file";
+    for (const std::string& key : {parts, profile})
+        refuseEmpty(fields, key);
+    if (const json* list = fields.find(parts);
+        list != nullptr && list->is_array() && list->size() > kMaxSourceParts)
+        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(parts),
+                    {std::to_string(list->size()), "1", std::to_string(kMaxSourceParts), "parts"});
+    readEach(fields, parts, false, [&](const json& part, const std::string& path) {
+        out.parts.push_back(readSourcePart(part, path, folder, fields.failure()));
+    });
+    readEach(fields, profile, false, [&](const json& point, const std::string& path) {
+        readParameters(point, path, fields.failure(), profilePointParameters(), out.profile.emplace_back());
+    });
+    std::string name;
+    fields.read(file, name);
+    if (name.empty() || fields.failure())
+        return;
+    if (!out.profile.empty())
+        return fields.fail(MessageCode::JsonTwoSpellings, fields.pathOf(file), {profile, file});
+    auto read = readRadialProfile((std::filesystem::path(folder) / name).string());
+    if (read)
+        out.profile = std::move(*read);
+    else
+        fields.failure() = located(read.error(), fields.pathOf(file));
+}
+
 void readSource(const json& j, const std::string& path, const std::string& folder, Failure& failure,
                 SourceSpec& out) {
     Fields fields(j, path, failure);
@@ -183,6 +237,7 @@ void readSource(const json& j, const std::string& path, const std::string& folde
         point.read("temperature", EdgeUnit::Temperature, value_K, true);
     });
     fields.read("tracked", out.tracked);
+    readUnevenness(fields, "", folder, out.uneven);
     fields.close();
 }
 
@@ -248,7 +303,8 @@ void readAir(const json& j, const std::string& path, Failure& failure, Air& out)
     fields.close();
 }
 
-void readSimulation(const json& j, const std::string& path, Failure& failure, SimulationSpec& out) {
+void readSimulation(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+                    SimulationSpec& out) {
     Fields fields(j, path, failure);
     fields.read("seed", out.seed);
     readParameters(fields, simulationParameters(), out);
@@ -263,6 +319,10 @@ void readSimulation(const json& j, const std::string& path, Failure& failure, Si
         readSimulatedCamera(part, where, failure, out.camera);
     });
     readFaults(fields, "faults", out.faults);
+    Unevenness uneven;
+    readUnevenness(fields, "source_", folder, uneven);
+    if (!uneven.isEven())
+        out.sourceUneven = std::move(uneven);
     fields.close();
 }
 
@@ -290,7 +350,9 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     readPart(root, "sampling", false, [&](const json& value, const std::string& where) {
         readParameters(value, where, failure, samplingParameters(), e.sampling);
     });
-    part("simulation", false, readSimulation, e.simulation);
+    readPart(root, "simulation", false, [&](const json& value, const std::string& where) {
+        readSimulation(value, where, folder, failure, e.simulation);
+    });
     part("vision", false, readVision, e.vision);
     readPart(root, "rig", false, [&](const json& value, const std::string& where) {
         readRig(value, where, failure, e.rig.emplace());

@@ -105,6 +105,18 @@ Json objectJson(const ObjectSpec& object) {
     return j;
 }
 
+/// Under keys that begin with `prefix`.
+void putUnevenness(Json& j, const std::string& prefix, const Unevenness& uneven) {
+    for (const SourcePartSpec& part : uneven.parts) {
+        Json& written = j[prefix + "parts"].emplace_back();
+        written["contour"] = contourJson(part.shape, part.origin);
+        written["pose"] = coordinatesJson(part.pose);
+        putChangedParameters(written, sourcePartParameters(), part);
+    }
+    for (const ProfilePoint& point : uneven.profile)
+        putParameters(j[prefix + "profile"].emplace_back(), profilePointParameters(), point);
+}
+
 Json sourceJson(const SourceSpec& source) {
     Json j;
     j["contour"] = contourJson(source.shape, source.origin);
@@ -115,6 +127,7 @@ Json sourceJson(const SourceSpec& source) {
     j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";
     j["pose"] = coordinatesJson(source.pose);
     j["tracked"] = source.tracked;
+    putUnevenness(j, "", source.uneven);
     return j;
 }
 
@@ -158,6 +171,8 @@ Json simulationJson(const SimulationSpec& s) {
         j["camera"] = simulatedCameraJson(s.camera);
     if (!s.faults.empty())
         j["faults"] = faultsJson(s.faults);
+    if (s.sourceUneven)
+        putUnevenness(j, "source_", *s.sourceUneven);
     return j;
 }
 

@@ -44,6 +44,37 @@ struct OriginalShape {
 Result<OriginalShape> shapeFromOutline(const Contour& outline, const std::vector<Contour>& holes,
                                        int harmonics);
 
+/// A part of an uneven source: a shape in the xy-plane of its frame P, emitting along +z. It has a
+/// temperature of its own (see PartTemperature) and, if it is not empty, an emittance.
+struct SourcePartSpec {
+    Shape shape;
+    ContourOrigin origin{};
+    Vector6d pose = Vector6d::Zero(); ///< coordinates of X_SP (m, rad)
+    std::optional<double> emittance{};
+    double temperatureRatio = 1.0;
+    double temperatureOffset_K = 0.0;
+    bool operator==(const SourcePartSpec&) const = default;
+};
+
+/// The temperature of a disk source at a radius, as of a part.
+struct ProfilePoint {
+    double radius_m = 0.0;
+    double temperatureRatio = 1.0;
+    double temperatureOffset_K = 0.0;
+    bool operator==(const ProfilePoint&) const = default;
+};
+
+/// Where a source has other temperatures than its own: in parts, which are then all that radiates, or along
+/// the radius of a disk, linear between the points and constant before the first and after the last. At most
+/// one of the two; with neither it is even.
+struct Unevenness {
+    std::vector<SourcePartSpec> parts{};
+    std::vector<ProfilePoint> profile{};
+
+    bool isEven() const { return parts.empty() && profile.empty(); }
+    bool operator==(const Unevenness&) const = default;
+};
+
 /// Heat source: a shape about S's origin, emitting along +z.
 struct SourceSpec {
     Shape shape = Disk{0.10};
@@ -58,6 +89,7 @@ struct SourceSpec {
     /// Whether the pose is measured during the run and used by the controllers: with the camera if the source
     /// has markers (VisionSpec::followsSource), else with a tracker that gives poses.
     bool tracked = false;
+    Unevenness uneven{}; ///< as assumed for control
     bool operator==(const SourceSpec&) const = default;
 };
 
@@ -111,6 +143,7 @@ struct SimulationSpec {
     std::vector<ScriptedFault> faults{};
     bool naturalConvection =
         false; ///< whether true h is that of natural convection; convection_W_m2K is 0 then
+    std::optional<Unevenness> sourceUneven{}; ///< that of the true source; if empty, the assumed one
     bool operator==(const SimulationSpec&) const = default;
 };
 

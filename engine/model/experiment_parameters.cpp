@@ -1,6 +1,7 @@
 #include "engine/model/experiment_parameters.h"
 
 #include "engine/base/translated.h"
+#include "engine/thermal/source_emission.h"
 
 namespace bask {
 namespace {
@@ -72,6 +73,19 @@ constexpr ValidRange kConvectionRange{0.0, 1000.0};
 constexpr Parameter<Air> kAir[]{
     {{"convection", kConvection, kConvectionRange, Never, QT_TRANSLATE_NOOP("Parameter", "Convection h"),
       QT_TRANSLATE_NOOP("Parameter", "What the air takes from an object's face, by its temperature above the room"), 1}, &Air::convection_W_m2K},
+};
+
+constexpr ValidRange kPartRatio{0.0, kMaxPartRatio};
+constexpr ValidRange kPartOffset{-1000.0, 1000.0};
+constexpr Parameter<SourcePartSpec> kSourcePart[]{
+    {{"emittance", kNone, kPositiveShare}, &SourcePartSpec::emittance},
+    {{"temperature_ratio", kNone, kPartRatio}, &SourcePartSpec::temperatureRatio},
+    {{"temperature_offset", kKelvin, kPartOffset}, &SourcePartSpec::temperatureOffset_K},
+};
+constexpr Parameter<ProfilePoint> kProfilePoint[]{
+    {{"radius", kMillimetres, {0.0, 1e4}, Never, "", "", 2, kRequired}, &ProfilePoint::radius_m},
+    {{"temperature_ratio", kNone, kPartRatio}, &ProfilePoint::temperatureRatio},
+    {{"temperature_offset", kKelvin, kPartOffset}, &ProfilePoint::temperatureOffset_K},
 };
 
 constexpr Parameter<RobotLimits> kRobot[]{
@@ -147,6 +161,12 @@ ParameterTable<HeatRates> heatRateParameters() {
 }
 ParameterTable<Air> airParameters() {
     return kAir;
+}
+ParameterTable<SourcePartSpec> sourcePartParameters() {
+    return kSourcePart;
+}
+ParameterTable<ProfilePoint> profilePointParameters() {
+    return kProfilePoint;
 }
 ParameterTable<RobotLimits> robotParameters() {
     return kRobot;

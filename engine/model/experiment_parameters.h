@@ -14,6 +14,8 @@ ParameterTable<ObjectSpec> objectLimitParameters();
 ParameterTable<Material> materialParameters();
 ParameterTable<HeatRates> heatRateParameters();
 ParameterTable<Air> airParameters();
+ParameterTable<SourcePartSpec> sourcePartParameters();
+ParameterTable<ProfilePoint> profilePointParameters();
 ParameterTable<RobotLimits> robotParameters();
 /// Returns the parameters that all controllers have; their gains are in the catalogue.
 ParameterTable<ControllerSettings> controllerParameters();

@@ -1,5 +1,7 @@
 #include "engine/model/experiment_rig.h"
 
+#include "engine/model/uneven_source.h"
+
 namespace bask {
 
 std::vector<MountedContour> mountedContours(const Experiment& experiment) {
@@ -9,17 +11,36 @@ std::vector<MountedContour> mountedContours(const Experiment& experiment) {
     return objects;
 }
 
-std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
+namespace {
+
+std::shared_ptr<const RigGeometry> geometryWith(const Experiment& experiment,
+                                                const std::vector<FaceMaterial>& fronts) {
+    const SourceSpec& source = experiment.source;
     std::vector<Shape> shapes;
     std::vector<Vector6d> mountings;
-    std::vector<FaceMaterial> fronts;
     for (const ObjectSpec& object : experiment.objects) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
-        fronts.push_back({object.material.emittance, object.material.absorptance});
     }
-    return std::make_shared<RigGeometry>(experiment.source.shape, shapes, mountings, experiment.robot,
-                                         poseFromCoordinates(experiment.source.pose), fronts);
+    auto even = std::make_shared<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
+                                              poseFromCoordinates(source.pose), fronts);
+    if (source.uneven.isEven())
+        return even;
+    UnevenSource uneven = unevenSource(experiment, source.uneven, source.emittance);
+    return even->withSource(std::move(uneven.terms), std::move(uneven.emission), source.temperature_K);
+}
+
+} // namespace
+
+std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
+    std::vector<FaceMaterial> fronts;
+    for (const ObjectSpec& object : experiment.objects)
+        fronts.push_back({object.material.emittance, object.material.absorptance});
+    return geometryWith(experiment, fronts);
+}
+
+std::shared_ptr<const RigGeometry> rigGeometryWithoutExchange(const Experiment& experiment) {
+    return geometryWith(experiment, {});
 }
 
 Surroundings surroundingsOf(const Experiment& experiment, double environment_K) {

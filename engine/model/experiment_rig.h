@@ -14,6 +14,8 @@ std::vector<MountedContour> mountedContours(const Experiment& experiment);
 
 /// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
+/// Returns the same without what the objects reflect to one another: with the source's own view factors.
+std::shared_ptr<const RigGeometry> rigGeometryWithoutExchange(const Experiment& experiment);
 
 /// Returns what the objects exchange heat with, as the experiment assumes, at the source's set temperature
 /// and an environment, K.

@@ -1,5 +1,7 @@
 #include "engine/recording/nexus_file.h"
 
+#include "engine/model/uneven_source.h"
+
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
@@ -143,6 +145,8 @@ private:
         m_file.text(source + "/type", "radiating plate");
         m_file.number(source + "/set_point", e.source.temperature_K, "K");
         m_file.number(source + "/emittance", e.source.emittance, "1");
+        if (!e.source.uneven.isEven())
+            m_file.text(source + "/unevenness", unevennessWords(e));
         m_file.number(source + "/surroundings", e.environment_K, "K");
         m_file.group(source + "/surface", "NXsensor");
         m_file.text(source + "/surface/name", "source");

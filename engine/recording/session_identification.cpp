@@ -99,9 +99,13 @@ void HeatRecords::integrate(const TraceSample& before, const TraceSample& sample
                            sourceMoved.tail<3>().cwiseAbs().maxCoeff() < kTurn_rad && moved.allFinite() &&
                            sourceMoved.allFinite();
     Eigen::VectorXd middle;
-    if (isMoved && hasMiddle)
-        middle = m_geometry->withSourceAt(poseFromCoordinates(before.source + 0.5 * sourceMoved))
-                     ->viewFactorsFast(before.coordinates + 0.5 * moved);
+    if (isMoved && hasMiddle) {
+        auto geometry = m_geometry->withSourceAt(poseFromCoordinates(before.source + 0.5 * sourceMoved));
+        const double source_K = 0.5 * (before.source_K + sample.source_K);
+        if (!geometry->isSourceEven() && std::isfinite(source_K))
+            geometry = geometry->withSourceTemperature(source_K);
+        middle = geometry->viewFactorsFast(before.coordinates + 0.5 * moved);
+    }
     for (std::size_t i = 0; i < objects; ++i) {
         const double ends = before.objects[i].viewFactor + sample.objects[i].viewFactor;
         m_since_s[i] += dt_s * (middle.size() > 0 ? (ends + 4.0 * middle[static_cast<Eigen::Index>(i)]) / 6.0

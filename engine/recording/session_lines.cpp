@@ -1,6 +1,7 @@
 #include "engine/recording/session_lines.h"
 
 #include "engine/model/mounting_check.h"
+#include "engine/thermal/source_emission.h"
 
 #include <cmath>
 #include <limits>
@@ -119,6 +120,11 @@ PolyLines outlinesAt(const SessionRecord& session, const TraceSample& sample) {
     };
     addRings(poly, e.source.shape, poseFromCoordinates(sample.source));
     fill(0, sample.source_K, kNaN);
+    for (const SourcePartSpec& part : e.source.uneven.parts) {
+        addRings(poly, part.shape, poseFromCoordinates(sample.source) * poseFromCoordinates(part.pose));
+        const PartTemperature own{part.temperatureRatio, part.temperatureOffset_K};
+        fill(0, own.at_K(sample.source_K, e.environment_K), kNaN);
+    }
     const Pose X_RE = poseFromCoordinates(sample.coordinates);
     for (std::size_t i = 0; i < e.objects.size(); ++i) {
         addRings(poly, e.objects[i].shape, X_RE * poseFromCoordinates(e.objects[i].mounting));

@@ -1,5 +1,6 @@
 #include "engine/recording/session_vtk.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/model/uneven_source.h"
 
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/target_surfaces.h"
@@ -106,7 +107,7 @@ private:
         const Experiment& e = m_session.experiment;
         const TraceSample last = lastUnderControl();
         const double span_m = (e.robot.upper - e.robot.lower).head<3>().maxCoeff();
-        const TargetGeometry geometry{.source = RadiatingContour(e.source.shape),
+        const TargetGeometry geometry{.source = radiatingSource(e),
                                       .X_RS = poseFromCoordinates(last.source),
                                       .objects = mountedContours(e),
                                       .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,

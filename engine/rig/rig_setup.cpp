@@ -1,5 +1,7 @@
 #include "engine/rig/rig_setup.h"
 
+#include "engine/model/uneven_source.h"
+
 #include <cmath>
 #include <random>
 
@@ -17,12 +19,32 @@ const Material& trueMaterial(const ObjectSpec& object) {
     return object.simulatedMaterial ? *object.simulatedMaterial : object.material;
 }
 
+namespace {
+
+double trueSourceEmittance(const Experiment& experiment) {
+    return experiment.simulation.sourceEmittance.value_or(experiment.source.emittance);
+}
+
+} // namespace
+
 Surroundings trueSurroundings(const Experiment& experiment, double source_K) {
     const SourceSpec& source = experiment.source;
-    const double emittance = experiment.simulation.sourceEmittance.value_or(source.emittance);
-    Surroundings surroundings = surroundingsOf(source.model, source_K, emittance, experiment.environment_K);
+    Surroundings surroundings =
+        surroundingsOf(source.model, source_K, trueSourceEmittance(experiment), experiment.environment_K);
     surroundings.air = trueAir(experiment);
     return surroundings;
+}
+
+const Unevenness& trueUnevenness(const Experiment& experiment) {
+    const std::optional<Unevenness>& simulated = experiment.simulation.sourceUneven;
+    return simulated ? *simulated : experiment.source.uneven;
+}
+
+std::shared_ptr<const RigGeometry> trueRigGeometry(const Experiment& experiment) {
+    Experiment truth = experiment;
+    truth.source.uneven = trueUnevenness(experiment);
+    truth.source.emittance = trueSourceEmittance(experiment);
+    return rigGeometry(truth);
 }
 
 Air trueAir(const Experiment& experiment) {
@@ -104,7 +126,12 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     SimulatedRigConfig config;
     config.source = experiment.source.shape;
     config.sourceModel = experiment.source.model;
-    config.sourceEmittance = simulation.sourceEmittance.value_or(experiment.source.emittance);
+    config.sourceEmittance = trueSourceEmittance(experiment);
+    if (const Unevenness& uneven = trueUnevenness(experiment); !uneven.isEven()) {
+        UnevenSource source = unevenSource(experiment, uneven, config.sourceEmittance);
+        config.sourceTerms = std::move(source.terms);
+        config.sourceEmission = std::move(source.emission);
+    }
     config.sourceTemperature_K = sourceSetPoint_K(experiment.source, 0.0);
     config.sourcePose = simulation.sourcePose.value_or(experiment.source.pose);
     config.sourceMotion = simulation.sourceMotion;

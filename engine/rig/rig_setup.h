@@ -6,6 +6,7 @@
 #include "engine/model/experiment_rig.h"
 #include "engine/simulation/simulated_rig.h"
 
+#include <memory>
 #include <vector>
 
 namespace bask {
@@ -21,6 +22,10 @@ std::vector<HeatRates> trueRates(const Experiment& experiment);
 const Material& trueMaterial(const ObjectSpec& object);
 /// Returns what the simulated objects exchange heat with, the source having a temperature, K.
 Surroundings trueSurroundings(const Experiment& experiment, double source_K);
+/// Returns where the simulated source has other temperatures than its own.
+const Unevenness& trueUnevenness(const Experiment& experiment);
+/// Returns the geometry with the simulated source as it truly radiates.
+std::shared_ptr<const RigGeometry> trueRigGeometry(const Experiment& experiment);
 /// Returns the air of the simulated plant.
 Air trueAir(const Experiment& experiment);
 /// Returns the true rates of one simulated object.

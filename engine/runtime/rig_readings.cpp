@@ -20,6 +20,7 @@ constexpr double kMargin_rad = 1e-4;
 // sensors.
 constexpr double kSourceStill_m = 2e-4;
 constexpr double kSourceStill_rad = 2e-3;
+constexpr double kSourceSame_K = 1.0; // the weights of an uneven source change by some 1e-4 of themselves
 constexpr double kConnecting_s = 3.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -153,6 +154,11 @@ void RigReadings::readSource() {
     m_sample.source_K = source->value_K;
     const SourceSpec& spec = m_experiment.source;
     const double T3 = environment_K();
+    if (!m_geometry->isSourceEven() && std::abs(source->value_K - m_geometry->source_K()) > kSourceSame_K) {
+        m_geometry = m_geometry->withSourceTemperature(source->value_K);
+        if (m_isRobotTelling)
+            readViewFactors();
+    }
     m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
                        surroundingsOf(m_experiment, T3).netSourcePower_W_m2;
 }

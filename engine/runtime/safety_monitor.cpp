@@ -88,9 +88,11 @@ SensorLimits sensorLimits(const Experiment& experiment) {
         limits.bounds.emplace_back(
             lossRange(startRates(object, surroundings), object.material.emittance, experiment.environment_K),
             experiment.environment_K);
+    const double maxViewFactor =
+        experiment.source.uneven.isEven() ? 1.0 : rigGeometry(hottest)->maxViewFactor();
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
         limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
-            std::max(SafetySpec::kMinRate_K_s, kTimes * rates.lambda1)));
+            std::max(SafetySpec::kMinRate_K_s, kTimes * rates.lambda1 * maxViewFactor)));
     return limits;
 }
 

@@ -23,12 +23,26 @@ ThermalPlant thermalPlant(const SimulatedRigConfig& config, const MountedObjects
             Neighbours(objects, fronts)};
 }
 
+SimulatedSourceFace::SimulatedSourceFace(const SimulatedRigConfig& config)
+    : m_emission(config.sourceEmission),
+      m_source(m_emission.isEven()
+                   ? RadiatingSource(RadiatingContour(config.source))
+                   : RadiatingSource(config.sourceTerms, m_emission.factors(config.sourceTemperature_K))),
+      m_source_K(config.sourceTemperature_K) {}
+
+bool SimulatedSourceFace::setTemperature(double source_K) {
+    if (m_emission.isEven() || source_K == m_source_K)
+        return false;
+    m_source_K = source_K;
+    m_source = m_source.withFactors(m_emission.factors(source_K));
+    return true;
+}
+
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     : m_config(config), m_objects(mountedObjects(config)), m_plant(thermalPlant(config, m_objects)),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
-      m_camera(config.camera), m_sourceContour(config.source),
-      m_X_RS(poseFromCoordinates(config.sourcePose)) {
+      m_camera(config.camera), m_face(config), m_X_RS(poseFromCoordinates(config.sourcePose)) {
     m_F.assign(m_objects.size(), 0.0);
     m_isHot.assign(m_objects.size(), false);
     m_thermometer.observe(trueTemperatures_K());
@@ -81,10 +95,11 @@ void SimulatedRig::showCamera() {
 
 void SimulatedRig::seeSource() {
     const Pose X_SE = m_X_RS.inverse() * poseFromCoordinates(m_robot.coordinates());
-    if (m_computedAt && X_SE.matrix() == m_computedAt->matrix())
+    const bool isOther = m_face.setTemperature(m_source.temperature_K());
+    if (!isOther && m_computedAt && X_SE.matrix() == m_computedAt->matrix())
         return;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
-        m_F[i] = m_objects.viewFactorValue(m_sourceContour, i, X_SE, m_config.viewFactorTolerance);
+        m_F[i] = m_objects.viewFactorValue(m_face.source(), i, X_SE, m_config.viewFactorTolerance);
     m_computedAt = X_SE;
 }
 

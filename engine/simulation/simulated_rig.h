@@ -9,6 +9,7 @@
 #include "engine/simulation/simulated_sensors.h"
 #include "engine/simulation/simulated_source_tracker.h"
 #include "engine/simulation/thermal_plant.h"
+#include "engine/thermal/source_emission.h"
 
 #include <optional>
 #include <vector>
@@ -37,6 +38,25 @@ struct SimulatedRigConfig {
     SimulatedTrackerConfig tracker;
     SimulatedCameraConfig camera;
     double viewFactorTolerance = 1e-8;
+    /// What radiates of an uneven source, in S, and how; empty: the source is even.
+    std::vector<SourceTerm> sourceTerms{};
+    SourceEmission sourceEmission{};
+};
+
+/// The source that the objects see; of an uneven one the outlines are shared, and the factors are those of
+/// its temperature.
+class SimulatedSourceFace {
+public:
+    explicit SimulatedSourceFace(const SimulatedRigConfig& config);
+
+    /// Sets its temperature, K. Returns whether its view factors change with that.
+    bool setTemperature(double source_K);
+    const RadiatingSource& source() const { return m_source; }
+
+private:
+    SourceEmission m_emission;
+    RadiatingSource m_source;
+    double m_source_K;
 };
 
 /// Returns the objects on the end-effector, as they shade one another.
@@ -91,7 +111,7 @@ private:
     SimulatedHeatSource m_source;
     SimulatedSourceTracker m_tracker;
     SimulatedCamera m_camera;
-    RadiatingContour m_sourceContour;
+    SimulatedSourceFace m_face;
     Pose m_X_RS;
     bool m_heated = false; ///< whether it was heated in the last step
     double m_heatedSince_s = 0.0;

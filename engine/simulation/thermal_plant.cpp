@@ -37,16 +37,16 @@ void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double net
         advanceAlone(dt_s, i, F[i], rates[i]);
 }
 
-int ThermalPlant::stepsFor(double dt_s, std::size_t i, const HeatRates& rates) const {
+int ThermalPlant::stepsFor(double dt_s, std::size_t i, double F, const HeatRates& rates) const {
     // Thin objects are stiff: the step stays well under their time constant at the hottest they can be.
     const double hottest_K =
-        std::max(m_objects[i].temperature_K, rates.withoutAir().steadyTemperature_K(1.0));
+        std::max(m_objects[i].temperature_K, rates.withoutAir().steadyTemperature_K(std::max(F, 1.0)));
     const double stiffness = rates.lossSlope_1_s(hottest_K);
     return std::clamp(static_cast<int>(std::ceil(2.0 * dt_s * stiffness)), 1, 20000);
 }
 
 void ThermalPlant::advanceAlone(double dt_s, std::size_t i, double F, const HeatRates& rates) {
-    const int steps = stepsFor(dt_s, i, rates);
+    const int steps = stepsFor(dt_s, i, F, rates);
     for (int k = 0; k < steps; ++k)
         stepState(m_objects[i].temperature_K, dt_s / steps,
                   [&](double T_K) { return rates.rate_K_s(F, T_K); });
@@ -59,7 +59,7 @@ void ThermalPlant::advanceTogether(double dt_s, const Eigen::VectorXd& F,
     int steps = 1;
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         T_K[static_cast<Eigen::Index>(i)] = m_objects[i].temperature_K;
-        steps = std::max(steps, stepsFor(dt_s, i, rates[i]));
+        steps = std::max(steps, stepsFor(dt_s, i, received[static_cast<Eigen::Index>(i)], rates[i]));
     }
     Eigen::VectorXd rest_K4(F.size());
     for (Eigen::Index i = 0; i < F.size(); ++i)

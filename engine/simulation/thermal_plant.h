@@ -33,7 +33,7 @@ public:
 private:
     void advanceAlone(double dt_s, std::size_t i, double F, const HeatRates& rates);
     void advanceTogether(double dt_s, const Eigen::VectorXd& F, const std::vector<HeatRates>& rates);
-    int stepsFor(double dt_s, std::size_t i, const HeatRates& rates) const;
+    int stepsFor(double dt_s, std::size_t i, double F, const HeatRates& rates) const;
 
     std::vector<PlantObject> m_objects;
     SourceModel m_model;

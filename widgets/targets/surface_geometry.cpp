@@ -1,6 +1,7 @@
 #include "widgets/targets/surface_geometry.h"
 
 #include "engine/model/experiment_rig.h"
+#include "engine/model/uneven_source.h"
 
 namespace bask {
 
@@ -8,7 +9,7 @@ TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, 
                                SurfaceGrid grid) {
     const double step = (subset == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m) *
                         (grid == SurfaceGrid::Coarse ? 2.0 : 1.0);
-    return {.source = RadiatingContour(experiment.source.shape),
+    return {.source = radiatingSource(experiment),
             .X_RS = poseFromCoordinates(experiment.source.pose),
             .objects = mountedContours(experiment),
             .axes = surfaceAxes(subset, experiment.robot, step),
@@ -41,8 +42,14 @@ bool isOtherGeometry(const Experiment& a, const Experiment& b) {
     const auto differ = [](const ObjectSpec& x, const ObjectSpec& y) {
         return x.shape != y.shape || x.mounting != y.mounting;
     };
-    if (a.source.shape != b.source.shape || a.source.pose != b.source.pose || a.robot != b.robot ||
-        a.objects.size() != b.objects.size())
+    const auto isHeatOther = [](const Experiment& x, const Experiment& y) {
+        return x.source.uneven != y.source.uneven || x.source.temperature_K != y.source.temperature_K ||
+               x.source.emittance != y.source.emittance || x.source.model != y.source.model ||
+               x.environment_K != y.environment_K;
+    };
+    const bool isUneven = !a.source.uneven.isEven() || !b.source.uneven.isEven();
+    if ((isUneven && isHeatOther(a, b)) || a.source.shape != b.source.shape ||
+        a.source.pose != b.source.pose || a.robot != b.robot || a.objects.size() != b.objects.size())
         return true;
     for (std::size_t i = 0; i < a.objects.size(); ++i)
         if (differ(a.objects[i], b.objects[i]))

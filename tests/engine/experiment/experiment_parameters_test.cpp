@@ -20,6 +20,8 @@ Experiment example() {
     Experiment e = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
     e.objects[0].estimatedRates = HeatRates{0.2, 1e-11, 0.1};
     e.simulation.camera.rate_Hz = 25.0; // so that it is written
+    e.source.uneven.parts.emplace_back().shape = Disk{0.05};
+    e.simulation.sourceUneven.emplace().profile.push_back({0.05});
     e.vision.camera = CameraModel{640, 480, 800.0, 801.0, 319.5, 239.5, {}, {}, {}, {}, {}};
     return e;
 }
@@ -55,6 +57,12 @@ std::vector<Placed> everyParameter() {
         [](Experiment & e) -> auto& { return *e.objects[0].estimatedRates; });
     place(
         out, "air.", airParameters(), [](Experiment & e) -> auto& { return e.air; });
+    place(
+        out, "source.parts[0].", sourcePartParameters(),
+        [](Experiment & e) -> auto& { return e.source.uneven.parts[0]; });
+    place(
+        out, "simulation.source_profile[0].", profilePointParameters(),
+        [](Experiment & e) -> auto& { return e.simulation.sourceUneven->profile[0]; });
     place(
         out, "robot.", robotParameters(), [](Experiment & e) -> auto& { return e.robot; });
     place(
@@ -183,6 +191,8 @@ TEST(ExperimentParameters, TheDocumentHasThem) {
     Experiment usual;
     usual.objects.emplace_back().estimatedRates.emplace();
     usual.vision.camera.emplace();
+    usual.source.uneven.parts.emplace_back();
+    usual.simulation.sourceUneven.emplace().profile.emplace_back();
     for (const Placed& placed : everyParameter()) {
         const auto rows = rowsOf(text, keyOf(*placed.facts));
         ASSERT_FALSE(rows.empty()) << placed.path << keyOf(*placed.facts);

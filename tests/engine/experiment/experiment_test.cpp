@@ -40,7 +40,7 @@ std::vector<std::string> exampleNames() {
 }
 
 TEST(Examples, AllAreReadAndValid) {
-    EXPECT_EQ(exampleNames().size(), 8u);
+    EXPECT_EQ(exampleNames().size(), 9u);
     for (const std::string& name : exampleNames()) {
         const Experiment e = example(name);
         EXPECT_FALSE(e.objects.empty()) << name;
@@ -144,6 +144,14 @@ private:
         if (real(0, 1) < 0.5)
             return;
         s.sourceEmittance = real(0.5, 1);
+        if (std::holds_alternative<Disk>(e.source.shape)) {
+            const double radius_m = std::get<Disk>(e.source.shape).radius_m;
+            e.source.uneven.profile = {{0.1 * radius_m, real(0.5, 2), real(-9, 9)}, {radius_m, real(0, 2)}};
+            SourcePartSpec& part = s.sourceUneven.emplace().parts.emplace_back();
+            part.shape = Disk{0.3 * radius_m};
+            part.pose[kX] = real(-0.5, 0.5) * radius_m;
+            part.temperatureOffset_K = real(-9, 9);
+        }
         Vector6d there = e.source.pose;
         for (int i = 0; i < 3; ++i) {
             s.sourceMotion.push_back({i + real(0, 1), there});

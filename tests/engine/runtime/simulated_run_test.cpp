@@ -118,6 +118,55 @@ TEST(Example, OverARectangularPlateBothSettleInUnder180Seconds) {
     }
 }
 
+// Catches a profile lost on the way to the plant, the controller or the recording: with it the circles settle
+// where its verdict says, and the view factors that are recorded are its own.
+TEST(Example, OverAPlateWithAColdRimBothSettle) {
+    const Experiment experiment = example("uneven-plate.json");
+    ASSERT_FALSE(experiment.source.uneven.isEven());
+    Experiment even = experiment;
+    even.source.uneven = {};
+    const auto geometry = rigGeometry(experiment), evenGeometry = rigGeometry(even);
+    double worst = 0.0, difference = 0.0;
+    SimulatedRunOptions options;
+    options.duration_s = 180.0 + kInBandFor_s + 5.0;
+    options.progress = [&](double, const TraceSample& sample) {
+        const Eigen::VectorXd F = geometry->viewFactors(sample.coordinates).F,
+                              ofEven = evenGeometry->viewFactors(sample.coordinates).F;
+        for (std::size_t i = 0; i < sample.objects.size(); ++i) {
+            const auto k = static_cast<Eigen::Index>(i);
+            worst = std::max(worst, std::abs(sample.objects[i].viewFactor - F[k]));
+            difference = std::max(difference, std::abs(ofEven[k] - F[k]));
+        }
+    };
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome);
+    EXPECT_TRUE(outcome->settled);
+    EXPECT_LT(worst, 1e-5);
+    EXPECT_GT(difference, 0.02);
+    // The plant, too, goes by the profile: at the pose of the verdict the targets are its steady
+    // temperatures.
+    const JointVerdict verdict = jointVerdict(experiment);
+    EXPECT_TRUE(verdict.feasible);
+    SimulatedRig rig([&] {
+        SimulatedRigConfig config = simulatedRigConfig(experiment);
+        config.robot.start = verdict.pose;
+        return config;
+    }());
+    ASSERT_TRUE(rig.heatSource().keepHeating(experiment.source.temperature_K, 1e6));
+    for (int k = 0; k < 60; ++k)
+        rig.advance(60.0);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+        EXPECT_NEAR(rig.trueTemperatures_K()[i], experiment.objects[i].target_K, 0.06);
+}
+
+// A controller that takes an uneven source for an even one has its targets all the same.
+TEST(Example, AnUnknownColdRimDoesNotKeepTheCirclesFromSettling) {
+    Experiment experiment = example("uneven-plate.json");
+    experiment.simulation.sourceUneven = experiment.source.uneven;
+    experiment.source.uneven = {};
+    EXPECT_TRUE(run(experiment, 300.0 + kInBandFor_s).settled);
+}
+
 TEST(Example, InALineItEndsAtTheBestCompromiseAndSaysSo) {
     const RunOutcome outcome = run(example("three-objects-in-line.json"), 450.0);
     EXPECT_FALSE(outcome.settled);
