@@ -41,6 +41,8 @@ QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
         conditions += QStringLiteral(", lag to %1 s").arg(request.sensorLag_s);
     if (request.robotLatency_s > 0.0)
         conditions += QStringLiteral(", latency to %1 s").arg(request.robotLatency_s);
+    if (request.uneven > 0.0)
+        conditions += QString::fromUtf8(", source uneven to %1 %").arg(100.0 * request.uneven);
     return QString::fromUtf8("%1 runs, seed %2: %3, rates wrong within ×%4, source model %5, %6%7")
         .arg(study.count)
         .arg(study.seed)
@@ -160,7 +162,8 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
                           request.seed,
                           request.convection_W_m2K,
                           request.sensorLag_s,
-                          request.robotLatency_s};
+                          request.robotLatency_s,
+                          request.uneven};
     study.rig.controller.kind = request.controller;
     study.rig.controller.estimatedRateErrorFactor = request.rateError;
     study.rig.source.model = request.sourceModel;

@@ -22,6 +22,7 @@ struct ClosedLoopRequest {
     double convection_W_m2K = 0.0; ///< these three: as in ClosedLoopStudy
     double sensorLag_s = 0.0;
     double robotLatency_s = 0.0;
+    double uneven = 0.0; ///< share
     int count = 200;
     std::uint64_t seed = 1;
 };

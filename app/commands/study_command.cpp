@@ -18,6 +18,7 @@ constexpr int kMinElements = 10, kMaxElements = 20000;
 constexpr int kMaxCount = 100000;
 constexpr double kMaxRateError = 8.0; // as experiments have it
 constexpr double kMaxConvection_W_m2K = 50.0, kMaxLag_s = 30.0, kMaxLatency_s = 2.0;
+constexpr double kMaxUneven_percent = 50.0;
 const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop"),
               kAlarms = QStringLiteral("alarms");
 
@@ -76,7 +77,7 @@ private:
 int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
     options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "convection",
-                  "lag", "latency", "kind", "first"},
+                  "lag", "latency", "uneven", "kind", "first"},
                  kViewFactor);
     const int elements = options.wholeNumber("elements", kMinElements, kMaxElements);
     if (!options.complaint().isEmpty())
@@ -108,6 +109,7 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     request.convection_W_m2K = options.number("convection", 0.0, kMaxConvection_W_m2K);
     request.sensorLag_s = options.number("lag", 0.0, kMaxLag_s);
     request.robotLatency_s = options.number("latency", 0.0, kMaxLatency_s);
+    request.uneven = 0.01 * options.number("uneven", 0.0, kMaxUneven_percent);
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     if (!options.complaint().isEmpty())
@@ -117,9 +119,9 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
 
 int runAlarms(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none(
-        {"elements", "controller", "source-model", "rate-error", "mounting", "convection", "lag", "latency"},
-        kAlarms);
+    options.none({"elements", "controller", "source-model", "rate-error", "mounting", "convection", "lag",
+                  "latency", "uneven"},
+                 kAlarms);
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
     AlarmRequest request;
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
@@ -158,7 +160,12 @@ void addOptions(QCommandLineParser& parser) {
          {"convection", "closed-loop: h of each run, drawn up to this and unknown, 0 to 50 W/(m2 K).", "H",
           "0"},
          {"lag", "closed-loop: lag of the sensors, drawn up to this, 0 to 30 s.", "S", "0"},
-         {"latency", "closed-loop: latency of the robot, drawn up to this, 0 to 2 s.", "S", "0"}});
+         {"latency", "closed-loop: latency of the robot, drawn up to this, 0 to 2 s.", "S", "0"},
+         {"uneven",
+          "closed-loop: the simulated source is uneven, which the controller does not know: seven parts, "
+          "each "
+          "hotter or colder by up to so much of its temperature above the room, drawn up to this, 0 to 50 %.",
+          "PERCENT", "0"}});
 }
 
 } // namespace

@@ -70,14 +70,55 @@ void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig
     throw std::invalid_argument("closed-loop study: no pose holds the objects warm enough");
 }
 
+/// A polygon as large as the piece of a ring between two radii and two angles.
+Contour ringPiece(double inner_m, double outer_m, double from, double to) {
+    constexpr int kChords = 12;
+    const double half = 0.5 * (to - from) / kChords;
+    const double larger = std::sqrt(half / (std::sin(half) * std::cos(half))); // chords cut off a little
+    Contour piece;
+    const auto arc = [&](double radius_m, double first, double last) {
+        for (int k = 0; k <= kChords; ++k) {
+            const double angle = std::lerp(first, last, static_cast<double>(k) / kChords);
+            piece.points_m.push_back(larger * radius_m * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        }
+    };
+    arc(outer_m, from, to);
+    arc(inner_m, to, from);
+    return piece;
+}
+
+/// A disk in the middle and six pieces of a ring round it, of equal areas and turned anyhow, each hotter or
+/// colder than the source by up to `share` of its temperature above the room.
+Unevenness drawUnevenness(Random& random, const Shape& source, double share) {
+    const auto* disk = std::get_if<Disk>(&source);
+    if (disk == nullptr)
+        throw std::invalid_argument("closed-loop study: only a disk can be uneven");
+    constexpr int kPieces = 6;
+    const double middle_m = disk->radius_m / std::sqrt(kPieces + 1.0);
+    const double first = uniform(random, -std::numbers::pi, std::numbers::pi);
+    Unevenness uneven;
+    const auto add = [&](const Shape& shape) {
+        SourcePartSpec& part = uneven.parts.emplace_back();
+        part.shape = shape;
+        part.temperatureRatio = 1.0 + uniform(random, -share, share);
+    };
+    add(Disk{middle_m});
+    for (int k = 0; k < kPieces; ++k) {
+        constexpr double kAngle = 2.0 * std::numbers::pi / kPieces;
+        add(ringPiece(middle_m, disk->radius_m, first + k * kAngle, first + (k + 1) * kAngle));
+    }
+    return uneven;
+}
+
 /// Best view factors of one object over time: what any sampled pose within reach offers.
 class Reach {
 public:
-    /// sign +1: the largest view factor, -1: the least
+    /// sign +1: the largest view factor, -1: the least; `ideal`: what no view factor passes
     Reach(const PoseLookup& lookup, const std::vector<double>& travel_s,
-          const std::vector<std::size_t>& order, Eigen::Index object, double sign, double F_start)
+          const std::vector<std::size_t>& order, Eigen::Index object, double sign, double F_start,
+          double ideal)
         : m_lookup(lookup), m_travel_s(travel_s), m_order(order), m_object(object), m_sign(sign),
-          m_bestOfAll((sign * lookup.table().col(object)).maxCoeff()), m_best(F_start) {}
+          m_ideal(ideal), m_bestOfAll((sign * lookup.table().col(object)).maxCoeff()), m_best(F_start) {}
 
     /// Times must grow.
     double at(double time_s) {
@@ -86,7 +127,7 @@ public:
             if (m_sign * F > m_sign * m_best)
                 m_best = F;
         }
-        return m_sign * m_best >= m_bestOfAll ? (m_sign > 0.0 ? 1.0 : 0.0) : m_best;
+        return m_sign * m_best >= m_bestOfAll ? m_ideal : m_best;
     }
 
 private:
@@ -95,30 +136,33 @@ private:
     const std::vector<std::size_t>& m_order;
     Eigen::Index m_object;
     double m_sign;
+    double m_ideal;
     double m_bestOfAll; ///< times the sign
     double m_best;
     std::size_t m_next = 0;
 };
 
 /// Whether no view factor ever holds the object so near its target.
-bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
+bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K, double ideal) {
     const bool heats = edge_K > rig.environment_K;
     double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
     for (const TimePoint<double>& point : rig.source.temperatureProfile)
         source_K = std::max(source_K, point.value);
     const HeatRates rates = trueRates(rig.objects[object], trueSurroundings(rig, source_K));
-    return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
+    return heats ? rates.steadyTemperature_K(ideal) <= edge_K : rates.steadyTemperature_K(ideal) >= edge_K;
 }
 
-/// Time in which the plant's object comes within the settled band of its target under view factors F(t).
+/// Time in which the plant's object comes within the settled band of its target under view factors F(t), of
+/// which none passes `ideal`.
 template <class ViewFactorAt>
-double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
+double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, double ideal,
+                    ViewFactorAt&& viewFactorAt) {
     ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K,
                          shapeCharacteristicLength(rig.objects[object].shape)}},
                        rig.source.model, rig.environment_K, trueAir(rig));
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
-    if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
+    if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K, ideal))
         return std::numeric_limits<double>::infinity();
     double before_K = plant.temperature_K(0);
     for (int step = 0; step * kBoundStep_s < kMaxBound_s; ++step) {
@@ -211,6 +255,8 @@ void setConditions(const ClosedLoopStudy& study, const ClosedLoopCase& drawn, Si
         simulation.sensorLag_s = drawn.sensorLag_s;
     if (study.robotLatency_s > 0.0)
         simulation.robotLatency_s = drawn.robotLatency_s;
+    if (study.uneven > 0.0)
+        simulation.sourceUneven = drawn.sourceUneven;
 }
 
 Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
@@ -296,13 +342,13 @@ std::string csvRow(int index, const ClosedLoopRow& row) {
     return text + ',' + (row.restSpeed_m_s ? number(1000.0 * *row.restSpeed_m_s) : std::string()) + ',' +
            number(row.way_m) + ',' + number(1000.0 * row.commandAcceleration_m_s2) + ',' +
            number(drawn.convection_W_m2K) + ',' + number(drawn.sensorLag_s) + ',' +
-           number(drawn.robotLatency_s) + '\n';
+           number(drawn.robotLatency_s);
 }
 
 } // namespace
 
 SettlingBound settlingBound(const Experiment& experiment) {
-    const auto geometry = rigGeometry(experiment);
+    const auto geometry = trueRigGeometry(experiment);
     const PoseLookup lookup(geometry, experiment.start, kReachPoses);
     std::vector<double> travel_s(lookup.size());
     for (std::size_t k = 0; k < lookup.size(); ++k)
@@ -316,12 +362,12 @@ SettlingBound settlingBound(const Experiment& experiment) {
         const double target_K = experiment.objects[i].target_K;
         const double sign = target_K > experiment.environment_K ? 1.0 : -1.0;
         const auto row = static_cast<Eigen::Index>(i);
-        Reach reach(lookup, travel_s, order, row, sign, F[row]);
-        const double ideal = sign > 0.0 ? 1.0 : 0.0;
-        bound.radiation_s =
-            std::max(bound.radiation_s, timeToBand_s(experiment, i, target_K, [&](double) { return ideal; }));
-        bound.bound_s = std::max(
-            bound.bound_s, timeToBand_s(experiment, i, target_K, [&](double t_s) { return reach.at(t_s); }));
+        const double ideal = sign > 0.0 ? geometry->maxViewFactor() : 0.0;
+        Reach reach(lookup, travel_s, order, row, sign, F[row], ideal);
+        bound.radiation_s = std::max(
+            bound.radiation_s, timeToBand_s(experiment, i, target_K, ideal, [&](double) { return ideal; }));
+        bound.bound_s = std::max(bound.bound_s, timeToBand_s(experiment, i, target_K, ideal,
+                                                             [&](double t_s) { return reach.at(t_s); }));
     }
     return bound;
 }
@@ -335,6 +381,10 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     drawn.convection_W_m2K = uniform(conditions, 0.0, study.convection_W_m2K);
     drawn.sensorLag_s = uniform(conditions, 0.0, study.sensorLag_s);
     drawn.robotLatency_s = uniform(conditions, 0.0, study.robotLatency_s);
+    if (study.uneven > 0.0) {
+        drawn.uneven = uniform(conditions, 0.0, study.uneven);
+        drawn.sourceUneven = drawUnevenness(conditions, rig.source.shape, drawn.uneven);
+    }
     setConditions(study, drawn, rig.simulation);
     if (study.mountings != StudyMountings::AsGiven) {
         drawn.mountings = drawMountings(random, rig.objects, study.mountings);
@@ -344,7 +394,7 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
         for (const ObjectSpec& object : rig.objects)
             drawn.mountings.push_back(object.mounting);
     }
-    const auto geometry = rigGeometry(rig);
+    const auto geometry = trueRigGeometry(rig);
     drawn.start = drawAllowedPose(random, *geometry, rig.start);
     drawGoal(random, *geometry, rig, drawn);
     const SettlingBound bound = settlingBound(closedLoopExperiment(study, drawn));
@@ -427,7 +477,9 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         ", believed rates wrong by random factors within " + number(rig.controller.estimatedRateErrorFactor) +
         ", mountings " + kMountingWords[static_cast<std::size_t>(study.mountings)] + ", convection to " +
         number(study.convection_W_m2K) + " W/(m2 K), sensor lag to " + number(study.sensorLag_s) +
-        " s, robot latency to " + number(study.robotLatency_s) + " s, seed " + std::to_string(study.seed) +
+        " s, robot latency to " + number(study.robotLatency_s) + " s" +
+        (study.uneven > 0.0 ? ", source uneven to " + number(100.0 * study.uneven) + " %" : "") + ", seed " +
+        std::to_string(study.seed) +
         ".\n"
         "# Settled: every true temperature within +-" +
         number(kSettledBand_K) + " K of its target until the end of the run, which lasts " +
@@ -451,9 +503,11 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         for (const char* coordinate : {"x_cm", "y_cm", "z_cm", "theta_x_deg", "theta_y_deg", "theta_z_deg"})
             text += std::string(",") + pose + "_" + coordinate;
     text += ",told_compromise,failure,rest_speed_mm_s,way_m,command_acceleration_mm_s2,convection_W_m2K,"
-            "sensor_lag_s,robot_latency_s\n";
+            "sensor_lag_s,robot_latency_s";
+    text += study.uneven > 0.0 ? ",uneven_percent\n" : "\n";
     for (std::size_t k = 0; k < rows.size(); ++k)
-        text += csvRow(static_cast<int>(k) + 1, rows[k]);
+        text += csvRow(static_cast<int>(k) + 1, rows[k]) +
+                (study.uneven > 0.0 ? ',' + number(100.0 * rows[k].drawn.uneven) : "") + '\n';
     return text;
 }
 

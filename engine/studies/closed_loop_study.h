@@ -32,6 +32,9 @@ struct ClosedLoopStudy {
     double convection_W_m2K = 0.0;
     double sensorLag_s = 0.0;
     double robotLatency_s = 0.0;
+    /// Each of the seven parts of the true source (see drawUnevenness) is hotter or colder than the source by
+    /// up to this share of its temperature above the room, at most 1. The rig's source must be a disk then.
+    double uneven = 0.0;
 };
 
 /// Smallest distance of a target above the environment.
@@ -65,14 +68,16 @@ struct ClosedLoopCase {
     double convection_W_m2K = 0.0;
     double sensorLag_s = 0.0;
     double robotLatency_s = 0.0;
-    double radiation_s = 0.0; ///< SettlingBound
+    double uneven = 0.0;       ///< the share drawn for this run
+    Unevenness sourceUneven{}; ///< with that share
+    double radiation_s = 0.0;  ///< SettlingBound
     double bound_s = 0.0;
     double travel_s = 0.0; ///< straight from start to goal at full speed
     double duration_s() const { return kStudyBounds * bound_s + kStudyMinDuration_s; }
 };
 
 /// Returns draw number `index` (from 0), which depends only on the study's seed and the index, not on the
-/// controller. Throws std::invalid_argument for a rig without such poses.
+/// controller. Throws std::invalid_argument for a rig without such poses, and as the study's conditions ask.
 ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index);
 /// Returns the experiment of one draw.
 Experiment closedLoopExperiment(const ClosedLoopStudy& study, const ClosedLoopCase& drawn);

@@ -202,6 +202,8 @@ TEST_F(StudyCommand, RefusesWrongWords) {
                                          QStringList{"closed-loop", "-o", to, "--convection", "-1"},
                                          QStringList{"closed-loop", "-o", to, "--lag", "soon"},
                                          QStringList{"alarms", "-o", to, "--latency", "0.1"},
+                                         QStringList{"alarms", "-o", to, "--uneven", "5"},
+                                         QStringList{"closed-loop", "-o", to, "--uneven", "60"},
                                          QStringList{"closed-loop", "-o", to, "--count", "0"},
                                          QStringList{"closed-loop", "-o", to, "--seed", "-1"},
                                          QStringList{"view-factor", "-o", to, "-platform", "xcb"}}) {

@@ -120,6 +120,44 @@ TEST(ClosedLoopStudy, HeightsAndConditionsAreDrawnForEachRun) {
     EXPECT_EQ(simulation.robotLatency_s, drawn.robotLatency_s);
 }
 
+// Catches: an uneven source that changes what else is drawn, that the controller is told of, or whose targets
+// no pose holds.
+TEST(ClosedLoopStudy, TheUnevenSourceIsUnknownToTheController) {
+    ClosedLoopStudy study = studyOf("three-objects.json", StudyMountings::InPlane);
+    study.convection_W_m2K = 15.0;
+    const ClosedLoopCase even = drawClosedLoopCase(study, 1);
+    study.uneven = 0.1;
+    const ClosedLoopCase drawn = drawClosedLoopCase(study, 1);
+    EXPECT_EQ(drawn.start, even.start);
+    EXPECT_EQ(drawn.mountings, even.mountings);
+    EXPECT_EQ(drawn.convection_W_m2K, even.convection_W_m2K);
+    EXPECT_EQ(drawn.goal, even.goal);
+    EXPECT_NE(drawn.targets_K, even.targets_K);
+    EXPECT_GT(drawn.uneven, 0.0);
+    EXPECT_LE(drawn.uneven, 0.1);
+    const std::vector<SourcePartSpec>& parts = drawn.sourceUneven.parts;
+    ASSERT_EQ(parts.size(), 7U);
+    double area_m2 = 0.0;
+    for (const SourcePartSpec& part : parts) {
+        EXPECT_NEAR(part.temperatureRatio, 1.0, drawn.uneven);
+        EXPECT_NEAR(shapeArea(part.shape), shapeArea(study.rig.source.shape) / 7.0, 1e-9);
+        area_m2 += shapeArea(part.shape);
+    }
+    EXPECT_NEAR(area_m2, shapeArea(study.rig.source.shape), 1e-9);
+    const Experiment experiment = closedLoopExperiment(study, drawn);
+    EXPECT_TRUE(validate(experiment));
+    EXPECT_TRUE(experiment.source.uneven.isEven());
+    EXPECT_EQ(experiment.simulation.sourceUneven, drawn.sourceUneven);
+    const Eigen::VectorXd F = trueRigGeometry(experiment)->viewFactors(drawn.goal).F;
+    EXPECT_GT((F - rigGeometry(experiment)->viewFactors(drawn.goal).F).cwiseAbs().maxCoeff(), 1e-4);
+    const std::vector<HeatRates> rates = trueRates(experiment);
+    for (std::size_t i = 0; i < rates.size(); ++i)
+        EXPECT_NEAR(rates[i].steadyTemperature_K(F[static_cast<Eigen::Index>(i)]), drawn.targets_K[i], 1e-6);
+    EXPECT_NE(closedLoopCsv(study, {}).find(",uneven_percent\n"), std::string::npos);
+    study.uneven = 0.0;
+    EXPECT_EQ(closedLoopCsv(study, {}).find("uneven"), std::string::npos);
+}
+
 // Catches a bound that a run can beat, or that grows where it must not.
 TEST(ClosedLoopStudy, TheBoundIsTheSlowestObjectsHeatingAndWaitsForTheRobot) {
     const ClosedLoopStudy study = studyOf("three-objects.json");
