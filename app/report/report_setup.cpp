@@ -6,6 +6,7 @@
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/mounting_check.h"
 #include "widgets/common/display.h"
+#include "widgets/common/evenness_words.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/targets/verdict_text.h"
@@ -102,7 +103,7 @@ Facts rigFacts(const SessionRecord& session) {
 
 Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
     const SourceSpec& source = session.experiment.source;
-    return {
+    Facts facts{
         {SetupText::tr("Heat source"), shapeWords(source.shape) + QStringLiteral(", ") + area(source.shape)},
         {SetupText::tr("Set temperature"),
          formatTemperature(source.temperature_K, unit) +
@@ -116,6 +117,9 @@ Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
          poseWords(source.pose) + (source.tracked ? SetupText::tr(", tracked during the run") : QString())},
         {SetupText::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)},
         {SetupText::tr("Air"), airWords(session.experiment.air)}};
+    if (!source.uneven.isEven())
+        facts.insert(3, {SetupText::tr("Evenness of the source"), evennessText(session.experiment)});
+    return facts;
 }
 
 Facts robotFacts(const Experiment& e) {

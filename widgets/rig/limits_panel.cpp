@@ -3,6 +3,7 @@
 #include "engine/base/units.h"
 #include "engine/model/experiment_parameters.h"
 #include "widgets/common/display.h"
+#include "widgets/common/evenness_words.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/parameter_form.h"
@@ -26,8 +27,8 @@ LimitsPanel::LimitsPanel(QWidget* parent)
     : QWidget(parent), m_sourceTitle(boldLabel(this)), m_workspaceTitle(boldLabel(this)),
       m_speedTitle(boldLabel(this)), m_measuredLabel(new QLabel(this)), m_measured(new QLabel(this)),
       m_setPointLabel(new QLabel(this)), m_emittanceLabel(new QLabel(this)),
-      m_setPoint(new QuantitySpinBox(this)), m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)),
-      m_motion(new ParameterForm({}, this)) {
+      m_evennessLabel(new QLabel(this)), m_evenness(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)),
+      m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)), m_motion(new ParameterForm({}, this)) {
     m_measured->setObjectName("measuredSource");
     m_setPoint->setObjectName("sourceSetPoint");
     auto* layout = new QVBoxLayout(this);
@@ -68,6 +69,9 @@ QWidget* LimitsPanel::buildSource() {
     form->addRow(m_measuredLabel, m_measured);
     form->addRow(m_setPointLabel, m_setPoint);
     form->addRow(m_emittanceLabel, m_emittance);
+    m_evenness->setObjectName(QStringLiteral("sourceEvenness"));
+    m_evenness->setWordWrap(true);
+    form->addRow(m_evennessLabel, m_evenness);
     m_setPointLabel->setBuddy(m_setPoint);
     m_emittanceLabel->setBuddy(m_emittance);
     return part;
@@ -146,6 +150,7 @@ void LimitsPanel::showValues() {
     const RobotLimits& robot = m_experiment.robot;
     m_setPoint->setValue_K(m_experiment.source.temperature_K);
     setQuietly(m_emittance, m_experiment.source.emittance);
+    m_evenness->setText(evennessText(m_experiment));
     for (int k = 0; k < 6; ++k) {
         const auto i = static_cast<std::size_t>(k);
         setQuietly(m_lower[i], shownCoordinate(k, robot.lower[k]));
@@ -163,6 +168,8 @@ void LimitsPanel::retranslate() {
     m_setPointLabel->setText(tr("Set point of runs"));
     m_setPoint->setAccessibleName(m_setPointLabel->text());
     m_emittanceLabel->setText(tr("Emittance"));
+    m_evennessLabel->setText(tr("Evenness"));
+    m_evenness->setText(evennessText(m_experiment));
     m_emittance->setAccessibleName(tr("Emittance of the source"));
     m_workspaceTitle->setText(tr("Workspace of the end-effector"));
     m_lowerLabel->setText(tr("From"));

@@ -53,6 +53,7 @@ private:
     double m_measured_K = 0.0;
     QLabel *m_sourceTitle, *m_workspaceTitle, *m_speedTitle;
     QLabel *m_measuredLabel, *m_measured, *m_setPointLabel, *m_emittanceLabel;
+    QLabel *m_evennessLabel, *m_evenness;
     QuantitySpinBox* m_setPoint;
     QDoubleSpinBox* m_emittance = nullptr;
     QLabel *m_lowerLabel, *m_upperLabel;

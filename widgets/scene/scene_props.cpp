@@ -3,6 +3,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/scene/scene_part.h"
 #include "widgets/scene/source_glow.h"
+#include "widgets/scene/source_pattern.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
@@ -23,6 +24,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 namespace bask {
@@ -33,6 +35,8 @@ constexpr double kGridStep_m = 0.05;
 // Incandescent, and nothing else on screen has it: middle and rim of the source.
 constexpr QRgb kSourceMiddle = 0xffffb45c;
 constexpr QRgb kSourceRim = 0xffd9481c;
+constexpr QRgb kSourceCold = 0xff6b6460; // where nothing radiates
+constexpr int kGlowCells = 64, kPatternCells = 256;
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -125,9 +129,37 @@ void setFilled(vtkPolyData& data, const std::vector<std::vector<Eigen::Vector2d>
     data.SetPolys(cells);
 }
 
-/// Colours the inside of an outline from its middle to its rim, by a texture.
-void setGlow(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen::Vector2d>& outline) {
-    constexpr int kCells = 64;
+QRgb mixed(QRgb from, QRgb to, double share) {
+    const auto mix = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
+    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+}
+
+/// From the middle of an even source to its rim.
+std::vector<QRgb> glowColours(const std::vector<Eigen::Vector2d>& outline, int cells) {
+    std::vector<QRgb> colours;
+    for (const double glow : sourceGlow(outline, boxOf(outline), cells))
+        colours.push_back(mixed(kSourceRim, kSourceMiddle, glow));
+    return colours;
+}
+
+/// Of an uneven source: from the weakest part to the strongest, and grey where nothing radiates.
+std::vector<QRgb> patternColours(const Experiment& experiment, const Eigen::AlignedBox2d& box, int cells) {
+    const std::vector<double> pattern = sourcePattern(experiment, box, cells);
+    const double max = std::ranges::max(pattern);
+    double min = max;
+    for (const double weight : pattern)
+        min = weight > 0.0 ? std::min(min, weight) : min;
+    std::vector<QRgb> colours;
+    for (const double weight : pattern)
+        colours.push_back(
+            weight > 0.0 ? mixed(kSourceRim, kSourceMiddle, max > min ? (weight - min) / (max - min) : 1.0)
+                         : kSourceCold);
+    return colours;
+}
+
+/// Colours the inside of an outline by a texture of `cells` x `cells` over its box.
+void setTexture(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen::Vector2d>& outline,
+                const std::vector<QRgb>& colours, int cells) {
     const Eigen::AlignedBox2d box = boxOf(outline);
     vtkNew<vtkFloatArray> places;
     places->SetNumberOfComponents(2);
@@ -137,22 +169,33 @@ void setGlow(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen::Ve
         places->InsertNextTuple(place.data());
     }
     data.GetPointData()->SetTCoords(places);
-    const QColor middle = QColor::fromRgb(kSourceMiddle);
-    const QColor rim = QColor::fromRgb(kSourceRim);
     vtkNew<vtkImageData> image;
-    image->SetDimensions(kCells, kCells, 1);
+    image->SetDimensions(cells, cells, 1);
     image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
     auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
-    for (const double glow : sourceGlow(outline, box, kCells)) {
-        const auto mix = [glow](int a, int b) {
-            return static_cast<unsigned char>(std::lround(a + (b - a) * glow));
-        };
-        *out++ = mix(rim.red(), middle.red());
-        *out++ = mix(rim.green(), middle.green());
-        *out++ = mix(rim.blue(), middle.blue());
-    }
+    for (const QRgb colour : colours)
+        for (const int part : {qRed(colour), qGreen(colour), qBlue(colour)})
+            *out++ = static_cast<unsigned char>(part);
     texture.SetInputData(image);
 }
+
+/// What the picture of a source is made from.
+struct SourceLook {
+    SourceSpec source;
+    double environment_K = 0.0;
+
+    /// An even source looks the same at any temperature and wherever it lies.
+    static SourceLook of(const Experiment& experiment) {
+        SourceLook look;
+        look.source.shape = experiment.source.shape;
+        if (experiment.source.uneven.isEven())
+            return look;
+        look = {experiment.source, experiment.environment_K};
+        look.source.pose.setZero();
+        return look;
+    }
+    bool operator==(const SourceLook&) const = default;
+};
 
 /// An outline in S as it stands over the floor, the plane z = 0 of R.
 std::vector<Eigen::Vector2d> overTheFloor(const std::vector<Eigen::Vector2d>& outline, const Pose& X_RS) {
@@ -228,7 +271,7 @@ struct SceneProps::Impl {
     double lineScale = 1.0;
     ScenePart source;
     vtkNew<vtkTexture> glow;
-    std::optional<Shape> glowing; ///< what source, glow and rim show
+    std::optional<SourceLook> glowing; ///< what source, glow and rim show
     ScenePart sourceRim;
     ScenePart grid;
     Box frame;
@@ -273,11 +316,17 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
     const std::vector<std::vector<Eigen::Vector2d>> rings =
         shapeRings(experiment.source.shape, kOutlinePoints);
     const std::vector<Eigen::Vector2d> source = chained(rings);
-    if (m->glowing != experiment.source.shape) {
+    if (SourceLook look = SourceLook::of(experiment); m->glowing != look) {
+        const bool isEven = experiment.source.uneven.isEven();
+        const int cells = isEven ? kGlowCells : kPatternCells;
         setFilled(*m->source.data, rings);
-        setGlow(*m->source.data, *m->glow, source);
-        setRings(*m->sourceRim.data, rings);
-        m->glowing = experiment.source.shape;
+        setTexture(*m->source.data, *m->glow, source,
+                   isEven ? glowColours(source, cells) : patternColours(experiment, boxOf(source), cells),
+                   cells);
+        std::vector<std::vector<Eigen::Vector2d>> lines = rings;
+        std::ranges::move(partRings(experiment.source.uneven, kOutlinePoints), std::back_inserter(lines));
+        setRings(*m->sourceRim.data, lines);
+        m->glowing = std::move(look);
     }
     m->sourceRim.width_px = 3.0F;
     m->frame = frame;

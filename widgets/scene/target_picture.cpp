@@ -89,17 +89,10 @@ bool TargetPicture::setExperiment(const Experiment& next) {
     experiment = next;
     if (known)
         return true;
-    const SourceSpec& source = experiment.source;
-    std::vector<Shape> shapes;
-    std::vector<Vector6d> mountings;
     rates.clear();
-    for (const ObjectSpec& object : experiment.objects) {
-        shapes.push_back(object.shape);
-        mountings.push_back(object.mounting);
+    for (const ObjectSpec& object : experiment.objects)
         rates.push_back(heatRates(object, surroundingsOf(experiment)));
-    }
-    rig = std::make_unique<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
-                                        poseFromCoordinates(source.pose));
+    rig = rigGeometryWithoutExchange(experiment);
     fixed = experiment.start;
     surfaces.clear();
     verdict.reset();

@@ -24,7 +24,7 @@ struct PickedPose {
 /// The whole picture can be made from its values at any time; the flags show which are new. GUI thread.
 struct TargetPicture {
     Experiment experiment;
-    std::unique_ptr<RigGeometry> rig; ///< null without an experiment
+    std::shared_ptr<const RigGeometry> rig; ///< null without an experiment
     std::vector<HeatRates> rates;
     Box frame;
     Vector6d fixed = Vector6d::Zero();

@@ -257,6 +257,18 @@ TEST_F(RigPageTest, LimitsAreTheExperiments) {
     EXPECT_FALSE(child<QDoubleSpinBox>("upper.theta_z")->isVisible()); // not free
 }
 
+// Catches parts of a source that an edit loses, or of which the page says nothing.
+TEST_F(RigPageTest, TheSourceTellsHowEvenItIs) {
+    EXPECT_EQ(child<QLabel>("sourceEvenness")->text(), "even");
+    experiment.source.uneven.profile = {{0.0, 1.0}, {0.05, 0.5}};
+    page.setExperiment(experiment);
+    EXPECT_EQ(child<QLabel>("sourceEvenness")->text(),
+              "Radial profile of 2 points, radiating 34 to 100 % of what an even one does");
+    child<QDoubleSpinBox>("sourceEmittance")->setValue(0.5);
+    EXPECT_EQ(experiment.source.uneven.profile.size(), 2U);
+    EXPECT_EQ(experiment.source.emittance, 0.5);
+}
+
 // Catches a tick where something is wrong, and reasons of the engine that are not shown.
 TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
     const auto state = [this](const char* name) { return child<QLabel>(name)->accessibleDescription(); };

@@ -255,6 +255,36 @@ TEST_F(SceneViewTest, ASourceThatCrossesItselfStillGlows) {
     EXPECT_GT(test::pixelsOf(image, kSource), 500);
 }
 
+// Catches parts and rings that the picture does not show, or shows elsewhere.
+TEST_F(SceneViewTest, AnUnevenSourceShowsWhereItRadiates) {
+    SceneView view;
+    view.resize(900, 900);
+    Experiment experiment = test::threeObjects();
+    experiment.objects.clear();
+    experiment.source.shape = Disk{0.1};
+    experiment.source.uneven.profile = {{0.0, 1.05}, {0.06, 1.0}, {0.1, 0.7}};
+    view.viewAlongMinusZ();
+    show(view);
+    view.setExperiment(experiment);
+    QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-source-profile"));
+    EXPECT_GT(test::pixelsOf(image, kSource), 500);
+    SourcePartSpec left, right;
+    left.shape = right.shape = Disk{0.04};
+    left.pose[kX] = -0.05;
+    right.pose[kX] = 0.05;
+    right.temperatureRatio = 0.8;
+    experiment.source.uneven = {{left, right}, {}};
+    view.setExperiment(experiment);
+    image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-source-parts"));
+    const QPointF hot = test::middleOf(image, kSource, 4);
+    const QPointF cold = test::middleOf(image, QColor(0xd9, 0x48, 0x1c), 4);
+    EXPECT_LT(hot.x(), 0.5 * image.width() - 50.0);
+    EXPECT_GT(cold.x(), 0.5 * image.width() + 50.0);
+    EXPECT_GT(test::pixelsOf(image, QColor(0x6b, 0x64, 0x60)), 500);
+}
+
 // The pictures of other sources that a designer looks at; fails when two of them are the same.
 TEST_F(SceneViewTest, SourcesLightAndDark) {
     SceneView view;
