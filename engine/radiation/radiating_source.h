@@ -43,8 +43,10 @@ private:
 };
 
 // As for a single outline (view_factor.h, shade.h): X_SO and the blockers' poses are in S, gradients in its
-// axes, tolerances and errors those of the sum. `visibility` is full or hidden if that of all terms is. The
-// value of a sum is not negative, and may be above 1 where parts radiate more than the source itself.
+// axes, tolerances and errors those of the sum; what many rings take of shade is found with a few of them, to
+// about a thousandth of it, which is in the error estimate. `visibility` is full or hidden if that of all
+// terms is. The value of a sum is not negative, and may be above 1 where parts radiate more than the source
+// itself.
 ViewFactor viewFactor(const RadiatingSource& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 double viewFactorValue(const RadiatingSource& source, const RadiatingContour& object, const Pose& X_SO,
