@@ -5041,6 +5041,49 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>x %1 cm, y %2 cm, %3°</source>
         <translation>x %1 cm, y %2 cm, %3°</translation>
     </message>
+    <message>
+        <source>Objects on the end-effector from the front</source>
+        <translation>Objets sur l’effecteur vus de face</translation>
+    </message>
+    <message>
+        <source>Objects on the end-effector from the side</source>
+        <translation>Objets sur l’effecteur vus de côté</translation>
+    </message>
+    <message>
+        <source>The objects edge-on, to the scale of the plan. Drag one to change its height in steps of 5 mm, its handle to tilt it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down tilt it.</source>
+        <translation>Les objets vus par la tranche, à l’échelle du plan. Faites-en glisser un pour changer sa hauteur par pas de 5 mm, sa poignée pour l’incliner par pas de 5° ; avec Alt, finement. Les flèches déplacent de 1 mm celui qui est sélectionné, Page préc. et Page suiv. l’inclinent.</translation>
+    </message>
+    <message>
+        <source>z %1 cm, tilt %2° about x, %3° about y</source>
+        <translation>z %1 cm, incliné de %2° autour de x, %3° autour de y</translation>
+    </message>
+    <message>
+        <source>Arrows: where the heated faces look</source>
+        <translation>Flèches : où regardent les faces chauffées</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MountingViews</name>
+    <message>
+        <source>Heights and tilts</source>
+        <translation>Hauteurs et inclinaisons</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>Face</translation>
+    </message>
+    <message>
+        <source>Seen along y: x to the right, z up</source>
+        <translation>Vu le long de y : x vers la droite, z vers le haut</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Seen against x: y to the right, z up</source>
+        <translation>Vu à l’opposé de x : y vers la droite, z vers le haut</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectList</name>
@@ -5169,10 +5212,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>y</translation>
     </message>
     <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
         <source>Rotation about z</source>
         <translation>Rotation autour de z</translation>
     </message>
@@ -5223,6 +5262,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1 without holes</source>
         <translation>%1 sans les trous</translation>
+    </message>
+    <message>
+        <source>z, height</source>
+        <translation>z, hauteur</translation>
+    </message>
+    <message>
+        <source>Tilt about x</source>
+        <translation>Inclinaison autour de x</translation>
+    </message>
+    <message>
+        <source>Tilt about y</source>
+        <translation>Inclinaison autour de y</translation>
+    </message>
+    <message>
+        <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
+        <translation>L’objet est tourné d’abord autour de l’axe x de l’effecteur, puis autour de y, puis autour de z</translation>
     </message>
 </context>
 <context>
@@ -5413,6 +5468,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
         <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (%2), une liste de points x, y (%3) ou l’image d’une silhouette (%4).</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>Montage</translation>
     </message>
 </context>
 <context>

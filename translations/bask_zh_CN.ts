@@ -5036,6 +5036,49 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>x %1 cm, y %2 cm, %3°</source>
         <translation>x %1 cm，y %2 cm，%3°</translation>
     </message>
+    <message>
+        <source>Objects on the end-effector from the front</source>
+        <translation>末端执行器上的物体，正视图</translation>
+    </message>
+    <message>
+        <source>Objects on the end-effector from the side</source>
+        <translation>末端执行器上的物体，侧视图</translation>
+    </message>
+    <message>
+        <source>The objects edge-on, to the scale of the plan. Drag one to change its height in steps of 5 mm, its handle to tilt it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down tilt it.</source>
+        <translation>从侧面看到的物体，比例与平面图相同。拖动物体可按 5 mm 的步长改变高度，拖动其手柄可按 5° 的步长倾斜；按住 Alt 可微调。方向键使所选物体移动 1 mm，Page Up 和 Page Down 使其倾斜。</translation>
+    </message>
+    <message>
+        <source>z %1 cm, tilt %2° about x, %3° about y</source>
+        <translation>z %1 cm，绕 x 倾斜 %2°，绕 y 倾斜 %3°</translation>
+    </message>
+    <message>
+        <source>Arrows: where the heated faces look</source>
+        <translation>箭头：受热面的朝向</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MountingViews</name>
+    <message>
+        <source>Heights and tilts</source>
+        <translation>高度与倾角</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Seen along y: x to the right, z up</source>
+        <translation>沿 y 方向看：x 向右，z 向上</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>侧面</translation>
+    </message>
+    <message>
+        <source>Seen against x: y to the right, z up</source>
+        <translation>逆 x 方向看：y 向右，z 向上</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectList</name>
@@ -5164,10 +5207,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>y</translation>
     </message>
     <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
         <source>Rotation about z</source>
         <translation>绕 z 转动</translation>
     </message>
@@ -5218,6 +5257,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 without holes</source>
         <translation>不计孔时 %1</translation>
+    </message>
+    <message>
+        <source>z, height</source>
+        <translation>z，高度</translation>
+    </message>
+    <message>
+        <source>Tilt about x</source>
+        <translation>绕 x 倾斜</translation>
+    </message>
+    <message>
+        <source>Tilt about y</source>
+        <translation>绕 y 倾斜</translation>
+    </message>
+    <message>
+        <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
+        <translation>物体先绕末端执行器的 x 轴转动，再绕 y 轴，然后绕 z 轴</translation>
     </message>
 </context>
 <context>
@@ -5408,6 +5463,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
         <translation>%1 不是可导入的文件类型。请使用图形（%2）、x, y 点的列表（%3）或剪影图片（%4）。</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>轮廓</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>安装</translation>
     </message>
 </context>
 <context>

@@ -5036,6 +5036,49 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>x %1 cm, y %2 cm, %3°</source>
         <translation>x %1 cm，y %2 cm，%3°</translation>
     </message>
+    <message>
+        <source>Objects on the end-effector from the front</source>
+        <translation>末端執行器上的物體，正視圖</translation>
+    </message>
+    <message>
+        <source>Objects on the end-effector from the side</source>
+        <translation>末端執行器上的物體，側視圖</translation>
+    </message>
+    <message>
+        <source>The objects edge-on, to the scale of the plan. Drag one to change its height in steps of 5 mm, its handle to tilt it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down tilt it.</source>
+        <translation>從側面看到的物體，比例與平面圖相同。拖曳物體可按 5 mm 的步長改變高度，拖曳其控制點可按 5° 的步長傾斜；按住 Alt 可微調。方向鍵使所選物體移動 1 mm，Page Up 和 Page Down 使其傾斜。</translation>
+    </message>
+    <message>
+        <source>z %1 cm, tilt %2° about x, %3° about y</source>
+        <translation>z %1 cm，繞 x 傾斜 %2°，繞 y 傾斜 %3°</translation>
+    </message>
+    <message>
+        <source>Arrows: where the heated faces look</source>
+        <translation>箭頭：受熱面的朝向</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MountingViews</name>
+    <message>
+        <source>Heights and tilts</source>
+        <translation>高度與傾角</translation>
+    </message>
+    <message>
+        <source>Front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>Seen along y: x to the right, z up</source>
+        <translation>沿 y 方向看：x 向右，z 向上</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>側面</translation>
+    </message>
+    <message>
+        <source>Seen against x: y to the right, z up</source>
+        <translation>逆 x 方向看：y 向右，z 向上</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectList</name>
@@ -5164,10 +5207,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>y</translation>
     </message>
     <message>
-        <source>z</source>
-        <translation>z</translation>
-    </message>
-    <message>
         <source>Rotation about z</source>
         <translation>繞 z 轉動</translation>
     </message>
@@ -5218,6 +5257,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 without holes</source>
         <translation>不計孔時 %1</translation>
+    </message>
+    <message>
+        <source>z, height</source>
+        <translation>z，高度</translation>
+    </message>
+    <message>
+        <source>Tilt about x</source>
+        <translation>繞 x 傾斜</translation>
+    </message>
+    <message>
+        <source>Tilt about y</source>
+        <translation>繞 y 傾斜</translation>
+    </message>
+    <message>
+        <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
+        <translation>物體先繞末端執行器的 x 軸轉動，再繞 y 軸，然後繞 z 軸</translation>
     </message>
 </context>
 <context>
@@ -5408,6 +5463,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
         <translation>%1 不是可匯入的檔案類型。請使用圖形（%2）、x, y 點的清單（%3）或剪影圖片（%4）。</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>輪廓</translation>
+    </message>
+    <message>
+        <source>Mounting</source>
+        <translation>安裝</translation>
     </message>
 </context>
 <context>

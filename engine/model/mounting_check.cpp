@@ -117,12 +117,15 @@ Shape thinned(const Shape& shape) {
     return withHoles(polygon ? Shape(thinnedRing(*polygon)) : shape, std::move(holes));
 }
 
-std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points) {
+std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points, Coordinate right,
+                                                       Coordinate up) {
     const Pose X_EO = poseFromCoordinates(object.mounting);
     Rings rings = shapeRings(object.shape, points);
     for (Outline& ring : rings)
-        for (Eigen::Vector2d& p : ring)
-            p = (X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+        for (Eigen::Vector2d& p : ring) {
+            const Eigen::Vector3d mounted = X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0);
+            p = {mounted[right], mounted[up]};
+        }
     return rings;
 }
 

@@ -40,7 +40,9 @@ std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vec
 /// unchanged.
 Shape thinned(const Shape& shape);
 
-/// Returns the outline (m) of a mounted object, projected on the xy-plane of E, followed by its holes.
-std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points);
+/// Returns the outline (m) of a mounted object, projected on the plane of two of E's axes, followed by its
+/// holes.
+std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points,
+                                                       Coordinate right = kX, Coordinate up = kY);
 
 } // namespace bask

@@ -182,6 +182,13 @@ protected:
             const QDeadlineTimer settled(200);
             waitFor([&] { return settled.hasExpired(); });
             look(page);
+            if (page != static_cast<int>(Page::Objects))
+                continue;
+            auto* tabs = find<QTabBar>("objectTabs");
+            tabs->setCurrentIndex(1);
+            QCoreApplication::processEvents();
+            look(page);
+            tabs->setCurrentIndex(0);
         }
     }
 

@@ -16,6 +16,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -48,6 +49,7 @@ struct ObjectsUndoTest : testing::Test {
         page.resize(1150, 720);
         page.show();
         page.activateWindow();
+        child<QTabBar>("objectTabs")->setCurrentIndex(1);
         page.selectObject(1); // the bunny
         QApplication::processEvents();
     }
@@ -64,8 +66,8 @@ struct ObjectsUndoTest : testing::Test {
         QTest::keyClick(field, Qt::Key_Return);
     }
     void click(const char* name) { QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton); }
-    void drag(const QPointF& from, const QPointF& to) {
-        auto* plan = child<MountingPlan>("mountingPlan");
+    void drag(const QPointF& from, const QPointF& to, const char* view = "mountingPlan") {
+        auto* plan = child<MountingPlan>(view);
         const auto send = [&](QEvent::Type type, const QPointF& at) {
             QMouseEvent event(type, at, plan->mapToGlobal(at), Qt::LeftButton,
                               type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton,
@@ -137,6 +139,21 @@ TEST_F(ObjectsUndoTest, OnThePlan) {
     isOneStep("key with Shift", [&] { QTest::keyClick(plan, Qt::Key_Left, Qt::ShiftModifier); });
 }
 
+// The same from the front.
+TEST_F(ObjectsUndoTest, OnTheSideView) {
+    auto* side = child<MountingPlan>("mountingSide");
+    const Experiment lifted = isOneStep("drag", [&] {
+        drag(side->objectPosition(1), side->objectPosition(1) + QPointF(0.0, -30.0), "mountingSide");
+    });
+    EXPECT_GT(lifted.objects[1].mounting[kZ], page.experiment().objects[1].mounting[kZ]);
+    const Experiment tilted = isOneStep("tilt", [&] {
+        drag(side->handlePosition(), side->handlePosition() + QPointF(20.0, 5.0), "mountingSide");
+    });
+    EXPECT_GT(tilted.objects[1].mounting[kThetaY], 0.0);
+    for (const Qt::Key key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_PageDown})
+        isOneStep("key", [&] { QTest::keyClick(side, key); });
+}
+
 // Catches a drag of an object that was not selected which leaves the selection as a step of its own, or is
 // taken back on another object.
 TEST_F(ObjectsUndoTest, ADragOfAnotherObject) {
@@ -156,7 +173,8 @@ TEST_F(ObjectsUndoTest, ADragOfAnotherObject) {
 TEST_F(ObjectsUndoTest, NumbersTyped) {
     // Digits that no field shows: they must come back all the same.
     Experiment experiment = page.experiment();
-    experiment.objects[1].mounting << 0.0123456789, -0.0234567891, 0.0011111111, 0.0, 0.0, 0.1234567891;
+    experiment.objects[1].mounting << 0.0123456789, -0.0234567891, 0.0011111111, 0.0345678912, -0.0456789123,
+        0.1234567891;
     experiment.objects[1].material.emittance = 0.87654321;
     experiment.objects[1].material.absorptance = 0.76543219;
     experiment.objects[1].material.specificHeat_J_kgK = 1234.56789;
@@ -181,6 +199,10 @@ TEST_F(ObjectsUndoTest, NumbersTyped) {
          [](ObjectSpec& to, const ObjectSpec& from) { to.mounting[kZ] = from.mounting[kZ]; }},
         {"mountRotation", "75",
          [](ObjectSpec& to, const ObjectSpec& from) { to.mounting[kThetaZ] = from.mounting[kThetaZ]; }},
+        {"mountTiltX", "-15.5",
+         [](ObjectSpec& to, const ObjectSpec& from) { to.mounting[kThetaX] = from.mounting[kThetaX]; }},
+        {"mountTiltY", "20",
+         [](ObjectSpec& to, const ObjectSpec& from) { to.mounting[kThetaY] = from.mounting[kThetaY]; }},
         {"target", "47.5", [](ObjectSpec& to, const ObjectSpec& from) { to.target_K = from.target_K; }},
         {"emittance", "0.5",
          [](ObjectSpec& to, const ObjectSpec& from) { to.material.emittance = from.material.emittance; }},

@@ -79,6 +79,14 @@ QDoubleSpinBox* ObjectProperties::number(const char* name, double min, double ma
     return field;
 }
 
+QDoubleSpinBox* ObjectProperties::angle(const char* name, Coordinate coordinate) {
+    QDoubleSpinBox* field = number(name, -180.0, 180.0, 1, 5.0, [coordinate](ObjectSpec& o, double v) {
+        o.mounting[coordinate] = radFromDeg(v);
+    });
+    field->setWrapping(true);
+    return field;
+}
+
 QDoubleSpinBox* ObjectProperties::materialField(const Parameter<Material>& parameter) {
     const double scale = parameter.unit.symbolPerSi;
     QDoubleSpinBox* field =
@@ -133,9 +141,9 @@ void ObjectProperties::build() {
     m_mountX = number("mountX", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kX] = v / kCmPerM; });
     m_mountY = number("mountY", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kY] = v / kCmPerM; });
     m_mountZ = number("mountZ", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kZ] = v / kCmPerM; });
-    m_mountRotation = number("mountRotation", -180.0, 180.0, 1, 5.0,
-                             [](S& o, double v) { o.mounting[kThetaZ] = radFromDeg(v); });
-    m_mountRotation->setWrapping(true);
+    m_mountRotation = angle("mountRotation", kThetaZ);
+    m_mountTiltX = angle("mountTiltX", kThetaX);
+    m_mountTiltY = angle("mountTiltY", kThetaY);
     m_target = new QuantitySpinBox(this);
     m_target->setObjectName("target");
     connect(m_target, &QuantitySpinBox::valueEdited_K, this,
@@ -192,6 +200,9 @@ void ObjectProperties::build() {
     row += 2;
     field(m_mountZ, 0);
     field(m_mountRotation, 1);
+    row += 2;
+    field(m_mountTiltX, 0);
+    field(m_mountTiltY, 1);
     row += 2;
     layout->setRowStretch(row, 1);
     layout->setColumnStretch(0, 1);
@@ -259,6 +270,10 @@ void ObjectProperties::setReadOnly(bool readOnly) {
         caption.field->setEnabled(!readOnly);
 }
 
+int ObjectProperties::mountingTop() const {
+    return m_headings[2]->y();
+}
+
 void ObjectProperties::showObject() {
     m_showing = true;
     const Material& material = m_object.material;
@@ -277,6 +292,8 @@ void ObjectProperties::showObject() {
     setQuietly(m_mountY, m_object.mounting[kY] * kCmPerM);
     setQuietly(m_mountZ, m_object.mounting[kZ] * kCmPerM);
     setQuietly(m_mountRotation, degFromRad(m_object.mounting[kThetaZ]));
+    setQuietly(m_mountTiltX, degFromRad(m_object.mounting[kThetaX]));
+    setQuietly(m_mountTiltY, degFromRad(m_object.mounting[kThetaY]));
     m_target->setValue_K(m_object.target_K);
     showPresets();
     showDerived();
@@ -341,8 +358,10 @@ void ObjectProperties::refreshTexts() {
         {m_lambda3, QStringLiteral("\u03bb\u2083")},
         {m_mountX, tr("x")},
         {m_mountY, tr("y")},
-        {m_mountZ, tr("z")},
+        {m_mountZ, tr("z, height")},
         {m_mountRotation, tr("Rotation about z")},
+        {m_mountTiltX, tr("Tilt about x")},
+        {m_mountTiltY, tr("Tilt about y")},
     };
     for (const auto& [parameter, field] : m_material)
         captions.emplace_back(field, parameterLabel(*parameter));
@@ -368,7 +387,11 @@ void ObjectProperties::refreshTexts() {
     m_mountZ->setAccessibleName(tr("Mounting z"));
     for (QDoubleSpinBox* field : {m_radius, m_mountX, m_mountY, m_mountZ})
         field->setSuffix(tr(" cm"));
-    m_mountRotation->setSuffix(tr(" \u00b0"));
+    for (QDoubleSpinBox* field : {m_mountRotation, m_mountTiltX, m_mountTiltY}) {
+        field->setSuffix(tr(" \u00b0"));
+        field->setToolTip(tr("The object is turned about the end-effector's x first, then about its y, then "
+                             "about its z"));
+    }
     m_showing = true;
     showPresets();
     showDerived();

@@ -21,8 +21,9 @@ class QuantitySpinBox;
 
 /// Emits a whole new value per committed edit; only the edited field differs from what was set.
 /// Object names: "objectName", "radius", "materialPreset", "emittance", "absorptance", "specificHeat",
-/// "density", "thickness", "infill", "mountX", "mountY", "mountZ", "mountRotation", "target", "area",
-/// "perimeter", "presetSource", "heatCapacity", "timeConstant", "lambda1", "lambda2", "lambda3".
+/// "density", "thickness", "infill", "mountX", "mountY", "mountZ", "mountRotation", "mountTiltX",
+/// "mountTiltY", "target", "area", "perimeter", "presetSource", "heatCapacity", "timeConstant", "lambda1",
+/// "lambda2", "lambda3".
 class ObjectProperties : public QWidget {
     Q_OBJECT
 
@@ -34,6 +35,8 @@ public:
     void setSurroundings(const Surroundings& surroundings);
     void setTemperatureUnit(TemperatureUnit unit);
     void setReadOnly(bool readOnly);
+    /// Returns where the fields of the mounting begin, in pixels.
+    int mountingTop() const;
 
 signals:
     void objectEdited(const bask::ObjectSpec& object);
@@ -47,6 +50,7 @@ private:
     QLabel* heading(QGridLayout* layout, int row);
     QDoubleSpinBox* number(const char* name, double min, double max, int decimals, double step,
                            std::function<void(ObjectSpec&, double)> apply);
+    QDoubleSpinBox* angle(const char* name, Coordinate coordinate);
     QDoubleSpinBox* materialField(const Parameter<Material>& parameter);
     void edit(const std::function<void(ObjectSpec&)>& change);
     void showObject();
@@ -75,6 +79,8 @@ private:
     QDoubleSpinBox* m_mountY;
     QDoubleSpinBox* m_mountZ;
     QDoubleSpinBox* m_mountRotation;
+    QDoubleSpinBox* m_mountTiltX;
+    QDoubleSpinBox* m_mountTiltY;
     QuantitySpinBox* m_target;
     /// Caption above each field, with its buddy.
     struct Caption {

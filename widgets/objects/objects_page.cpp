@@ -9,7 +9,7 @@
 #include "widgets/objects/harmonics_panel.h"
 #include "widgets/objects/import_panel.h"
 #include "widgets/objects/material_presets.h"
-#include "widgets/objects/mounting_plan.h"
+#include "widgets/objects/mounting_views.h"
 #include "widgets/objects/object_list.h"
 #include "widgets/objects/object_properties.h"
 #include "widgets/objects/outline_preview.h"
@@ -25,8 +25,10 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -41,6 +43,7 @@ constexpr int kImportHarmonics = 20;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
 constexpr int kRemarkLines = 5, kListLines = 9;
+constexpr int kOutlineTab = 0, kMountingTab = 1;
 
 QString fileSentence(const QString& path, const Error& error) {
     return QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message));
@@ -112,8 +115,6 @@ QWidget* ObjectsPage::buildLeft() {
     m_list->setObjectName("objectList");
     m_list->setMinimumHeight(kListLines * fontMetrics().lineSpacing());
     m_listTitle->setBuddy(m_list);
-    m_plan = new MountingPlan(box);
-    m_plan->setObjectName("mountingPlan");
     m_remarks = new QLabel(box);
     m_remarks->setObjectName("mountingRemarks");
     m_remarks->setWordWrap(true);
@@ -153,23 +154,39 @@ QWidget* ObjectsPage::buildLeft() {
     layout->addWidget(m_remove, 5, 1);
     layout->addWidget(m_undoButton, 6, 0);
     layout->addWidget(m_redoButton, 6, 1);
-    layout->addWidget(m_plan, 7, 0, 1, 2);
-    layout->addWidget(remarks, 8, 0, 1, 2);
+    layout->addWidget(remarks, 7, 0, 1, 2);
     layout->setRowStretch(1, 1);
     return box;
 }
 
 QWidget* ObjectsPage::buildCentre() {
     auto* box = new QWidget(this);
-    m_preview = new OutlinePreview(box);
+    m_tabs = new QTabBar(box);
+    m_tabs->setObjectName("objectTabs");
+    m_tabs->setExpanding(false);
+    m_tabs->setDrawBase(false);
+    m_tabs->addTab({});
+    m_tabs->addTab({});
+    m_centre = new QStackedWidget(box);
+    auto* outline = new QWidget(m_centre);
+    m_preview = new OutlinePreview(outline);
     m_preview->setObjectName("outlinePreview");
-    m_harmonics = new HarmonicsPanel(box);
+    m_harmonics = new HarmonicsPanel(outline);
+    auto* rows = new QVBoxLayout(outline);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->addWidget(m_preview, 1);
+    rows->addWidget(m_harmonics);
+    m_mounting = new MountingViews(m_centre);
+    m_centre->addWidget(outline);
+    m_centre->addWidget(m_mounting);
+
     auto* layout = new QGridLayout(box);
     layout->setContentsMargins(6, 0, 6, 0);
-    layout->setRowStretch(0, 1);
-    layout->addWidget(m_preview, 0, 0);
-    layout->addWidget(m_message, 0, 0, Qt::AlignTop); // over the preview, so that it moves nothing
-    layout->addWidget(m_harmonics, 1, 0);
+    layout->setVerticalSpacing(0);
+    layout->setRowStretch(1, 1);
+    layout->addWidget(m_tabs, 0, 0);
+    layout->addWidget(m_centre, 1, 0);
+    layout->addWidget(m_message, 1, 0, Qt::AlignTop); // over the drawings, so that it moves nothing
     m_message->raise();
     return box;
 }
@@ -182,14 +199,14 @@ QWidget* ObjectsPage::buildRight() {
     layout->addWidget(m_properties);
     layout->addStretch(1);
 
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidget(content);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(310);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    return scroll;
+    m_form = new QScrollArea(this);
+    m_form->setWidget(content);
+    m_form->setWidgetResizable(true);
+    m_form->setFrameShape(QFrame::NoFrame);
+    m_form->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_form->setMinimumWidth(310);
+    m_form->setFocusPolicy(Qt::NoFocus);
+    return m_form;
 }
 
 void ObjectsPage::connectAll() {
@@ -215,8 +232,14 @@ void ObjectsPage::connectAll() {
     connect(m_harmonics, &HarmonicsPanel::distancesReady, m_preview, &OutlinePreview::setDistances);
     connect(m_properties, &ObjectProperties::objectEdited, this,
             [this](const ObjectSpec& object) { editSelected([&object](ObjectSpec& o) { o = object; }); });
-    connect(m_plan, &MountingPlan::objectClicked, this, &ObjectsPage::selectObject);
-    connect(m_plan, &MountingPlan::objectMoved, this, [this](int index, const Vector6d& mounting) {
+    connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
+        m_centre->setCurrentIndex(tab);
+        m_form->verticalScrollBar()->setValue(
+            tab == kMountingTab ? m_properties->mountingTop() + m_properties->y() : 0);
+    });
+    connect(m_mounting, &MountingViews::objectClicked, this, &ObjectsPage::selectObject);
+    connect(m_mounting, &MountingViews::objectDragged, this, &ObjectsPage::showDragged);
+    connect(m_mounting, &MountingViews::objectMoved, this, [this](int index, const Vector6d& mounting) {
         selectObject(index);
         editSelected([&mounting](ObjectSpec& o) { o.mounting = mounting; });
     });
@@ -323,29 +346,27 @@ std::string ObjectsPage::uniqueName(const QString& wish) const {
     return name.toStdString();
 }
 
-Vector6d ObjectsPage::freeMounting(const Shape& shape) const {
+Eigen::Vector2d ObjectsPage::freePlace(const Shape& shape) const {
     const double radius = shapeRadius(shape);
-    const auto isFree = [&](const Vector6d& place) {
+    const auto isFree = [&](const Eigen::Vector2d& place) {
         return std::ranges::all_of(m_experiment.objects, [&](const ObjectSpec& o) {
-            const double gap =
-                (o.mounting.head<2>() - place.head<2>()).norm() - shapeRadius(o.shape) - radius;
+            const double gap = (o.mounting.head<2>() - place).norm() - shapeRadius(o.shape) - radius;
             return gap >= kMountingGap_m;
         });
     };
-    Vector6d place = Vector6d::Zero();
     for (int ring = 0; ring <= 8; ++ring) {
         for (int k = 0; k < (ring == 0 ? 1 : 12); ++k) {
-            place[kX] = 0.025 * ring * std::cos(radFromDeg(90.0 + 30.0 * k));
-            place[kY] = 0.025 * ring * std::sin(radFromDeg(90.0 + 30.0 * k));
+            const double angle = radFromDeg(90.0 + 30.0 * k);
+            const Eigen::Vector2d place = 0.025 * ring * Eigen::Vector2d(std::cos(angle), std::sin(angle));
             if (isFree(place))
                 return place;
         }
     }
-    return Vector6d::Zero();
+    return Eigen::Vector2d::Zero();
 }
 
 void ObjectsPage::addObject(ObjectSpec object) {
-    object.mounting = freeMounting(object.shape);
+    object.mounting.head<2>() = freePlace(object.shape); // a copy keeps its height and its angles
     auto objects = m_experiment.objects;
     objects.push_back(std::move(object));
     const int index = static_cast<int>(objects.size()) - 1;
@@ -513,16 +534,26 @@ void ObjectsPage::showAll() {
 }
 
 void ObjectsPage::showMounting() {
-    m_plan->setObjects(m_experiment.objects, m_selected, {}, m_experiment.robot.maxMountingRadius_m);
-    m_mountingRemarks = mountingRemarks(m_experiment);
-    m_shading.run(
-        [experiment = m_experiment] { return shadeRemarks(experiment, experiment.start, ShadedPose::Start); },
-        [this, count = m_experiment.objects.size()](std::vector<MountingRemark> shade) {
-            if (count != m_experiment.objects.size())
-                return;
-            m_shade = std::move(shade);
-            showRemarks();
-        });
+    m_mounting->setObjects(m_experiment.objects, m_selected, m_experiment.robot.maxMountingRadius_m);
+    findRemarks(m_experiment);
+}
+
+void ObjectsPage::showDragged(int index, const Vector6d& mounting) {
+    Experiment dragged = m_experiment;
+    dragged.objects[static_cast<std::size_t>(index)].mounting = mounting;
+    m_properties->setObject(dragged.objects[static_cast<std::size_t>(index)]);
+    findRemarks(dragged);
+}
+
+void ObjectsPage::findRemarks(const Experiment& experiment) {
+    m_mountingRemarks = mountingRemarks(experiment);
+    m_shading.run([experiment] { return shadeRemarks(experiment, experiment.start, ShadedPose::Start); },
+                  [this, count = experiment.objects.size()](std::vector<MountingRemark> shade) {
+                      if (count != m_experiment.objects.size())
+                          return;
+                      m_shade = std::move(shade);
+                      showRemarks();
+                  });
     const auto isGone = [this](int i) { return i >= static_cast<int>(m_experiment.objects.size()); };
     std::erase_if(m_shade,
                   [&](const MountingRemark& remark) { return std::ranges::any_of(remark.objects, isGone); });
@@ -538,7 +569,7 @@ void ObjectsPage::showRemarks() {
             remarked.insert(remark.objects.begin(), remark.objects.end());
         }
     m_remarks->setText(sentences.join(QLatin1Char('\n')));
-    m_plan->setRemarked(remarked);
+    m_mounting->setRemarked(remarked);
 }
 
 void ObjectsPage::showSelected() {
@@ -573,7 +604,7 @@ void ObjectsPage::updateEnabled() {
     m_remove->setEnabled(m_editable && some);
     m_list->setRenamable(m_editable);
     m_properties->setReadOnly(!m_editable);
-    m_plan->setReadOnly(!m_editable);
+    m_mounting->setReadOnly(!m_editable);
     m_harmonics->setEnabled(m_editable);
     const QString full =
         room ? QString()
@@ -598,6 +629,8 @@ void ObjectsPage::refreshTexts() {
     m_remove->setText(tr("&Remove"));
     m_undoButton->setText(tr("&Undo"));
     m_redoButton->setText(tr("Redo"));
+    m_tabs->setTabText(kOutlineTab, tr("Outline"));
+    m_tabs->setTabText(kMountingTab, tr("Mounting"));
     m_count->setText(tr("%1 of %2 degrees of freedom used")
                          .arg(m_experiment.objects.size())
                          .arg(m_experiment.robot.degreesOfFreedom()));

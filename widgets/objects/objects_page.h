@@ -13,14 +13,16 @@
 class QAction;
 class QLabel;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
+class QTabBar;
 
 namespace bask {
 
 class HarmonicsPanel;
 class ImportPanel;
 class MessageBar;
-class MountingPlan;
+class MountingViews;
 class ObjectList;
 class ObjectProperties;
 class OutlinePreview;
@@ -30,9 +32,9 @@ class OutlinePreview;
 /// are read, and the shade of objects on one another is found, off the GUI thread.
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes",
-/// "duplicateObject", "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks",
+/// "duplicateObject", "removeObject", "undo", "redo", "objectTabs", "outlinePreview", "mountingRemarks",
 /// "pageMessage" (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel,
-/// ObjectProperties, ImportPanel and MessageBar.
+/// MountingViews, ObjectProperties, ImportPanel and MessageBar.
 class ObjectsPage : public QWidget {
     Q_OBJECT
 
@@ -91,13 +93,16 @@ private:
     void showAll();
     void showSelected();
     void showMounting();
+    /// Shows an object where it is dragged, without an edit.
+    void showDragged(int index, const Vector6d& mounting);
+    void findRemarks(const Experiment& experiment);
     void showRemarks();
     void updateEnabled();
     void refreshTexts();
     bool hasSelection() const;
     const ObjectSpec& selected() const { return m_experiment.objects[static_cast<std::size_t>(m_selected)]; }
     std::string uniqueName(const QString& wish) const;
-    Vector6d freeMounting(const Shape& shape) const;
+    Eigen::Vector2d freePlace(const Shape& shape) const;
 
     Experiment m_experiment;
     int m_selected = -1;
@@ -127,9 +132,12 @@ private:
     QPushButton* m_remove;
     QPushButton* m_undoButton;
     QPushButton* m_redoButton;
+    QTabBar* m_tabs; ///< of the outline and the mounting
+    QStackedWidget* m_centre;
     OutlinePreview* m_preview;
     HarmonicsPanel* m_harmonics;
-    MountingPlan* m_plan;
+    MountingViews* m_mounting;
+    QScrollArea* m_form;
     ObjectProperties* m_properties;
 };
 

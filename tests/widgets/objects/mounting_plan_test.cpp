@@ -1,9 +1,13 @@
-// The plan of the end-effector, dragged and turned by mouse and keys.
+// The views of the end-effector: objects moved, turned and tilted by mouse and keys.
 
 #include "engine/base/units.h"
+#include "engine/model/mounting_check.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/mounting_plan.h"
+#include "widgets/objects/mounting_views.h"
+#include "widgets/objects/outline_painting.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>
@@ -148,17 +152,14 @@ TEST(MountingPlanGrid, SquaresAreOfOneTwoOrFive) {
     }
 }
 
-// Catches a plan that stays small when there is room, names that are not drawn, and a readout that stays away
-// while an object is dragged; keeps pictures of narrow and wide plans in both themes.
-TEST_F(MountingPlanTest, GrowsWithItsColumnAndNamesTheObjects) {
-    EXPECT_EQ(plan.heightForWidth(220), 220);
-    EXPECT_EQ(plan.heightForWidth(400), 400);
-    EXPECT_LT(plan.heightForWidth(1000), 500);
+// Catches names that are not drawn, and a readout that stays away while an object is dragged; keeps pictures
+// of small and large plans in both themes.
+TEST_F(MountingPlanTest, NamesTheObjectsAndTellsWhereOneIsDragged) {
     for (const bool dark : {false, true}) {
         applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
         QApplication::processEvents();
         for (const int width : {220, 400}) {
-            plan.resize(width, plan.heightForWidth(width));
+            plan.resize(width, width);
             EXPECT_TRUE(plan.grab().save(
                 QStringLiteral("mounting_plan_%1_%2.png").arg(dark ? "dark" : "light").arg(width)));
         }
@@ -171,12 +172,182 @@ TEST_F(MountingPlanTest, GrowsWithItsColumnAndNamesTheObjects) {
     objects[1].name = "right";
     show();
     EXPECT_EQ(plan.grab().toImage(), before);
-    const QRect top(0, 2, plan.width(), 16);
+    const QRect foot(0, plan.height() - 20, plan.width() - 60, 16);
     mouse(QEvent::MouseButtonPress, middleOf(0));
-    EXPECT_EQ(plan.grab().toImage().copy(top), before.copy(top));
+    EXPECT_EQ(plan.grab().toImage().copy(foot), before.copy(foot));
     mouse(QEvent::MouseMove, middleOf(0) + QPointF(0.0, 40.0));
-    EXPECT_NE(plan.grab().toImage().copy(top), before.copy(top));
+    EXPECT_NE(plan.grab().toImage().copy(foot), before.copy(foot));
     mouse(QEvent::MouseButtonRelease, middleOf(0));
+}
+
+/// From the front: the first disk at a height and tilts that no field shows in full.
+struct MountingSideTest : MountingPlanTest {
+    const Vector6d before =
+        (Vector6d() << -0.0412345678, 0.0123456789, 0.0111111111, 0.1234567891, 0.0, 0.0).finished();
+
+    MountingSideTest() {
+        mounting(0) = before;
+        look(MountingView::Front);
+    }
+    void look(MountingView view) {
+        plan.setView(view);
+        show();
+    }
+    /// That a drag or key changed this coordinate of the first disk and no other; its value.
+    double onlyChanged(Coordinate coordinate) {
+        for (int c = 0; c < 6; ++c)
+            EXPECT_EQ(mounting(0)[c] == before[c], c != coordinate) << kCoordinateNames[c];
+        return mounting(0)[coordinate];
+    }
+    /// Turns the handle about the object's centre, clockwise as seen.
+    void turnHandle(double by_deg) {
+        const QPointF centre = middleOf(0), arm = plan.handlePosition() - centre;
+        QTransform turn;
+        turn.rotate(by_deg); // y is down
+        drag(centre + arm, centre + turn.map(arm));
+    }
+};
+
+// Catches: a height dragged that takes x along, is not in steps, or goes down where the hand goes up.
+TEST_F(MountingSideTest, DraggingChangesTheHeightAlone) {
+    for (const MountingView view : {MountingView::Front, MountingView::Side}) {
+        mounting(0) = before;
+        look(view);
+        drag(middleOf(0), middleOf(0) + QPointF(33.0, -47.0));
+        const double z_m = onlyChanged(kZ);
+        EXPECT_GT(z_m, before[kZ]);
+        EXPECT_NEAR(std::remainder(z_m, 0.005), 0.0, 1e-12);
+    }
+    EXPECT_EQ(moves, 2);
+}
+
+// Catches: an object that is seen edge-on, and so has no area, and can only be gripped at its middle.
+TEST_F(MountingSideTest, AThinEdgeCanBeGrippedAlongItsLength) {
+    const double out_px = 0.8 * 0.015 * kMmPerM * plan.fittedScale();
+    ASSERT_GT(out_px, 20.0);
+    drag(middleOf(1) + QPointF(out_px, 4.0), middleOf(1) + QPointF(out_px, -60.0));
+    EXPECT_EQ(selected, 1);
+    EXPECT_GT(mounting(1)[kZ], 0.0);
+}
+
+// Catches: a tilt that changes the other angles, or turns the other way than the hand does.
+TEST_F(MountingSideTest, TheHandleTiltsAboutTheAxisOfTheView) {
+    turnHandle(20.0);
+    EXPECT_NEAR(degFromRad(onlyChanged(kThetaY)), 20.0, 1e-9); // the back leans to +x
+    mounting(0) = before;
+    look(MountingView::Side);
+    turnHandle(27.1); // from 7.07 degrees about x, against which the view's clockwise is
+    EXPECT_NEAR(degFromRad(onlyChanged(kThetaX)), -20.0, 1e-9);
+    const Eigen::Vector3d back = poseFromCoordinates(mounting(0)).linear().col(2);
+    EXPECT_GT(back.y(), 0.0); // to the right
+}
+
+// Catches: a handle without effect on an object that is turned by a quarter about z, since its own x axis is
+// then the one that the front view looks along; and a tilt against the hand.
+TEST_F(MountingSideTest, TheTiltFollowsTheHandWhateverTheRotation) {
+    for (const MountingView view : {MountingView::Front, MountingView::Side})
+        for (int turned_deg = -180; turned_deg <= 180; turned_deg += 15) {
+            mounting(0) << -0.04, 0.0, 0.0, 0.0, 0.0, radFromDeg(turned_deg);
+            look(view);
+            const Vector6d at = mounting(0);
+            turnHandle(30.0);
+            const int changed = static_cast<int>((mounting(0).array() != at.array()).count());
+            EXPECT_EQ(changed, 1) << turned_deg;
+            EXPECT_EQ(mounting(0)[kThetaZ], at[kThetaZ]);
+            const Eigen::Vector3d back = poseFromCoordinates(mounting(0)).linear().col(2);
+            EXPECT_GT(back[view == MountingView::Front ? kX : kY], std::sin(radFromDeg(30.0)) * 0.7)
+                << turned_deg;
+        }
+}
+
+// Catches: a tilt that jumps to another pose with the same look where it passes the upright.
+TEST_F(MountingSideTest, ATiltGoesOnPastTheUpright) {
+    for (int k = 1; k <= 40; ++k) {
+        QTest::keyClick(&plan, Qt::Key_PageUp);
+        EXPECT_NEAR(std::remainder(degFromRad(mounting(0)[kThetaY]) - 5.0 * k, 360.0), 0.0, 1e-9);
+        EXPECT_EQ(mounting(0)[kThetaX], before[kThetaX]);
+        EXPECT_EQ(mounting(0)[kThetaZ], before[kThetaZ]);
+    }
+    QTest::keyClick(&plan, Qt::Key_Up, Qt::ShiftModifier);
+    EXPECT_NEAR(mounting(0)[kZ], before[kZ] + 0.01, 1e-12);
+}
+
+// Catches: a tilted object that the plan draws as wide as if it lay flat.
+TEST_F(MountingSideTest, TheProjectionIsThatOfThePose) {
+    ObjectSpec disk = objects[0];
+    disk.mounting << 0.0, 0.0, 0.02, 0.0, radFromDeg(60.0), 0.0;
+    const auto size = [&](Coordinate right, Coordinate up) {
+        const QRectF box = face_mm(mountedRings(disk, 720, right, up)).boundingRect();
+        return QSizeF(box.width(), box.height());
+    };
+    EXPECT_NEAR(size(kX, kY).width(), 15.0, 0.01); // 30 mm cos 60
+    EXPECT_NEAR(size(kX, kY).height(), 30.0, 0.01);
+    EXPECT_NEAR(size(kX, kZ).width(), 15.0, 0.01);
+    EXPECT_NEAR(size(kX, kZ).height(), 25.98, 0.01);
+    EXPECT_NEAR(size(kY, kZ).width(), 30.0, 0.01);
+}
+
+/// Both views as the page has them.
+struct MountingViewsTest : testing::Test {
+    MountingViews views;
+    MountingPlan& plan = *views.findChild<MountingPlan*>("mountingPlan");
+    MountingPlan& side = *views.findChild<MountingPlan*>("mountingSide");
+    std::vector<ObjectSpec> objects{2};
+    QSignalSpy dragged{&views, &MountingViews::objectDragged};
+    QSignalSpy moved{&views, &MountingViews::objectMoved};
+
+    MountingViewsTest() {
+        for (ObjectSpec& object : objects)
+            object.shape = Disk{0.02};
+        objects[0].name = "low";
+        objects[1].name = "high";
+        objects[1].mounting << 0.05, 0.01, 0.03, 0.0, 0.3, 0.0;
+        views.resize(500, 460);
+        views.show();
+        views.setObjects(objects, 0, 0.2);
+        QApplication::processEvents();
+    }
+    void press(QEvent::Type type, const QPointF& at) {
+        QMouseEvent event(type, at, side.mapToGlobal(at), Qt::LeftButton,
+                          type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+        QApplication::sendEvent(&side, &event);
+    }
+};
+
+// Catches: two views of two scales, or of which the lower does not stand under the upper.
+TEST_F(MountingViewsTest, AreOneDrawing) {
+    const auto spread = [](const MountingPlan& view) {
+        return view.objectPosition(1) - view.objectPosition(0);
+    };
+    for (const QSize size : {QSize(500, 460), QSize(900, 400), QSize(320, 800)}) {
+        views.resize(size);
+        QApplication::processEvents();
+        EXPECT_NEAR(side.objectPosition(0).x(), plan.objectPosition(0).x(), 1e-6);
+        EXPECT_NEAR(spread(side).x(), spread(plan).x(), 1e-6);
+        EXPECT_NEAR(-spread(side).y() / 30.0, spread(plan).x() / 50.0, 1e-6);
+    }
+    QTest::mouseClick(views.findChild<QAbstractButton*>("viewSide"), Qt::LeftButton);
+    EXPECT_EQ(side.view(), MountingView::Side);
+    EXPECT_NEAR(spread(side).x() / 10.0, -spread(plan).y() / 10.0, 1e-6);
+}
+
+// Catches: a view in which an object stays where it was while the other drags it, an edit at each move of the
+// mouse, and an Escape after which it is shown where it was let go.
+TEST_F(MountingViewsTest, OneFollowsTheDragOfTheOther) {
+    QTest::mouseClick(views.findChild<QAbstractButton*>("viewSide"), Qt::LeftButton);
+    const QImage before = plan.grab().toImage();
+    const QPointF handle = side.handlePosition(), centre = side.objectPosition(0);
+    press(QEvent::MouseButtonPress, handle);
+    press(QEvent::MouseMove, centre + QPointF(40.0, -40.0));
+    EXPECT_NE(plan.grab().toImage(), before); // narrower in y
+    ASSERT_EQ(dragged.count(), 1);
+    EXPECT_NEAR(degFromRad(dragged.at(0).at(1).value<Vector6d>()[kThetaX]), -45.0, 1e-9);
+    QTest::keyClick(&side, Qt::Key_Escape);
+    press(QEvent::MouseButtonRelease, centre + QPointF(40.0, -40.0));
+    EXPECT_EQ(plan.grab().toImage(), before);
+    EXPECT_EQ(dragged.count(), 2);
+    EXPECT_EQ(dragged.at(1).at(1).value<Vector6d>(), objects[0].mounting);
+    EXPECT_EQ(moved.count(), 0);
 }
 
 } // namespace bask

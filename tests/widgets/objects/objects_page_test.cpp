@@ -9,6 +9,7 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/fourier_fits.h"
+#include "widgets/objects/mounting_plan.h"
 #include "widgets/objects/object_list.h"
 #include "widgets/objects/outline_preview.h"
 
@@ -21,6 +22,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -28,6 +30,7 @@
 #include <QSpinBox>
 #include <QSplitter>
 #include <QStyleOptionSlider>
+#include <QTabBar>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -310,11 +313,16 @@ TEST_F(ObjectsPageTest, FieldsAreInReadableUnitsAndEditsInSi) {
     EXPECT_DOUBLE_EQ(last().objects[1].mounting[kY], -0.031);
     type(child<QDoubleSpinBox>("mountRotation"), "90");
     EXPECT_DOUBLE_EQ(last().objects[1].mounting[kThetaZ], radFromDeg(90.0));
+    type(child<QDoubleSpinBox>("mountTiltX"), "-12.5");
+    EXPECT_DOUBLE_EQ(last().objects[1].mounting[kThetaX], radFromDeg(-12.5));
+    type(child<QDoubleSpinBox>("mountTiltY"), "20");
+    EXPECT_DOUBLE_EQ(last().objects[1].mounting[kThetaY], radFromDeg(20.0));
+    EXPECT_DOUBLE_EQ(last().objects[1].mounting[kThetaX], radFromDeg(-12.5));
     type(child<QDoubleSpinBox>("infill"), "45");
     EXPECT_DOUBLE_EQ(last().objects[1].material.infill, 0.45);
     type(child<QuantitySpinBox>("target"), "47");
     EXPECT_DOUBLE_EQ(last().objects[1].target_K, 320.15);
-    EXPECT_EQ(edited.count(), 5);
+    EXPECT_EQ(edited.count(), 7);
     // What was not touched is bit for bit what it was.
     EXPECT_EQ(last().objects[1].mounting[kX], example().objects[1].mounting[kX]);
     EXPECT_EQ(last().objects[1].shape, example().objects[1].shape);
@@ -418,11 +426,13 @@ TEST_F(ObjectsPageTest, AddDuplicateRemoveUndo) {
     click("undo");
     ASSERT_EQ(last(), example());
     select("hand");
+    type(child<QDoubleSpinBox>("mountTiltY"), "20");
     ASSERT_TRUE(child<QPushButton>("duplicateObject")->isEnabled());
     click("duplicateObject");
     ASSERT_EQ(last().objects.size(), 4u);
     EXPECT_EQ(last().objects[3].name, "hand 2");
     EXPECT_EQ(last().objects[3].shape, example().objects[2].shape);
+    EXPECT_EQ(last().objects[3].mounting.tail<4>(), last().objects[2].mounting.tail<4>());
 }
 
 // Catches a drop that goes another way than the button's, a plain drawing that asks, an import of more than
@@ -562,22 +572,28 @@ TEST_F(ObjectsPageTest, NotEditableDuringARun) {
     EXPECT_EQ(child<MessageBar>("editNote")->sentence(), "");
 }
 
-// Catches a plan that stays small in a wide column, and one that pushes the rest out of the page.
-TEST_F(ObjectsPageTest, ThePlanGrowsWithItsColumn) {
-    auto* plan = child<QWidget>("mountingPlan");
-    EXPECT_GE(plan->height(), 200);
-    page.resize(1300, 820);
-    page.findChild<QSplitter*>()->setSizes({400, 560, 340});
-    for (int i = 0; i < 4; ++i)
+// Catches: views of the mounting that stay small where there is room, or push the rest out of a low page, and
+// fields of the mounting that are out of sight beside them.
+TEST_F(ObjectsPageTest, TheMountingTakesTheMiddleOfThePage) {
+    const auto* plan = child<QWidget>("mountingPlan");
+    const auto* side = child<QWidget>("mountingSide");
+    for (const QSize size : {QSize(1300, 820), QSize(1150, 560)}) {
+        child<QTabBar>("objectTabs")->setCurrentIndex(0);
+        page.resize(size);
         QApplication::processEvents();
-    EXPECT_GE(plan->height(), 360);
-    EXPECT_EQ(plan->height(), plan->width());
-    page.resize(1300, 600);
-    for (int i = 0; i < 4; ++i)
-        QApplication::processEvents();
-    EXPECT_TRUE(page.rect().contains(QRect(plan->mapTo(&page, QPoint(0, 0)), plan->size())));
-    EXPECT_GT(child<ObjectList>("objectList")->height(), 60);
-    page.grab().save("objects_wide_plan.png");
+        EXPECT_FALSE(plan->isVisible());
+        child<QTabBar>("objectTabs")->setCurrentIndex(1);
+        for (int i = 0; i < 4; ++i)
+            QApplication::processEvents();
+        for (const QWidget* view : {plan, side}) {
+            EXPECT_TRUE(page.rect().contains(QRect(view->mapTo(&page, QPoint(0, 0)), view->size())));
+            EXPECT_GE(view->height(), 0.24 * page.height());
+            EXPECT_GE(view->width(), 400);
+        }
+        EXPECT_FALSE(child<QDoubleSpinBox>("mountTiltY")->visibleRegion().isEmpty());
+        EXPECT_GT(child<ObjectList>("objectList")->height(), 60);
+        page.grab().save(QStringLiteral("objects_mounting_%1.png").arg(size.width()));
+    }
 }
 
 // Catches an outline drawn out of register with its fit.
@@ -672,6 +688,42 @@ TEST_F(ObjectsPageTest, WhoShadesWhomAtTheStartIsTold) {
     EXPECT_FALSE(remarks->text().contains("overlap"));
     page.setExperiment(example());
     EXPECT_TRUE(QTest::qWaitFor([&] { return !remarks->text().contains("takes"); }));
+}
+
+// Catches: a share of light that is told only when the mouse is let go, or stays when the drag is given up; a
+// drag through another object that nobody is told of; and fields that show what is no longer so.
+TEST_F(ObjectsPageTest, ADragTellsAtOnceWhatItDoesToTheLight) {
+    auto* remarks = child<QLabel>("mountingRemarks");
+    Experiment stacked = example();
+    stacked.objects[1].mounting = stacked.objects[2].mounting;
+    stacked.objects[1].mounting[kZ] = 0.05; // the bunny behind the hand, which is in its light
+    page.setExperiment(stacked);
+    select("bunny");
+    child<QTabBar>("objectTabs")->setCurrentIndex(1);
+    for (int i = 0; i < 4; ++i)
+        QApplication::processEvents();
+    const auto told = [&](const char* what) {
+        return QTest::qWaitFor([&] { return remarks->text().contains(QLatin1String(what)); });
+    };
+    ASSERT_TRUE(told("hand takes")) << remarks->text().toStdString();
+    auto* side = child<MountingPlan>("mountingSide");
+    const auto mouse = [&](QEvent::Type type, const QPointF& at) {
+        QMouseEvent event(type, at, side->mapToGlobal(at), Qt::LeftButton, Qt::LeftButton, {});
+        QApplication::sendEvent(side, &event);
+    };
+    const QPointF at = side->objectPosition(1);
+    const double cm_px = 0.2 * (side->objectPosition(2) - at).y();
+    mouse(QEvent::MouseButtonPress, at);
+    mouse(QEvent::MouseMove, at + QPointF(0.0, 10.0 * cm_px)); // now before it
+    EXPECT_TRUE(told("bunny takes")) << remarks->text().toStdString();
+    EXPECT_DOUBLE_EQ(child<QDoubleSpinBox>("mountZ")->value(), -5.0);
+    mouse(QEvent::MouseMove, at + QPointF(0.0, 5.0 * cm_px)); // in its plane
+    EXPECT_TRUE(told("overlap")) << remarks->text().toStdString();
+    QTest::keyClick(side, Qt::Key_Escape);
+    EXPECT_TRUE(told("hand takes")) << remarks->text().toStdString();
+    EXPECT_DOUBLE_EQ(child<QDoubleSpinBox>("mountZ")->value(), 5.0);
+    EXPECT_EQ(edited.count(), 0);
+    EXPECT_EQ(last(), stacked);
 }
 
 } // namespace
