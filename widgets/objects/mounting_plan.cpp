@@ -150,10 +150,10 @@ QPainterPath MountingPlan::projected_mm(const ObjectSpec& object) const {
 }
 
 QRectF MountingPlan::canvas() const {
-    const double side = 12.0 + kHandleBeyond_px + kHandleRadius_px;
-    const double top = isFromTop() ? side : kTiltHandle_px + kHandleRadius_px + 4.0;
-    const double bottom = isFromTop() ? 4.0 : kFacing_px + fontMetrics().height() + 4.0;
-    return QRectF(rect()).adjusted(side, top, -side, -footHeight() - bottom);
+    const double handle =
+        isFromTop() ? kHandleBeyond_px + kHandleRadius_px + 12.0 : kTiltHandle_px + kHandleRadius_px + 4.0;
+    const double below = isFromTop() ? 4.0 : kFacing_px + fontMetrics().height() + 4.0;
+    return QRectF(rect()).adjusted(handle, handle, -handle, -footHeight() - below);
 }
 
 double MountingPlan::fittedScale() const {
@@ -191,10 +191,17 @@ MountingPlan::Turn MountingPlan::turnOf(const Vector6d& mounting) const {
 }
 
 QPointF MountingPlan::handle(const QTransform& map) const {
-    const Vector6d& mounting = selected().mounting;
-    const double out_px =
-        isFromTop() ? kMmPerM * shapeRadius(selected().shape) * map.m11() + kHandleBeyond_px : kTiltHandle_px;
-    return map.map(centre_mm(mounting)) + onScreen(handleDirection(mounting), out_px);
+    const QPointF direction = handleDirection(selected().mounting);
+    const QPointF centre = centre_mm(selected().mounting);
+    double out_px = kTiltHandle_px;
+    if (isFromTop()) {
+        double edge_mm = 0.0;
+        for (const QPolygonF& ring : projected_mm(selected()).toSubpathPolygons())
+            for (const QPointF& p : ring)
+                edge_mm = std::max(edge_mm, QPointF::dotProduct(p - centre, direction));
+        out_px = edge_mm * map.m11() + kHandleBeyond_px;
+    }
+    return map.map(centre) + onScreen(direction, out_px);
 }
 
 QPointF MountingPlan::objectPosition(int index) const {
@@ -353,9 +360,10 @@ void MountingPlan::keyPressEvent(QKeyEvent* event) {
 
 void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const {
     const bool dark = isDark(this);
-    for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        const int index = static_cast<int>(i);
-        const QPainterPath face = map.map(projected_mm(m_objects[i]));
+    const int count = static_cast<int>(m_objects.size());
+    for (int i = 1; i <= count; ++i) { // the selected one last, over those that it hides
+        const int index = (m_selected + i) % count;
+        const QPainterPath face = map.map(projected_mm(m_objects[static_cast<std::size_t>(index)]));
         QColor color = seriesColor(index, dark);
         painter.setPen(QPen(color, index == m_selected ? 2.4 : 1.2));
         color.setAlphaF(index == m_selected ? 0.28f : 0.10f);

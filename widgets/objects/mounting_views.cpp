@@ -6,7 +6,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
+#include <QTabBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -15,18 +15,23 @@ namespace bask {
 namespace {
 
 constexpr int kPlanShare = 3, kSideShare = 2;
+constexpr int kFrontTab = 0, kSideTab = 1;
 
 } // namespace
 
 MountingViews::MountingViews(QWidget* parent)
     : QWidget(parent), m_plan(new MountingPlan(this)), m_side(new MountingPlan(this)),
-      m_title(boldLabel(this)), m_fromFront(viewButton("viewFront")), m_fromSide(viewButton("viewSide")) {
+      m_title(boldLabel(this)), m_from(new QTabBar(this)) {
     m_plan->setObjectName("mountingPlan");
     m_side->setObjectName("mountingSide");
     m_side->setView(MountingView::Front);
-    m_fromFront->setChecked(true);
-    connect(m_fromSide, &QToolButton::toggled, this, [this](bool isFromSide) {
-        m_side->setView(isFromSide ? MountingView::Side : MountingView::Front);
+    m_from->setObjectName("mountingFrom");
+    m_from->setExpanding(false);
+    m_from->setDrawBase(false);
+    m_from->addTab({});
+    m_from->addTab({});
+    connect(m_from, &QTabBar::currentChanged, this, [this](int tab) {
+        m_side->setView(tab == kSideTab ? MountingView::Side : MountingView::Front);
         shareScale();
     });
     connectView(m_plan, m_side);
@@ -34,23 +39,15 @@ MountingViews::MountingViews(QWidget* parent)
 
     auto* head = new QHBoxLayout;
     head->addWidget(m_title, 1);
-    head->addWidget(m_fromFront);
-    head->addWidget(m_fromSide);
+    head->addWidget(m_from, 0, Qt::AlignBottom);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(6);
+    layout->setSpacing(0);
     layout->addWidget(m_plan, kPlanShare);
+    layout->addSpacing(6);
     layout->addLayout(head);
     layout->addWidget(m_side, kSideShare);
     retranslate();
-}
-
-QToolButton* MountingViews::viewButton(const char* name) {
-    auto* button = new QToolButton(this);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setCheckable(true);
-    button->setAutoExclusive(true);
-    return button;
 }
 
 void MountingViews::connectView(MountingPlan* view, MountingPlan* other) {
@@ -91,10 +88,10 @@ bool MountingViews::eventFilter(QObject* watched, QEvent* event) {
 
 void MountingViews::retranslate() {
     m_title->setText(tr("Heights and tilts"));
-    m_fromFront->setText(tr("Front"));
-    m_fromFront->setToolTip(tr("Seen along y: x to the right, z up"));
-    m_fromSide->setText(tr("Side"));
-    m_fromSide->setToolTip(tr("Seen against x: y to the right, z up"));
+    m_from->setTabText(kFrontTab, tr("Front"));
+    m_from->setTabToolTip(kFrontTab, tr("Seen along y: x to the right, z up"));
+    m_from->setTabText(kSideTab, tr("Side"));
+    m_from->setTabToolTip(kSideTab, tr("Seen against x: y to the right, z up"));
 }
 
 void MountingViews::changeEvent(QEvent* event) {

@@ -8,14 +8,14 @@
 #include <set>
 
 class QLabel;
-class QToolButton;
+class QTabBar;
 
 namespace bask {
 
 class MountingPlan;
 
 /// What is dragged in one view is followed by the other. Object names: "mountingPlan", "mountingSide",
-/// "viewFront", "viewSide".
+/// "mountingFrom" (QTabBar).
 class MountingViews : public QWidget {
     Q_OBJECT
 
@@ -38,7 +38,6 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    QToolButton* viewButton(const char* name);
     void connectView(MountingPlan* view, MountingPlan* other);
     void shareScale();
     void retranslate();
@@ -46,8 +45,7 @@ private:
     MountingPlan* m_plan;
     MountingPlan* m_side;
     QLabel* m_title;
-    QToolButton* m_fromFront;
-    QToolButton* m_fromSide;
+    QTabBar* m_from; ///< the front or the side
 };
 
 } // namespace bask

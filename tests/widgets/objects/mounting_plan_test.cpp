@@ -7,10 +7,10 @@
 #include "widgets/objects/mounting_views.h"
 #include "widgets/objects/outline_painting.h"
 
-#include <QAbstractButton>
 #include <QApplication>
 #include <QMouseEvent>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -287,6 +287,18 @@ TEST_F(MountingSideTest, TheProjectionIsThatOfThePose) {
     EXPECT_NEAR(size(kY, kZ).width(), 30.0, 0.01);
 }
 
+// Catches: the handle of an object near the upper edge out of sight.
+TEST_F(MountingSideTest, HandlesAreInView) {
+    for (const MountingView view : {MountingView::Top, MountingView::Front, MountingView::Side})
+        for (int deg = -90; deg <= 90; deg += 15) {
+            mounting(0) << 0.0, 0.05, 0.03, radFromDeg(deg), radFromDeg(0.3 * deg), 0.0;
+            look(view);
+            EXPECT_TRUE(QRectF(plan.rect()).adjusted(7, 7, -7, -7).contains(plan.handlePosition()))
+                << deg << " deg, view " << static_cast<int>(view) << ", " << plan.handlePosition().x() << ", "
+                << plan.handlePosition().y();
+        }
+}
+
 /// Both views as the page has them.
 struct MountingViewsTest : testing::Test {
     MountingViews views;
@@ -326,7 +338,7 @@ TEST_F(MountingViewsTest, AreOneDrawing) {
         EXPECT_NEAR(spread(side).x(), spread(plan).x(), 1e-6);
         EXPECT_NEAR(-spread(side).y() / 30.0, spread(plan).x() / 50.0, 1e-6);
     }
-    QTest::mouseClick(views.findChild<QAbstractButton*>("viewSide"), Qt::LeftButton);
+    views.findChild<QTabBar*>("mountingFrom")->setCurrentIndex(1);
     EXPECT_EQ(side.view(), MountingView::Side);
     EXPECT_NEAR(spread(side).x() / 10.0, -spread(plan).y() / 10.0, 1e-6);
 }
@@ -334,7 +346,7 @@ TEST_F(MountingViewsTest, AreOneDrawing) {
 // Catches: a view in which an object stays where it was while the other drags it, an edit at each move of the
 // mouse, and an Escape after which it is shown where it was let go.
 TEST_F(MountingViewsTest, OneFollowsTheDragOfTheOther) {
-    QTest::mouseClick(views.findChild<QAbstractButton*>("viewSide"), Qt::LeftButton);
+    views.findChild<QTabBar*>("mountingFrom")->setCurrentIndex(1);
     const QImage before = plan.grab().toImage();
     const QPointF handle = side.handlePosition(), centre = side.objectPosition(0);
     press(QEvent::MouseButtonPress, handle);
