@@ -78,6 +78,8 @@ constexpr std::array kRows{
         takeOfObjects<&ObjectSpec::material, &ObjectSpec::estimatedRates>},
     Row{EditKind::Outline, EditScope::All, Page::Objects,
         takeOfObjects<&ObjectSpec::shape, &ObjectSpec::origin>},
+    Row{EditKind::Air, EditScope::All, Page::Objects,
+        [](Experiment& to, const Experiment& from) { to.air = from.air; }},
     Row{EditKind::Object, EditScope::All, Page::Objects,
         [](Experiment& to, const Experiment& from) {
             if (to.objects.size() == from.objects.size())
@@ -181,6 +183,8 @@ QString editWords(const ExperimentEdit& edit, const Experiment& before, const Ex
         return ofObject(Words::tr("material of “%1”"), Words::tr("materials"));
     case EditKind::Outline:
         return ofObject(Words::tr("outline of “%1”"), Words::tr("outlines"));
+    case EditKind::Air:
+        return Words::tr("air in the room");
     case EditKind::Object:
         return ofObject(Words::tr("change of “%1”"), Words::tr("change of several objects"));
     case EditKind::ObjectAdded:
@@ -205,6 +209,7 @@ bool mayBeOneOfMany(EditKind kind) {
     case EditKind::Material:
     case EditKind::Outline:
     case EditKind::Object:
+    case EditKind::Air:
         return true;
     default:
         return false;

@@ -33,6 +33,7 @@ enum class EditKind {
     Material,
     Outline,
     Object,
+    Air,
     ObjectAdded,
     ObjectRemoved,
     Other

@@ -2356,6 +2356,49 @@
     </message>
 </context>
 <context>
+    <name>bask::AirForm</name>
+    <message>
+        <source>The simulated rig has natural convection.</source>
+        <translation>Le banc simulé a une convection naturelle.</translation>
+    </message>
+    <message>
+        <source>The simulated rig has h = %1 W/(m² K).</source>
+        <translation>Le banc simulé a h = %1 W/(m² K).</translation>
+    </message>
+    <message>
+        <source>Natural convection would take some %1 % of what “%2” loses at %3.</source>
+        <translation>Une convection naturelle prendrait environ %1 % de ce que « %2 » perd à %3.</translation>
+    </message>
+    <message>
+        <source>Takes %1 % of what “%2” loses at %3, with h = %4 W/(m² K).</source>
+        <translation>Prend %1 % de ce que « %2 » perd à %3, avec h = %4 W/(m² K).</translation>
+    </message>
+    <message>
+        <source>Air in the room</source>
+        <translation>Air de la pièce</translation>
+    </message>
+    <message>
+        <source>Convection, for all objects</source>
+        <translation>Convection, pour tous les objets</translation>
+    </message>
+    <message>
+        <source>What verdicts, predictions and controllers take the air to be; it has the temperature of the room</source>
+        <translation>Ce que les verdicts, les prévisions et les régulateurs supposent de l’air ; il a la température de la pièce</translation>
+    </message>
+    <message>
+        <source>not known, not counted</source>
+        <translation>inconnue, non comptée</translation>
+    </message>
+    <message>
+        <source>h is given</source>
+        <translation>h est donné</translation>
+    </message>
+    <message>
+        <source>natural, by correlation</source>
+        <translation>naturelle, par corrélation</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmButton</name>
     <message>
         <source>Alarm of priority %1 (%2): %3</source>
@@ -3903,6 +3946,10 @@
     <message>
         <source>change of the experiment</source>
         <translation>modification de l’expérience</translation>
+    </message>
+    <message>
+        <source>air in the room</source>
+        <translation>air de la pièce</translation>
     </message>
 </context>
 <context>

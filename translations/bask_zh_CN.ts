@@ -2356,6 +2356,49 @@
     </message>
 </context>
 <context>
+    <name>bask::AirForm</name>
+    <message>
+        <source>The simulated rig has natural convection.</source>
+        <translation>仿真装置有自然对流。</translation>
+    </message>
+    <message>
+        <source>The simulated rig has h = %1 W/(m² K).</source>
+        <translation>仿真装置的 h = %1 W/(m² K)。</translation>
+    </message>
+    <message>
+        <source>Natural convection would take some %1 % of what “%2” loses at %3.</source>
+        <translation>在 %3 时，自然对流约占“%2”损失的 %1 %。</translation>
+    </message>
+    <message>
+        <source>Takes %1 % of what “%2” loses at %3, with h = %4 W/(m² K).</source>
+        <translation>在 %3 时占“%2”损失的 %1 %，h = %4 W/(m² K)。</translation>
+    </message>
+    <message>
+        <source>Air in the room</source>
+        <translation>室内空气</translation>
+    </message>
+    <message>
+        <source>Convection, for all objects</source>
+        <translation>对流，适用于所有物体</translation>
+    </message>
+    <message>
+        <source>What verdicts, predictions and controllers take the air to be; it has the temperature of the room</source>
+        <translation>判定、预测和控制器所假定的空气；其温度为室温</translation>
+    </message>
+    <message>
+        <source>not known, not counted</source>
+        <translation>未知，未计入</translation>
+    </message>
+    <message>
+        <source>h is given</source>
+        <translation>给定 h</translation>
+    </message>
+    <message>
+        <source>natural, by correlation</source>
+        <translation>自然对流，按关联式</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmButton</name>
     <message>
         <source>Alarm of priority %1 (%2): %3</source>
@@ -3898,6 +3941,10 @@
     <message>
         <source>change of the experiment</source>
         <translation>更改实验</translation>
+    </message>
+    <message>
+        <source>air in the room</source>
+        <translation>室内空气</translation>
     </message>
 </context>
 <context>

@@ -2356,6 +2356,49 @@
     </message>
 </context>
 <context>
+    <name>bask::AirForm</name>
+    <message>
+        <source>The simulated rig has natural convection.</source>
+        <translation>模擬實驗台有自然對流。</translation>
+    </message>
+    <message>
+        <source>The simulated rig has h = %1 W/(m² K).</source>
+        <translation>模擬實驗台的 h = %1 W/(m² K)。</translation>
+    </message>
+    <message>
+        <source>Natural convection would take some %1 % of what “%2” loses at %3.</source>
+        <translation>在 %3 時，自然對流約占「%2」損失的 %1 %。</translation>
+    </message>
+    <message>
+        <source>Takes %1 % of what “%2” loses at %3, with h = %4 W/(m² K).</source>
+        <translation>在 %3 時占「%2」損失的 %1 %，h = %4 W/(m² K)。</translation>
+    </message>
+    <message>
+        <source>Air in the room</source>
+        <translation>室內空氣</translation>
+    </message>
+    <message>
+        <source>Convection, for all objects</source>
+        <translation>對流，適用於所有物體</translation>
+    </message>
+    <message>
+        <source>What verdicts, predictions and controllers take the air to be; it has the temperature of the room</source>
+        <translation>判定、預測和控制器所假定的空氣；其溫度為室溫</translation>
+    </message>
+    <message>
+        <source>not known, not counted</source>
+        <translation>未知，未計入</translation>
+    </message>
+    <message>
+        <source>h is given</source>
+        <translation>給定 h</translation>
+    </message>
+    <message>
+        <source>natural, by correlation</source>
+        <translation>自然對流，依關聯式</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmButton</name>
     <message>
         <source>Alarm of priority %1 (%2): %3</source>
@@ -3898,6 +3941,10 @@
     <message>
         <source>change of the experiment</source>
         <translation>更改實驗</translation>
+    </message>
+    <message>
+        <source>air in the room</source>
+        <translation>室內空氣</translation>
     </message>
 </context>
 <context>

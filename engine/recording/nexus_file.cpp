@@ -154,6 +154,9 @@ private:
         runLogs("heat_source/");
         poseLogs(source, [](const TraceSample& s) { return s.source; });
 
+        if (e.air.isKnown())
+            air(e.air);
+
         const std::string robot = "/entry/instrument/robot";
         m_file.group(robot, "NXactuator");
         m_file.text(robot + "/name", "robot");
@@ -162,6 +165,17 @@ private:
                     "moves the objects before the source: their view factors set their heat");
         poseLogs(robot, [](const TraceSample& s) { return s.coordinates; });
         runLogs("robot/");
+    }
+
+    void air(const Air& air) {
+        const std::string group = "/entry/instrument/air";
+        m_file.group(group, "NXenvironment");
+        m_file.text(group + "/name", "air in the room, as the experiment states it");
+        m_file.text(group + "/type",
+                    air.isNatural ? "natural convection, by correlation" : "given convection");
+        for (const Parameter<Air>& value : airParameters())
+            if (const auto si = value.get(air))
+                m_file.number(group + '/' + value.name, *si, siUnit(value.unit));
     }
 
     /// Columns of the run below a group of the instrument.

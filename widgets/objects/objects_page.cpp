@@ -6,6 +6,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
+#include "widgets/objects/air_form.h"
 #include "widgets/objects/harmonics_panel.h"
 #include "widgets/objects/import_panel.h"
 #include "widgets/objects/material_presets.h"
@@ -194,9 +195,12 @@ QWidget* ObjectsPage::buildCentre() {
 QWidget* ObjectsPage::buildRight() {
     auto* content = new QWidget(this);
     m_properties = new ObjectProperties(content);
+    m_air = new AirForm(content);
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(6, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addWidget(m_properties);
+    layout->addWidget(m_air);
     layout->addStretch(1);
 
     m_form = new QScrollArea(this);
@@ -232,6 +236,10 @@ void ObjectsPage::connectAll() {
     connect(m_harmonics, &HarmonicsPanel::distancesReady, m_preview, &OutlinePreview::setDistances);
     connect(m_properties, &ObjectProperties::objectEdited, this,
             [this](const ObjectSpec& object) { editSelected([&object](ObjectSpec& o) { o = object; }); });
+    connect(m_air, &AirForm::airEdited, this, [this](const Air& air) {
+        m_experiment.air = air;
+        emitEdited();
+    });
     connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
         m_centre->setCurrentIndex(tab);
         m_form->verticalScrollBar()->setValue(
@@ -281,6 +289,7 @@ void ObjectsPage::setEditable(bool editable, const QString& why) {
 void ObjectsPage::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
     m_properties->setTemperatureUnit(unit);
+    m_air->setTemperatureUnit(unit);
     m_list->setObjects(m_experiment.objects, m_selected, unit);
 }
 
@@ -318,6 +327,10 @@ void ObjectsPage::commit(std::vector<ObjectSpec> objects, int select) {
     if (select >= 0)
         m_selected = select;
     m_selected = std::min(m_selected, static_cast<int>(m_experiment.objects.size()) - 1);
+    emitEdited();
+}
+
+void ObjectsPage::emitEdited() {
     if (!m_importing) // then it is the message that offers to cancel
         m_message->clear();
     showAll();
@@ -575,6 +588,7 @@ void ObjectsPage::showRemarks() {
 void ObjectsPage::showSelected() {
     const bool some = hasSelection();
     m_properties->setVisible(some);
+    m_air->setExperiment(m_experiment, m_selected);
     if (!some) {
         m_preview->clear();
         m_harmonics->setOutline({}, 0, Qt::gray, QString());
@@ -604,6 +618,7 @@ void ObjectsPage::updateEnabled() {
     m_remove->setEnabled(m_editable && some);
     m_list->setRenamable(m_editable);
     m_properties->setReadOnly(!m_editable);
+    m_air->setReadOnly(!m_editable);
     m_mounting->setReadOnly(!m_editable);
     m_harmonics->setEnabled(m_editable);
     const QString full =

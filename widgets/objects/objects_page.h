@@ -19,6 +19,7 @@ class QTabBar;
 
 namespace bask {
 
+class AirForm;
 class HarmonicsPanel;
 class ImportPanel;
 class MessageBar;
@@ -33,7 +34,7 @@ class OutlinePreview;
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes",
 /// "duplicateObject", "removeObject", "undo", "redo", "objectTabs", "outlinePreview", "mountingRemarks",
-/// "pageMessage" (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel,
+/// "pageMessage" (MessageBar), "editNote" (MessageBar), "importPanel", and those of AirForm, HarmonicsPanel,
 /// MountingViews, ObjectProperties, ImportPanel and MessageBar.
 class ObjectsPage : public QWidget {
     Q_OBJECT
@@ -78,6 +79,8 @@ private:
     void connectAll();
     /// Shows and emits one edit. `select` -1: the selection stays.
     void commit(std::vector<ObjectSpec> objects, int select = -1);
+    /// Shows and emits the experiment, edited.
+    void emitEdited();
     void editSelected(const std::function<void(ObjectSpec&)>& change);
     void addObject(ObjectSpec object);
     void addImported(const QString& path, const PickedOutline& picked);
@@ -139,6 +142,7 @@ private:
     MountingViews* m_mounting;
     QScrollArea* m_form;
     ObjectProperties* m_properties;
+    AirForm* m_air;
 };
 
 /// Returns the outline from which an object can be fitted again: the imported one, or its own polygon; empty

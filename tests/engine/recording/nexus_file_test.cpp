@@ -52,6 +52,7 @@ public:
         H5Dclose(set);
         return values;
     }
+    bool has(const std::string& path) const { return H5Lexists(m_file, path.c_str(), H5P_DEFAULT) > 0; }
     std::string attribute(const std::string& path, const std::string& name) const {
         const hid_t made = H5Aopen_by_name(m_file, path.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT);
         if (made < 0)
@@ -125,6 +126,21 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     }
     EXPECT_TRUE(std::isnan(estimate[9])) << "not known yet";
     EXPECT_EQ(estimate[10], session.samples[10].objects[1].estimated_K);
+}
+
+// Catches air that the file leaves out, or states where the experiment does not.
+TEST_F(NexusFile, TheAirIsStatedWhereItIsKnown) {
+    SessionRecord session = record(2);
+    EXPECT_FALSE(Read(exported(session)).has("/entry/instrument/air"));
+    session.experiment.air.convection_W_m2K = 8.5;
+    const Read given(exported(session));
+    EXPECT_EQ(given.attribute("/entry/instrument/air", "NX_class"), "NXenvironment");
+    EXPECT_EQ(given.numbers("/entry/instrument/air/convection"), std::vector<double>{8.5});
+    EXPECT_EQ(given.attribute("/entry/instrument/air/convection", "units"), "W/(m^2 K)");
+    session.experiment.air = {std::nullopt, true};
+    const Read natural(exported(session));
+    EXPECT_EQ(natural.text("/entry/instrument/air/type"), "natural convection, by correlation");
+    EXPECT_FALSE(natural.has("/entry/instrument/air/convection"));
 }
 
 // Catches a gain in another unit than the experiment's file has it in.
