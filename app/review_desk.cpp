@@ -141,6 +141,15 @@ void ReviewDesk::showIdentified() {
             row.controller = last[i].lambda1;
         if (!fit.usable())
             row.unusable = sentence(fit.reason);
+        row.isAirApart = fit.caveat == Message{};
+        const IdentifiedRates& withAir = rates->withAir[i];
+        row.working_K = withAir.workingTemperature_K;
+        row.loss = {withAir.loss.value, withAir.loss.standardError};
+        row.lossSlope = {withAir.lossSlope.value, withAir.lossSlope.standardError};
+        const Estimate h = convection_W_m2K(withAir, m_session->facts().experiment, i);
+        row.convection = {h.value, h.standardError};
+        if (!withAir.usable())
+            row.hUntold = sentence(withAir.reason);
         rows.push_back(std::move(row));
     }
     m_page.setIdentified(rows);

@@ -1,9 +1,11 @@
 #include "app/session_rates.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/experiment_rig.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace bask {
@@ -11,10 +13,22 @@ namespace bask {
 Result<SessionRates> sessionRates(const SessionRecord& facts, const HeatRecords& records) {
     try {
         return SessionRates{records.identify(),
-                            nominalRates(facts.experiment, facts.experiment.environment_K)};
+                            nominalRates(facts.experiment, facts.experiment.environment_K),
+                            records.identify({.freeAmbient = false, .convection = true})};
     } catch (const std::exception& exception) {
         return Error(MessageCode::ReasonInternalFault, facts.path, {exception.what()});
     }
+}
+
+Estimate convection_W_m2K(const IdentifiedRates& withAir, const Experiment& experiment, std::size_t object) {
+    if (!withAir.usable())
+        return {};
+    const double capacity_J_m2K = experiment.objects[object].material.absorptance *
+                                  surroundingsOf(experiment).netSourcePower_W_m2 / withAir.lambda1.value;
+    const Estimate& rate = withAir.convection;
+    return {rate.value * capacity_J_m2K,
+            capacity_J_m2K * std::hypot(rate.standardError,
+                                        rate.value * withAir.lambda1.standardError / withAir.lambda1.value)};
 }
 
 StartValues withStartValues(const Experiment& experiment, const Experiment& recorded,

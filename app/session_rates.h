@@ -14,9 +14,14 @@ namespace bask {
 struct SessionRates {
     std::vector<IdentifiedRates> identified;
     std::vector<HeatRates> material;
+    std::vector<IdentifiedRates> withAir; ///< with an h' fitted, whatever the experiment states of the air
 };
 
-/// Takes about 0.1 s, for a long run some seconds: run it as a job. Error: the record cannot be evaluated.
+/// Returns h, W/(m2 K), of rates that were fitted with the air, for an object whose absorptance is known: m c
+/// / A follows from lambda1. NaN, with the reason in the rates, where the record does not tell h.
+Estimate convection_W_m2K(const IdentifiedRates& withAir, const Experiment& experiment, std::size_t object);
+
+/// Takes about 0.3 s, for a long run some seconds: run it as a job. Error: the record cannot be evaluated.
 Result<SessionRates> sessionRates(const SessionRecord& facts, const HeatRecords& records);
 
 struct StartValues {

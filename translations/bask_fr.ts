@@ -4196,6 +4196,45 @@
     </message>
 </context>
 <context>
+    <name>bask::IdentifiedLosses</name>
+    <message>
+        <source>Losses from the record</source>
+        <translation>Pertes d’après l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Loss, K/s</source>
+        <translation>Perte, K/s</translation>
+    </message>
+    <message>
+        <source>Median temperature of the record&apos;s second half</source>
+        <translation>Température médiane de la seconde moitié de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>What radiation and air take together, less what the room gives, with its standard error</source>
+        <translation>Ce que le rayonnement et l’air prennent ensemble, moins ce que la pièce donne, avec son erreur type</translation>
+    </message>
+    <message>
+        <source>Convection of the air, from the curvature of the radiation&apos;s fourth power</source>
+        <translation>Convection de l’air, d’après la courbure de la puissance quatrième du rayonnement</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>non déterminé</translation>
+    </message>
+    <message>
+        <source>Its change with the object&apos;s temperature: %1 1/s</source>
+        <translation>Sa variation avec la température de l’objet : %1 1/s</translation>
+    </message>
+</context>
+<context>
     <name>bask::IdentifiedTable</name>
     <message>
         <source>Heat rates from the record</source>
@@ -6627,6 +6666,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Opened while it was being recorded: open it again to see the rest.</source>
         <translation>Ouvert pendant son enregistrement : rouvrez-le pour voir la suite.</translation>
+    </message>
+    <message>
+        <source>The record tells the losses of %1, but not what of them is radiated and what the air takes. State the air on the Objects page, or record wider temperatures.</source>
+        <translation>L’enregistrement donne les pertes de %1, mais pas ce qui en est rayonné et ce que l’air prend. Indiquez l’air à la page Objets, ou enregistrez des températures plus étendues.</translation>
+    </message>
+    <message>
+        <source>Losses, of radiation and air</source>
+        <translation>Pertes par rayonnement et par l’air</translation>
     </message>
 </context>
 <context>

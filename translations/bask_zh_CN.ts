@@ -4191,6 +4191,45 @@
     </message>
 </context>
 <context>
+    <name>bask::IdentifiedLosses</name>
+    <message>
+        <source>Losses from the record</source>
+        <translation>由记录得出的损失</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Loss, K/s</source>
+        <translation>损失，K/s</translation>
+    </message>
+    <message>
+        <source>Median temperature of the record&apos;s second half</source>
+        <translation>记录后半段的中位温度</translation>
+    </message>
+    <message>
+        <source>What radiation and air take together, less what the room gives, with its standard error</source>
+        <translation>辐射与空气共同带走的热量减去室内给予的热量，附标准误差</translation>
+    </message>
+    <message>
+        <source>Convection of the air, from the curvature of the radiation&apos;s fourth power</source>
+        <translation>空气的对流系数，由辐射四次方的曲率得出</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>无法确定</translation>
+    </message>
+    <message>
+        <source>Its change with the object&apos;s temperature: %1 1/s</source>
+        <translation>它随物体温度的变化：%1 1/s</translation>
+    </message>
+</context>
+<context>
     <name>bask::IdentifiedTable</name>
     <message>
         <source>Heat rates from the record</source>
@@ -6619,6 +6658,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Opened while it was being recorded: open it again to see the rest.</source>
         <translation>打开时仍在记录：再次打开可查看其余部分。</translation>
+    </message>
+    <message>
+        <source>The record tells the losses of %1, but not what of them is radiated and what the air takes. State the air on the Objects page, or record wider temperatures.</source>
+        <translation>记录给出了%1的损失，但无法区分其中的辐射与空气带走的部分。请在“物体”页说明空气，或记录更宽的温度范围。</translation>
+    </message>
+    <message>
+        <source>Losses, of radiation and air</source>
+        <translation>辐射与空气的损失</translation>
     </message>
 </context>
 <context>

@@ -4191,6 +4191,45 @@
     </message>
 </context>
 <context>
+    <name>bask::IdentifiedLosses</name>
+    <message>
+        <source>Losses from the record</source>
+        <translation>由記錄得出的損失</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物體</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>溫度</translation>
+    </message>
+    <message>
+        <source>Loss, K/s</source>
+        <translation>損失，K/s</translation>
+    </message>
+    <message>
+        <source>Median temperature of the record&apos;s second half</source>
+        <translation>記錄後半段的中位溫度</translation>
+    </message>
+    <message>
+        <source>What radiation and air take together, less what the room gives, with its standard error</source>
+        <translation>輻射與空氣共同帶走的熱量減去室內給予的熱量，附標準誤差</translation>
+    </message>
+    <message>
+        <source>Convection of the air, from the curvature of the radiation&apos;s fourth power</source>
+        <translation>空氣的對流係數，由輻射四次方的曲率得出</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>無法確定</translation>
+    </message>
+    <message>
+        <source>Its change with the object&apos;s temperature: %1 1/s</source>
+        <translation>它隨物體溫度的變化：%1 1/s</translation>
+    </message>
+</context>
+<context>
     <name>bask::IdentifiedTable</name>
     <message>
         <source>Heat rates from the record</source>
@@ -6619,6 +6658,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Opened while it was being recorded: open it again to see the rest.</source>
         <translation>開啟時仍在記錄：再次開啟可檢視其餘部分。</translation>
+    </message>
+    <message>
+        <source>The record tells the losses of %1, but not what of them is radiated and what the air takes. State the air on the Objects page, or record wider temperatures.</source>
+        <translation>記錄給出了%1的損失，但無法區分其中的輻射與空氣帶走的部分。請在「物體」頁說明空氣，或記錄更寬的溫度範圍。</translation>
+    </message>
+    <message>
+        <source>Losses, of radiation and air</source>
+        <translation>輻射與空氣的損失</translation>
     </message>
 </context>
 <context>

@@ -113,6 +113,29 @@ TEST(SessionRates, AreThoseOfThePlant) {
     }
 }
 
+// Catches: a loss that is not the plant's, and an h beside the object that it is not of, in another unit, or
+// where the record does not tell it.
+TEST(SessionRates, TellTheLossAndTheAirWhereTheyCan) {
+    const auto& rates = recorded().numbers.rates;
+    ASSERT_TRUE(rates.ok());
+    ASSERT_EQ(rates->withAir.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        IdentifiedRates fit = rates->withAir[i];
+        const double T_K = fit.workingTemperature_K;
+        const double loss_K_s = -rates->material[i].rate_K_s(0.0, T_K); // the simulated air takes nothing
+        EXPECT_NEAR(fit.loss.value, loss_K_s, 4.0 * fit.loss.standardError + 0.03 * loss_K_s) << i;
+        fit.reason = {};
+        fit.convection = {0.003, 0.0005};
+        fit.lambda1 = {rates->material[i].lambda1, 0.0};
+        const Estimate h = convection_W_m2K(fit, recorded().facts.experiment, i);
+        const double capacity = recorded().facts.experiment.objects[i].material.arealHeatCapacity_J_m2K();
+        EXPECT_NEAR(h.value, 0.003 * capacity, 1e-9 * capacity);
+        EXPECT_NEAR(h.standardError, 0.0005 * capacity, 1e-9 * capacity);
+        fit.reason = {MessageCode::IdentificationUnheated, {}};
+        EXPECT_TRUE(std::isnan(convection_W_m2K(fit, recorded().facts.experiment, i).value));
+    }
+}
+
 // Catches start values that reach an object of another name, material or heat source.
 TEST(SessionRates, StartValuesGoToTheSameObjectsUnderTheSameSourceOnly) {
     const SessionRates& rates = recorded().numbers.rates.value();

@@ -5,6 +5,7 @@
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/scrolling.h"
 #include "widgets/common/theme.h"
 #include "widgets/review/final_values.h"
 #include "widgets/review/identified_table.h"
@@ -21,8 +22,10 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -147,9 +150,13 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
 
 QWidget* ReviewPage::buildIdentified(QWidget* parent) {
     auto* box = new QWidget(parent);
+    box->setContentsMargins(0, 0, 4, 0);
     m_identifiedTitle = boldLabel(box);
     m_identified = new IdentifiedTable(box);
     m_identified->setObjectName("identifiedRates");
+    m_lossesTitle = boldLabel(box);
+    m_losses = new IdentifiedLosses(box);
+    m_losses->setObjectName("identifiedLosses");
     m_identifiedNote = new QLabel(box);
     m_identifiedNote->setObjectName("identifiedNote");
     m_identifiedNote->setWordWrap(true);
@@ -157,15 +164,18 @@ QWidget* ReviewPage::buildIdentified(QWidget* parent) {
     m_useIdentified->setObjectName("useIdentified");
     m_useIdentified->setEnabled(false);
     auto* row = new QHBoxLayout;
-    row->addWidget(m_identifiedNote, 1);
-    row->addWidget(m_useIdentified, 0, Qt::AlignTop);
+    row->addStretch(1);
+    row->addWidget(m_useIdentified);
     auto* layout = new QVBoxLayout(box);
     layout->setContentsMargins(0, 6, 0, 0);
     layout->addWidget(m_identifiedTitle);
     layout->addWidget(m_identified);
     layout->addLayout(row);
+    layout->addWidget(m_identifiedNote);
+    layout->addWidget(m_lossesTitle);
+    layout->addWidget(m_losses);
     layout->addStretch(1);
-    return box;
+    return scrolled(box);
 }
 
 /// A list to choose from, not tabs: in a narrow column their names have no room in every language.
@@ -224,6 +234,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_wasRecording =
         m_session && m_session->facts().interrupted() && m_sessions->isRecording(m_session->facts().path);
     m_identified->setRows({});
+    m_losses->setRows({});
     m_useIdentified->setEnabled(false);
     m_identifiedNote->clear();
     m_identifying = true;
@@ -276,12 +287,20 @@ void ReviewPage::setMetrics(const RunMetrics& metrics) {
 void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
     m_identifying = false;
     m_identified->setRows(rows);
-    QStringList notes;
-    for (const IdentifiedRow& row : rows)
+    m_losses->setRows(rows);
+    QStringList notes, untold;
+    for (const IdentifiedRow& row : rows) {
         if (!row.unusable.isEmpty())
             notes << QStringLiteral("%1: %2").arg(row.name, row.unusable);
-    m_identifiedNote->setText(notes.join(u'\n'));
+        else if (!row.isAirApart)
+            untold << row.name;
+    }
     m_useIdentified->setEnabled(notes.size() < static_cast<qsizetype>(rows.size()));
+    if (!untold.isEmpty())
+        notes << tr("The record tells the losses of %1, but not what of them is radiated and what the air "
+                    "takes. State the air on the Objects page, or record wider temperatures.")
+                     .arg(QLocale().createSeparatedList(untold));
+    m_identifiedNote->setText(notes.join(u'\n'));
 }
 
 void ReviewPage::setIdentificationFailed(const QString& sentence) {
@@ -309,6 +328,7 @@ void ReviewPage::clear() {
 
 void ReviewPage::setTemperatureUnit(TemperatureUnit unit) {
     m_replay->setTemperatureUnit(unit);
+    m_losses->setTemperatureUnit(unit);
     m_final->setTemperatureUnit(unit);
     m_metrics->setTemperatureUnit(unit);
 }
@@ -386,6 +406,7 @@ void ReviewPage::refreshTexts() {
         m_detail->setItemText(i, details[i]);
     m_detail->setAccessibleName(tr("What is known of the run"));
     m_identifiedTitle->setText(tr("Heat rates \u03bb\u2081 in K/s"));
+    m_lossesTitle->setText(tr("Losses, of radiation and air"));
     m_useIdentified->setText(tr("Use as start values"));
     m_useIdentified->setToolTip(
         tr("Controllers of the open experiment start with the identified rates, in the "

@@ -22,6 +22,7 @@ namespace bask {
 
 class EventList;
 class FinalValuesTable;
+class IdentifiedLosses;
 class IdentifiedTable;
 class MetricsPanel;
 class ReplayView;
@@ -30,9 +31,9 @@ struct IdentifiedRow;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
-/// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedNote", "useIdentified",
-/// "reviewEvents", "reviewDetails" (which of these is shown), "reviewCounting", and those of SessionList,
-/// ReplayView and MetricsPanel.
+/// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedLosses", "identifiedNote",
+/// "useIdentified", "reviewEvents", "reviewDetails" (which of these is shown), "reviewCounting", and those of
+/// SessionList, ReplayView and MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -112,6 +113,8 @@ private:
     MetricsPanel* m_metrics;
     FinalValuesTable* m_final;
     IdentifiedTable* m_identified;
+    IdentifiedLosses* m_losses;
+    QLabel* m_lossesTitle;
     QLabel* m_identifiedTitle;
     QLabel* m_identifiedNote;
     QPushButton* m_useIdentified;

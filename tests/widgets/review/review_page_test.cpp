@@ -239,6 +239,39 @@ TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
     EXPECT_TRUE(text("identifiedNote").startsWith("Fitting"));
 }
 
+// Catches: a loss or an h without unit or error, an h that the record does not tell, and a radiation that is
+// the air's in part and of which that is not said.
+TEST_F(ReviewPageTest, TellsWhatTheRecordSaysOfTheAir) {
+    show(record());
+    IdentifiedRow apart;
+    apart.name = "circle";
+    apart.lambda1 = {0.21537, 0.0042};
+    apart.working_K = 313.04;
+    apart.loss = {0.085438, 0.00056};
+    apart.lossSlope = {0.0059489, 0.00032};
+    apart.convection = {8.13, 0.42};
+    IdentifiedRow together = apart;
+    together.name = "hand";
+    together.hUntold = "The record tells lambda2 within 330 % only.";
+    together.isAirApart = false;
+    page.setIdentified({apart, together});
+    const auto* table = child<IdentifiedLosses>("identifiedLosses");
+    ASSERT_EQ(table->rowCount(), 2);
+    const QStringList told{"circle", "39.9\u00a0\u00b0C", "0.08544 \u00b1 0.00056", "8.13 \u00b1 0.42"};
+    for (int column = 0; column < told.size(); ++column)
+        EXPECT_EQ(table->item(0, column)->text().toStdString(), told[column].toStdString());
+    page.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(table->item(0, 1)->text(), QString("313.0\u00a0K"));
+    EXPECT_TRUE(table->item(0, 2)->toolTip().contains("0.00595 \u00b1 0.00032 1/s"));
+    EXPECT_EQ(table->horizontalHeaderItem(3)->text(), QString("h, W/(m\u00b2 K)"));
+    EXPECT_EQ(table->item(1, 3)->text(), "not told");
+    EXPECT_EQ(table->item(1, 3)->toolTip(), together.hUntold);
+    EXPECT_TRUE(text("identifiedNote").startsWith("The record tells the losses of hand, but not"));
+    EXPECT_TRUE(child<QPushButton>("useIdentified")->isEnabled());
+    page.setIdentified({apart});
+    EXPECT_EQ(text("identifiedNote"), "");
+}
+
 // Catches the cool-down after Stop taken for the run's end.
 TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
     SessionRecord session = record();
@@ -332,7 +365,7 @@ TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
     EXPECT_TRUE(text("sessionTag").startsWith('['));
     EXPECT_TRUE(text("outcomeWord").startsWith('['));
     EXPECT_TRUE(child<QPushButton>("exportSession")->text().startsWith('['));
-    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(4)->text().startsWith('['));
+    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(3)->text().startsWith('['));
     EXPECT_TRUE(cell(2, 4).startsWith('['));
     qApp->removeTranslator(&longer);
     QApplication::processEvents();
