@@ -370,7 +370,7 @@ Eigen::Vector2d ObjectsPage::freePlace(const Shape& shape) const {
     for (int ring = 0; ring <= 8; ++ring) {
         for (int k = 0; k < (ring == 0 ? 1 : 12); ++k) {
             const double angle = radFromDeg(90.0 + 30.0 * k);
-            const Eigen::Vector2d place = 0.025 * ring * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            Eigen::Vector2d place = 0.025 * ring * Eigen::Vector2d(std::cos(angle), std::sin(angle));
             if (isFree(place))
                 return place;
         }
