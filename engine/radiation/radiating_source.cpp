@@ -97,9 +97,7 @@ double tolerancePerTerm(const RadiatingSource& source, double tolerance) {
 
 } // namespace
 
-RadiatingSource::RadiatingSource(RadiatingContour contour) : m_factors{1.0} {
-    m_terms.push_back({std::move(contour)});
-}
+RadiatingSource::RadiatingSource(const RadiatingContour& contour) : m_terms{{contour}}, m_factors{1.0} {}
 
 RadiatingSource::RadiatingSource(std::vector<SourceTerm> terms, std::vector<double> factors)
     : m_terms(std::move(terms)), m_factors(std::move(factors)), m_size(0.0) {

@@ -22,7 +22,8 @@ struct SourceTerm {
 class RadiatingSource {
 public:
     /// Makes an even source.
-    RadiatingSource(RadiatingContour contour); // NOLINT(google-explicit-constructor): an outline is a source
+    RadiatingSource(
+        const RadiatingContour& contour); // NOLINT(google-explicit-constructor): an outline is a source
     /// Makes an uneven one. Throws std::invalid_argument without terms, or unless there is one finite factor
     /// for each.
     RadiatingSource(std::vector<SourceTerm> terms, std::vector<double> factors);

@@ -150,6 +150,7 @@ std::vector<QRgb> patternColours(const Experiment& experiment, const Eigen::Alig
     for (const double weight : pattern)
         min = weight > 0.0 ? std::min(min, weight) : min;
     std::vector<QRgb> colours;
+    colours.reserve(pattern.size());
     for (const double weight : pattern)
         colours.push_back(
             weight > 0.0 ? mixed(kSourceRim, kSourceMiddle, max > min ? (weight - min) / (max - min) : 1.0)

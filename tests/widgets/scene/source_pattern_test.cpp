@@ -7,8 +7,8 @@ namespace {
 
 constexpr int kCells = 41; // the middle one is at the origin
 
-double atCell(const std::vector<double>& pattern, int column, int row) {
-    return pattern.at(static_cast<std::size_t>(row * kCells + column));
+double atCell(const std::vector<double>& pattern, std::size_t column, std::size_t row) {
+    return pattern.at(row * kCells + column);
 }
 
 Experiment plate() {
@@ -42,7 +42,7 @@ TEST(SourcePattern, AProfileFallsAlongTheRadius) {
     EXPECT_DOUBLE_EQ(atCell(pattern, 20, 20), 1.0);
     EXPECT_DOUBLE_EQ(atCell(pattern, 22, 20), 1.0);
     double before = 1.0;
-    for (int column = 25; column < 36; ++column) {
+    for (std::size_t column = 25; column < 36; ++column) {
         EXPECT_LT(atCell(pattern, column, 20), before);
         before = atCell(pattern, column, 20);
     }
