@@ -11,8 +11,13 @@ constexpr double kClearlyBetter = 0.6;  ///< of the mean squared error, for anot
 constexpr double kFloor_K = 0.02;       ///< smaller differences of the errors tell nothing of the lag
 constexpr int kMinPredictions = 20;
 
-double approach(double lag_s, double dt_s) {
-    return lag_s > 0.0 ? 1.0 - std::exp(-dt_s / lag_s) : 1.0;
+/// What a first-order lag makes of an input that goes from `before` to `now` on a line over dt_s.
+double lagged(double seen, double before, double now, double lag_s, double dt_s) {
+    if (lag_s <= 0.0 || dt_s <= 0.0)
+        return lag_s <= 0.0 ? now : seen;
+    const double kept = std::exp(-dt_s / lag_s);
+    const double ofBefore = (1.0 - kept) * lag_s / dt_s - kept;
+    return kept * seen + ofBefore * before + (1.0 - kept - ofBefore) * now;
 }
 
 } // namespace
@@ -32,10 +37,11 @@ void LaggedIdentification::add(double time_s, double temperature_K, double F, do
     m_strength = sourceStrength;
     for (std::size_t k = 0; k < m_lags.size(); ++k) {
         Lag& lag = m_lags[k];
-        lag.seen = m_count > 0 ? lag.seen + approach(kLags_s[k], dt_s) * (heating - lag.seen) : heating;
+        lag.seen = m_count > 0 ? lagged(lag.seen, m_heating, heating, kLags_s[k], dt_s) : heating;
         const double miss_K = lag.identification.add(time_s, temperature_K, lag.seen, 1.0, neighbours_K4);
         lag.miss_K2 += kForgottenMiss * (miss_K * miss_K - lag.miss_K2);
     }
+    m_heating = heating;
     if (++m_count < kMinPredictions)
         return;
     const auto best =
@@ -46,8 +52,7 @@ void LaggedIdentification::add(double time_s, double temperature_K, double F, do
 }
 
 double LaggedIdentification::seenViewFactor(double F, double dt_s) const {
-    const double seen = m_lags[m_best].seen / m_strength;
-    return lag_s() > 0.0 ? seen + approach(lag_s(), dt_s) * (F - seen) : F;
+    return lagged(m_lags[m_best].seen / m_strength, F, F, lag_s(), dt_s);
 }
 
 } // namespace bask

@@ -35,7 +35,8 @@ private:
     };
     std::vector<Lag> m_lags;
     std::size_t m_best = 0;
-    double m_strength = 1.0; ///< of the source, at the last sample
+    double m_heating = 0.0;  ///< at the last sample, as are the next two
+    double m_strength = 1.0; ///< of the source
     double m_last_s = 0.0;
     int m_count = 0; ///< of samples
 };

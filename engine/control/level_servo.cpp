@@ -59,7 +59,7 @@ constexpr double kMet_K = 0.3;   ///< and ends below this
 // The look-up gives starting points only: it may be this far behind a moving source.
 constexpr double kTableShift_m = 0.01;
 constexpr double kTableTurn_rad = 0.05;
-constexpr double kTableWarmer_K = 20.0; // of an uneven source: view factors change by 1 % in 50 K
+constexpr double kTableWarmer = 0.2; // of an uneven source's temperature, K: a new table takes a second
 
 /// Slope of the steady temperature by the view factor, K.
 double temperaturePerViewFactor_K(const HeatRates& rates, double T_K) {
@@ -108,8 +108,8 @@ void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
         m_plan->plan.move(moved, geometry->limits());
     if (m_hold)
         m_hold = movedWithin(*m_hold, moved, geometry->limits());
-    const bool isOtherHeat =
-        std::abs(geometry->source_K() - m_tableSource_K) > kTableWarmer_K && !geometry->isSourceEven();
+    const bool isOtherHeat = !geometry->isSourceEven() && std::abs(geometry->source_K() - m_tableSource_K) >
+                                                              kTableWarmer * m_tableSource_K;
     m_model.geometry = std::move(geometry);
     const Pose sinceTable = m_tableSource.inverse() * m_model.geometry->X_RS();
     if (sinceTable.translation().norm() > kTableShift_m ||
@@ -142,8 +142,8 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
         m_early_K_s[i] = rates.lambda2 * (gainsNow_K4[i] - gainsThen_K4[i]);
         task.rates.push_back(rates.inWarmerRoom(gainsThen_K4[i]));
         const double seen = m_identification[k].seenViewFactor(F[i], 0.0);
-        task.temperature_K[i] +=
-            m_identification[k].lag_s() * (task.rates.back().rate_K_s(seen, T_K) + m_early_K_s[i]);
+        task.temperature_K[i] =
+            T_K + m_identification[k].lag_s() * (task.rates.back().rate_K_s(seen, T_K) + m_early_K_s[i]);
     }
     return task;
 }

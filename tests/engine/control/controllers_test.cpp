@@ -2,7 +2,7 @@
 
 #include "engine/base/units.h"
 #include "engine/control/controller.h"
-#include "engine/control/rate_identification.h"
+#include "engine/control/lagged_identification.h"
 
 #include <gtest/gtest.h>
 
@@ -146,6 +146,33 @@ TEST(RateIdentification, FindsBothRatesFromNoisyReadings) {
     }
     EXPECT_NEAR(identification.rates().lambda1 / bench.rates.lambda1, 1.0, 0.05);
     EXPECT_NEAR(identification.rates().lambda2 / bench.rates.lambda2, 1.0, 0.10);
+}
+
+// Catches a filter that leads the sensor's by half a period: every lag was taken for half a second more.
+TEST(LaggedIdentification, FindsTheLagThatASensorHas) {
+    const Bench bench;
+    for (const double lag_s : {0.0, 0.7, 1.5, 2.5, 4.0, 6.0}) {
+        std::mt19937 random(5);
+        std::normal_distribution<double> noise(0.0, 0.03);
+        HeatRates start = bench.rates;
+        start.lambda1 *= 3.5;
+        start.lambda2 *= 0.3;
+        start.lambda3 *= 0.3;
+        LaggedIdentification identification(start);
+        double T_K = kT3_K, read_K = T_K;
+        const auto heating = [](double t) {
+            return 0.4 + 0.3 * std::sin(0.1 * t) + 0.2 * std::sin(0.31 * t);
+        };
+        for (int t = 0; t < 300; ++t) {
+            identification.add(t, read_K + noise(random), heating(t), 1.0, 0.0);
+            for (int i = 0; i < 100; ++i) {
+                T_K += 0.01 * bench.rates.rate_K_s(heating(t + 0.01 * i), T_K);
+                read_K = lag_s > 0.0 ? read_K + 0.01 / lag_s * (T_K - read_K) : T_K;
+            }
+        }
+        EXPECT_EQ(identification.lag_s(), lag_s);
+        EXPECT_NEAR(identification.rates().lambda1 / bench.rates.lambda1, 1.0, 0.05) << lag_s;
+    }
 }
 
 } // namespace bask
