@@ -62,15 +62,20 @@ using Columns = std::vector<const Column*>;
 
 std::optional<Columns> columnsOf(const std::vector<std::string>& header) {
     Columns columns;
-    int radii = 0, temperatures = 0;
+    int radii = 0, ratios = 0, offsets = 0;
     for (const std::string& name : header) {
         const auto* const found =
             std::ranges::find_if(kColumns, [&](const Column& c) { return name == c.name; });
         columns.push_back(found == kColumns.end() ? nullptr : found);
-        if (columns.back() != nullptr)
-            ++(columns.back()->member == &ProfilePoint::radius_m ? radii : temperatures);
+        if (columns.back() == nullptr)
+            continue;
+        const auto member = columns.back()->member;
+        ++(member == &ProfilePoint::radius_m           ? radii
+           : member == &ProfilePoint::temperatureRatio ? ratios
+                                                       : offsets);
     }
-    return radii == 1 && temperatures >= 1 ? std::optional(columns) : std::nullopt;
+    const bool isClear = radii == 1 && ratios <= 1 && offsets <= 1 && ratios + offsets > 0;
+    return isClear ? std::optional(columns) : std::nullopt;
 }
 
 } // namespace

@@ -69,7 +69,7 @@ void checkSource(Checker& check, const Experiment& e) {
         netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
     if (!(J > 0.0))
         check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
-    checkUnevenness(check, "source.", e.source.uneven, e);
+    checkUnevenness(check, "source.", e.source.uneven, e, e.source.emittance);
 }
 
 /// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
@@ -279,6 +279,11 @@ void checkFaults(Checker& check, const Experiment& e) {
     }
 }
 
+void checkTrueUnevenness(Checker& check, const Experiment& e, double emittance) {
+    if (e.simulation.sourceUneven)
+        checkUnevenness(check, "simulation.source_", *e.simulation.sourceUneven, e, emittance);
+}
+
 /// The simulated source: where it goes and what it truly is.
 void checkTrueSource(Checker& check, const Experiment& e) {
     const TimeTable<Vector6d>& motion = e.simulation.sourceMotion;
@@ -298,15 +303,16 @@ void checkTrueSource(Checker& check, const Experiment& e) {
             check.fail(MessageCode::MotionElsewhere, path + "[0]." + readableKey(name, unit),
                        {name, text(motion.front().value[k]), text(first[k])});
     }
-    if (e.simulation.sourceUneven)
-        checkUnevenness(check, "simulation.source_", *e.simulation.sourceUneven, e);
-    if (!e.simulation.sourceEmittance || check.failed())
+    if (check.failed())
         return;
+    if (!e.simulation.sourceEmittance)
+        return checkTrueUnevenness(check, e, e.source.emittance);
     check.positive("simulation.source_emittance", *e.simulation.sourceEmittance, 1.0);
     const double J = netSourcePower_W_m2(e.source.model, e.source.temperature_K,
                                          *e.simulation.sourceEmittance, e.environment_K);
     if (!check.failed() && !(J > 0.0))
         check.fail(MessageCode::SourceTooWeak, "simulation.source_emittance", {formatNumber(J)});
+    checkTrueUnevenness(check, e, *e.simulation.sourceEmittance);
 }
 
 } // namespace

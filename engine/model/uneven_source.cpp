@@ -149,8 +149,6 @@ void addRings(const std::vector<ProfilePoint>& profile, double radius_m, double 
     for (const double ring_m : rings.radii_m)
         out.terms.push_back({RadiatingContour(Disk{ring_m})});
     emission.terms = rings.emission;
-    for (const ProfilePoint& point : profile)
-        emission.profile.push_back(temperatureOf(point));
 }
 
 /// By how much a point of S's plane lies outside an outline, m; not positive inside.
@@ -216,7 +214,9 @@ void checkPartsTogether(Checker& check, const std::string& prefix, const std::ve
         for (std::size_t other = 0; other < k && !check.failed(); ++other) {
             const Pose X_SK = poseFromCoordinates(parts[k].pose),
                        X_SOther = poseFromCoordinates(parts[other].pose);
-            if (passageOf(parts[other].shape, X_SOther, parts[k].shape, X_SK) != Passage::None)
+            const double apart_m = (X_SK.translation() - X_SOther.translation()).norm();
+            if (apart_m < shapeRadius(parts[k].shape) + shapeRadius(parts[other].shape) &&
+                passageOf(parts[other].shape, X_SOther, parts[k].shape, X_SK) != Passage::None)
                 return check.fail(MessageCode::SourcePartsOverlap, partName(prefix, k),
                                   {partName(prefix, other)});
             const auto isOver = [](const SourcePartSpec& upper, const Pose& X_SLower) {
@@ -251,16 +251,34 @@ void checkProfile(Checker& check, const std::string& path, const std::vector<Pro
     }
 }
 
+/// The emission of parts, or of the points of a profile.
+SourceEmission withoutRings(const Experiment& experiment, const Unevenness& uneven, double emittance) {
+    SourceEmission emission{experiment.source.model, emittance, experiment.environment_K};
+    for (const SourcePartSpec& part : uneven.parts)
+        emission.terms.push_back(
+            {part.emittance.value_or(emittance), {part.temperatureRatio, part.temperatureOffset_K}});
+    for (const ProfilePoint& point : uneven.profile)
+        emission.profile.push_back(temperatureOf(point));
+    return emission;
+}
+
+/// Where a temperature is bounded the profile has a kink between its points, which its rings do not follow.
+void checkWithinBounds(Checker& check, const std::string& path, const std::vector<ProfilePoint>& profile,
+                       double excess_K) {
+    for (std::size_t i = 0; i < profile.size() && !check.failed(); ++i) {
+        const double ratio = profile[i].temperatureRatio + profile[i].temperatureOffset_K / excess_K;
+        check.range(path + '[' + std::to_string(i) + "].temperature", ratio, 0.0, kMaxPartRatio,
+                    "of the source's height above the room");
+    }
+}
+
 } // namespace
 
 UnevenSource unevenSource(const Experiment& experiment, const Unevenness& uneven, double emittance) {
     const SourceSpec& source = experiment.source;
-    UnevenSource out{{}, {source.model, emittance, experiment.environment_K}};
-    for (const SourcePartSpec& part : uneven.parts) {
+    UnevenSource out{{}, withoutRings(experiment, uneven, emittance)};
+    for (const SourcePartSpec& part : uneven.parts)
         out.terms.push_back({RadiatingContour(part.shape), poseFromCoordinates(part.pose)});
-        out.emission.terms.push_back(
-            {part.emittance.value_or(emittance), {part.temperatureRatio, part.temperatureOffset_K}});
-    }
     if (!uneven.profile.empty())
         addRings(uneven.profile, std::get<Disk>(source.shape).radius_m, experiment.robot.clearance_m,
                  source.temperature_K, out);
@@ -290,7 +308,7 @@ RadiatingSource radiatingSource(const Experiment& experiment) {
 }
 
 void checkUnevenness(Checker& check, const std::string& prefix, const Unevenness& uneven,
-                     const Experiment& experiment) {
+                     const Experiment& experiment, double emittance) {
     if (check.failed() || uneven.isEven())
         return;
     const Shape& contour = experiment.source.shape;
@@ -299,6 +317,9 @@ void checkUnevenness(Checker& check, const std::string& prefix, const Unevenness
                           {prefix + "parts", prefix + "profile"});
     if (!uneven.profile.empty())
         checkProfile(check, prefix + "profile", uneven.profile, contour);
+    const double source_K = experiment.source.temperature_K;
+    if (!check.failed())
+        checkWithinBounds(check, prefix + "profile", uneven.profile, source_K - experiment.environment_K);
     if (uneven.parts.size() > kMaxSourceParts)
         check.range(prefix + "parts", static_cast<double>(uneven.parts.size()), 1.0,
                     static_cast<double>(kMaxSourceParts), "parts");
@@ -308,10 +329,8 @@ void checkUnevenness(Checker& check, const std::string& prefix, const Unevenness
         checkPartsTogether(check, prefix, uneven.parts);
     if (check.failed())
         return;
-    const UnevenSource made = unevenSource(
-        experiment, uneven, experiment.simulation.sourceEmittance.value_or(experiment.source.emittance));
-    const RadiatingSource radiating(made.terms, made.emission.factors(experiment.source.temperature_K));
-    if (std::ranges::all_of(radiating.factors(), [](double factor) { return factor == 0.0; }))
+    const std::vector<double> weights = withoutRings(experiment, uneven, emittance).weights(source_K);
+    if (std::ranges::all_of(weights, [](double weight) { return weight == 0.0; }))
         check.fail(MessageCode::SourceTooWeak, prefix + (uneven.parts.empty() ? "profile" : "parts"), {"0"});
 }
 

@@ -26,8 +26,9 @@ struct UnevenSource {
 
 /// Returns what radiates of the source, if `uneven` is how. Parts have their own emittance, else `emittance`.
 /// A profile becomes rings: on the pieces between its points the weight's fall is integrated by Gauss's rule,
-/// each node a disk, so that the error falls exponentially with their number. There are as many as bring it
-/// to about 1e-6 at the clearance, kMaxRings at most. The experiment must validate.
+/// each node a disk, so that the error falls exponentially with their number while no temperature is bounded.
+/// There are as many as bring it to about 1e-6 at the clearance, for which pieces are cut into kMaxRings at
+/// most; a profile of many points has one or two on each piece. The experiment must validate.
 UnevenSource unevenSource(const Experiment& experiment, const Unevenness& uneven, double emittance);
 
 /// Returns "7 parts that radiate 0.91 to 1.08 of what an even source does" or the like, for an uneven source
@@ -40,8 +41,9 @@ RadiatingSource radiatingSource(const Experiment& experiment);
 /// Checks parts and profile, with places such as "source.parts[1].emittance" for the prefix "source.".
 /// Parts must not overlap, must not reach beyond the source's contour, must not stand out of its plane, since
 /// clearances are measured from there, and none may lie in front of another, since what they hide from one
-/// another is not computed.
+/// another is not computed. Temperatures of a profile must be within the bounds of PartTemperature at the set
+/// temperature. Source and environment must be valid, and so must `emittance`, that of the source.
 void checkUnevenness(Checker& check, const std::string& prefix, const Unevenness& uneven,
-                     const Experiment& experiment);
+                     const Experiment& experiment, double emittance);
 
 } // namespace bask

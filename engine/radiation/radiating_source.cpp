@@ -25,24 +25,47 @@ std::vector<Summand> allOf(const RadiatingSource& source) {
 }
 
 constexpr std::size_t kShadeRings = 8;
-constexpr double kShadeRingError = 2e-3; // of what is taken and a little more: twice the largest seen
-constexpr double kLittleShade = 5e-3;
 
 /// What shade is found with: of more than kShadeRings whole disks one in the other that many, the others
 /// being between two of them, linear in the square of the radius. Shade costs a hundred times as much as what
 /// it is taken from.
-std::vector<Summand> forShade(const RadiatingSource& source) {
+struct ShadeSum {
+    std::vector<Summand> summands;
+    /// Of each summand and the one before it: the factors of the disks between them, each times its larger
+    /// share. What is taken from a disk grows with it, so this times the growth from the one to the other
+    /// bounds the error.
+    std::vector<double> between;
+};
+
+/// The first disk, the last one, and those that cut the factors between them into equal sums.
+std::vector<std::size_t> keptRings(const std::vector<Summand>& sorted) {
+    double total = 0.0;
+    for (std::size_t k = 1; k + 1 < sorted.size(); ++k)
+        total += std::abs(sorted[k].factor);
+    std::vector<std::size_t> kept{0};
+    double sum = 0.0;
+    for (std::size_t k = 1; k + 1 < sorted.size() && kept.size() + 1 < kShadeRings; ++k) {
+        sum += std::abs(sorted[k].factor);
+        if (sum * static_cast<double>(kShadeRings - 1) >= total * static_cast<double>(kept.size()))
+            kept.push_back(k);
+    }
+    kept.push_back(sorted.size() - 1);
+    return kept;
+}
+
+ShadeSum forShade(const RadiatingSource& source) {
     std::vector<Summand> all = allOf(source);
     const auto radius_m = [](const Summand& s) { return std::get<Disk>(s.term->contour.shape()).radius_m; };
     const bool areRings = std::ranges::all_of(all, [](const Summand& s) {
         return std::holds_alternative<Disk>(s.term->contour.shape()) && s.term->X_SP.matrix().isIdentity(0.0);
     });
     if (!areRings || all.size() <= kShadeRings)
-        return all;
+        return {all, std::vector<double>(all.size(), 0.0)};
     std::ranges::sort(all, {}, radius_m);
     std::vector<Summand> kept;
-    for (std::size_t k = 0; k < kShadeRings; ++k)
-        kept.push_back({all[k * (all.size() - 1) / (kShadeRings - 1)].term, 0.0});
+    for (const std::size_t k : keptRings(all))
+        kept.push_back({all[k].term, 0.0});
+    std::vector<double> between(kept.size(), 0.0);
     std::size_t above = 1;
     for (const Summand& ring : all) {
         while (above + 1 < kept.size() && radius_m(kept[above]) < radius_m(ring))
@@ -51,8 +74,10 @@ std::vector<Summand> forShade(const RadiatingSource& source) {
         const double share = (std::pow(radius_m(ring), 2) - from) / (to - from);
         kept[above - 1].factor += (1.0 - share) * ring.factor;
         kept[above].factor += share * ring.factor;
+        if (share > 0.0 && share < 1.0)
+            between[above] += std::abs(ring.factor) * std::max(share, 1.0 - share);
     }
-    return kept;
+    return {kept, between};
 }
 
 /// Calls take(factor, term, X_PO, blockers in P) with each summand.
@@ -168,21 +193,23 @@ ShadedViewFactor shadedViewFactor(const RadiatingSource& source, const Radiating
     sum.visibility = unshaded.visibility;
     sum.gradient = sum.gradientRigid = unshaded.gradient;
     sum.errorEstimate = unshaded.errorEstimate;
-    double taken = 0.0;
-    const std::vector<Summand> summands = forShade(source);
-    forSummands(summands, X_SO, blockers,
+    double taken = 0.0, takenBefore = 0.0;
+    const ShadeSum shade = forShade(source);
+    std::size_t k = 0;
+    forSummands(shade.summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
                     const ShadedViewFactor one = shadedViewFactor(term.contour, object, X_PO, inP, perTerm);
-                    if (one.value == one.unshaded)
+                    const double takenHere = one.unshaded - one.value;
+                    sum.errorEstimate += shade.between[k++] * std::max(takenHere - takenBefore, 0.0);
+                    takenBefore = takenHere;
+                    if (takenHere == 0.0)
                         return;
                     const Vector6d alone = viewFactor(term.contour, object, X_PO, perTerm.unshaded).gradient;
-                    taken += factor * (one.unshaded - one.value);
+                    taken += factor * takenHere;
                     sum.gradient += factor * inSource(term, one.gradient - alone);
                     sum.gradientRigid += factor * inSource(term, one.gradientRigid - alone);
                     sum.errorEstimate += std::abs(factor) * one.errorEstimate;
                 });
-    if (taken != 0.0 && summands.size() < allOf(source).size())
-        sum.errorEstimate += kShadeRingError * (std::abs(taken) + kLittleShade);
     sum.value = std::clamp(sum.unshaded - taken, 0.0, sum.unshaded);
     return sum;
 }
@@ -194,7 +221,7 @@ RigidViewFactor roughShadedViewFactor(const RadiatingSource& source, const Radia
     const ViewFactorOptions perTerm{.tolerance = tolerancePerTerm(source, tolerance)};
     const ViewFactor unshaded = viewFactor(source, object, X_SO, {.tolerance = tolerance});
     RigidViewFactor sum{unshaded.value, unshaded.gradient};
-    forSummands(forShade(source), X_SO, blockers,
+    forSummands(forShade(source).summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
                     const RigidViewFactor one =
                         roughShadedViewFactor(term.contour, object, X_PO, inP, perTerm.tolerance);
@@ -211,7 +238,7 @@ double roughShade(const RadiatingSource& source, const RadiatingContour& object,
     if (source.isEven())
         return roughShade(source.terms().front().contour, object, X_SO, blockers);
     double sum = 0.0;
-    forSummands(forShade(source), X_SO, blockers,
+    forSummands(forShade(source).summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
                     sum += factor * roughShade(term.contour, object, X_PO, inP);
                 });

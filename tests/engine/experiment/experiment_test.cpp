@@ -146,7 +146,7 @@ private:
         s.sourceEmittance = real(0.5, 1);
         if (std::holds_alternative<Disk>(e.source.shape)) {
             const double radius_m = std::get<Disk>(e.source.shape).radius_m;
-            e.source.uneven.profile = {{0.1 * radius_m, real(0.5, 2), real(-9, 9)}, {radius_m, real(0, 2)}};
+            e.source.uneven.profile = {{0.1 * radius_m, real(0.5, 1.7), real(-9, 9)}, {radius_m, real(0, 2)}};
             SourcePartSpec& part = s.sourceUneven.emplace().parts.emplace_back();
             part.shape = Disk{0.3 * radius_m};
             part.pose[kX] = real(-0.5, 0.5) * radius_m;

@@ -91,7 +91,8 @@ TEST(UnevenSourceFile, RefusesBadFilesWithTheLine) {
     };
     for (const char* text :
          {"", "\n\n", "# nothing\n", "0,1\n1,2\n", "radius_mm\n0\n", "radius,temperature_ratio\n0,1\n",
-          "radius_mm,radius_m,temperature_ratio\n0,0,1\n", "\xff\xfe\x01"})
+          "radius_mm,radius_m,temperature_ratio\n0,0,1\n",
+          "radius_mm,temperature_ratio,temperature_ratio\n0,1,0.5\n", "\xff\xfe\x01"})
         EXPECT_EQ(refused(text).code(), MessageCode::ProfileHeader) << text;
     const std::string header = "radius_mm,temperature_ratio\n";
     for (const char* line : {"0", "0,", "0,x", "0,1e999", "nan,1", "0,inf", "0 1", "0;1", "0,1 K"}) {
@@ -149,6 +150,8 @@ TEST(UnevenSourceFile, RefusesBadListsWithTheirPlace) {
          Bad{"profile", R"([{"radius_mm": 5}, {"radius_mm": 5}])", RadiiNotGrowing,
              "source.profile[1].radius_mm"},
          Bad{"profile", R"([{"temperature_ratio": 1}])", JsonMissingKey, "source.profile[0]"},
+         Bad{"profile", R"([{"radius_mm": 0}, {"radius_mm": 50, "temperature_offset_K": -500}])",
+             ValueOutOfRange, "source.profile[1].temperature"},
          Bad{"profile_file", "\"plate.csv\"", FileNotFound, "source.profile_file"}}) {
         const Error error = refusedSource(bad.key, bad.value);
         EXPECT_EQ(error.code(), bad.code) << bad.value << ": " << describe(error);
@@ -159,6 +162,12 @@ TEST(UnevenSourceFile, RefusesBadListsWithTheirPlace) {
     const auto read = experimentFromJson(both.dump(), "e.json", "");
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code(), JsonTwoSpellings);
+    for (const double emittance : {0.0, -0.1, 1.5}) { // weights are over it
+        json weak = withSource("parts", kTwoHalves);
+        weak["simulation"]["source_emittance"] = emittance;
+        EXPECT_EQ(experimentFromJson(weak.dump(), "e.json", "").error().where,
+                  "e.json: simulation.source_emittance");
+    }
 }
 
 } // namespace bask
