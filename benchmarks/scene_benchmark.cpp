@@ -132,6 +132,7 @@ std::vector<Isosurface> surfacesOf(const Experiment& experiment) {
     TargetGeometry geometry{RadiatingContour(experiment.source.shape),
                             Pose::Identity(),
                             {},
+                            {},
                             surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
     for (const ObjectSpec& spec : experiment.objects)
         geometry.objects.push_back({RadiatingContour(spec.shape), poseFromCoordinates(spec.mounting)});

@@ -25,6 +25,7 @@ TargetGeometry geometry(const Experiment& experiment) {
     TargetGeometry out{RadiatingContour(experiment.source.shape),
                        poseFromCoordinates(experiment.source.pose),
                        {},
+                       {},
                        surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
     for (const ObjectSpec& object : experiment.objects)
         out.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});

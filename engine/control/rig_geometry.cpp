@@ -24,9 +24,9 @@ std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
 
 RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
                          const std::vector<Vector6d>& mountings, const RobotLimits& limits, const Pose& X_RS,
-                         const std::vector<FaceMaterial>& fronts)
-    : m_source(RadiatingContour(source)), m_limits(limits), m_X_RS(X_RS),
-      m_X_SR(inverseUnlessIdentity(X_RS)) {
+                         const std::vector<FaceMaterial>& fronts, const Screens& screens)
+    : m_source(RadiatingContour(source)), m_limits(limits), m_X_RS(X_RS), m_X_SR(inverseUnlessIdentity(X_RS)),
+      m_floor_m(shieldTop_m(screens, X_RS)) {
     if (shapes.size() != mountings.size())
         throw std::invalid_argument("RigGeometry: one mounting a shape");
     m_limits.clearance_m = std::max(limits.clearance_m, kMinClearance_m);
@@ -35,14 +35,19 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
             m_free.push_back(k);
     constexpr int kOutlinePoints = 72;
     std::vector<MountedContour> mounted;
+    const auto addOutline = [&](const Shape& shape, const Pose& X_EO) {
+        std::vector<Eigen::Vector3d> outline;
+        for (const Eigen::Vector2d& p : shapeOutline(shape, kOutlinePoints))
+            outline.push_back(X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0));
+        m_outlines_E.push_back(std::move(outline));
+    };
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         mounted.push_back({RadiatingContour(shapes[i]), poseFromCoordinates(mountings[i])});
-        std::vector<Eigen::Vector3d> outline;
-        for (const Eigen::Vector2d& p : shapeOutline(shapes[i], kOutlinePoints))
-            outline.push_back(mounted.back().X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0));
-        m_outlines_E.push_back(std::move(outline));
+        addOutline(shapes[i], mounted.back().X_EO);
     }
-    m_mounted = MountedObjects(std::move(mounted));
+    for (const MountedContour& fixture : screens.fixtures)
+        addOutline(fixture.contour.shape(), fixture.X_EO);
+    m_mounted = MountedObjects(std::move(mounted), screens, X_RS);
     if (!fronts.empty())
         m_neighbours = Neighbours(m_mounted, fronts);
 }
@@ -51,6 +56,8 @@ std::shared_ptr<const RigGeometry> RigGeometry::withSourceAt(const Pose& X_RS) c
     auto moved = std::make_shared<RigGeometry>(*this);
     moved->m_X_RS = X_RS;
     moved->m_X_SR = inverseUnlessIdentity(X_RS);
+    moved->m_mounted.setSourceAt(X_RS);
+    moved->m_floor_m = shieldTop_m(m_mounted.screens(), X_RS);
     return moved;
 }
 
@@ -141,7 +148,7 @@ std::vector<TakenLight> RigGeometry::takenLight(const Vector6d& q) const {
 std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {
     const Pose X_RE = poseFromCoordinates(q);
     const Eigen::Vector3d n = away();
-    const double origin_m = n.dot(X_RE.translation() - m_X_RS.translation());
+    const double origin_m = n.dot(X_RE.translation() - m_X_RS.translation()) - m_floor_m;
     const Eigen::RowVector3d down = n.transpose() * X_RE.linear();
     std::vector<Clearance> out;
     for (const auto& outline : m_outlines_E) {
@@ -163,7 +170,7 @@ double RigGeometry::lowestPoint_m(const Vector6d& q) const {
     for (const auto& outline : m_outlines_E)
         for (const Eigen::Vector3d& p_E : outline)
             lowest = std::min(lowest, down.dot(p_E.transpose()));
-    return n.dot(X_RE.translation() - m_X_RS.translation()) + lowest;
+    return n.dot(X_RE.translation() - m_X_RS.translation()) - m_floor_m + lowest;
 }
 
 bool RigGeometry::allowed(const Vector6d& q) const {

@@ -29,22 +29,24 @@ struct ViewFactors {
     Eigen::Matrix<double, Eigen::Dynamic, 6> dF; ///< N x 6
 };
 
-/// Height of an object's lowest contour point over the source plane, with its derivative by the pose
-/// coordinates.
+/// Height of the lowest contour point of an object or fixture over the floor of the rig, with its derivative
+/// by the pose coordinates.
 struct Clearance {
     double height_m = 0.0;
     Vector6d gradient = Vector6d::Zero();
 };
 
 /// Immutable; calls are thread-safe. All poses q, and the workspace, are the end-effector's coordinates in
-/// the robot's base R; the source is at X_RS.
+/// the robot's base R; the source is at X_RS. The floor, over which heights are measured, is the source's
+/// plane or, parallel to it, the highest point of any shield: what is held above all shields hits none.
 class RigGeometry {
 public:
     /// `mountings` are X_EO as pose coordinates, one for each shape; `fronts` are the objects' materials: if
-    /// empty, objects exchange nothing with one another. Throws std::invalid_argument if the lengths differ.
+    /// empty, objects exchange nothing with one another. `screens` shade them. Throws std::invalid_argument
+    /// if the lengths differ.
     RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
                 const RobotLimits& limits, const Pose& X_RS = Pose::Identity(),
-                const std::vector<FaceMaterial>& fronts = {});
+                const std::vector<FaceMaterial>& fronts = {}, const Screens& screens = {});
 
     /// Returns the same rig with its source at another pose. Shares the contours: cheap enough for every
     /// sample.
@@ -80,19 +82,20 @@ public:
     Eigen::VectorXd roughViewFactors(const Vector6d& q) const;
     /// Writes the values without shade into `F` (N), which is not allocated again; to 1e-6.
     void unshadedViewFactors(const Vector6d& q, Eigen::VectorXd& F) const;
-    /// Returns whether an object may shade another at some pose.
+    /// Returns whether an object may be shaded at some pose.
     bool mayShade() const { return m_mounted.mayShade(); }
     /// Returns the share of the view factors `unshaded` (N) that the others leave to each object, with
     /// Shade::Rough.
     Eigen::VectorXd roughShares(const Vector6d& q, const Eigen::VectorXd& unshaded) const;
-    /// Returns what each object takes of the light of each other one: see MountedObjects::takenLight.
+    /// Returns what each object, fixture and shield takes of whose light: see MountedObjects::takenLight.
     std::vector<TakenLight> takenLight(const Vector6d& q) const;
-    /// Returns the clearance of the lowest point of each object.
+    /// Returns the height of the floor over the source's plane, m; 0 without shields.
+    double floor_m() const { return m_floor_m; }
+    /// Returns the clearance of the lowest point of each object, then of each fixture.
     std::vector<Clearance> clearances(const Vector6d& q) const;
-    /// Returns the smallest clearance of all objects, m.
+    /// Returns the height over the floor of the lowest point of all objects and fixtures, m.
     double lowestPoint_m(const Vector6d& q) const;
-    /// Returns whether the pose is inside the workspace and keeps the clearance from the source plane, within
-    /// 1e-9.
+    /// Returns whether the pose is inside the workspace and keeps the clearance from the floor, within 1e-9.
     bool allowed(const Vector6d& q) const;
     /// Returns whether a step to `to` is allowed under these limits. A limit that is already violated at
     /// `from` only forbids to go farther out.
@@ -113,9 +116,10 @@ private:
     std::vector<int> m_free;
     MountedObjects m_mounted;
     Neighbours m_neighbours;
-    std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
+    std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E, of objects and fixtures
     Pose m_X_RS;
     std::optional<Pose> m_X_SR; ///< empty if R and S are the same
+    double m_floor_m = 0.0;
 };
 
 } // namespace bask

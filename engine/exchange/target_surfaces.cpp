@@ -69,11 +69,15 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
         FieldRequest request{geometry.source, object.contour, geometry.axes,
                              geometry.fixed,  object.X_EO,    geometry.X_RS};
         request.tolerance = geometry.tolerance;
-        request.minHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
+        request.minHeight_m = geometry.clearance_m + shieldTop_m(geometry.screens, geometry.X_RS) -
+                              largestStep_m(geometry.axes);
         request.isShadeRough = true;
         for (std::size_t other = 0; other < geometry.objects.size(); ++other)
             if (other != i)
                 request.others.push_back(geometry.objects[other]);
+        const Screens& screens = geometry.screens;
+        request.others.insert(request.others.end(), screens.fixtures.begin(), screens.fixtures.end());
+        request.shields = screens.shields;
         auto field = sampleField(request, {.stop = stop});
         if (!field)
             return field.error();

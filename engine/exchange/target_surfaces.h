@@ -31,12 +31,14 @@ struct TargetGeometry {
     RadiatingSource source;
     Pose X_RS = Pose::Identity();
     std::vector<MountedContour> objects;
+    Screens screens = {};
     std::vector<FieldAxis> axes;       ///< three of the end-effector's coordinates in R; see surfaceAxes
     Vector6d fixed = Vector6d::Zero(); ///< values of the others
     /// Whether the axes are positions of each object's own centre, not of the end-effector: the mounting's
     /// translation is then not included, but its rotation is. For positions only.
     bool ofOwnCentres = false;
-    /// Poses that are a grid step too near for this clearance are left out, and so are the surfaces there.
+    /// From the source's plane, or from the highest point of any shield over it. Poses that are a grid step
+    /// too near for it are left out, and so are the surfaces there.
     double clearance_m = 0.0;
     double tolerance = 1e-6; ///< of F; between samples the error of a surface is larger
     /// The object whose field is wanted, the others only shade it; empty: the fields of all.
@@ -44,9 +46,9 @@ struct TargetGeometry {
 };
 
 /// Returns the view factors of every object over the grid, one field for each, with the rough shade of the
-/// other objects (see roughShadedViewFactor). They are valid until the geometry changes: another target only
-/// needs other surfaces. Errors: those of sampleField. Throws
-/// std::invalid_argument for ofOwnCentres over an angle.
+/// other objects and of the screens (see roughShadedViewFactor). They are valid until the geometry changes:
+/// another target only needs other surfaces. Errors: those of sampleField. Throws std::invalid_argument for
+/// ofOwnCentres over an angle.
 Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
                                                                const std::stop_token& stop = {});
 

@@ -107,7 +107,7 @@ struct Grid {
         }
         std::vector<MountedContour> mounted{{request.object, request.X_EO}};
         mounted.insert(mounted.end(), request.others.begin(), request.others.end());
-        if (MountedObjects all(std::move(mounted)); !all.inFrontOf(0).empty()) {
+        if (MountedObjects all(std::move(mounted), {{}, request.shields}, request.X_RS); all.mayBeShaded(0)) {
             held = std::move(all);
             X_OE = request.X_EO.inverse();
         }

@@ -58,9 +58,12 @@ struct FieldRequest {
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
     FieldQuantity quantity = {};
-    /// The other objects on the end-effector, with the object's own X_EO: those of them that may stand in its
-    /// light are counted. Without such ones the field is that of the object alone, bit for bit.
+    /// The other objects and the fixtures on the end-effector, with the object's own X_EO: those of them that
+    /// may stand in its light are counted. Without such ones the field is that of the object alone, bit for
+    /// bit.
     std::vector<MountedContour> others = {};
+    /// Plates that stand in R; they count as the others do, at whatever height.
+    std::vector<StandingContour> shields = {};
     /// Whether the shade is rough (see roughShadedViewFactor), for some ten times as many samples a second;
     /// else it is found to max(tolerance, kShadeTolerance). The error of a rough shade is not estimated.
     bool isShadeRough = false;

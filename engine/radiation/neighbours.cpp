@@ -44,6 +44,8 @@ std::vector<Blocker> othersThan(const MountedObjects& objects, std::size_t a, st
     for (std::size_t k = 0; k < objects.size(); ++k)
         if (k != a && k != b)
             others.push_back({objects[k].contour, X_SE * objects[k].X_EO});
+    for (const MountedContour& fixture : objects.screens().fixtures)
+        others.push_back({fixture.contour, X_SE * fixture.X_EO});
     return others;
 }
 
@@ -88,7 +90,7 @@ Eigen::MatrixXd viewFactorsBetween(const MountedObjects& objects) {
 Neighbours::Neighbours(const MountedObjects& objects, const std::vector<FaceMaterial>& fronts) {
     if (fronts.size() != objects.size())
         throw std::invalid_argument("Neighbours: one material an object");
-    if (!objects.mayShade()) // no front sees anything of another object
+    if (!objects.mayShade()) // no front sees anything of another plate
         return;
     const Eigen::MatrixXd F = viewFactorsBetween(objects);
     if (F.isZero(0.0))

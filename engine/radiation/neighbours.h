@@ -19,13 +19,14 @@ struct FaceMaterial {
 /// They move as one, so it does not depend on the pose. Faces are gray and diffuse; backs are adiabatic: they
 /// give back what falls on them. The source sends back nothing of what they radiate. Objects that do not see
 /// one another, as in one plane, exchange nothing: every function then returns its argument, or zero.
+/// Fixtures stand between objects as the room would; shields, which do not move with them, are left out.
 /// Immutable; thread-safe.
 class Neighbours {
 public:
     Neighbours() = default;
-    /// The view factors between the faces, with the shade of the other objects, are found to 1e-5. Objects
-    /// that pass through one another exchange nothing; nobody can build them. Throws std::invalid_argument
-    /// unless there is one material for each object.
+    /// The view factors between the faces, with the shade of the other objects and of fixtures, are found to
+    /// 1e-5. Objects that pass through one another exchange nothing; nobody can build them. Throws
+    /// std::invalid_argument unless there is one material for each object.
     Neighbours(const MountedObjects& objects, const std::vector<FaceMaterial>& fronts);
 
     /// Returns whether any object sees another.

@@ -169,7 +169,7 @@ std::vector<PlacedShape> placedBetween(const Scene& scene, std::span<const Block
     std::vector<PlacedShape> between;
     for (const Blocker& blocker : blockers)
         if (!isAside(scene, blocker.contour.impl().plate(), blocker.X_S))
-            between.push_back({blocker.contour, blocker.X_S});
+            between.push_back({blocker.contour, blocker.X_S, blocker.isHeld});
     return between;
 }
 
@@ -226,7 +226,7 @@ RigidViewFactor roughShadedViewFactor(const RadiatingContour& source, const Radi
     const RoughShadowFlux flux = roughShadowFlux({source, Pose::Identity()}, {object, X_SO}, between, true);
     const double area = object.area_m2();
     return {std::clamp(unshaded.value - flux.value_m2 / area, 0.0, unshaded.value),
-            unshaded.gradient + flux.bySource / area};
+            unshaded.gradient + flux.byStanding / area};
 }
 
 double roughShade(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,

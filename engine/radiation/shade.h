@@ -57,8 +57,8 @@ struct RigidViewFactor {
 };
 
 /// Returns F21, its shade by fixed rules: to about a hundredth of what the blockers take, in less than a
-/// tenth of the time. For searches, which go on from there with shadedViewFactor. All blockers are held.
-/// `tolerance`: of the view factor without blockers.
+/// tenth of the time. For searches, which go on from there with shadedViewFactor. `tolerance`: of the view
+/// factor without blockers.
 RigidViewFactor roughShadedViewFactor(const RadiatingContour& source, const RadiatingContour& object,
                                       const Pose& X_SO, std::span<const Blocker> blockers, double tolerance);
 

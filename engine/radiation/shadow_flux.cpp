@@ -484,6 +484,32 @@ ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
     return flux;
 }
 
+namespace {
+
+/// Adds the integrals of a field along an outline, by the middles of even steps: round a closed curve, as
+/// good as Gauss' rule. `fieldAt(p, eye)` is zero where nothing is seen.
+template <class FieldAt>
+void addAround(const PlacedShape& placed, const Vector3d& p_SO, const FieldAt& fieldAt, Vector6d& moments) {
+    constexpr double kAround = 48.0;
+    const std::vector<Curve> curves = curvesOf(placed);
+    double length_m = 0.0;
+    for (const Curve& curve : curves)
+        length_m += curve.speed_m;
+    Sum sum;
+    for (const Curve& curve : curves) {
+        const int steps = std::max(2, static_cast<int>(std::lround(kAround * curve.speed_m / length_m)));
+        for (int k = 0; k < steps; ++k) {
+            const auto [p, step] = curve.at((k + 0.5) / steps);
+            const Vector3d field = fieldAt(p, curve.lookout(p, step));
+            if (!field.isZero(0.0))
+                sum.add(1.0 / (std::numbers::pi * steps), p - p_SO, step.cross(field));
+        }
+    }
+    moments += sum.moments;
+}
+
+} // namespace
+
 RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
                                 std::span<const PlacedShape> blockers, bool withGradient) {
     RoughShadowFlux flux;
@@ -494,12 +520,16 @@ RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& ob
     const Vector3d face = -object.X_S.linear().col(2), p_SO = object.X_S.translation();
     const HalfSpace above, front{face, -face.dot(p_SO)};
     const SightMember downToSource{scene.clipped(add(source), front), 1};
-    std::vector<std::size_t> wholes;
+    struct Between {
+        const PlacedShape* placed;
+        std::size_t whole, fromObject;
+    };
+    std::vector<Between> between;
     std::vector<SightMember> downToBlockers;
     for (const PlacedShape& blocker : blockers) {
         const std::size_t whole = add(blocker);
         if (const std::size_t part = scene.clipped(whole, above); !scene.figure(part).empty()) {
-            wholes.push_back(whole);
+            between.push_back({&blocker, whole, part});
             downToBlockers.push_back({part, 1});
         }
     }
@@ -513,29 +543,51 @@ RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& ob
         return flux;
     const SightMember upToObject{scene.clipped(add(object), above), -1};
     std::vector<SightMember> upToBlockers;
-    for (const std::size_t whole : wholes)
-        if (const std::size_t part = scene.clipped(whole, front); !scene.figure(part).empty())
+    for (const Between& blocker : between)
+        if (const std::size_t part = scene.clipped(blocker.whole, front); !scene.figure(part).empty())
             upToBlockers.push_back({part, -1});
     if (scene.figure(upToObject.figure).empty() || upToBlockers.empty())
         return flux;
-    ShadowField up(scene, std::span(&upToObject, 1), upToBlockers, true);
-    const std::vector<Curve> curves = curvesOf(source);
-    double length_m = 0.0;
-    for (const Curve& curve : curves)
-        length_m += curve.speed_m;
-    Sum sum;
-    for (const Curve& curve : curves) {
-        // The middles of even steps: round a closed curve, as good as Gauss' rule.
-        constexpr double kAround = 48.0;
-        const int steps = std::max(2, static_cast<int>(std::lround(kAround * curve.speed_m / length_m)));
-        for (int k = 0; k < steps; ++k) {
-            const auto [p, step] = curve.at((k + 0.5) / steps);
-            if (front.height(p) > 0.0 && up.mayBeSeen(p, 0.0))
-                sum.add(-1.0 / (std::numbers::pi * steps), p - p_SO,
-                        step.cross(up.at(curve.lookout(p, step), true).field));
+    {
+        ShadowField up(scene, std::span(&upToObject, 1), upToBlockers, true);
+        addAround(
+            source, p_SO,
+            [&](const Vector3d& p, const Vector3d& eye) -> Vector3d {
+                if (!(front.height(p) > 0.0) || !up.mayBeSeen(p, 0.0))
+                    return Vector3d::Zero();
+                return -up.at(eye, true).field;
+            },
+            flux.byStanding);
+    }
+    std::vector<std::size_t> parts; // of the blockers, between the two faces
+    for (const Between& blocker : between)
+        parts.push_back(scene.clipped(blocker.fromObject, front));
+    for (std::size_t i = 0; i < between.size(); ++i) {
+        const SightFigure& plate = scene.figure(parts[i]);
+        if (between[i].placed->isHeld || plate.empty())
+            continue;
+        const Vector3d normal = plate.n, origin = plate.origin;
+        std::vector<SightMember> others;
+        for (std::size_t k = 0; k < parts.size(); ++k)
+            if (k != i && !scene.figure(parts[k]).empty())
+                others.push_back({parts[k], 0});
+        for (const double side : {1.0, -1.0}) { // rays pass through the outline from either side
+            const std::size_t half =
+                scene.clipped(upToObject.figure, {side * normal, -side * normal.dot(origin)});
+            if (scene.figure(half).empty())
+                continue;
+            const std::array<SightMember, 2> targets{SightMember{half, -1}, downToSource};
+            ShadowField through(scene, targets, others, false);
+            addAround(
+                *between[i].placed, p_SO,
+                [&](const Vector3d& p, const Vector3d& eye) -> Vector3d {
+                    if (!(front.height(p) > 0.0) || !(p.z() > 0.0) || !through.mayBeSeen(p, 0.0))
+                        return Vector3d::Zero();
+                    return -side * through.at(eye, true).field;
+                },
+                flux.byStanding);
         }
     }
-    flux.bySource = sum.moments;
     return flux;
 }
 

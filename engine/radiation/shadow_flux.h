@@ -12,6 +12,7 @@ namespace bask {
 struct PlacedShape {
     const RadiatingContour& contour;
     Pose X_S = Pose::Identity();
+    bool isHeld = true; ///< a blocker: whether it moves with the object; only for a rough flux
 };
 
 struct ShadowFluxGoal {
@@ -38,14 +39,15 @@ struct ShadowFlux {
 ShadowFlux shadowFlux(const PlacedShape& source, const PlacedShape& object,
                       std::span<const PlacedShape> blockers, const ShadowFluxGoal& goal);
 
-/// As `ShadowFlux`; the gradient, for a motion of the source alone, is not exactly the value's.
+/// As `ShadowFlux`; the gradient, for a motion of the source and of the blockers that are not held as one, is
+/// not exactly the value's.
 struct RoughShadowFlux {
     double value_m2 = 0.0;
-    Vector6d bySource = Vector6d::Zero();
+    Vector6d byStanding = Vector6d::Zero();
 };
 
-/// By fixed rules over the object's face and along the source's outline: to about a hundredth of the flux and
-/// in less than a tenth of the time; it changes evenly with the poses.
+/// By fixed rules over the object's face and, for the gradient, along the outlines of what stands: to about a
+/// hundredth of the flux and in less than a tenth of the time; it changes evenly with the poses.
 RoughShadowFlux roughShadowFlux(const PlacedShape& source, const PlacedShape& object,
                                 std::span<const PlacedShape> blockers, bool withGradient);
 

@@ -125,7 +125,7 @@ void RigReadings::readRobot() {
 
 void RigReadings::readViewFactors() {
     // No object can be inside the source: a robot that reports this has wrong axis origins.
-    if (m_devices.isReal && m_geometry->lowestPoint_m(m_coordinates) <= 0.0) {
+    if (m_devices.isReal && m_geometry->lowestPoint_m(m_coordinates) <= -m_geometry->floor_m()) {
         m_robot.isPlaceSure = false;
         for (ObjectSample& object : m_sample.objects)
             object.viewFactor = object.unshadedViewFactor = kNaN;

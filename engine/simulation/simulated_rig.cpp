@@ -9,7 +9,7 @@ MountedObjects mountedObjects(const SimulatedRigConfig& config) {
     std::vector<MountedContour> objects;
     for (const SimulatedObject& object : config.objects)
         objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    return MountedObjects(std::move(objects));
+    return MountedObjects(std::move(objects), config.screens, poseFromCoordinates(config.sourcePose));
 }
 
 ThermalPlant thermalPlant(const SimulatedRigConfig& config, const MountedObjects& objects) {
@@ -72,8 +72,8 @@ void SimulatedRig::step(double until_s) {
         m_heatedSince_s = m_clock.now_s();
     m_heated = open;
     if (open && !m_config.sourceMotion.empty())
-        m_X_RS = poseFromCoordinates(
-            valueAt(m_config.sourceMotion, until_s - m_heatedSince_s, m_config.sourcePose));
+        moveSource(poseFromCoordinates(
+            valueAt(m_config.sourceMotion, until_s - m_heatedSince_s, m_config.sourcePose)));
     seeSource();
     const double J = open ? netSourcePower_W_m2(m_config.sourceModel, m_source.temperature_K(),
                                                 m_config.sourceEmittance, m_config.environment_K)
@@ -87,6 +87,15 @@ void SimulatedRig::step(double until_s) {
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
     showCamera();
+}
+
+void SimulatedRig::moveSource(const Pose& X_RS) {
+    const bool isSame = X_RS.matrix() == m_X_RS.matrix();
+    m_X_RS = X_RS;
+    if (isSame || m_config.screens.shields.empty())
+        return;
+    m_objects.setSourceAt(X_RS);
+    m_computedAt.reset(); // end-effector and source may have moved as one, but not the shields
 }
 
 void SimulatedRig::showCamera() {

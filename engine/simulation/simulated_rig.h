@@ -33,6 +33,7 @@ struct SimulatedRigConfig {
     double environment_K = 298.15;
     Air air{}; ///< true
     std::vector<SimulatedObject> objects;
+    Screens screens{};
     SimulatedRobotConfig robot;
     SimulatedThermometerConfig thermometer;
     SimulatedTrackerConfig tracker;
@@ -59,7 +60,8 @@ private:
     double m_source_K;
 };
 
-/// Returns the objects on the end-effector, as they shade one another.
+/// Returns the objects on the end-effector, as they and the screens shade them, the source being at its start
+/// pose.
 MountedObjects mountedObjects(const SimulatedRigConfig& config);
 /// Returns the plant of these objects, at the temperature of the environment.
 ThermalPlant thermalPlant(const SimulatedRigConfig& config, const MountedObjects& objects);
@@ -99,6 +101,7 @@ public:
 
 private:
     void step(double until_s);
+    void moveSource(const Pose& X_RS);
     void seeSource();
     void showCamera();
 

@@ -184,6 +184,42 @@ TEST(RigGeometry, ASourceMovedElsewhereIsTheRigBuiltThere) {
     EXPECT_TRUE(moved->away().isApprox(X_RS.linear() * Eigen::Vector3d::UnitZ()));
 }
 
+// Catches shields left where they were to the source, or something held that may go down to one.
+TEST(RigGeometry, ShieldsStandInTheRoomAndHeldPlatesStayAboveThem) {
+    Draw draw(9);
+    const Rig rig(draw);
+    const Pose X_RS = drawnPose(draw, 0.05, 0.2);
+    Screens screens;
+    screens.shields.push_back(
+        {RadiatingContour(Disk{0.05}), X_RS * Pose(Eigen::Translation3d(0.04, 0, 0.03))});
+    screens.fixtures.push_back({RadiatingContour(Disk{0.02}), Pose(Eigen::Translation3d(0, 0, -0.15))});
+    const RigGeometry built(rig.source, rig.shapes, rig.mountings, rig.limits, X_RS, {}, screens);
+    const auto moved =
+        RigGeometry(rig.source, rig.shapes, rig.mountings, rig.limits, Pose::Identity(), {}, screens)
+            .withSourceAt(X_RS);
+    const RigGeometry open = rig.at(X_RS);
+    EXPECT_TRUE(built.mayShade());
+    EXPECT_NEAR(built.floor_m(), 0.03, 1e-9);
+    for (int i = 0; i < 5; ++i) {
+        Vector6d q = poseOver(draw);
+        q[kZ] += 0.3;
+        const std::vector<Clearance> clearances = built.clearances(q);
+        ASSERT_EQ(clearances.size(), rig.shapes.size() + 1);
+        EXPECT_NEAR(clearances[0].height_m, open.clearances(q)[0].height_m - 0.03, 1e-12);
+        EXPECT_EQ(built.lowestPoint_m(q), moved->lowestPoint_m(q));
+        EXPECT_NEAR(built.lowestPoint_m(q), clearances.back().height_m, 1e-12) << "the fixture is lowest";
+        EXPECT_EQ(built.viewFactors(q).dF, moved->viewFactors(q).dF);
+        const auto height = [&](const Vector6d& at) { return built.clearances(at).back().height_m; };
+        EXPECT_LT((differences(height, q, 1e-4) - clearances.back().gradient).norm(), 1e-5);
+        Vector6d low = q;
+        low.head<3>() -= (built.lowestPoint_m(q) - rig.limits.clearance_m + 1e-4) * built.away();
+        const RobotLimits limits = built.limits();
+        EXPECT_FALSE(built.mayStep(q, low, limits)) << "under the clearance from the shield";
+        low.head<3>() += 2e-4 * built.away();
+        EXPECT_GE(built.lowestPoint_m(low), limits.clearance_m);
+    }
+}
+
 // Catches a retreat that goes up instead of off the source: into a source that stands upright beside it.
 TEST(PoseOffSource, GoesAlongTheSourcesNormalToTheEndOfTheWorkspace) {
     Draw draw(6);

@@ -32,7 +32,7 @@ Vector6d movedSource() {
 }
 
 TargetGeometry geometry(const Vector6d& source, double step = kSurfaceStep_m) {
-    TargetGeometry out{RadiatingContour(kSource), poseFromCoordinates(source), {}, {}};
+    TargetGeometry out{RadiatingContour(kSource), poseFromCoordinates(source), {}, {}, {}};
     for (std::size_t i = 0; i < kShapes.size(); ++i)
         out.objects.push_back({RadiatingContour(kShapes[i]), poseFromCoordinates(mountings()[i])});
     RobotLimits limits;
@@ -124,7 +124,7 @@ TEST(TargetSurfaces, ofThePapersTargetsCrossTheAxisWhereTheClosedFormSays) {
     const double room_K = kelvinFromCelsius(25.0);
     const HeatRates rates =
         heatRates({}, surroundingsOf(SourceModel::Paper, kelvinFromCelsius(200.0), 0.25, room_K));
-    TargetGeometry of{RadiatingContour(kSource), Pose::Identity(), {{RadiatingContour(Disk{0.015})}}, {}};
+    TargetGeometry of{RadiatingContour(kSource), Pose::Identity(), {{RadiatingContour(Disk{0.015})}}, {}, {}};
     of.axes = surfaceAxes(PoseSubset::Translation, {}, kSurfaceStep_m);
     const auto fields = targetFields(of);
     ASSERT_TRUE(fields);

@@ -97,6 +97,28 @@ TEST(ThermalPlant, NeighboursExchangeRadiation) {
     EXPECT_GT(gained[1], 250.0);
 }
 
+// Catches a shield that goes along with a source that moves.
+TEST(SimulatedRig, ShieldsStayWhereTheyAreWhenTheSourceMoves) {
+    const auto warmed_K = [](double from_m, bool moves, bool isShielded) {
+        SimulatedRigConfig config = oneDisk();
+        config.sourcePose[kX] = from_m;
+        Vector6d there = Vector6d::Zero();
+        there[kX] = 0.04;
+        if (moves)
+            config.sourceMotion = {{0.0, config.sourcePose}, {0.05, there}};
+        if (isShielded)
+            config.screens.shields.push_back(
+                {RadiatingContour(Disk{0.05}), Pose(Eigen::Translation3d(0.05, 0.0, 0.05))});
+        SimulatedRig rig(config);
+        EXPECT_TRUE(rig.heatSource().keepHeating(config.sourceTemperature_K, 1e3));
+        rig.advance(60.0);
+        return rig.trueTemperatures_K()[0];
+    };
+    const double there_K = warmed_K(0.04, false, true);
+    EXPECT_NEAR(warmed_K(-0.1, true, true), there_K, 0.02);
+    EXPECT_GT(warmed_K(0.04, false, false), there_K + 0.5) << "it shades";
+}
+
 TEST(SimulatedRobot, MovesAtTheAskedVelocityUntilItExpires) {
     ManualClock clock;
     SimulatedRobot robot(robotConfig(), clock);

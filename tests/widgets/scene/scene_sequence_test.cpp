@@ -21,6 +21,7 @@ std::vector<SurfaceFrame> nineTilts() {
     TargetGeometry geometry{RadiatingContour(Disk{0.10}),
                             {},
                             {{RadiatingContour(Disk{0.015})}},
+                            {},
                             surfaceAxes(PoseSubset::Translation, {}, 2.0 * kSurfaceStep_m)};
     geometry.X_RS = Pose::Identity();
     std::vector<double> tilts;

@@ -35,6 +35,7 @@ Fields fieldsOf(const Experiment& experiment, PoseSubset subset = PoseSubset::Tr
     TargetGeometry geometry{RadiatingContour(experiment.source.shape),
                             poseFromCoordinates(experiment.source.pose),
                             {},
+                            {},
                             surfaceAxes(subset, experiment.robot, step)};
     for (const ObjectSpec& object : experiment.objects)
         geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
