@@ -636,14 +636,6 @@
         <translation>il n’y a aucun objet&#xa0;; ajoutez-en au moins un</translation>
     </message>
     <message>
-        <source>the name &quot;%1&quot; is used twice; give each object its own</source>
-        <translation>le nom «&#xa0;%1&#xa0;» est utilisé deux fois&#xa0;; donnez à chaque objet le sien</translation>
-    </message>
-    <message>
-        <source>an object needs a name</source>
-        <translation>un objet doit avoir un nom</translation>
-    </message>
-    <message>
         <source>control characters, and spaces at either end, are not allowed in a name</source>
         <translation>les caractères de contrôle et les espaces aux extrémités ne sont pas admis dans un nom</translation>
     </message>
@@ -1625,11 +1617,11 @@
     </message>
     <message>
         <source>this part of the source stands on edge or faces away; tilt it by less than 89 degrees</source>
-        <translation>cette partie de la source est sur la tranche ou tournée de l'autre côté ; inclinez-la de moins de 89 degrés</translation>
+        <translation>cette partie de la source est sur la tranche ou tournée de l&apos;autre côté ; inclinez-la de moins de 89 degrés</translation>
     </message>
     <message>
         <source>this part lies in front of %1; what parts of a source hide from one another is not computed</source>
-        <translation>cette partie se trouve devant %1 ; ce que les parties d'une source se cachent l'une à l'autre n'est pas calculé</translation>
+        <translation>cette partie se trouve devant %1 ; ce que les parties d&apos;une source se cachent l&apos;une à l&apos;autre n&apos;est pas calculé</translation>
     </message>
     <message>
         <source>the radii must grow, but %1 mm comes after %2 mm</source>
@@ -1646,6 +1638,22 @@
     <message>
         <source>line %1: two numbers expected, &quot;%2&quot; found</source>
         <translation>ligne %1 : deux nombres attendus, « %2 » trouvé</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each object, fixture and shield its own</source>
+        <translation>le nom «&#xa0;%1&#xa0;» est utilisé deux fois&#xa0;; donnez à chaque objet, support et écran le sien</translation>
+    </message>
+    <message>
+        <source>every object, fixture and shield needs a name</source>
+        <translation>chaque objet, chaque support et chaque écran doit avoir un nom</translation>
+    </message>
+    <message>
+        <source>at the start &quot;%1&quot; is %2 mm from the source plane; at least %3 mm are needed, since the shield &quot;%4&quot; reaches up to %5 mm and everything held stays above it</source>
+        <translation>au départ, «&#xa0;%1&#xa0;» est à %2&#xa0;mm du plan de la source&#xa0;; il faut au moins %3&#xa0;mm, car l’écran «&#xa0;%4&#xa0;» monte jusqu’à %5&#xa0;mm et tout ce qui est porté reste au-dessus</translation>
+    </message>
+    <message>
+        <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
+        <translation>le point le plus bas de cet écran est à %1&#xa0;mm au-dessus du plan de la source&#xa0;; il faut au moins %2&#xa0;mm</translation>
     </message>
 </context>
 <context>
@@ -6926,7 +6934,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The source in the robot&apos;s base: %1.</source>
-        <translation>La source dans la base du robot : %1.</translation>
+        <translation>La source dans la base du robot&#xa0;: %1.</translation>
     </message>
     <message>
         <source>The source lies at %1, measured %2.</source>
@@ -7776,6 +7784,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Evenness of the source</source>
         <translation>Uniformité de la source</translation>
+    </message>
+    <message>
+        <source>Fixture or shield</source>
+        <translation>Support ou écran</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>on the end-effector: %1</source>
+        <translation>sur l’effecteur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>in the robot&apos;s base: %1</source>
+        <translation>dans la base du robot&#xa0;: %1</translation>
     </message>
 </context>
 <context>

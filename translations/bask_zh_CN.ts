@@ -636,14 +636,6 @@
         <translation>没有物体；请至少添加一个</translation>
     </message>
     <message>
-        <source>the name &quot;%1&quot; is used twice; give each object its own</source>
-        <translation>名称“%1”使用了两次；请为每个物体指定各自的名称</translation>
-    </message>
-    <message>
-        <source>an object needs a name</source>
-        <translation>物体需要名称</translation>
-    </message>
-    <message>
         <source>control characters, and spaces at either end, are not allowed in a name</source>
         <translation>名称中不允许有控制字符，首尾也不允许有空格</translation>
     </message>
@@ -1646,6 +1638,22 @@
     <message>
         <source>line %1: two numbers expected, &quot;%2&quot; found</source>
         <translation>第 %1 行：应为两个数，实为“%2”</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each object, fixture and shield its own</source>
+        <translation>名称“%1”用了两次；请给每个物体、夹具和遮板不同的名称</translation>
+    </message>
+    <message>
+        <source>every object, fixture and shield needs a name</source>
+        <translation>每个物体、夹具和遮板都需要名称</translation>
+    </message>
+    <message>
+        <source>at the start &quot;%1&quot; is %2 mm from the source plane; at least %3 mm are needed, since the shield &quot;%4&quot; reaches up to %5 mm and everything held stays above it</source>
+        <translation>在起始位姿，“%1”距热源平面 %2 mm；至少需要 %3 mm，因为遮板“%4”高达 %5 mm，所有被夹持的物件都须保持在其上方</translation>
+    </message>
+    <message>
+        <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
+        <translation>此遮板的最低点在热源平面上方 %1 mm；至少需要 %2 mm</translation>
     </message>
 </context>
 <context>
@@ -7762,6 +7770,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Evenness of the source</source>
         <translation>热源的均匀性</translation>
+    </message>
+    <message>
+        <source>Fixture or shield</source>
+        <translation>夹具或遮板</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>on the end-effector: %1</source>
+        <translation>在末端执行器上：%1</translation>
+    </message>
+    <message>
+        <source>in the robot&apos;s base: %1</source>
+        <translation>在机器人基座中：%1</translation>
     </message>
 </context>
 <context>

@@ -636,14 +636,6 @@
         <translation>沒有物體；請至少新增一個</translation>
     </message>
     <message>
-        <source>the name &quot;%1&quot; is used twice; give each object its own</source>
-        <translation>名稱「%1」使用了兩次；請為每個物體指定各自的名稱</translation>
-    </message>
-    <message>
-        <source>an object needs a name</source>
-        <translation>物體需要名稱</translation>
-    </message>
-    <message>
         <source>control characters, and spaces at either end, are not allowed in a name</source>
         <translation>名稱中不允許有控制字元，首尾也不允許有空格</translation>
     </message>
@@ -1646,6 +1638,22 @@
     <message>
         <source>line %1: two numbers expected, &quot;%2&quot; found</source>
         <translation>第 %1 行：應為兩個數，實為「%2」</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each object, fixture and shield its own</source>
+        <translation>名稱「%1」用了兩次；請給每個物體、夾具和遮板不同的名稱</translation>
+    </message>
+    <message>
+        <source>every object, fixture and shield needs a name</source>
+        <translation>每個物體、夾具和遮板都需要名稱</translation>
+    </message>
+    <message>
+        <source>at the start &quot;%1&quot; is %2 mm from the source plane; at least %3 mm are needed, since the shield &quot;%4&quot; reaches up to %5 mm and everything held stays above it</source>
+        <translation>在起始位姿，「%1」距熱源平面 %2 mm；至少需要 %3 mm，因為遮板「%4」高達 %5 mm，所有被夾持的物件都須保持在其上方</translation>
+    </message>
+    <message>
+        <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
+        <translation>此遮板的最低點在熱源平面上方 %1 mm；至少需要 %2 mm</translation>
     </message>
 </context>
 <context>
@@ -7762,6 +7770,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Evenness of the source</source>
         <translation>熱源的均勻性</translation>
+    </message>
+    <message>
+        <source>Fixture or shield</source>
+        <translation>夾具或遮板</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>on the end-effector: %1</source>
+        <translation>在末端執行器上：%1</translation>
+    </message>
+    <message>
+        <source>in the robot&apos;s base: %1</source>
+        <translation>在機器人基座中：%1</translation>
     </message>
 </context>
 <context>

@@ -131,9 +131,10 @@ Json condition2Json(const Experiment& experiment, const std::vector<PairVerdict>
 
 Json shadeJson(const Experiment& experiment, const Vector6d& pose) {
     Json rows = Json::array();
+    const std::vector<std::string> takers = takerNames(experiment);
     for (const TakenLight& taken : rigGeometry(experiment)->takenLight(pose))
         rows.push_back({{"object", experiment.objects[taken.object].name},
-                        {"taken_by", experiment.objects[taken.taker].name},
+                        {"taken_by", takers[taken.taker]},
                         {"share", taken.share}});
     return rows;
 }

@@ -165,12 +165,15 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return chosen.error();
     const ObjectSpec& object = **chosen;
     const SourceSpec& source = experiment->source;
-    Request request{
-        {radiatingSource(*experiment), poseFromCoordinates(source.pose), mountedContours(*experiment), {}},
-        {},
-        {},
-        {},
-        {}};
+    Request request{{radiatingSource(*experiment),
+                     poseFromCoordinates(source.pose),
+                     mountedContours(*experiment),
+                     screensOf(*experiment),
+                     {}},
+                    {},
+                    {},
+                    {},
+                    {}};
     request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
     request.maxViewFactor = rigGeometry(*experiment)->maxViewFactor();

@@ -204,6 +204,20 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
     return bodies.text() + materials.text();
 }
 
+/// Empty without any.
+QString screenTable(const Experiment& e) {
+    html::Table plates({SetupText::tr("Fixture or shield"), SetupText::tr("Outline"), SetupText::tr("Area"),
+                        SetupText::tr("Place")},
+                       {2});
+    for (const PlateSpec& fixture : e.fixtures)
+        plates.add({QString::fromStdString(fixture.name), shapeWords(fixture.shape), area(fixture.shape),
+                    SetupText::tr("on the end-effector: %1").arg(poseWords(fixture.pose))});
+    for (const PlateSpec& shield : e.shields)
+        plates.add({QString::fromStdString(shield.name), shapeWords(shield.shape), area(shield.shape),
+                    SetupText::tr("in the robot's base: %1").arg(poseWords(shield.pose))});
+    return e.fixtures.empty() && e.shields.empty() ? QString() : plates.text();
+}
+
 QString shadeParagraphs(const Experiment& e, const Vector6d& pose, ShadedPose which) {
     QString text;
     for (const MountingRemark& remark : shadeRemarks(e, pose, which))
@@ -236,6 +250,7 @@ QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
                  controllerFacts(session.experiment)) +
            subheading(SetupText::tr("Safety limits")) + facts(limitFacts(session.experiment.safety, unit)) +
            subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit) +
+           screenTable(session.experiment) +
            shadeParagraphs(session.experiment, session.experiment.start, ShadedPose::Start);
 }
 

@@ -51,14 +51,16 @@ public:
 
     /// Rows G y >= h that keep a step y inside workspace and clearance, linearised, and times positive.
     void limits(const HeatingPlan& plan, Eigen::MatrixXd& G, Eigen::VectorXd& h) const {
-        const Eigen::Index poseRows = 2 * free() + m_geometry.objects();
-        G = Eigen::MatrixXd::Zero(2 * (poseRows + 1), count());
-        h = Eigen::VectorXd::Zero(G.rows());
         Eigen::Index row = 0, column = 0;
         for (const Stay& stay : plan.stays) {
             Eigen::MatrixXd poseG;
             Eigen::VectorXd poseH;
             stepLimits(m_geometry, stay.pose, poseG, poseH);
+            const Eigen::Index poseRows = poseH.size();
+            if (row == 0) {
+                G = Eigen::MatrixXd::Zero(2 * (poseRows + 1), count());
+                h = Eigen::VectorXd::Zero(G.rows());
+            }
             for (Eigen::Index k = 0; k < free(); ++k)
                 G.block(row, column + k, poseRows, 1) = poseG.col(k) / scale(coordinate(k));
             h.segment(row, poseRows) = poseH;

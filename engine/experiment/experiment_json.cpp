@@ -173,6 +173,32 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     return object;
 }
 
+/// A fixture or a shield, whose pose is under the key `pose`.
+PlateSpec readPlate(const json& j, const std::string& path, const std::string& pose,
+                    const std::string& folder, Failure& failure) {
+    PlateSpec plate;
+    Fields fields(j, path, failure);
+    fields.read("name", plate.name, true);
+    readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
+        readContourForm(part, where, folder, failure, plate.shape, plate.origin, Centring::AsGiven);
+    });
+    readPart(fields, pose, true, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, plate.pose);
+    });
+    fields.close();
+    return plate;
+}
+
+void readPlates(Fields& root, const std::string& key, const std::string& pose, const std::string& folder,
+                std::vector<PlateSpec>& out) {
+    if (const json* list = root.find(key); list != nullptr && list->is_array() && list->size() > kMaxPlates)
+        root.fail(MessageCode::ValueOutOfRange, key,
+                  {std::to_string(list->size()), "0", std::to_string(kMaxPlates), ""});
+    readEach(root, key, false, [&](const json& value, const std::string& where) {
+        out.push_back(readPlate(value, where, pose, folder, root.failure()));
+    });
+}
+
 SourcePartSpec readSourcePart(const json& j, const std::string& path, const std::string& folder,
                               Failure& failure) {
     SourcePartSpec part;
@@ -361,6 +387,8 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
         readParameters(value, where, failure, safetyParameters(), e.safety);
     });
     const json* objects = root.find("objects", true);
+    root.find("fixtures");
+    root.find("shields");
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();
     if (objects != nullptr && objects->is_array() && objects->size() > 6)
@@ -369,6 +397,8 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     readEach(root, "objects", true, [&](const json& value, const std::string& where) {
         e.objects.push_back(readObject(value, where, folder, failure));
     });
+    readPlates(root, "fixtures", "mounting", folder, e.fixtures);
+    readPlates(root, "shields", "pose", folder, e.shields);
     return e;
 }
 

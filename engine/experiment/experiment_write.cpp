@@ -176,6 +176,15 @@ Json simulationJson(const SimulationSpec& s) {
     return j;
 }
 
+void putPlates(Json& j, const char* key, const char* pose, const std::vector<PlateSpec>& plates) {
+    for (const PlateSpec& plate : plates) {
+        Json& written = j[key].emplace_back();
+        written["name"] = plate.name;
+        written["contour"] = contourJson(plate.shape, plate.origin);
+        written[pose] = coordinatesJson(plate.pose);
+    }
+}
+
 Json experimentJson(const Experiment& e) {
     Json j;
     j["format"] = "bask-experiment";
@@ -191,6 +200,8 @@ Json experimentJson(const Experiment& e) {
     j["objects"] = Json::array();
     for (const ObjectSpec& object : e.objects)
         j["objects"].push_back(objectJson(object));
+    putPlates(j, "fixtures", "mounting", e.fixtures);
+    putPlates(j, "shields", "pose", e.shields);
     j["robot"] = robotJson(e);
     j["controller"] = controllerJson(e.controller);
     putParameters(j["sampling"], samplingParameters(), e.sampling);

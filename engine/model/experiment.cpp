@@ -85,18 +85,22 @@ bool isPlain(const std::string& name) {
     return true;
 }
 
+void checkName(Checker& check, const std::string& where, const std::string& name,
+               std::set<std::string>& names) {
+    const bool blank = name.find_first_not_of(" \t\r\n") == std::string::npos;
+    if (blank)
+        check.fail(MessageCode::NameEmpty, where);
+    else if (name.size() > kMaxNameLength)
+        check.range(where, static_cast<double>(name.size()), 1.0, kMaxNameLength, "characters");
+    else if (!isPlain(name))
+        check.fail(MessageCode::NameNotPlain, where);
+    else if (!names.insert(name).second)
+        check.fail(MessageCode::DuplicateName, where, {name});
+}
+
 void checkObject(Checker& check, const std::string& path, const ObjectSpec& object,
                  std::set<std::string>& names) {
-    const bool blank = object.name.find_first_not_of(" \t\r\n") == std::string::npos;
-    if (blank)
-        check.fail(MessageCode::NameEmpty, path + ".name");
-    else if (object.name.size() > kMaxNameLength)
-        check.range(path + ".name", static_cast<double>(object.name.size()), 1.0, kMaxNameLength,
-                    "characters");
-    else if (!isPlain(object.name))
-        check.fail(MessageCode::NameNotPlain, path + ".name");
-    else if (!names.insert(object.name).second)
-        check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
+    checkName(check, path + ".name", object.name, names);
     checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
     check.parameters(path + ".material.", materialParameters(), object.material);
     if (object.simulatedMaterial)
@@ -123,6 +127,25 @@ void checkObjects(Checker& check, const Experiment& e) {
         checkObject(check, "objects[" + to_string(i) + "]", e.objects[i], names);
 }
 
+void checkPlates(Checker& check, const Experiment& e) {
+    std::set<std::string> names;
+    for (const ObjectSpec& object : e.objects)
+        names.insert(object.name);
+    const auto checkEach = [&](const std::vector<PlateSpec>& plates, const std::string& list,
+                               const std::string& pose, double max_m, double maxPlace_cm) {
+        if (plates.size() > kMaxPlates)
+            check.range(list, static_cast<double>(plates.size()), 0.0, static_cast<double>(kMaxPlates));
+        for (std::size_t i = 0; i < plates.size() && !check.failed(); ++i) {
+            const std::string path = list + '[' + to_string(i) + "].";
+            checkName(check, path + "name", plates[i].name, names);
+            checkShape(check, path + "contour", plates[i].shape, plates[i].origin, max_m);
+            checkCoordinates(check, path + pose, plates[i].pose, maxPlace_cm, false);
+        }
+    };
+    checkEach(e.fixtures, "fixtures", "mounting.", kMaxObjectRadius_m, 100.0);
+    checkEach(e.shields, "shields", "pose.", kMaxSourceRadius_m, kMaxPlace_cm);
+}
+
 void checkRobot(Checker& check, const Experiment& e) {
     const RobotLimits& robot = e.robot;
     check.parameters("robot.", robotParameters(), robot);
@@ -141,17 +164,39 @@ void checkRobot(Checker& check, const Experiment& e) {
     }
 }
 
-/// Least height (m) over the source plane of any point of an object's outline.
-double minHeight_m(const ObjectSpec& object, const Pose& X_SE) {
-    const Pose X_SO = X_SE * poseFromCoordinates(object.mounting);
-    const Eigen::RowVector2d slope = X_SO.linear().block<1, 2>(2, 0);
-    const double origin_m = X_SO.translation().z();
-    if (const auto* disk = outlineAs<Disk>(object.shape))
-        return origin_m - disk->radius_m * slope.norm();
-    double min_m = std::numeric_limits<double>::infinity();
-    for (const Eigen::Vector2d& p : shapeOutline(object.shape, kOutlineSamples))
-        min_m = std::min(min_m, origin_m + slope.dot(p));
-    return min_m;
+/// Least and greatest height (m) over the source plane of any point of a shape's outline.
+struct HeightRange {
+    double min_m, max_m;
+};
+
+HeightRange heightsOf(const Shape& shape, const Pose& X_SB) {
+    const Eigen::RowVector2d slope = X_SB.linear().block<1, 2>(2, 0);
+    const double origin_m = X_SB.translation().z();
+    if (const auto* disk = outlineAs<Disk>(shape)) {
+        const double rise_m = disk->radius_m * slope.norm();
+        return {origin_m - rise_m, origin_m + rise_m};
+    }
+    HeightRange heights{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    for (const Eigen::Vector2d& p : shapeOutline(shape, kOutlineSamples)) {
+        heights.min_m = std::min(heights.min_m, origin_m + slope.dot(p));
+        heights.max_m = std::max(heights.max_m, origin_m + slope.dot(p));
+    }
+    return heights;
+}
+
+/// At every pose that the source is said to have: between those of its motion nobody looks.
+void checkShields(Checker& check, const Experiment& e) {
+    std::vector<Vector6d> sources{e.source.pose, e.simulation.sourcePose.value_or(e.source.pose)};
+    for (const auto& [unused_s, pose] : e.simulation.sourceMotion)
+        sources.push_back(pose);
+    for (std::size_t i = 0; i < e.shields.size(); ++i)
+        for (const Vector6d& source : sources) {
+            const Pose X_SB = poseFromCoordinates(source).inverse() * poseFromCoordinates(e.shields[i].pose);
+            const double height_m = heightsOf(e.shields[i].shape, X_SB).min_m;
+            if (!(height_m >= kMinShieldHeight_m - 1e-9))
+                check.fail(MessageCode::ShieldBelowSource, "shields[" + to_string(i) + "].pose",
+                           {formatNumber(height_m * 1e3), formatNumber(kMinShieldHeight_m * 1e3)});
+        }
 }
 
 void checkStart(Checker& check, const Experiment& e) {
@@ -170,12 +215,31 @@ void checkStart(Checker& check, const Experiment& e) {
     if (check.failed())
         return;
     const Pose X_SE = poseFromCoordinates(e.source.pose).inverse() * poseFromCoordinates(e.start);
-    for (const ObjectSpec& object : e.objects) {
-        const double height_m = minHeight_m(object, X_SE);
-        if (height_m < e.robot.clearance_m - 1e-9)
-            check.fail(MessageCode::StartTooClose, "robot.start",
-                       {object.name, formatNumber(height_m * 1e3), formatNumber(e.robot.clearance_m * 1e3)});
-    }
+    const Pose X_SR = poseFromCoordinates(e.source.pose).inverse();
+    double floor_m = 0.0;
+    const PlateSpec* highest = nullptr;
+    for (const PlateSpec& shield : e.shields)
+        if (const double top_m = heightsOf(shield.shape, X_SR * poseFromCoordinates(shield.pose)).max_m;
+            top_m > floor_m) {
+            floor_m = top_m;
+            highest = &shield;
+        }
+    const double least_m = floor_m + e.robot.clearance_m;
+    const auto checkHeld = [&](const std::string& name, const Shape& shape, const Vector6d& mounting) {
+        const double height_m = heightsOf(shape, X_SE * poseFromCoordinates(mounting)).min_m;
+        if (height_m >= least_m - 1e-9)
+            return;
+        const std::string is = formatNumber(height_m * 1e3), needed = formatNumber(least_m * 1e3);
+        if (highest)
+            check.fail(MessageCode::StartTooCloseToShield, "robot.start",
+                       {name, is, needed, highest->name, formatNumber(floor_m * 1e3)});
+        else
+            check.fail(MessageCode::StartTooClose, "robot.start", {name, is, needed});
+    };
+    for (const ObjectSpec& object : e.objects)
+        checkHeld(object.name, object.shape, object.mounting);
+    for (const PlateSpec& fixture : e.fixtures)
+        checkHeld(fixture.name, fixture.shape, fixture.pose);
 }
 
 void checkController(Checker& check, const ControllerSettings& c) {
@@ -376,6 +440,7 @@ Result<void> validate(const Experiment& e) {
         check.range("title", static_cast<double>(e.title.size()), 0.0, kMaxTitleLength, "characters");
     checkSource(check, e);
     checkObjects(check, e);
+    checkPlates(check, e);
     checkRobot(check, e);
     checkController(check, e.controller);
     checkSampling(check, e.sampling);
@@ -387,6 +452,8 @@ Result<void> validate(const Experiment& e) {
         check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));
     checkSafety(check, e);
     checkFaults(check, e);
+    if (!check.failed())
+        checkShields(check, e);
     if (!check.failed())
         checkStart(check, e);
     return check.result();

@@ -111,6 +111,16 @@ struct ObjectSpec {
     bool operator==(const ObjectSpec&) const = default;
 };
 
+/// A thin opaque plate in the xy-plane of its frame B that takes light from the objects: black on both sides
+/// and at the room's temperature, so it exchanges nothing else.
+struct PlateSpec {
+    std::string name;
+    Shape shape;
+    ContourOrigin origin{};
+    Vector6d pose = Vector6d::Zero(); ///< coordinates of B (m, rad), in E of a fixture and in R of a shield
+    bool operator==(const PlateSpec&) const = default;
+};
+
 struct SamplingSpec {
     double period_s = 1.0;
     int window = 10; ///< number of samples of the rate estimator
@@ -153,6 +163,10 @@ struct Experiment {
     double environment_K = 298.15;
     Air air; ///< as assumed by verdicts, predictions and controllers; the simulated one is in SimulationSpec
     std::vector<ObjectSpec> objects;
+    std::vector<PlateSpec> fixtures{}; ///< on the end-effector, with the objects
+    /// Fixed in the room. What is held keeps the clearance from the highest point of all of them over the
+    /// source's plane, so that it hits none.
+    std::vector<PlateSpec> shields{};
     RobotLimits robot;
     Vector6d start{0.0, 0.0, 0.15, 0.0, 0.0, 0.0}; ///< end-effector's coordinates in R at the start
     ControllerSettings controller;
@@ -166,7 +180,9 @@ struct Experiment {
 };
 
 inline constexpr double kMaxObjectRadius_m = 1.0; ///< about the outline's centroid
-inline constexpr int kExperimentFormat = 1;       ///< version written to and accepted from JSON
+inline constexpr std::size_t kMaxPlates = 8; ///< of fixtures, and of shields: each is asked at every pose
+inline constexpr double kMinShieldHeight_m = 1e-4; ///< of any point of a shield over the source's plane
+inline constexpr int kExperimentFormat = 1;        ///< version written to and accepted from JSON
 /// Of a polygon: with more corners a run would be slower than real time.
 inline constexpr std::size_t kMaxCorners = 5000;
 
@@ -184,8 +200,8 @@ double sourceTripLimit_K(const Experiment& experiment);
 Result<void> checkTargets(const Experiment& experiment);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
-/// workspace and away from the source, a source that can heat. The error's `where` is a JSON path such as
-/// "objects[1].target_degC".
+/// workspace and away from the source and all shields, shields over the source's plane, a source that can
+/// heat. The error's `where` is a JSON path such as "objects[1].target_degC".
 Result<void> validate(const Experiment& experiment);
 
 /// Replaces all targets. Refuses a wrong number of them.

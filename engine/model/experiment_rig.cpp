@@ -11,6 +11,26 @@ std::vector<MountedContour> mountedContours(const Experiment& experiment) {
     return objects;
 }
 
+Screens screensOf(const Experiment& experiment) {
+    Screens screens;
+    for (const PlateSpec& fixture : experiment.fixtures)
+        screens.fixtures.push_back({RadiatingContour(fixture.shape), poseFromCoordinates(fixture.pose)});
+    for (const PlateSpec& shield : experiment.shields)
+        screens.shields.push_back({RadiatingContour(shield.shape), poseFromCoordinates(shield.pose)});
+    return screens;
+}
+
+std::vector<std::string> takerNames(const Experiment& experiment) {
+    std::vector<std::string> names;
+    for (const ObjectSpec& object : experiment.objects)
+        names.push_back(object.name);
+    for (const PlateSpec& fixture : experiment.fixtures)
+        names.push_back(fixture.name);
+    for (const PlateSpec& shield : experiment.shields)
+        names.push_back(shield.name);
+    return names;
+}
+
 namespace {
 
 std::shared_ptr<const RigGeometry> geometryWith(const Experiment& experiment,
@@ -22,8 +42,9 @@ std::shared_ptr<const RigGeometry> geometryWith(const Experiment& experiment,
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
     }
-    auto even = std::make_shared<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
-                                              poseFromCoordinates(source.pose), fronts);
+    auto even =
+        std::make_shared<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
+                                      poseFromCoordinates(source.pose), fronts, screensOf(experiment));
     if (source.uneven.isEven())
         return even;
     UnevenSource uneven = unevenSource(experiment, source.uneven, source.emittance);

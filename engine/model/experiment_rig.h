@@ -5,12 +5,18 @@
 #include "engine/model/experiment.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace bask {
 
 /// Returns the objects as they are mounted on the end-effector.
 std::vector<MountedContour> mountedContours(const Experiment& experiment);
+
+/// Returns the fixtures and shields of an experiment.
+Screens screensOf(const Experiment& experiment);
+/// Returns the names of all that takes light, as TakenLight counts them: objects, fixtures, shields.
+std::vector<std::string> takerNames(const Experiment& experiment);
 
 /// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);

@@ -92,6 +92,57 @@ template <class F> void forPassages(const Experiment& experiment, const F& take)
                  i, k);
 }
 
+/// A fixture, shield or object, with the place of its pose in files.
+struct PlacedPlate {
+    std::string name;
+    Shape shape;
+    Pose X = Pose::Identity(); ///< in E, of shields in R
+    std::string where;
+    int object = -1; ///< -1: none
+};
+
+std::vector<PlacedPlate> platesOf(const std::vector<PlateSpec>& specs, const std::string& list,
+                                  const std::string& pose) {
+    std::vector<PlacedPlate> plates;
+    for (const PlateSpec& spec : specs)
+        plates.push_back({spec.name, thinned(spec.shape), poseFromCoordinates(spec.pose),
+                          list + '[' + std::to_string(plates.size()) + "]." + pose});
+    return plates;
+}
+
+// Calls `take(one, other)` for every fixture that passes through an object or another fixture, and for every
+// two shields that pass through one another.
+template <class F> void forPassingPlates(const Experiment& experiment, const F& take) {
+    std::vector<PlacedPlate> held;
+    for (const ObjectSpec& object : experiment.objects)
+        if (!experiment.fixtures.empty())
+            held.push_back({object.name,
+                            thinned(object.shape),
+                            poseFromCoordinates(object.mounting),
+                            {},
+                            static_cast<int>(held.size())});
+    const auto addTo = [&](std::vector<PlacedPlate>& before, std::vector<PlacedPlate> plates) {
+        for (PlacedPlate& plate : plates) {
+            for (const PlacedPlate& other : before)
+                if (passageOf(other.shape, other.X, plate.shape, plate.X) == Passage::Through)
+                    take(other, plate);
+            before.push_back(std::move(plate));
+        }
+    };
+    addTo(held, platesOf(experiment.fixtures, "fixtures", "mounting"));
+    std::vector<PlacedPlate> standing;
+    addTo(standing, platesOf(experiment.shields, "shields", "pose"));
+}
+
+Result<void> checkPlates(const Experiment& experiment) {
+    Result<void> check;
+    forPassingPlates(experiment, [&](const PlacedPlate& one, const PlacedPlate& other) {
+        if (check)
+            check = Error(MessageCode::MountingOverlap, other.where, {one.name, other.name});
+    });
+    return check;
+}
+
 /// 12, 3.4: whole percent, but for small shares.
 std::string percentText(double share) {
     const double percent = 100.0 * share;
@@ -130,7 +181,7 @@ std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object,
 }
 
 Result<void> checkMounting(const Experiment& experiment) {
-    Result<void> check;
+    Result<void> check = checkPlates(experiment);
     forPassages(experiment, [&](Passage passage, std::size_t i, std::size_t k) {
         if (check && passage == Passage::Through)
             check = Error(MessageCode::MountingOverlap, "objects[" + std::to_string(k) + "].mounting",
@@ -152,14 +203,20 @@ std::vector<MountingRemark> shadeRemarks(const Experiment& experiment, const Vec
                                          ShadedPose which) {
     const auto code = which == ShadedPose::Start ? MessageCode::ShadeAtStart : MessageCode::ShadeAtPose;
     std::vector<TakenLight> all = rigGeometry(experiment)->takenLight(pose);
+    const std::vector<std::string> takers = takerNames(experiment);
+    const auto objectsOf = [&](const TakenLight& taken) {
+        std::vector<int> objects{static_cast<int>(taken.object)};
+        if (taken.taker < experiment.objects.size())
+            objects.push_back(static_cast<int>(taken.taker));
+        return objects;
+    };
     std::ranges::stable_sort(all, std::ranges::greater(), &TakenLight::share);
     std::vector<MountingRemark> out;
     out.reserve(all.size());
     for (const TakenLight& taken : all)
-        out.push_back({{code,
-                        {experiment.objects[taken.taker].name, percentText(taken.share),
-                         experiment.objects[taken.object].name}},
-                       {static_cast<int>(taken.object), static_cast<int>(taken.taker)}});
+        out.push_back(
+            {{code, {takers[taken.taker], percentText(taken.share), experiment.objects[taken.object].name}},
+             objectsOf(taken)});
     return out;
 }
 
@@ -203,6 +260,10 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                     out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
         }
     }
+    forPassingPlates(quick, [&](const PlacedPlate& one, const PlacedPlate& other) {
+        out.push_back({{MessageCode::MountingOverlap, {one.name, other.name}},
+                       one.object < 0 ? std::vector<int>{} : std::vector<int>{one.object}});
+    });
     std::ranges::move(freedomRemarks(quick), std::back_inserter(out));
     return out;
 }

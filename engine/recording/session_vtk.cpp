@@ -110,6 +110,7 @@ private:
         const TargetGeometry geometry{.source = radiatingSource(e),
                                       .X_RS = poseFromCoordinates(last.source),
                                       .objects = mountedContours(e),
+                                      .screens = screensOf(e),
                                       .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,
                                                           std::max(kSurfaceStep_m, span_m / kMaxFieldSteps)),
                                       .fixed = last.coordinates,

@@ -139,6 +139,7 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.air = trueAir(experiment);
     for (const ObjectSpec& object : experiment.objects)
         config.objects.push_back({object.shape, object.mounting, trueMaterial(object)});
+    config.screens = screensOf(experiment);
     config.robot = {experiment.robot.free,
                     experiment.robot.lower,
                     experiment.robot.upper,

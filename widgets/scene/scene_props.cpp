@@ -257,6 +257,16 @@ struct ObjectParts {
     Pose X_EO = Pose::Identity();
 };
 
+/// A fixture or a shield.
+struct PlateParts {
+    ScenePart fill;
+    ScenePart outline;
+    Pose X = Pose::Identity(); ///< in E of a fixture, in R of a shield
+    bool isHeld = false;
+};
+
+constexpr double kPlateOpacity = 0.45;
+
 } // namespace
 
 struct SceneProps::Impl {
@@ -282,6 +292,7 @@ struct SceneProps::Impl {
     Box workspaceBox;
     int nearest = -1; ///< corner of the workspace whose edges are left out
     std::vector<ObjectParts> objects;
+    std::vector<PlateParts> plates;
 
     void forEach(const std::function<void(ScenePart&)>& visit) {
         for (ScenePart* part : {&grid, &source, &sourceRim, &workspace})
@@ -290,7 +301,11 @@ struct SceneProps::Impl {
             for (ScenePart* part :
                  {&object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
                 visit(*part);
+        for (PlateParts& plate : plates)
+            for (ScenePart* part : {&plate.fill, &plate.outline})
+                visit(*part);
     }
+    void addPlate(const PlateSpec& spec, bool isHeld);
     void applyColours();
 };
 
@@ -304,6 +319,22 @@ void SceneProps::Impl::applyColours() {
         objects[i].drop.setColour(colours.workspace);
         objects[i].outline.setColour(seriesColor(static_cast<int>(i), colours.dark));
     }
+    for (PlateParts& plate : plates) {
+        plate.fill.setColour(colours.mount);
+        plate.outline.setColour(colours.mount);
+    }
+}
+
+void SceneProps::Impl::addPlate(const PlateSpec& spec, bool isHeld) {
+    PlateParts plate;
+    plate.X = poseFromCoordinates(spec.pose);
+    plate.isHeld = isHeld;
+    const std::vector<std::vector<Eigen::Vector2d>> rings = shapeRings(spec.shape, kOutlinePoints);
+    setFilled(*plate.fill.data, rings);
+    plate.fill.actor->GetProperty()->SetOpacity(kPlateOpacity);
+    setRings(*plate.outline.data, rings);
+    plate.outline.width_px = 2.0F;
+    plates.push_back(plate);
 }
 
 SceneProps::SceneProps(vtkRenderer& renderer) : m(std::make_unique<Impl>(renderer)) {}
@@ -313,6 +344,7 @@ SceneProps::~SceneProps() = default;
 void SceneProps::build(const Experiment& experiment, const Box& frame) {
     m->renderer.RemoveAllViewProps();
     m->objects.clear();
+    m->plates.clear();
 
     const std::vector<std::vector<Eigen::Vector2d>> rings =
         shapeRings(experiment.source.shape, kOutlinePoints);
@@ -352,6 +384,10 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
         object.trail.mapper->ScalarVisibilityOn();
         m->objects.push_back(object);
     }
+    for (const PlateSpec& fixture : experiment.fixtures)
+        m->addPlate(fixture, true);
+    for (const PlateSpec& shield : experiment.shields)
+        m->addPlate(shield, false);
     m->forEach([this](ScenePart& part) {
         part.data->Modified();
         part.actor->GetProperty()->SetLineWidth(part.width_px * static_cast<float>(m->lineScale));
@@ -403,6 +439,11 @@ void SceneProps::setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vecto
         drop.translation() = X_RO.translation() - height_m * normal;
         drop.linear().col(2) *= height_m; // a line of length one, stretched
         object.drop.setTransform(lifted(drop));
+    }
+    for (PlateParts& plate : m->plates) {
+        const Pose X_RB = plate.isHeld ? X_RE * plate.X : plate.X;
+        plate.fill.setTransform(X_RB);
+        plate.outline.setTransform(lifted(X_RB));
     }
 }
 

@@ -39,11 +39,8 @@ std::vector<Eigen::Vector3d> shadowLines(const Experiment& experiment, std::size
         return X_RS * Eigen::Vector3d(on.x(), on.y(), 0.0);
     };
     std::vector<Eigen::Vector3d> lines;
-    for (std::size_t other = 0; other < experiment.objects.size(); ++other) {
-        if (other == object)
-            continue;
-        const Pose X_SB = X_SE * poseFromCoordinates(experiment.objects[other].mounting);
-        for (const Ring& ring : shapeRings(experiment.objects[other].shape, kPoints)) {
+    const auto addShadow = [&](const Shape& shape, const Pose& X_SB) {
+        for (const Ring& ring : shapeRings(shape, kPoints)) {
             std::optional<Eigen::Vector3d> before;
             for (std::size_t k = 0; k <= ring.size(); ++k) {
                 const Eigen::Vector2d& p = ring[k % ring.size()];
@@ -53,7 +50,15 @@ std::vector<Eigen::Vector3d> shadowLines(const Experiment& experiment, std::size
                 before = at;
             }
         }
-    }
+    };
+    for (std::size_t other = 0; other < experiment.objects.size(); ++other)
+        if (other != object)
+            addShadow(experiment.objects[other].shape,
+                      X_SE * poseFromCoordinates(experiment.objects[other].mounting));
+    for (const PlateSpec& fixture : experiment.fixtures)
+        addShadow(fixture.shape, X_SE * poseFromCoordinates(fixture.pose));
+    for (const PlateSpec& shield : experiment.shields)
+        addShadow(shield.shape, X_RS.inverse() * poseFromCoordinates(shield.pose));
     return lines;
 }
 

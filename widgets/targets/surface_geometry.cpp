@@ -12,6 +12,7 @@ TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, 
     return {.source = radiatingSource(experiment),
             .X_RS = poseFromCoordinates(experiment.source.pose),
             .objects = mountedContours(experiment),
+            .screens = screensOf(experiment),
             .axes = surfaceAxes(subset, experiment.robot, step),
             .fixed = fixed,
             .ofOwnCentres = subset == PoseSubset::OwnTranslation,
@@ -19,7 +20,7 @@ TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, 
 }
 
 bool mayShade(const Experiment& experiment) {
-    return MountedObjects(mountedContours(experiment)).mayShade();
+    return MountedObjects(mountedContours(experiment), screensOf(experiment)).mayShade();
 }
 
 std::vector<double> neededViewFactors(const JointVerdict& verdict) {
@@ -49,7 +50,8 @@ bool isOtherGeometry(const Experiment& a, const Experiment& b) {
     };
     const bool isUneven = !a.source.uneven.isEven() || !b.source.uneven.isEven();
     if ((isUneven && isHeatOther(a, b)) || a.source.shape != b.source.shape ||
-        a.source.pose != b.source.pose || a.robot != b.robot || a.objects.size() != b.objects.size())
+        a.source.pose != b.source.pose || a.robot != b.robot || a.fixtures != b.fixtures ||
+        a.shields != b.shields || a.objects.size() != b.objects.size())
         return true;
     for (std::size_t i = 0; i < a.objects.size(); ++i)
         if (differ(a.objects[i], b.objects[i]))

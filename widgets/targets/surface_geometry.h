@@ -18,7 +18,7 @@ enum class SurfaceGrid { Fine, Coarse };
 TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& fixed,
                                SurfaceGrid grid = SurfaceGrid::Fine);
 
-/// Returns whether an object may stand in the light of another: then fields take a second or two.
+/// Returns whether an object may be shaded: then fields take a second or two.
 bool mayShade(const Experiment& experiment);
 
 /// Returns the view factors that the verdict's targets need, one for each object.

@@ -50,6 +50,46 @@ TEST(MountingCheck, ATriangleOfObjectsApartGivesNone) {
     EXPECT_TRUE(codesOf({disk("a", 0.0, 0.0), disk("b", 0.0301, 0.0)}).empty());
 }
 
+// Catches fixtures and shields that pass through what they cannot, unnamed or with another's place.
+TEST(MountingCheck, FixturesAndShieldsCannotPassThroughOthers) {
+    Experiment experiment;
+    experiment.objects = {disk("hand", 0.0, 0.0), disk("cup", 0.06, 0.0)};
+    const auto plate = [](const char* name, double x_m, double turned_rad) {
+        PlateSpec spec{name, Disk{0.01}};
+        spec.pose[kX] = x_m;
+        spec.pose[kThetaY] = turned_rad;
+        return spec;
+    };
+    experiment.fixtures = {plate("arm", 0.03, 1.5), plate("bolt", 0.06, 1.5)};
+    experiment.shields = {plate("screen", 0.0, 0.0)};
+    const auto refused = checkMounting(experiment);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::MountingOverlap);
+    EXPECT_EQ(refused.error().where, "fixtures[1].mounting");
+    EXPECT_NE(describe(refused.error()).find("cup and bolt"), std::string::npos);
+    EXPECT_EQ(std::ranges::count(codesOf(experiment), MessageCode::MountingOverlap), 1);
+
+    experiment.fixtures[1] = plate("bolt", 0.03, 0.0);
+    EXPECT_EQ(checkMounting(experiment).error().where, "fixtures[1].mounting") << "through the arm";
+    experiment.fixtures.pop_back();
+    EXPECT_TRUE(checkMounting(experiment)) << "a shield is not held";
+    experiment.shields.push_back(plate("second", 0.0, 1.0));
+    EXPECT_EQ(checkMounting(experiment).error().where, "shields[1].pose");
+}
+
+// Catches a sentence about shade with the wrong taker, or a fixture taken for an object.
+TEST(MountingCheck, TellsWhatAScreenTakes) {
+    Experiment experiment;
+    experiment.objects = {disk("hand", 0.0, 0.0), disk("cup", 0.06, 0.0)};
+    PlateSpec screen{"screen", Disk{0.03}};
+    screen.pose[kZ] = 0.03;
+    experiment.shields = {screen};
+    const auto remarks = shadeRemarks(experiment, experiment.start, ShadedPose::Start);
+    ASSERT_FALSE(remarks.empty());
+    EXPECT_EQ(describe(remarks[0].message).rfind("screen takes ", 0), 0U) << describe(remarks[0].message);
+    EXPECT_EQ(remarks[0].objects, std::vector<int>{0});
+}
+
 // Catches overlaps missed where one object lies within another, or where a turned edge reaches over.
 TEST(MountingCheck, OverlapsAreToldWithBothNames) {
     using enum MessageCode;

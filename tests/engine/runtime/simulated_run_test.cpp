@@ -324,6 +324,45 @@ TEST(NeighboursOnARig, AVerdictCountsWhatTheyExchange) {
         EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
 }
 
+// Catches a shield that the plant knows and the verdict does not, or the other way round.
+TEST(ShieldOnARig, AVerdictCountsWhatItTakes) {
+    Experiment experiment = tiltedNeighbours();
+    PlateSpec screen{"screen", Contour{{{0.0, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {0.0, 0.3}}}};
+    for (ObjectSpec& object : experiment.objects)
+        object.mounting[kThetaY] = 0.0; // in one plane, nothing but the screen shades
+    screen.pose[kX] = 0.01;
+    screen.pose[kZ] = 0.01;
+    experiment.shields = {screen};
+    const Vector6d goal(0.01, 0.0, 0.1, 0.0, 0.0, 0.0);
+    const auto steadyAt = [](const Experiment& at, const Vector6d& pose, std::size_t i) {
+        const double F = rigGeometry(at)->viewFactors(pose).F[static_cast<Eigen::Index>(i)];
+        return nominalRates(at, at.environment_K)[i].steadyTemperature_K(F);
+    };
+    Experiment open = experiment;
+    open.shields.clear();
+    EXPECT_GT(steadyAt(open, goal, 1), steadyAt(experiment, goal, 1) + 3.0) << "it is worth counting";
+    for (std::size_t i = 0; i < 2; ++i)
+        experiment.objects[i].target_K = steadyAt(experiment, goal, i);
+    const JointVerdict verdict = jointVerdict(experiment);
+    ASSERT_TRUE(verdict.feasible);
+    const SimulatedRigConfig config = simulatedRigConfig(experiment);
+    const MountedObjects objects = mountedObjects(config);
+    const Eigen::VectorXd known = rigGeometry(experiment)->viewFactorsFast(verdict.pose);
+    const Eigen::VectorXd without = rigGeometry(open)->viewFactorsFast(verdict.pose);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        EXPECT_NEAR(objects.viewFactorValue(RadiatingContour(config.source), i,
+                                            poseFromCoordinates(verdict.pose), 1e-8),
+                    known[static_cast<Eigen::Index>(i)], 2e-5);
+    EXPECT_GT((without - known).maxCoeff(), 0.02);
+    SimulatedRunOptions options;
+    options.duration_s = 1200.0;
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome);
+    EXPECT_TRUE(outcome->settled);
+    for (const ObjectOutcome& object : outcome->objects)
+        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+}
+
 // Catches rates that take what a neighbour gives for what the source gives, or for a smaller loss.
 TEST(NeighboursOnARig, AreNotTakenForOtherRates) {
     Experiment experiment = tiltedNeighbours();
