@@ -176,7 +176,7 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
                     {}};
     request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
-    request.maxViewFactor = rigGeometry(*experiment)->maxViewFactor();
+    request.maxViewFactor = emissionWithoutRings(*experiment).maxWeight(experiment->source.temperature_K);
     request.set.title = "end-effector where object \"" + object.name +
                         "\" has the view factors over the source of " +
                         std::filesystem::path(input).filename().string();

@@ -13,8 +13,10 @@ constexpr int kMinPredictions = 20;
 
 /// What a first-order lag makes of an input that goes from `before` to `now` on a line over dt_s.
 double lagged(double seen, double before, double now, double lag_s, double dt_s) {
-    if (lag_s <= 0.0 || dt_s <= 0.0)
-        return lag_s <= 0.0 ? now : seen;
+    if (lag_s <= 0.0)
+        return now;
+    if (dt_s <= 0.0)
+        return seen;
     const double kept = std::exp(-dt_s / lag_s);
     const double ofBefore = (1.0 - kept) * lag_s / dt_s - kept;
     return kept * seen + ofBefore * before + (1.0 - kept - ofBefore) * now;
@@ -22,10 +24,8 @@ double lagged(double seen, double before, double now, double lag_s, double dt_s)
 
 } // namespace
 
-LaggedIdentification::LaggedIdentification(const HeatRates& start) {
-    for (std::size_t k = 0; k < kLags_s.size(); ++k)
-        m_lags.push_back({RateIdentification(start)});
-}
+LaggedIdentification::LaggedIdentification(const HeatRates& start)
+    : m_lags(kLags_s.size(), Lag{RateIdentification(start)}) {}
 
 void LaggedIdentification::add(double time_s, double temperature_K, double F, double sourceStrength,
                                double neighbours_K4) {

@@ -189,11 +189,16 @@ PlateSpec readPlate(const json& j, const std::string& path, const std::string& p
     return plate;
 }
 
+void refuseLonger(Fields& fields, const std::string& key, std::size_t min, std::size_t max,
+                  const std::string& unit) {
+    if (const json* list = fields.find(key); list != nullptr && list->is_array() && list->size() > max)
+        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
+                    {std::to_string(list->size()), std::to_string(min), std::to_string(max), unit});
+}
+
 void readPlates(Fields& root, const std::string& key, const std::string& pose, const std::string& folder,
                 std::vector<PlateSpec>& out) {
-    if (const json* list = root.find(key); list != nullptr && list->is_array() && list->size() > kMaxPlates)
-        root.fail(MessageCode::ValueOutOfRange, key,
-                  {std::to_string(list->size()), "0", std::to_string(kMaxPlates), ""});
+    refuseLonger(root, key, 0, kMaxPlates, "");
     readEach(root, key, false, [&](const json& value, const std::string& where) {
         out.push_back(readPlate(value, where, pose, folder, root.failure()));
     });
@@ -224,10 +229,7 @@ void readUnevenness(Fields& fields, const std::string& prefix, const std::string
     const std::string parts = prefix + "parts", profile = prefix + "profile", file = prefix + "profile_file";
     for (const std::string& key : {parts, profile})
         refuseEmpty(fields, key);
-    if (const json* list = fields.find(parts);
-        list != nullptr && list->is_array() && list->size() > kMaxSourceParts)
-        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(parts),
-                    {std::to_string(list->size()), "1", std::to_string(kMaxSourceParts), "parts"});
+    refuseLonger(fields, parts, 1, kMaxSourceParts, "parts");
     readEach(fields, parts, false, [&](const json& part, const std::string& path) {
         out.parts.push_back(readSourcePart(part, path, folder, fields.failure()));
     });

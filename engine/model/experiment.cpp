@@ -214,8 +214,8 @@ void checkStart(Checker& check, const Experiment& e) {
     }
     if (check.failed())
         return;
-    const Pose X_SE = poseFromCoordinates(e.source.pose).inverse() * poseFromCoordinates(e.start);
     const Pose X_SR = poseFromCoordinates(e.source.pose).inverse();
+    const Pose X_SE = X_SR * poseFromCoordinates(e.start);
     double floor_m = 0.0;
     const PlateSpec* highest = nullptr;
     for (const PlateSpec& shield : e.shields)

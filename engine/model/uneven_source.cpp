@@ -251,17 +251,6 @@ void checkProfile(Checker& check, const std::string& path, const std::vector<Pro
     }
 }
 
-/// The emission of parts, or of the points of a profile.
-SourceEmission withoutRings(const Experiment& experiment, const Unevenness& uneven, double emittance) {
-    SourceEmission emission{experiment.source.model, emittance, experiment.environment_K};
-    for (const SourcePartSpec& part : uneven.parts)
-        emission.terms.push_back(
-            {part.emittance.value_or(emittance), {part.temperatureRatio, part.temperatureOffset_K}});
-    for (const ProfilePoint& point : uneven.profile)
-        emission.profile.push_back(temperatureOf(point));
-    return emission;
-}
-
 /// Where a temperature is bounded the profile has a kink between its points, which its rings do not follow.
 void checkWithinBounds(Checker& check, const std::string& path, const std::vector<ProfilePoint>& profile,
                        double excess_K) {
@@ -274,9 +263,24 @@ void checkWithinBounds(Checker& check, const std::string& path, const std::vecto
 
 } // namespace
 
+SourceEmission emissionWithoutRings(const Experiment& experiment, const Unevenness& uneven,
+                                    double emittance) {
+    SourceEmission emission{experiment.source.model, emittance, experiment.environment_K};
+    for (const SourcePartSpec& part : uneven.parts)
+        emission.terms.push_back(
+            {part.emittance.value_or(emittance), {part.temperatureRatio, part.temperatureOffset_K}});
+    for (const ProfilePoint& point : uneven.profile)
+        emission.profile.push_back(temperatureOf(point));
+    return emission;
+}
+
+SourceEmission emissionWithoutRings(const Experiment& experiment) {
+    return emissionWithoutRings(experiment, experiment.source.uneven, experiment.source.emittance);
+}
+
 UnevenSource unevenSource(const Experiment& experiment, const Unevenness& uneven, double emittance) {
     const SourceSpec& source = experiment.source;
-    UnevenSource out{{}, withoutRings(experiment, uneven, emittance)};
+    UnevenSource out{{}, emissionWithoutRings(experiment, uneven, emittance)};
     for (const SourcePartSpec& part : uneven.parts)
         out.terms.push_back({RadiatingContour(part.shape), poseFromCoordinates(part.pose)});
     if (!uneven.profile.empty())
@@ -329,7 +333,7 @@ void checkUnevenness(Checker& check, const std::string& prefix, const Unevenness
         checkPartsTogether(check, prefix, uneven.parts);
     if (check.failed())
         return;
-    const std::vector<double> weights = withoutRings(experiment, uneven, emittance).weights(source_K);
+    const std::vector<double> weights = emissionWithoutRings(experiment, uneven, emittance).weights(source_K);
     if (std::ranges::all_of(weights, [](double weight) { return weight == 0.0; }))
         check.fail(MessageCode::SourceTooWeak, prefix + (uneven.parts.empty() ? "profile" : "parts"), {"0"});
 }

@@ -31,6 +31,11 @@ struct UnevenSource {
 /// most; a profile of many points has one or two on each piece. The experiment must validate.
 UnevenSource unevenSource(const Experiment& experiment, const Unevenness& uneven, double emittance);
 
+/// Returns how the parts or the points of a profile emit, as above: for weights, at a fraction of the cost.
+SourceEmission emissionWithoutRings(const Experiment& experiment, const Unevenness& uneven, double emittance);
+/// The same of the source as the experiment assumes it.
+SourceEmission emissionWithoutRings(const Experiment& experiment);
+
 /// Returns "7 parts that radiate 0.91 to 1.08 of what an even source does" or the like, for an uneven source
 /// as the experiment assumes it, at its set temperature; of a profile also the rings and their error.
 std::string unevennessWords(const Experiment& experiment);

@@ -1,12 +1,11 @@
 #include "engine/recording/nexus_file.h"
 
-#include "engine/model/uneven_source.h"
-
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/uneven_source.h"
 #include "engine/recording/hdf5_file.h"
 #include "engine/recording/staged_files.h"
 

@@ -1,9 +1,9 @@
 #include "engine/recording/session_vtk.h"
-#include "engine/model/experiment_rig.h"
-#include "engine/model/uneven_source.h"
 
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/target_surfaces.h"
+#include "engine/model/experiment_rig.h"
+#include "engine/model/uneven_source.h"
 #include "engine/recording/session_lines.h"
 #include "engine/recording/staged_files.h"
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/uneven_source.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
@@ -88,8 +89,7 @@ SensorLimits sensorLimits(const Experiment& experiment) {
         limits.bounds.emplace_back(
             lossRange(startRates(object, surroundings), object.material.emittance, experiment.environment_K),
             experiment.environment_K);
-    const double maxViewFactor =
-        experiment.source.uneven.isEven() ? 1.0 : rigGeometry(hottest)->maxViewFactor();
+    const double maxViewFactor = emissionWithoutRings(hottest).maxWeight(hottest.source.temperature_K);
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
         limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
             std::max(SafetySpec::kMinRate_K_s, kTimes * rates.lambda1 * maxViewFactor)));

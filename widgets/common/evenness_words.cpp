@@ -20,8 +20,7 @@ QString evennessText(const Experiment& experiment) {
     const SourceSpec& source = experiment.source;
     if (source.uneven.isEven())
         return EvennessText::tr("even");
-    const std::vector<double> weights =
-        unevenSource(experiment, source.uneven, source.emittance).emission.weights(source.temperature_K);
+    const std::vector<double> weights = emissionWithoutRings(experiment).weights(source.temperature_K);
     const auto [min, max] = std::ranges::minmax(weights);
     const auto percent = [](double weight) { return QLocale().toString(100.0 * weight, 'f', 0); };
     const QString words =

@@ -53,8 +53,7 @@ std::vector<Outline> partRings(const Unevenness& uneven, int points) {
 
 std::vector<double> sourcePattern(const Experiment& experiment, const Eigen::AlignedBox2d& box, int n) {
     const SourceSpec& source = experiment.source;
-    const std::vector<double> weights =
-        unevenSource(experiment, source.uneven, source.emittance).emission.factors(source.temperature_K);
+    const std::vector<double> weights = emissionWithoutRings(experiment).weights(source.temperature_K);
     std::vector<std::vector<Outline>> parts;
     for (const SourcePartSpec& part : source.uneven.parts)
         parts.push_back(projectedRings(part, kPartPoints));

@@ -63,6 +63,13 @@ ControllerSettings settingsOf(ControllerKind kind) {
     return settings;
 }
 
+HeatRates badlyKnown(HeatRates rates) {
+    rates.lambda1 *= 3.5;
+    rates.lambda2 *= 0.3;
+    rates.lambda3 *= 0.3;
+    return rates;
+}
+
 } // namespace
 
 TEST(LevelServo, SettlesFromBeliefsThatAreFourTimesWrong) {
@@ -132,11 +139,7 @@ TEST(RateIdentification, FindsBothRatesFromNoisyReadings) {
     const Bench bench;
     std::mt19937 random(5);
     std::normal_distribution<double> noise(0.0, 0.03);
-    HeatRates start = bench.rates;
-    start.lambda1 *= 3.5;
-    start.lambda2 *= 0.3;
-    start.lambda3 *= 0.3;
-    RateIdentification identification(start);
+    RateIdentification identification(badlyKnown(bench.rates));
     double T_K = kT3_K;
     for (int t = 0; t < 400; ++t) {
         const double F = t < 120 ? 0.8 : 0.2 + 0.1 * std::sin(0.05 * t);
@@ -154,11 +157,7 @@ TEST(LaggedIdentification, FindsTheLagThatASensorHas) {
     for (const double lag_s : {0.0, 0.7, 1.5, 2.5, 4.0, 6.0}) {
         std::mt19937 random(5);
         std::normal_distribution<double> noise(0.0, 0.03);
-        HeatRates start = bench.rates;
-        start.lambda1 *= 3.5;
-        start.lambda2 *= 0.3;
-        start.lambda3 *= 0.3;
-        LaggedIdentification identification(start);
+        LaggedIdentification identification(badlyKnown(bench.rates));
         double T_K = kT3_K, read_K = T_K;
         const auto heating = [](double t) {
             return 0.4 + 0.3 * std::sin(0.1 * t) + 0.2 * std::sin(0.31 * t);

@@ -267,6 +267,16 @@ TEST(Air, AVerdictCountsWhatTheExperimentStates) {
     EXPECT_NE(jointVerdict(experiment).reason.code, MessageCode::TargetAboveCeiling);
 }
 
+void expectToSettle(const Experiment& experiment) {
+    SimulatedRunOptions options;
+    options.duration_s = 1200.0;
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome);
+    EXPECT_TRUE(outcome->settled);
+    for (const ObjectOutcome& object : outcome->objects)
+        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+}
+
 /// Two disks, tilted towards each other, with targets that a pose holds.
 Experiment tiltedNeighbours() {
     Experiment experiment = example("three-objects.json");
@@ -315,13 +325,7 @@ TEST(NeighboursOnARig, AVerdictCountsWhatTheyExchange) {
         EXPECT_GT(steady_K[i], alone.steadyTemperature_K(F) + 1.0) << i;
     }
 
-    SimulatedRunOptions options;
-    options.duration_s = 1200.0;
-    const auto outcome = runSimulated(experiment, options);
-    ASSERT_TRUE(outcome);
-    EXPECT_TRUE(outcome->settled);
-    for (const ObjectOutcome& object : outcome->objects)
-        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+    expectToSettle(experiment);
 }
 
 // Catches a shield that the plant knows and the verdict does not, or the other way round.
@@ -354,13 +358,7 @@ TEST(ShieldOnARig, AVerdictCountsWhatItTakes) {
                                             poseFromCoordinates(verdict.pose), 1e-8),
                     known[static_cast<Eigen::Index>(i)], 2e-5);
     EXPECT_GT((without - known).maxCoeff(), 0.02);
-    SimulatedRunOptions options;
-    options.duration_s = 1200.0;
-    const auto outcome = runSimulated(experiment, options);
-    ASSERT_TRUE(outcome);
-    EXPECT_TRUE(outcome->settled);
-    for (const ObjectOutcome& object : outcome->objects)
-        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+    expectToSettle(experiment);
 }
 
 // Catches rates that take what a neighbour gives for what the source gives, or for a smaller loss.
