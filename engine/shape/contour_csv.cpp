@@ -2,11 +2,10 @@
 #include "engine/shape/contour_import.h"
 
 #include "engine/shape/contour_file.h"
+#include "engine/shape/csv_lines.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 namespace bask {
@@ -15,87 +14,12 @@ namespace {
 constexpr std::uintmax_t kLargestCsv = std::uintmax_t{64} << 20;
 constexpr std::size_t kMaxRows = 1'000'000;
 constexpr std::size_t kMinPoints = 3;
-constexpr char kSpaces = ' '; // "delimiter" of columns set apart by white space
-
-struct CsvLine {
-    std::string_view text;
-    std::size_t number = 0; // counted from 1
-};
 
 struct Columns {
     std::size_t x = 0;
     std::size_t y = 1;
     std::optional<LengthUnit> unit;
 };
-
-// Lines that say something: neither blank nor a comment (#). Ends of line are LF, CR LF or CR.
-std::vector<CsvLine> linesOf(std::string_view text) {
-    std::vector<CsvLine> lines;
-    std::size_t number = 0;
-    while (!text.empty()) {
-        const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-        const std::string_view line = text.substr(0, end);
-        const bool pair = text.substr(end, 2) == "\r\n";
-        text.remove_prefix(std::min(text.size(), end + (pair ? 2 : 1)));
-        ++number;
-        if (const std::string_view inner = trimmed(line); !inner.empty() && inner.front() != '#')
-            lines.push_back({line, number});
-    }
-    return lines;
-}
-
-// The delimiter that most of the first lines have; a semicolon or a tab goes before a comma, which may be
-// decimal.
-char delimiterOf(const std::vector<CsvLine>& lines) {
-    constexpr std::size_t kLooked = 50;
-    const std::size_t looked = std::min(kLooked, lines.size());
-    for (const char c : {';', '\t', ','}) {
-        const auto has = std::count_if(
-            lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(looked),
-            [&](const CsvLine& l) { return trimmed(l.text).find(c) != std::string_view::npos; });
-        if (2 * static_cast<std::size_t>(has) > looked)
-            return c;
-    }
-    return kSpaces;
-}
-
-std::string_view unquoted(std::string_view field) {
-    field = trimmed(field);
-    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-        field = trimmed(field.substr(1, field.size() - 2));
-    return field;
-}
-
-std::vector<std::string_view> fieldsOf(std::string_view line, char delimiter) {
-    std::vector<std::string_view> fields;
-    line = delimiter == '\t' ? line : trimmed(line);
-    for (;;) {
-        const std::size_t end = delimiter == kSpaces ? line.find_first_of(" \t") : line.find(delimiter);
-        fields.push_back(unquoted(line.substr(0, end)));
-        if (end == std::string_view::npos)
-            return fields;
-        line.remove_prefix(end + 1);
-        if (delimiter == kSpaces)
-            line = trimmed(line);
-    }
-}
-
-// A number whatever the locale; NaN when it is too large to be held; nothing when it is not a number.
-std::optional<double> numberOf(std::string_view field, bool decimalComma) {
-    std::string text(field);
-    if (decimalComma && text.find('.') == std::string::npos)
-        if (const std::size_t comma = text.find(','); comma != std::string::npos)
-            text[comma] = '.';
-    const char* first = text.c_str();
-    const char* last = first + text.size();
-    if (text.size() > 1 && text[0] == '+' && text[1] != '-')
-        ++first;
-    double value = 0.0;
-    const auto [end, code] = std::from_chars(first, last, value);
-    if (end != last || code == std::errc::invalid_argument)
-        return std::nullopt;
-    return code == std::errc() ? value : std::numeric_limits<double>::quiet_NaN();
-}
 
 // "x_mm", "x (mm)", "X [mm]", "x / mm": is it the name of `axis`, and with which unit's name?
 std::optional<std::string> unitAfter(std::string_view name, char axis) {
@@ -129,13 +53,13 @@ Columns columnsOf(const std::vector<std::string_view>& header) {
 
 bool isHeader(const std::vector<std::string_view>& fields, bool decimalComma) {
     return std::ranges::none_of(fields,
-                                [&](std::string_view f) { return numberOf(f, decimalComma).has_value(); });
+                                [&](std::string_view f) { return csvNumber(f, decimalComma).has_value(); });
 }
 
 Result<double> coordinate(std::string_view field, const CsvLine& line, bool decimalComma,
                           const std::string& path) {
     constexpr std::size_t kShown = 40;
-    const auto value = numberOf(field, decimalComma);
+    const auto value = csvNumber(field, decimalComma);
     if (!value)
         return Error{MessageCode::ContourNotANumber,
                      path,
@@ -151,7 +75,7 @@ Result<std::vector<Eigen::Vector2d>> pointsOf(const std::vector<CsvLine>& lines,
     const bool decimalComma = delimiter != ',';
     std::vector<Eigen::Vector2d> points;
     for (std::size_t k = first; k < lines.size(); ++k) {
-        const auto fields = fieldsOf(lines[k].text, delimiter);
+        const auto fields = csvFields(lines[k].text, delimiter);
         if (fields.size() <= std::max(columns.x, columns.y))
             return Error{MessageCode::ContourColumnMissing,
                          path,
@@ -186,17 +110,6 @@ bool isClosed(const std::vector<Eigen::Vector2d>& points_m) {
     return gap <= std::max({20.0 * *middle, 0.05 * perimeter, 2.0 * *std::ranges::max_element(edges)});
 }
 
-Result<void> checkText(std::string_view text, const std::string& path) {
-    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-        return Error{MessageCode::FileUnreadable, path, {"it is UTF-16 text; save it as UTF-8"}};
-    const auto isControl = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
-    };
-    if (std::ranges::any_of(text, isControl))
-        return Error{MessageCode::FileUnreadable, path, {"it is not a text file"}};
-    return {};
-}
-
 } // namespace
 
 Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<LengthUnit> unit) {
@@ -206,12 +119,9 @@ Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<Lengt
 
 Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& path,
                                 std::optional<LengthUnit> unit) {
-    if (const auto checked = checkText(bytes, path); !checked)
+    if (const auto checked = checkCsvText(bytes, path); !checked)
         return checked.error();
-    std::string_view text = bytes;
-    if (text.starts_with("\xEF\xBB\xBF"))
-        text.remove_prefix(3);
-    const std::vector<CsvLine> lines = linesOf(text);
+    const std::vector<CsvLine> lines = csvLines(bytes);
     if (lines.empty())
         return Error{MessageCode::FileEmpty, path};
     if (lines.size() > kMaxRows)
@@ -219,8 +129,8 @@ Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& pat
                      path,
                      {std::to_string(lines.size()) + " lines", std::to_string(kMaxRows)}};
 
-    const char delimiter = delimiterOf(lines);
-    const auto header = fieldsOf(lines.front().text, delimiter);
+    const char delimiter = csvDelimiter(lines);
+    const auto header = csvFields(lines.front().text, delimiter);
     const bool hasHeader = isHeader(header, delimiter != ',');
     const Columns columns = hasHeader ? columnsOf(header) : Columns{};
     auto points = pointsOf(lines, hasHeader ? 1 : 0, delimiter, columns, path);

@@ -1,5 +1,7 @@
 #include "engine/shape/image_header.h"
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -41,21 +43,83 @@ JpegHeader walkJpeg(std::string_view bytes) {
     return header;
 }
 
-std::uint64_t tiffPixels(std::string_view bytes) {
+// Whether all chunks of a PNG are there, up to its end.
+bool isCompletePng(std::string_view bytes) {
+    std::size_t at = 8;
+    while (at + 12 <= bytes.size()) {
+        if (bytes.substr(at + 4, 4) == "IEND")
+            return true;
+        at += 12 + static_cast<std::size_t>(number(bytes, at, 4, true));
+    }
+    return false;
+}
+
+/// One field of a TIFF's directory.
+struct TiffField {
+    std::uint64_t count = 0;
+    std::size_t at = 0, size = 0;
+
+    std::uint64_t value(std::string_view bytes, std::uint64_t index, bool big) const {
+        return number(bytes, at + static_cast<std::size_t>(index) * size, size, big);
+    }
+};
+
+// Whether the strips or tiles end within the file.
+bool isCompleteTiff(std::string_view bytes, const TiffField& offsets, const TiffField& lengths, bool big) {
+    if (offsets.count == 0 || offsets.count != lengths.count || offsets.count > bytes.size())
+        return false;
+    for (std::uint64_t k = 0; k < offsets.count; ++k)
+        if (offsets.value(bytes, k, big) + lengths.value(bytes, k, big) > bytes.size())
+            return false;
+    return true;
+}
+
+PictureHeader tiffHeader(std::string_view bytes) {
     const bool big = bytes[0] == 'M';
     const auto directory = static_cast<std::size_t>(number(bytes, 4, 4, big));
     const auto entries = static_cast<std::size_t>(number(bytes, directory, 2, big));
-    std::uint64_t width = 0, height = 0;
+    PictureHeader out;
+    out.bits = out.channels = 1; // what TIFF 6.0 says where there is no tag
+    out.isWhole = true;
+    bool isPalette = false;
+    TiffField offsets, lengths;
     for (std::size_t k = 0; k < entries; ++k) {
         const std::size_t at = directory + 2 + 12 * k;
         const std::uint64_t tag = number(bytes, at, 2, big), kind = number(bytes, at + 2, 2, big);
-        const std::uint64_t value = number(bytes, at + 8, kind == 3 ? 2 : 4, big);
+        const std::uint64_t count = number(bytes, at + 4, 4, big);
+        const std::size_t size = kind == 3 ? 2 : 4;
+        // Of several values the first: they stand elsewhere if they do not fit in here.
+        const bool isElsewhere = count > 4 / size;
+        const std::size_t place =
+            isElsewhere ? static_cast<std::size_t>(number(bytes, at + 8, 4, big)) : at + 8;
+        const TiffField field{count, place, size};
+        const std::uint64_t value = field.value(bytes, 0, big);
         if (tag == 256)
-            width = value;
+            out.width = value;
         if (tag == 257)
-            height = value;
+            out.height = value;
+        if (tag == 258)
+            out.bits = value;
+        if (tag == 262)
+            isPalette = value == 3;
+        if (tag == 273 || tag == 324)
+            offsets = field;
+        if (tag == 277)
+            out.channels = value;
+        if (tag == 279 || tag == 325)
+            lengths = field;
+        if (tag == 339)
+            out.isWhole = value == 1;
     }
-    return width * height;
+    if (isPalette)
+        out.channels = 0;
+    out.isComplete = isCompleteTiff(bytes, offsets, lengths, big);
+    out.pictures = number(bytes, directory + 2 + 12 * entries, 4, big) == 0 ? 1 : 2;
+    return out;
+}
+
+bool isTiff(std::string_view bytes) {
+    return bytes.starts_with("II*") || bytes.starts_with("MM");
 }
 
 std::uint64_t magnitude(std::uint64_t value32) {
@@ -73,6 +137,23 @@ bool isCompleteJpeg(std::string_view bytes) {
     return scan > 0 && bytes.find("\xFF\xD9", scan) != std::string_view::npos;
 }
 
+std::optional<PictureHeader> pictureHeader(std::string_view bytes) {
+    PictureHeader out;
+    if (bytes.starts_with("\x89PNG")) {
+        constexpr std::uint64_t kChannels[] = {1, 0, 3, 0, 2, 0, 4}; // by the type of colour
+        out.width = number(bytes, 16, 4, true);
+        out.height = number(bytes, 20, 4, true);
+        out.bits = number(bytes, 24, 1, true);
+        out.channels = kChannels[std::min<std::uint64_t>(number(bytes, 25, 1, true), 6)];
+        out.isWhole = true;
+        out.pictures = 1;
+        out.isComplete = isCompletePng(bytes);
+    } else if (isTiff(bytes)) {
+        out = tiffHeader(bytes);
+    }
+    return out.width == 0 || out.height == 0 ? std::nullopt : std::optional(out);
+}
+
 std::optional<std::uint64_t> announcedPixels(std::string_view bytes) {
     std::uint64_t pixels = 0;
     if (bytes.starts_with("\x89PNG"))
@@ -81,8 +162,10 @@ std::optional<std::uint64_t> announcedPixels(std::string_view bytes) {
         pixels = walkJpeg(bytes).pixels;
     else if (bytes.starts_with("BM"))
         pixels = magnitude(number(bytes, 18, 4, false)) * magnitude(number(bytes, 22, 4, false));
-    else if (bytes.starts_with("II*") || bytes.starts_with("MM"))
-        pixels = tiffPixels(bytes);
+    else if (isTiff(bytes)) {
+        const PictureHeader header = tiffHeader(bytes);
+        pixels = header.width * header.height;
+    }
     return pixels == 0 ? std::nullopt : std::optional(pixels);
 }
 
