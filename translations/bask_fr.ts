@@ -516,6 +516,110 @@
         <translation>il faut %1 mm avec les marges, %2 n’offre que %3 mm ; prenez un papier plus grand ou un motif plus petit</translation>
     </message>
     <message>
+        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <translation>le fichier ne dit pas de quelle caméra il vient ; indiquez le profil de la caméra</translation>
+    </message>
+    <message>
+        <source>a frame of &quot;%1&quot; has %2 bytes, this one has %3; choose the profile of the camera that it came from, or record it again</source>
+        <translation>une image de « %1 » a %2 octets, celle-ci en a %3 ; choisissez le profil de la caméra dont elle vient, ou enregistrez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
+        <translation>le fichier contient %1 images de « %2 » à la suite ; enregistrez une image (%3 octets) par fichier</translation>
+    </message>
+    <message>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <translation>le nombre %1 à la colonne %2, ligne %3, ne tient pas dans %4 bits ; l’ordre des octets, ou le profil, est celui d’une autre caméra</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixels are outside of %2 to %3, which is all that &quot;%4&quot; can tell; switch the camera to radiometric output (linear in temperature), or choose another profile</source>
+        <translation>%1 % des pixels sont hors de %2 à %3, tout ce que « %4 » peut indiquer ; passez la caméra en sortie radiométrique (linéaire en température), ou choisissez un autre profil</translation>
+    </message>
+    <message>
+        <source>%1 pixels are above %2, where the numbers of &quot;%3&quot; are known to be wrong for some cameras; check them with another thermometer</source>
+        <translation>%1 pixels sont au-dessus de %2, où les nombres de « %3 » sont faux pour certaines caméras ; vérifiez-les avec un autre thermomètre</translation>
+    </message>
+    <message>
+        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <translation>tous les pixels de l’image ont la même valeur ; l’obturateur de la caméra est fermé, ou elle n’envoie pas d’image</translation>
+    </message>
+    <message>
+        <source>%1 pixels are outside of what the camera can tell, the first at column %2, row %3, so the temperatures of the whole picture are not known; ask for regions, or take a lower gain</source>
+        <translation>%1 pixels sont hors de ce que la caméra peut indiquer, le premier à la colonne %2, ligne %3 : les températures de l’image entière ne sont pas connues ; demandez des régions, ou prenez un gain plus faible</translation>
+    </message>
+    <message>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <translation>il faut un seul canal de 16 bits, et cette image a %1 ; enregistrez les nombres de la caméra, pas les couleurs qu’elle montre</translation>
+    </message>
+    <message>
+        <source>the file holds several pictures; save one picture a file</source>
+        <translation>le fichier contient plusieurs images ; enregistrez une image par fichier</translation>
+    </message>
+    <message>
+        <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
+        <translation>une image de « %1 » a %2 pixels, celle-ci en a %3 ; choisissez le profil de la caméra dont elle vient</translation>
+    </message>
+    <message>
+        <source>there is no table of temperatures: lines of %1 numbers or more, of one length, up to the end of the file</source>
+        <translation>il n’y a pas de tableau de températures : des lignes d’au moins %1 nombres, de même longueur, jusqu’à la fin du fichier</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <translation>la ligne %1 a %2 valeurs, la première ligne du tableau en a %3 ; exportez l’image de nouveau</translation>
+    </message>
+    <message>
+        <source>line %1, value %2: &quot;%3&quot; is no temperature in degrees Celsius; export the picture again, without masks</source>
+        <translation>ligne %1, valeur %2 : « %3 » n’est pas une température en degrés Celsius ; exportez l’image de nouveau, sans masques</translation>
+    </message>
+    <message>
+        <source>there are no frames here; their names end in one of %1</source>
+        <translation>il n’y a pas d’images ici ; leurs noms finissent par %1</translation>
+    </message>
+    <message>
+        <source>the times of the frames are not known; put %1 beside them, or give the profile a frame_rate_Hz</source>
+        <translation>les instants des images ne sont pas connus ; placez %1 à côté, ou donnez au profil un frame_rate_Hz</translation>
+    </message>
+    <message>
+        <source>line %1, &quot;%2&quot;, cannot be used: first file,time_s, then one line for each file of this folder, with growing times</source>
+        <translation>la ligne %1, « %2 », est inutilisable : d’abord file,time_s, puis une ligne par fichier de ce dossier, aux instants croissants</translation>
+    </message>
+    <message>
+        <source>it is not in the picture; aim the camera at it</source>
+        <translation>il n’est pas dans l’image ; dirigez la caméra vers lui</translation>
+    </message>
+    <message>
+        <source>nearer things hide it: %1 of its pixels are seen, %2 are needed</source>
+        <translation>des choses plus proches le cachent : %1 de ses pixels sont vus, il en faut %2</translation>
+    </message>
+    <message>
+        <source>it is seen edge-on, at %1 degrees to its face; move the camera</source>
+        <translation>il est vu par la tranche, à %1 degrés de sa face ; déplacez la caméra</translation>
+    </message>
+    <message>
+        <source>%1 pixels inside of its edges are too few, %2 are needed; bring the camera nearer</source>
+        <translation>%1 pixels à l’intérieur de ses bords ne suffisent pas, il en faut %2 ; rapprochez la caméra</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels tell nothing; check the camera</source>
+        <translation>%1 de ses %2 pixels n’indiquent rien ; vérifiez la caméra</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels are outside of what the camera can tell (saturated); take a lower gain</source>
+        <translation>%1 de ses %2 pixels sont hors de ce que la caméra peut indiquer (saturés) ; prenez un gain plus faible</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each region its own</source>
+        <translation>le nom « %1 » sert deux fois ; donnez à chaque région le sien</translation>
+    </message>
+    <message>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <translation>ce que la caméra a vu, %1, ne s’explique par aucune température de la face à l’émissivité %2 avec ces réflexions ; vérifiez l’émissivité, les facteurs de forme et la température de la source</translation>
+    </message>
+    <message>
+        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <translation>à l’émissivité %1, la caméra n’indique la température de cette face qu’à ±%2 près, et un thermomètre demande ±%3 ; peignez la face en noir, ou prenez un capteur de contact</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
     </message>

@@ -516,6 +516,110 @@
         <translation>含边距共需 %1 mm，而 %2 只有 %3 mm；请用更大的纸张或更小的图案</translation>
     </message>
     <message>
+        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <translation>该文件没有说明来自哪台相机；请指定相机的配置文件</translation>
+    </message>
+    <message>
+        <source>a frame of &quot;%1&quot; has %2 bytes, this one has %3; choose the profile of the camera that it came from, or record it again</source>
+        <translation>“%1”的一帧有 %2 字节，而这里有 %3 字节；请选择拍摄它的相机的配置文件，或重新记录</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
+        <translation>该文件依次包含“%2”的 %1 帧；请每个文件只保存一帧（%3 字节）</translation>
+    </message>
+    <message>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <translation>第 %2 列、第 %3 行的数值 %1 超出 %4 位；字节顺序或配置文件属于另一台相机</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixels are outside of %2 to %3, which is all that &quot;%4&quot; can tell; switch the camera to radiometric output (linear in temperature), or choose another profile</source>
+        <translation>%1 % 的像素不在 %2 至 %3 之内，这是“%4”能测的全部范围；请把相机切换到辐射测温输出（与温度成线性），或选择另一个配置文件</translation>
+    </message>
+    <message>
+        <source>%1 pixels are above %2, where the numbers of &quot;%3&quot; are known to be wrong for some cameras; check them with another thermometer</source>
+        <translation>%1 个像素高于 %2，在该范围“%3”的数值对某些相机已知是错误的；请用另一支温度计核对</translation>
+    </message>
+    <message>
+        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <translation>图像的所有像素都是同一个值；相机的快门关着，或相机没有送出图像</translation>
+    </message>
+    <message>
+        <source>%1 pixels are outside of what the camera can tell, the first at column %2, row %3, so the temperatures of the whole picture are not known; ask for regions, or take a lower gain</source>
+        <translation>%1 个像素超出相机能测的范围，第一个在第 %2 列、第 %3 行，因此整幅图像的温度未知；请改用区域，或降低增益</translation>
+    </message>
+    <message>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <translation>需要 16 位的单通道，而该图像是 %1；请保存相机的数值，而不是它显示的颜色</translation>
+    </message>
+    <message>
+        <source>the file holds several pictures; save one picture a file</source>
+        <translation>该文件包含多幅图像；请每个文件只保存一幅</translation>
+    </message>
+    <message>
+        <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
+        <translation>“%1”的图像有 %2 像素，而这一幅有 %3；请选择拍摄它的相机的配置文件</translation>
+    </message>
+    <message>
+        <source>there is no table of temperatures: lines of %1 numbers or more, of one length, up to the end of the file</source>
+        <translation>没有温度表：应是每行至少 %1 个数、长度相同、直到文件末尾的各行</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <translation>第 %1 行有 %2 个值，而表的首行有 %3 个；请重新导出图像</translation>
+    </message>
+    <message>
+        <source>line %1, value %2: &quot;%3&quot; is no temperature in degrees Celsius; export the picture again, without masks</source>
+        <translation>第 %1 行、第 %2 个值：“%3”不是摄氏温度；请重新导出图像，不要带掩膜</translation>
+    </message>
+    <message>
+        <source>there are no frames here; their names end in one of %1</source>
+        <translation>这里没有帧；其文件名以下列之一结尾：%1</translation>
+    </message>
+    <message>
+        <source>the times of the frames are not known; put %1 beside them, or give the profile a frame_rate_Hz</source>
+        <translation>各帧的时间未知；请在旁边放入 %1，或在配置文件中给出 frame_rate_Hz</translation>
+    </message>
+    <message>
+        <source>line %1, &quot;%2&quot;, cannot be used: first file,time_s, then one line for each file of this folder, with growing times</source>
+        <translation>第 %1 行“%2”无法使用：首行为 file,time_s，其后该文件夹的每个文件一行，时间递增</translation>
+    </message>
+    <message>
+        <source>it is not in the picture; aim the camera at it</source>
+        <translation>它不在图像中；请将相机对准它</translation>
+    </message>
+    <message>
+        <source>nearer things hide it: %1 of its pixels are seen, %2 are needed</source>
+        <translation>它被更近的东西遮住：可见 %1 个像素，需要 %2 个</translation>
+    </message>
+    <message>
+        <source>it is seen edge-on, at %1 degrees to its face; move the camera</source>
+        <translation>只看到它的侧边，视线与其表面成 %1 度；请移动相机</translation>
+    </message>
+    <message>
+        <source>%1 pixels inside of its edges are too few, %2 are needed; bring the camera nearer</source>
+        <translation>其边缘以内只有 %1 个像素，太少，需要 %2 个；请将相机移近</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels tell nothing; check the camera</source>
+        <translation>其 %2 个像素中有 %1 个没有读数；请检查相机</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels are outside of what the camera can tell (saturated); take a lower gain</source>
+        <translation>其 %2 个像素中有 %1 个超出相机能测的范围（饱和）；请降低增益</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each region its own</source>
+        <translation>名称“%1”用了两次；请给每个区域各自的名称</translation>
+    </message>
+    <message>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <translation>相机所见的 %1，在发射率 %2 及这些反射下，表面取任何温度都无法解释；请检查发射率、角系数和热源温度</translation>
+    </message>
+    <message>
+        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <translation>发射率为 %1 时，相机只能以 ±%2 测得该表面的温度，而温度计需要 ±%3；请将表面涂黑，或使用接触式传感器</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 与 %2 重叠；请移动其中一个</translation>
     </message>

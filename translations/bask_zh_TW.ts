@@ -516,6 +516,110 @@
         <translation>含邊距共需 %1 mm，而 %2 只有 %3 mm；請用更大的紙張或更小的圖案</translation>
     </message>
     <message>
+        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <translation>該檔案沒有說明來自哪台相機；請指定相機的設定檔</translation>
+    </message>
+    <message>
+        <source>a frame of &quot;%1&quot; has %2 bytes, this one has %3; choose the profile of the camera that it came from, or record it again</source>
+        <translation>「%1」的一個影格有 %2 位元組，而這裡有 %3 位元組；請選擇拍攝它的相機的設定檔，或重新記錄</translation>
+    </message>
+    <message>
+        <source>the file holds %1 frames of &quot;%2&quot; one after another; save one frame (%3 bytes) a file</source>
+        <translation>該檔案依序包含「%2」的 %1 個影格；請每個檔案只儲存一個影格（%3 位元組）</translation>
+    </message>
+    <message>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <translation>第 %2 欄、第 %3 列的數值 %1 超出 %4 位元；位元組順序或設定檔屬於另一台相機</translation>
+    </message>
+    <message>
+        <source>%1 % of the pixels are outside of %2 to %3, which is all that &quot;%4&quot; can tell; switch the camera to radiometric output (linear in temperature), or choose another profile</source>
+        <translation>%1 % 的像素不在 %2 至 %3 之內，這是「%4」能測的全部範圍；請將相機切換到輻射測溫輸出（與溫度成線性），或選擇另一個設定檔</translation>
+    </message>
+    <message>
+        <source>%1 pixels are above %2, where the numbers of &quot;%3&quot; are known to be wrong for some cameras; check them with another thermometer</source>
+        <translation>%1 個像素高於 %2，在該範圍「%3」的數值對某些相機已知是錯誤的；請用另一支溫度計核對</translation>
+    </message>
+    <message>
+        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <translation>影像的所有像素都是同一個值；相機的快門關著，或相機沒有送出影像</translation>
+    </message>
+    <message>
+        <source>%1 pixels are outside of what the camera can tell, the first at column %2, row %3, so the temperatures of the whole picture are not known; ask for regions, or take a lower gain</source>
+        <translation>%1 個像素超出相機能測的範圍，第一個在第 %2 欄、第 %3 列，因此整幅影像的溫度未知；請改用區域，或降低增益</translation>
+    </message>
+    <message>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <translation>需要 16 位元的單一通道，而該影像是 %1；請儲存相機的數值，而不是它顯示的顏色</translation>
+    </message>
+    <message>
+        <source>the file holds several pictures; save one picture a file</source>
+        <translation>該檔案包含多幅影像；請每個檔案只儲存一幅</translation>
+    </message>
+    <message>
+        <source>a picture of &quot;%1&quot; has %2 pixels, this one has %3; choose the profile of the camera that it came from</source>
+        <translation>「%1」的影像有 %2 像素，而這一幅有 %3；請選擇拍攝它的相機的設定檔</translation>
+    </message>
+    <message>
+        <source>there is no table of temperatures: lines of %1 numbers or more, of one length, up to the end of the file</source>
+        <translation>沒有溫度表：應是每行至少 %1 個數、長度相同、直到檔案末尾的各行</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <translation>第 %1 行有 %2 個值，而表的首行有 %3 個；請重新匯出影像</translation>
+    </message>
+    <message>
+        <source>line %1, value %2: &quot;%3&quot; is no temperature in degrees Celsius; export the picture again, without masks</source>
+        <translation>第 %1 行、第 %2 個值：「%3」不是攝氏溫度；請重新匯出影像，不要帶遮罩</translation>
+    </message>
+    <message>
+        <source>there are no frames here; their names end in one of %1</source>
+        <translation>這裡沒有影格；其檔名以下列之一結尾：%1</translation>
+    </message>
+    <message>
+        <source>the times of the frames are not known; put %1 beside them, or give the profile a frame_rate_Hz</source>
+        <translation>各影格的時間未知；請在旁邊放入 %1，或在設定檔中給出 frame_rate_Hz</translation>
+    </message>
+    <message>
+        <source>line %1, &quot;%2&quot;, cannot be used: first file,time_s, then one line for each file of this folder, with growing times</source>
+        <translation>第 %1 行「%2」無法使用：首行為 file,time_s，其後該資料夾的每個檔案一行，時間遞增</translation>
+    </message>
+    <message>
+        <source>it is not in the picture; aim the camera at it</source>
+        <translation>它不在影像中；請將相機對準它</translation>
+    </message>
+    <message>
+        <source>nearer things hide it: %1 of its pixels are seen, %2 are needed</source>
+        <translation>它被更近的東西遮住：可見 %1 個像素，需要 %2 個</translation>
+    </message>
+    <message>
+        <source>it is seen edge-on, at %1 degrees to its face; move the camera</source>
+        <translation>只看到它的側邊，視線與其表面成 %1 度；請移動相機</translation>
+    </message>
+    <message>
+        <source>%1 pixels inside of its edges are too few, %2 are needed; bring the camera nearer</source>
+        <translation>其邊緣以內只有 %1 個像素，太少，需要 %2 個；請將相機移近</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels tell nothing; check the camera</source>
+        <translation>其 %2 個像素中有 %1 個沒有讀數；請檢查相機</translation>
+    </message>
+    <message>
+        <source>%1 of its %2 pixels are outside of what the camera can tell (saturated); take a lower gain</source>
+        <translation>其 %2 個像素中有 %1 個超出相機能測的範圍（飽和）；請降低增益</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each region its own</source>
+        <translation>名稱「%1」用了兩次；請給每個區域各自的名稱</translation>
+    </message>
+    <message>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <translation>相機所見的 %1，在發射率 %2 及這些反射下，表面取任何溫度都無法解釋；請檢查發射率、角係數和熱源溫度</translation>
+    </message>
+    <message>
+        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <translation>發射率為 %1 時，相機只能以 ±%2 測得該表面的溫度，而溫度計需要 ±%3；請將表面塗黑，或使用接觸式感測器</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 與 %2 重疊；請移動其中一個</translation>
     </message>

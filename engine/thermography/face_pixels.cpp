@@ -1,0 +1,321 @@
+#include "engine/thermography/face_pixels.h"
+
+#include "engine/base/message_code.h"
+#include "engine/calibration/projection.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+using Ring2 = std::vector<Eigen::Vector2d>;
+using Ring3 = std::vector<Eigen::Vector3d>;
+
+constexpr int kMaxSide_px = 4096;
+constexpr int kOutlinePoints = 128;     ///< of a disk or a Fourier outline: 0.03 px off at a radius of 100 px
+constexpr double kMinStep_px = 0.1;     ///< nearer points of an outline are left out
+constexpr double kMaxBentEdge_px = 6.0; ///< longer edges are divided where the lens bends them
+constexpr double kNear_m = 1e-3;        ///< nothing nearer to the camera is drawn
+
+/// Newton's method with differences; the lens is close to the identity within a picture.
+std::optional<Eigen::Vector2d> undistorted(const Lens& lens, const Eigen::Vector2d& shown) {
+    constexpr double kStep = 1e-6, kGood_px = 1e-6;
+    Eigen::Vector2d ray{(shown.x() - lens.cx) / lens.fx, (shown.y() - lens.cy) / lens.fy};
+    const auto shownOf = [&](double x, double y) { return shownAt(lens, Eigen::Vector3d(x, y, 1.0)); };
+    for (int i = 0; i < 30; ++i) {
+        const Eigen::Vector2d off = shownOf(ray.x(), ray.y()) - shown;
+        if (off.norm() < kGood_px)
+            return ray;
+        Eigen::Matrix2d J;
+        J.col(0) = (shownOf(ray.x() + kStep, ray.y()) - shownOf(ray.x() - kStep, ray.y())) / (2.0 * kStep);
+        J.col(1) = (shownOf(ray.x(), ray.y() + kStep) - shownOf(ray.x(), ray.y() - kStep)) / (2.0 * kStep);
+        ray -= J.inverse() * off;
+    }
+    return std::nullopt;
+}
+
+/// The part of space that a picture shows, with a margin: |x - middle| <= half, for X/Z and Y/Z.
+struct Frustum {
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
+    Eigen::Vector2d max = -min;
+};
+
+/// What clips lies outside of the picture by `margin_px` and more, so that no edge in it is one of clipping.
+Frustum frustumOf(const PixelRays& rays, double margin_px) {
+    const CameraModel& camera = rays.camera();
+    Frustum out;
+    const auto take = [&](int column, int row) {
+        const Eigen::Vector2d& ray =
+            rays.ray(static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width) +
+                     static_cast<std::size_t>(column));
+        out.min = out.min.cwiseMin(ray);
+        out.max = out.max.cwiseMax(ray);
+    };
+    for (int column = 0; column < camera.width; ++column) {
+        take(column, 0);
+        take(column, camera.height - 1);
+    }
+    for (int row = 0; row < camera.height; ++row) {
+        take(0, row);
+        take(camera.width - 1, row);
+    }
+    // At the rim of a picture a pixel can be twice as wide as in its middle.
+    const Eigen::Vector2d margin{2.0 * margin_px / camera.fx, 2.0 * margin_px / camera.fy};
+    out.min -= margin;
+    out.max += margin;
+    return out;
+}
+
+/// The part of a ring with side(p) >= 0 (Sutherland and Hodgman); side is linear.
+template <class Side> Ring3 clippedBy(const Ring3& ring, Side side) {
+    Ring3 out;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
+        const double at = side(a), bt = side(b);
+        if (at >= 0.0)
+            out.push_back(a);
+        if ((at >= 0.0) != (bt >= 0.0))
+            out.push_back(a + at / (at - bt) * (b - a));
+    }
+    return out;
+}
+
+Ring3 clipped(Ring3 ring, const Frustum& to) {
+    ring = clippedBy(ring, [](const Eigen::Vector3d& p) { return p.z() - kNear_m; });
+    for (int axis = 0; axis < 2; ++axis) {
+        ring = clippedBy(ring, [&](const Eigen::Vector3d& p) { return p[axis] - to.min[axis] * p.z(); });
+        ring = clippedBy(ring, [&](const Eigen::Vector3d& p) { return to.max[axis] * p.z() - p[axis]; });
+    }
+    return ring;
+}
+
+/// A ring as the lens shows it.
+Ring2 shownRing(const Lens& lens, const Ring3& ring) {
+    const bool isBent = std::ranges::any_of(lens.k, [](double k) { return k != 0.0; });
+    Ring2 out;
+    const auto add = [&](const Eigen::Vector2d& p) {
+        if (out.empty() || (p - out.back()).norm() >= kMinStep_px)
+            out.push_back(p);
+    };
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
+        const Eigen::Vector2d from = shownAt(lens, a);
+        add(from);
+        const int pieces =
+            isBent ? static_cast<int>(std::min((shownAt(lens, b) - from).norm() / kMaxBentEdge_px, 1000.0))
+                   : 0;
+        for (int i = 1; i < pieces; ++i)
+            add(shownAt(lens, Eigen::Vector3d(a + static_cast<double>(i) / pieces * (b - a))));
+    }
+    return out;
+}
+
+/// What a plate covers of the picture: a box of pixels, each inside or not, near an edge or not.
+struct Footprint {
+    enum Flag : unsigned char { kInside = 1, kNearEdge = 2 };
+    int left = 0, top = 0, right = -1, bottom = -1; ///< inclusive
+    std::vector<unsigned char> flags;
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ(); ///< of the plane, in camera axes
+    double offset = 0.0;                               ///< normal . p of its points
+    bool isWhole = true;
+
+    bool isEmpty() const { return right < left || bottom < top; }
+    unsigned char& flag(int column, int row) {
+        return flags[static_cast<std::size_t>(row - top) * static_cast<std::size_t>(right - left + 1) +
+                     static_cast<std::size_t>(column - left)];
+    }
+    unsigned char flagOr0(int column, int row) const {
+        if (column < left || column > right || row < top || row > bottom)
+            return 0;
+        return const_cast<Footprint*>(this)->flag(column, row);
+    }
+    /// Z of the plane on a line of sight.
+    double depth(const Eigen::Vector2d& ray) const {
+        return offset / (normal.x() * ray.x() + normal.y() * ray.y() + normal.z());
+    }
+};
+
+/// Pixel centres inside the rings, by the even-odd rule.
+void fill(Footprint& out, const std::vector<Ring2>& rings) {
+    std::vector<std::vector<double>> crossings(static_cast<std::size_t>(out.bottom - out.top + 1));
+    for (const Ring2& ring : rings)
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const Eigen::Vector2d &a = ring[k], &b = ring[(k + 1) % ring.size()];
+            const double low = std::min(a.y(), b.y()), high = std::max(a.y(), b.y());
+            const int first = std::max(out.top, static_cast<int>(std::ceil(low)));
+            for (int row = first; row <= out.bottom && row < high; ++row) // low <= row < high
+                crossings[static_cast<std::size_t>(row - out.top)].push_back(
+                    a.x() + (row - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+    for (int row = out.top; row <= out.bottom; ++row) {
+        std::vector<double>& at = crossings[static_cast<std::size_t>(row - out.top)];
+        std::ranges::sort(at);
+        for (std::size_t k = 0; k + 1 < at.size(); k += 2) {
+            const int first = std::max(out.left, static_cast<int>(std::ceil(at[k])));
+            for (int column = first; column <= out.right && column <= at[k + 1]; ++column)
+                out.flag(column, row) |= Footprint::kInside;
+        }
+    }
+}
+
+void markNear(Footprint& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b, double distance_px) {
+    const auto floorOf = [&](double value) { return static_cast<int>(std::floor(value - distance_px)); };
+    const auto ceilOf = [&](double value) { return static_cast<int>(std::ceil(value + distance_px)); };
+    const int left = std::max(out.left, floorOf(std::min(a.x(), b.x())));
+    const int right = std::min(out.right, ceilOf(std::max(a.x(), b.x())));
+    const int top = std::max(out.top, floorOf(std::min(a.y(), b.y())));
+    const int bottom = std::min(out.bottom, ceilOf(std::max(a.y(), b.y())));
+    const Eigen::Vector2d edge = b - a;
+    const double squared = std::max(edge.squaredNorm(), 1e-30);
+    for (int row = top; row <= bottom; ++row)
+        for (int column = left; column <= right; ++column) {
+            const Eigen::Vector2d from = Eigen::Vector2d(column, row) - a;
+            const Eigen::Vector2d off = from - std::clamp(from.dot(edge) / squared, 0.0, 1.0) * edge;
+            if (off.squaredNorm() < distance_px * distance_px)
+                out.flag(column, row) |= Footprint::kNearEdge;
+        }
+}
+
+Footprint footprintOf(const PixelRays& rays, const Frustum& frustum, const PlacedPlate& plate,
+                      const Pose& X_CO, double blur_px) {
+    const CameraModel& camera = rays.camera();
+    const Lens lens(camera);
+    Footprint out;
+    out.normal = X_CO.linear().col(2);
+    out.offset = out.normal.dot(X_CO.translation());
+    std::vector<Ring2> rings;
+    Eigen::Vector2d min = Eigen::Vector2d::Constant(std::numeric_limits<double>::max()), max = -min;
+    for (const std::vector<Eigen::Vector2d>& ring_O : shapeRings(plate.shape, kOutlinePoints)) {
+        Ring3 ring;
+        for (const Eigen::Vector2d& p : ring_O)
+            ring.push_back(X_CO * Eigen::Vector3d(p.x(), p.y(), 0.0));
+        const Ring2 shown = shownRing(lens, clipped(ring, frustum));
+        for (const Eigen::Vector2d& p : shown) {
+            min = min.cwiseMin(p);
+            max = max.cwiseMax(p);
+        }
+        if (shown.size() >= 2)
+            rings.push_back(shown);
+    }
+    if (rings.empty())
+        return out;
+    out.isWhole =
+        min.x() >= -0.5 && min.y() >= -0.5 && max.x() <= camera.width - 0.5 && max.y() <= camera.height - 0.5;
+    const auto within = [](double value, int size) {
+        return static_cast<int>(std::clamp(value, -1.0, static_cast<double>(size)));
+    };
+    out.left = std::max(0, within(std::floor(min.x() - blur_px), camera.width));
+    out.top = std::max(0, within(std::floor(min.y() - blur_px), camera.height));
+    out.right = std::min(camera.width - 1, within(std::ceil(max.x() + blur_px), camera.width));
+    out.bottom = std::min(camera.height - 1, within(std::ceil(max.y() + blur_px), camera.height));
+    if (out.isEmpty())
+        return out;
+    out.flags.assign(static_cast<std::size_t>(out.right - out.left + 1) *
+                         static_cast<std::size_t>(out.bottom - out.top + 1),
+                     0);
+    fill(out, rings);
+    for (const Ring2& ring : rings)
+        for (std::size_t k = 0; k < ring.size(); ++k)
+            markNear(out, ring[k], ring[(k + 1) % ring.size()], blur_px);
+    return out;
+}
+
+/// Whether a plate covers what lies at `depth` on the line of sight. Plates in one plane do not cover each
+/// other.
+bool covers(const Footprint& plate, int column, int row, const Eigen::Vector2d& ray, double depth) {
+    constexpr double kSamePlane = 1e-6;
+    if (plate.flagOr0(column, row) == 0)
+        return false;
+    const double own = plate.depth(ray);
+    return own > 0.0 && own < depth * (1.0 - kSamePlane);
+}
+
+Result<FacePixels> pixelsOf(const PixelRays& rays, const std::vector<Footprint>& plates, std::size_t object,
+                            const Pose& X_CO, const FacePixelOptions& options) {
+    const Footprint& own = plates[object];
+    const Eigen::Vector3d camera_O = X_CO.inverse().translation();
+    FacePixels out;
+    out.isFront = camera_O.z() < 0.0;
+    out.isWhole = own.isWhole;
+    out.angle_rad = std::acos(std::clamp(std::abs(camera_O.z()) / camera_O.norm(), 0.0, 1.0));
+    bool isShown = false;
+    int clear = 0;
+    for (int row = own.top; row <= own.bottom; ++row)
+        for (int column = own.left; column <= own.right; ++column) {
+            const unsigned char flag = own.flagOr0(column, row);
+            isShown = isShown || flag != 0;
+            if (flag != Footprint::kInside)
+                continue;
+            ++clear;
+            const auto pixel = static_cast<std::size_t>(row) * static_cast<std::size_t>(rays.camera().width) +
+                               static_cast<std::size_t>(column);
+            const Eigen::Vector2d& ray = rays.ray(pixel);
+            const double depth = own.depth(ray);
+            bool isHidden = false;
+            for (std::size_t k = 0; k < plates.size() && !isHidden; ++k)
+                isHidden = k != object && covers(plates[k], column, row, ray, depth);
+            if (!isHidden)
+                out.pixels.push_back(static_cast<int>(pixel));
+        }
+    if (!isShown)
+        return Error{MessageCode::ThermalFaceOutside, {}};
+    if (!(out.angle_rad <= std::numbers::pi / 2.0 - options.minAngle_rad))
+        return Error{MessageCode::ThermalFaceGrazing,
+                     {},
+                     {formatNumber(90.0 - out.angle_rad * 180.0 / std::numbers::pi, 2)}};
+    const std::vector<MessageArg> counts{std::to_string(out.pixels.size()),
+                                         std::to_string(options.minPixels)};
+    if (clear < options.minPixels)
+        return Error{MessageCode::ThermalFaceSmall, {}, counts};
+    if (static_cast<int>(out.pixels.size()) < options.minPixels)
+        return Error{MessageCode::ThermalFaceHidden, {}, counts};
+    return out;
+}
+
+} // namespace
+
+PixelRays::PixelRays(const CameraModel& camera) : m_camera(camera) {
+    if (camera.width < 1 || camera.height < 1 || camera.width > kMaxSide_px || camera.height > kMaxSide_px)
+        throw std::invalid_argument("PixelRays: a camera of 1 to 4096 pixels each way is needed");
+    const Lens lens(camera);
+    m_rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+    for (int row = 0; row < camera.height; ++row)
+        for (int column = 0; column < camera.width; ++column) {
+            const auto ray = undistorted(lens, Eigen::Vector2d(column, row));
+            if (!ray)
+                throw std::invalid_argument(
+                    "PixelRays: the lens model cannot be inverted within the picture");
+            m_rays.push_back(*ray);
+        }
+}
+
+std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_WC,
+                                           std::span<const PlacedPlate> objects,
+                                           std::span<const PlacedPlate> screens,
+                                           const FacePixelOptions& options) {
+    if (!(options.blur_px >= kMinBlur_px && options.blur_px <= 100.0) || options.minPixels < 1 ||
+        !(options.minAngle_rad >= 0.0))
+        throw std::invalid_argument("facePixels: a blur of 1.5 to 100 px, at least one pixel");
+    const Frustum frustum = frustumOf(rays, options.blur_px + 2.0);
+    const Pose X_CW = X_WC.inverse();
+    std::vector<Pose> poses;
+    std::vector<Footprint> footprints;
+    for (const auto& plates : {objects, screens})
+        for (const PlacedPlate& plate : plates) {
+            poses.push_back(X_CW * plate.X_WO);
+            footprints.push_back(footprintOf(rays, frustum, plate, poses.back(), options.blur_px));
+        }
+    std::vector<Result<FacePixels>> out;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        out.push_back(pixelsOf(rays, footprints, i, poses[i], options));
+    return out;
+}
+
+} // namespace bask
