@@ -1,0 +1,156 @@
+#include "engine/thermography/camera_profile.h"
+
+#include "engine/base/json_fields.h"
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/base/units.h"
+#include "engine/thermography/band_radiance.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+
+/// The files in profiles/, put into the program by CMake: names and texts.
+std::vector<std::pair<std::string, std::string>> thermalProfileTexts();
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int kMinSide = 8, kMaxSide = 4096, kMinBits = 8, kMaxBits = 16;
+constexpr std::uintmax_t kLargestProfile = 64 << 10;
+
+const std::map<std::string, CountUnit> kCountUnits{
+    {"K", CountUnit::Kelvin}, {"degC", CountUnit::Celsius}, {"degF", CountUnit::Fahrenheit}};
+const std::map<std::string, bool> kByteOrders{{"little", false}, {"big", true}};
+
+void readWithin(Fields& fields, const std::string& key, int& out, int min, int max, bool required = false) {
+    fields.read(key, out, required);
+    if (out < min || out > max)
+        if (fields.find(key) != nullptr)
+            fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
+                        {std::to_string(out), std::to_string(min), std::to_string(max), ""});
+}
+
+/// A temperature that a BandRadiance has.
+void readTemperature(Fields& fields, const std::string& key, double& out_K, bool required) {
+    double value_degC = 0.0;
+    fields.read(key, value_degC, required);
+    if (fields.find(key) == nullptr || fields.failure())
+        return;
+    out_K = kelvinFromCelsius(value_degC);
+    if (!(out_K >= kMinBand_K && out_K <= kMaxBand_K))
+        fields.fail(MessageCode::ValueOutOfRange, fields.pathOf(key),
+                    {formatNumber(value_degC), formatNumber(celsiusFromKelvin(kMinBand_K), 6),
+                     formatNumber(celsiusFromKelvin(kMaxBand_K), 6), "degC"});
+}
+
+void readPositive(Fields& fields, const std::string& key, double& out, bool required) {
+    fields.read(key, out, required);
+    if (fields.find(key) != nullptr && !(out > 0.0))
+        fields.fail(MessageCode::ValueNotPositive, fields.pathOf(key), {formatNumber(out)});
+}
+
+void checkRange(const Fields& fields, const ThermalProfile& profile) {
+    if (fields.failure())
+        return;
+    const double lowest_K = profile.temperature_K(0.0);
+    const double highest_K = profile.temperature_K(static_cast<double>((1 << profile.bits) - 1));
+    const auto words = [](double T_K) { return formatNumber(celsiusFromKelvin(T_K), 6); };
+    if (!(profile.min_K < profile.max_K))
+        fields.fail(MessageCode::ValueOutOfRange, "max_degC",
+                    {words(profile.max_K), words(profile.min_K), words(kMaxBand_K), "degC"});
+    // A range that no number of the camera reaches: scale, offset or unit is wrong.
+    if (!(lowest_K < profile.max_K && highest_K > profile.min_K))
+        fields.fail(MessageCode::ValueOutOfRange, "min_degC",
+                    {words(profile.min_K), words(lowest_K), words(highest_K), "degC"});
+}
+
+void readThermalProfile(const json& j, Failure& failure, ThermalProfile& out) {
+    Fields fields(j, {}, failure);
+    fields.read("name", out.name, true);
+    fields.read("title", out.title);
+    fields.read("source", out.source);
+    readWithin(fields, "width", out.width, kMinSide, kMaxSide, true);
+    readWithin(fields, "height", out.height, kMinSide, kMaxSide, true);
+    readWithin(fields, "skip_top", out.skipTop, 0, kMaxSide);
+    readWithin(fields, "skip_bottom", out.skipBottom, 0, kMaxSide);
+    readWithin(fields, "optional_bottom", out.optionalBottom, 0, kMaxSide);
+    readWithin(fields, "bits", out.bits, kMinBits, kMaxBits);
+    fields.readWord("byte_order", kByteOrders, out.isBigEndian);
+    readPositive(fields, "scale", out.scale, true);
+    fields.read("offset", out.offset);
+    fields.readWord("unit", kCountUnits, out.unit, true);
+    readTemperature(fields, "min_degC", out.min_K, true);
+    readTemperature(fields, "max_degC", out.max_K, true);
+    if (fields.find("warn_above_degC") != nullptr)
+        readTemperature(fields, "warn_above_degC", out.warnAbove_K.emplace(), false);
+    if (fields.find("frame_rate_Hz") != nullptr)
+        readPositive(fields, "frame_rate_Hz", out.frameRate_Hz.emplace(), false);
+    fields.close();
+    if (out.name.empty())
+        fields.fail(MessageCode::JsonWrongType, "name", {"a name", "nothing"});
+    checkRange(fields, out);
+}
+
+} // namespace
+
+std::array<std::size_t, 2> ThermalProfile::frameSizes() const {
+    const auto row = 2 * static_cast<std::size_t>(width);
+    const auto usual = static_cast<std::size_t>(skipTop) + static_cast<std::size_t>(height) +
+                       static_cast<std::size_t>(skipBottom);
+    return {usual * row, (usual + static_cast<std::size_t>(optionalBottom)) * row};
+}
+
+bool ThermalProfile::isFrameSize(std::size_t bytes) const {
+    const auto sizes = frameSizes();
+    return bytes == sizes[0] || bytes == sizes[1];
+}
+
+double ThermalProfile::temperature_K(double number) const {
+    const double value = scale * number + offset;
+    switch (unit) {
+    case CountUnit::Celsius:
+        return kelvinFromCelsius(value);
+    case CountUnit::Fahrenheit:
+        return kelvinFromDisplay(value, TemperatureUnit::Fahrenheit);
+    case CountUnit::Kelvin:
+        break;
+    }
+    return value;
+}
+
+Result<ThermalProfile> thermalProfileFromJson(const std::string& text, const std::string& where) {
+    return readJsonText<ThermalProfile>(text, where, readThermalProfile);
+}
+
+const std::vector<ThermalProfile>& shippedThermalProfiles() {
+    static const std::vector<ThermalProfile> kProfiles = [] {
+        std::vector<ThermalProfile> out;
+        for (const auto& [name, text] : thermalProfileTexts())
+            out.push_back(thermalProfileFromJson(text, name).value());
+        return out;
+    }();
+    return kProfiles;
+}
+
+Result<ThermalProfile> findThermalProfile(const std::string& nameOrPath) {
+    std::string names;
+    for (const ThermalProfile& profile : shippedThermalProfiles()) {
+        if (profile.name == nameOrPath)
+            return profile;
+        names += profile.name + ", ";
+    }
+    if (!nameOrPath.ends_with(".json") && nameOrPath.find('/') == std::string::npos)
+        return Error{
+            MessageCode::ValueUnknown, "--profile", {plainWords(nameOrPath), names + "a file .json"}};
+    const auto text = readTextFile(nameOrPath, kLargestProfile);
+    if (!text)
+        return text.error();
+    return thermalProfileFromJson(*text, nameOrPath);
+}
+
+} // namespace bask

@@ -1,0 +1,61 @@
+#pragma once
+// The bytes of one frame, as a thermal camera sends them or as they were recorded, as temperatures. Nothing
+// is guessed: a size, a format or a value that does not fit is an error.
+
+#include "engine/base/message.h"
+#include "engine/base/result.h"
+#include "engine/thermography/camera_profile.h"
+#include "engine/thermography/thermal_picture.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bask {
+
+/// A decoded frame with what a person should know of it.
+struct ThermalFrame {
+    ThermalPicture picture;
+    std::vector<Message> warnings; ///< ThermalHighRange
+};
+
+/// Decodes one frame of the camera's own bytes, 16 bits a pixel. `where` names it in errors, here and below.
+/// Errors: FileEmpty; ThermalFrameSize and ThermalFramesSeveral for any other number of bytes;
+/// ThermalBitsOver for a number that does not fit into the profile's bits; ThermalPictureConstant;
+/// ThermalNotTemperatures if more than half of the pixels lie outside of what the camera can tell. Single
+/// pixels outside are infinite.
+Result<ThermalFrame> frameOfBytes(std::string_view bytes, const ThermalProfile& profile,
+                                  const std::string& where);
+
+/// Decodes a recorded frame: a PNG or TIFF of one picture with one channel of 16 bits that holds the camera's
+/// numbers, either the rows with temperatures alone or a whole frame. Errors: ImageUnreadable (damaged,
+/// short, or neither), ThermalPictureKind (colours, 8 bits, a palette), ThermalPictureSeveral (a TIFF of
+/// several pictures), ThermalPictureSize, and those of frameOfBytes for the numbers.
+Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                  const std::string& where);
+
+/// Decodes a table of temperatures in degC, as camera programs export it: one line a row of pixels, separated
+/// by semicolons, tabs, commas or blanks; a decimal comma unless the comma separates. Accepted besides: lines
+/// before the table with another number of values, or with no number; a first line and a first column that
+/// count 0, 1, 2 ... or 1, 2, 3 ... (with a profile where the size is one too many; without one both
+/// together, with a corner that is no number); a byte order mark, quotes, a separator at a line's end, lines
+/// that begin with #. With a profile the size has to be its, and values outside of what it can tell are
+/// infinite. Errors: ThermalCellUnusable for a value that is none (words, NaN, nothing, not above absolute
+/// zero, above 2726.85 degC), ThermalRowLength, ThermalNoTable, ThermalPictureSize, and as above.
+Result<ThermalFrame> frameOfCsv(std::string_view text, const std::optional<ThermalProfile>& profile,
+                                const std::string& where);
+
+/// A picture of the camera's numbers before they are temperatures, row by row.
+struct CountPicture {
+    int width = 0, height = 0;
+    std::vector<unsigned short> counts;
+};
+/// Makes temperatures of numbers, with the checks of frameOfBytes. The picture has the profile's size.
+Result<ThermalFrame> frameOfCounts(const CountPicture& counts, const ThermalProfile& profile,
+                                   const std::string& where);
+/// Checks and finishes a picture of temperatures: outside of what the profile tells they become infinite.
+Result<ThermalFrame> frameOfTemperatures(ThermalPicture picture, const std::optional<ThermalProfile>& profile,
+                                         const std::string& where);
+
+} // namespace bask

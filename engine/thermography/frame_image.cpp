@@ -1,0 +1,72 @@
+#include "engine/base/message_code.h"
+#include "engine/calibration/camera_model.h"
+#include "engine/shape/image_header.h"
+#include "engine/thermography/frame_decoder.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include <algorithm>
+#include <exception>
+
+namespace bask {
+namespace {
+
+std::string kindOf(const PictureHeader& header) {
+    if (header.channels == 0)
+        return "colours of a palette";
+    return std::to_string(header.channels) + " x " + std::to_string(header.bits) + " bit" +
+           (header.isWhole ? "" : ", not whole numbers");
+}
+
+/// Checks the header, before anything is unpacked. Returns the number of rows above the temperatures.
+Result<int> rowsAbove(std::string_view bytes, const ThermalProfile& profile, const std::string& where) {
+    const auto header = pictureHeader(bytes);
+    if (!header)
+        return Error{MessageCode::ImageUnreadable, where};
+    if (header->channels != 1 || header->bits != 16 || !header->isWhole)
+        return Error{MessageCode::ThermalPictureKind, where, {kindOf(*header)}};
+    if (header->pictures != 1)
+        return Error{MessageCode::ThermalPictureSeveral, where};
+    const auto rows = static_cast<std::uint64_t>(profile.height);
+    const auto around =
+        static_cast<std::uint64_t>(profile.skipTop) + static_cast<std::uint64_t>(profile.skipBottom);
+    const auto more = static_cast<std::uint64_t>(profile.optionalBottom);
+    const std::uint64_t found = header->height;
+    const bool isHeight = found == rows || found == rows + around || found == rows + around + more;
+    if (header->width == static_cast<std::uint64_t>(profile.width) && isHeight) {
+        if (!header->isComplete) // OpenCV would complain on the terminal
+            return Error{MessageCode::ImageUnreadable, where};
+        return found == rows ? 0 : profile.skipTop;
+    }
+    return Error{MessageCode::ThermalPictureSize,
+                 where,
+                 {profile.name, pixelsText(profile.width, profile.height),
+                  std::to_string(header->width) + " x " + std::to_string(header->height)}};
+}
+
+} // namespace
+
+Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                  const std::string& where) {
+    if (bytes.empty())
+        return Error{MessageCode::FileEmpty, where};
+    const auto above = rowsAbove(bytes, profile, where);
+    if (!above)
+        return above.error();
+    try {
+        const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
+        const cv::Mat image = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+        if (image.type() != CV_16UC1 || image.cols != profile.width || image.rows < *above + profile.height)
+            return Error{MessageCode::ImageUnreadable, where};
+        CountPicture counts{profile.width, profile.height, {}};
+        for (int row = 0; row < profile.height; ++row) {
+            const auto* first = image.ptr<unsigned short>(*above + row);
+            counts.counts.insert(counts.counts.end(), first, first + profile.width);
+        }
+        return frameOfCounts(counts, profile, where);
+    } catch (const std::exception&) {
+        return Error{MessageCode::ImageUnreadable, where};
+    }
+}
+
+} // namespace bask
