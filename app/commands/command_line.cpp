@@ -31,6 +31,8 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"calibrate-camera", "a camera's intrinsics from pictures of a board",
                    calibrateCameraCommand},
         Subcommand{"detect-markers", "the ArUco markers in a picture, with poses", detectMarkersCommand},
+        Subcommand{"thermal-frame", "a frame of a thermal camera as temperatures, with statistics of regions",
+                   thermalFrameCommand},
         Subcommand{"simulate-device", "a robot, thermometer or heater that is not there, on a serial port",
                    simulateDeviceCommand},
     };

@@ -34,6 +34,7 @@ int exportCommand(const QStringList& arguments);
 int reportCommand(const QStringList& arguments);
 int detectMarkersCommand(const QStringList& arguments);
 int calibrateCameraCommand(const QStringList& arguments);
+int thermalFrameCommand(const QStringList& arguments);
 int makeBoardCommand(const QStringList& arguments);
 int simulateDeviceCommand(const QStringList& arguments);
 int simulateRigCommand(const QStringList& arguments);
