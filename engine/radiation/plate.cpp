@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -132,8 +133,9 @@ Eigen::Vector3d Plate::farthest(const Pose& X_S, const Eigen::Vector3d& d) const
 }
 
 struct RadiatingContour::Impl::LatePlate {
-    std::once_flag made;
+    std::once_flag once;
     std::unique_ptr<const Plate> plate;
+    std::atomic<const Plate*> made = nullptr; // asking the flag takes longer
 };
 
 std::shared_ptr<RadiatingContour::Impl::LatePlate> RadiatingContour::Impl::latePlate() {
@@ -141,7 +143,12 @@ std::shared_ptr<RadiatingContour::Impl::LatePlate> RadiatingContour::Impl::lateP
 }
 
 const Plate& RadiatingContour::Impl::plate() const {
-    std::call_once(m_plate->made, [this] { m_plate->plate = std::make_unique<const Plate>(shape); });
+    if (const Plate* made = m_plate->made.load(std::memory_order_acquire))
+        return *made;
+    std::call_once(m_plate->once, [this] {
+        m_plate->plate = std::make_unique<const Plate>(shape);
+        m_plate->made.store(m_plate->plate.get(), std::memory_order_release);
+    });
     return *m_plate->plate;
 }
 

@@ -34,6 +34,12 @@ public:
     /// Returns the nodes of a rough rule over the face; their areas add up to its own.
     const std::vector<FaceNode>& faceNodes() const { return m_faceNodes; }
     double reach_m() const { return m_reach; } ///< largest distance of a point from the origin
+    /// Returns how far (m, along d from S's origin) a point may lie at most.
+    double reachAlong_m(const Pose& X_S, const Eigen::Vector3d& d) const {
+        return m_hull.empty()
+                   ? X_S.translation().dot(d) + m_reach * (X_S.linear().leftCols<2>().transpose() * d).norm()
+                   : farthest(X_S, d).dot(d) + margin_m(X_S, d);
+    }
     /// Returns the point (S, m) of the convex hull that lies farthest along d, a unit vector.
     Eigen::Vector3d farthest(const Pose& X_S, const Eigen::Vector3d& d) const;
     /// Returns how much farther (m) than that a point may lie.

@@ -6,10 +6,7 @@
 #include "engine/radiation/shadow_flux.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <memory_resource>
 #include <stdexcept>
 
 namespace bask {
@@ -28,12 +25,16 @@ struct Scene {
     Vector3d face = -X_SO.linear().col(2);
 
     double front(const Vector3d& v) const { return face.dot(v - X_SO.translation()); }
+    /// Returns the way to v from the nearest point between the centres of source and object.
+    Vector3d awayFromAxis(const Vector3d& v) const {
+        const Vector3d axis = X_SO.translation();
+        return v - std::clamp(v.dot(axis) / axis.squaredNorm(), 0.0, 1.0) * axis;
+    }
 };
 
 // Whether the plate lies wholly on the other side of a plane through p, or in it.
 bool isBehind(const Plate& plate, const Pose& X_S, const Vector3d& normal, const Vector3d& p) {
-    return normal.dot(plate.farthest(X_S, normal) - p) + plate.margin_m(X_S, normal) <=
-           kRounding * plate.reach_m();
+    return plate.reachAlong_m(X_S, normal) - normal.dot(p) <= kRounding * plate.reach_m();
 }
 
 void refuseCrossing(const Scene& scene, const Blocker& blocker) {
@@ -43,23 +44,27 @@ void refuseCrossing(const Scene& scene, const Blocker& blocker) {
         throw std::invalid_argument("a blocker passes through the source");
 }
 
+// Case 1, the quick part: behind a face, or outside the spheres around object and source, along the line from
+// their axis to the blocker.
+bool isFarAside(const Scene& scene, const Plate& plate, const Pose& X_S) {
+    if (isBehind(plate, X_S, scene.face, scene.X_SO.translation()) ||
+        isBehind(plate, X_S, Vector3d::UnitZ(), Vector3d::Zero()))
+        return true;
+    const Vector3d d = scene.awayFromAxis(X_S.translation());
+    const double length = d.norm(), object = scene.X_SO.translation().dot(d);
+    return (X_S.translation().dot(d) - plate.reach_m() * length) >=
+               std::max(scene.sourcePlate.reach_m() * length, object + scene.objectPlate.reach_m() * length) &&
+           length > 0.0;
+}
+
 // Case 1. Looks for a plane between the blocker and the hull of object and source (K. Chung, W. Wang, Quick
 // collision detection of polytopes in virtual environments, VRST 1996).
 bool isAside(const Scene& scene, const Plate& plate, const Pose& X_S) {
-    if (isBehind(plate, X_S, Vector3d::UnitZ(), Vector3d::Zero()) ||
-        isBehind(plate, X_S, scene.face, scene.X_SO.translation()))
-        return true;
-    // From the line between the centres towards the blocker; first with the spheres around all three.
-    const Vector3d axis = scene.X_SO.translation(), centre = X_S.translation();
-    const double along = std::clamp(centre.dot(axis) / axis.squaredNorm(), 0.0, 1.0);
-    Vector3d d = centre - along * axis;
+    Vector3d d = scene.awayFromAxis(X_S.translation());
     const double length = d.norm();
     if (length == 0.0)
         return false;
     d /= length;
-    if (centre.dot(d) - plate.reach_m() >=
-        std::max(scene.sourcePlate.reach_m(), axis.dot(d) + scene.objectPlate.reach_m()))
-        return true;
     constexpr int kSteps = 8;
     for (int step = 0; step < kSteps; ++step) {
         const Vector3d a = scene.sourcePlate.farthest(Pose::Identity(), d),
@@ -168,7 +173,8 @@ void subtractPart(const Scene& scene, std::span<const Blocker* const> blockers, 
 std::vector<PlacedShape> placedBetween(const Scene& scene, std::span<const Blocker> blockers) {
     std::vector<PlacedShape> between;
     for (const Blocker& blocker : blockers)
-        if (!isAside(scene, blocker.contour.impl().plate(), blocker.X_S))
+        if (const Plate& plate = blocker.contour.impl().plate();
+            !isFarAside(scene, plate, blocker.X_S) && !isAside(scene, plate, blocker.X_S))
             between.push_back({blocker.contour, blocker.X_S, blocker.isHeld});
     return between;
 }
@@ -188,27 +194,33 @@ ShadedViewFactor shadedViewFactor(const RadiatingContour& source, const Radiatin
     if (blockers.empty() || unshaded.visibility == Visibility::Hidden)
         return result;
     const Scene scene{source, object, X_SO};
-    std::array<std::byte, 1024> room;
-    std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
-    std::pmr::vector<const Blocker*> between(&memory), rest(&memory);
-    std::pmr::vector<ShadowCircle> shadows(&memory);
+    struct Between {
+        const Blocker* blocker;
+        ShadowCircle shadow;
+        bool isWithin; ///< the source
+    };
+    std::vector<Between> between;
     for (const Blocker& blocker : blockers) {
         const Plate& plate = blocker.contour.impl().plate();
-        if (isAside(scene, plate, blocker.X_S))
+        if (isFarAside(scene, plate, blocker.X_S))
             continue;
-        if (options.refusesCrossing)
+        const ShadowCircle shadow = shadowCircle(scene, plate, blocker.X_S);
+        const bool isWithin = isInside(scene.sourcePlate, source, shadow);
+        if (!isWithin && isAside(scene, plate, blocker.X_S))
+            continue;
+        if (options.refusesCrossing && !shadow.isFinite())
             refuseCrossing(scene, blocker);
-        between.push_back(&blocker);
-        shadows.push_back(shadowCircle(scene, plate, blocker.X_S));
+        between.push_back({&blocker, shadow, isWithin});
     }
-    for (std::size_t i = 0; i < between.size(); ++i) {
-        bool isWhole = isInside(scene.sourcePlate, source, shadows[i]);
-        for (std::size_t j = 0; j < between.size() && isWhole; ++j)
-            isWhole = i == j || (shadows[j].isFinite() && !shadows[i].meets(shadows[j]));
+    std::vector<const Blocker*> rest;
+    for (const Between& one : between) {
+        const bool isWhole = one.isWithin && std::ranges::all_of(between, [&one](const Between& other) {
+            return &one == &other || (other.shadow.isFinite() && !one.shadow.meets(other.shadow));
+        });
         if (isWhole)
-            subtractWhole(scene, *between[i], options, result);
+            subtractWhole(scene, *one.blocker, options, result);
         else
-            rest.push_back(between[i]);
+            rest.push_back(one.blocker);
     }
     if (!rest.empty())
         subtractPart(scene, rest, options, result);
