@@ -28,10 +28,10 @@ PlateOutline outlineFor(const Shape& shape, double tolerance) {
     if (!contour)
         return {SightOutline(shape, 0), 0.0};
     constexpr int kMin = 16, kMax = 1024;
-    int corners = kMin;
     const double reach_m = shapeRadius(shape);
+    int corners = kMin;
     while (corners < kMax && polygonError(*contour, reach_m, corners) > tolerance)
-        corners *= 2;
+        corners += kEdgesOfChain;
     return {SightOutline(shape, corners), polygonError(*contour, reach_m, corners)};
 }
 

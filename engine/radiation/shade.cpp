@@ -53,7 +53,8 @@ bool isFarAside(const Scene& scene, const Plate& plate, const Pose& X_S) {
     const Vector3d d = scene.awayFromAxis(X_S.translation());
     const double length = d.norm(), object = scene.X_SO.translation().dot(d);
     return (X_S.translation().dot(d) - plate.reach_m() * length) >=
-               std::max(scene.sourcePlate.reach_m() * length, object + scene.objectPlate.reach_m() * length) &&
+               std::max(scene.sourcePlate.reach_m() * length,
+                        object + scene.objectPlate.reach_m() * length) &&
            length > 0.0;
 }
 
@@ -214,9 +215,10 @@ ShadedViewFactor shadedViewFactor(const RadiatingContour& source, const Radiatin
     }
     std::vector<const Blocker*> rest;
     for (const Between& one : between) {
-        const bool isWhole = one.isWithin && std::ranges::all_of(between, [&one](const Between& other) {
-            return &one == &other || (other.shadow.isFinite() && !one.shadow.meets(other.shadow));
-        });
+        const bool isWhole =
+            one.isWithin && std::ranges::all_of(between, [&one](const Between& other) {
+                return &one == &other || (other.shadow.isFinite() && !one.shadow.meets(other.shadow));
+            });
         if (isWhole)
             subtractWhole(scene, *one.blocker, options, result);
         else
