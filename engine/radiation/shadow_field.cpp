@@ -1,6 +1,5 @@
 #include "engine/radiation/shadow_field.h"
 
-#include "engine/radiation/conic_roots.h"
 #include "engine/radiation/lambert_field.h"
 
 #include <algorithm>
@@ -18,7 +17,32 @@ std::uint64_t mixed(std::uint64_t hash, std::uint64_t value) {
 // Ascends with the angle from 0 to kWholeTurn.
 constexpr double kWholeTurn = 4.0;
 constexpr double kSameCut = 1e-13; // between two cuts at one place
-constexpr double kEdgeOn = 1e-12;  // of a figure's size: nearer to its plane, a point sees nothing of it
+constexpr int kNoRun = -100;
+constexpr int kMaxSteps = 40;     // from edge to edge
+constexpr double kEdgeOn = 1e-12; // of a figure's size: nearer to its plane, a point sees nothing of it
+double valueOf(const Conic& f, const Eigen::Vector2d& u) {
+    const double cos2 = u.x() * u.x() - u.y() * u.y(), sin2 = 2.0 * u.x() * u.y();
+    return f.mean + f.c1 * u.x() + f.s1 * u.y() + f.c2 * cos2 + f.s2 * sin2;
+}
+double slopeOf(const Conic& f, const Eigen::Vector2d& u) { // along the circle
+    const double cos2 = u.x() * u.x() - u.y() * u.y(), sin2 = 2.0 * u.x() * u.y();
+    return f.s1 * u.x() - f.c1 * u.y() + 2.0 * (f.s2 * cos2 - f.c2 * sin2);
+}
+/// Returns the next edge of the same smooth line, back or on; -1 if there is none.
+int neighbour(const SightFigure& figure, int edge, bool isBack) {
+    const auto& edges = figure.edges();
+    const int next = isBack ? edge - 1 : edge + 1;
+    if (next < 0 || next >= static_cast<int>(edges.size()))
+        return -1;
+    const SightFigure::Edge& here = edges[static_cast<std::size_t>(edge)];
+    const SightFigure::Edge& there = edges[static_cast<std::size_t>(next)];
+    return here.run != there.run || (isBack ? here.isFirst : there.isFirst) ? -1 : next;
+}
+Eigen::Vector2d pointOn(const SightFigure& figure, int number, double along) {
+    const SightFigure::Edge& edge = figure.edges()[static_cast<std::size_t>(number)];
+    const Eigen::Vector2d& start = figure.corners()[static_cast<std::size_t>(edge.from)];
+    return start + along * (figure.corners()[static_cast<std::size_t>(edge.to)] - start);
+}
 double angleOrder(const Eigen::Vector2d& u) {
     return u.y() >= 0.0 ? 1.0 - u.x() : 3.0 + u.x();
 }
@@ -97,7 +121,8 @@ bool ShadowField::counts(std::size_t own, const Eigen::Vector2d& at, double way)
     return own < m_targets && m_through ? blocked : !blocked;
 }
 
-void ShadowField::cutCircles(std::size_t a, std::size_t b) {
+// The form of B's circle along A's.
+Conic ShadowField::conic(std::size_t a, std::size_t b) const {
     const Seen& onto = m_seen[b];
     const SightScene::Relation& from = relation(a, b);
     const double radiusA = m_seen[a].figure->radius(), radiusB = onto.figure->radius();
@@ -111,20 +136,36 @@ void ShadowField::cutCircles(std::size_t a, std::size_t b) {
         return formOf(s, t, r2);
     };
     const double pp = product(p, p), qq = product(q, q);
-    const Conic f{product(c, c) + 0.5 * (pp + qq), 2.0 * product(c, p), 2.0 * product(c, q), 0.5 * (pp - qq),
-                  product(p, q)};
+    return {product(c, c) + 0.5 * (pp + qq), 2.0 * product(c, p), 2.0 * product(c, q), 0.5 * (pp - qq),
+            product(p, q)};
+}
+
+void ShadowField::cutCircles(std::size_t a, std::size_t b) {
+    const Conic f = conic(a, b);
     const ConicRoots roots = rootsOf(f);
     for (std::size_t k = 0; k < roots.count; ++k) {
         const Eigen::Vector2d& u = roots.at[k];
-        const double w = c.w + u.x() * p.w + u.y() * q.w;
-        if (!isAhead(onto, w * travel(a, radiusA * u)))
+        Crossing crossing{a, b, Place(u), Place(u), slopeOf(f, u) > 0.0};
+        if (!placeOnB(crossing))
             continue;
-        m_seen[a].circleCuts.push_back({u, angleOrder(u), static_cast<int>(b)});
-        const double scale = 1.0 / (radiusB * w);
-        const Eigen::Vector2d on(scale * (c.u + u.x() * p.u + u.y() * q.u),
-                                 scale * (c.v + u.x() * p.v + u.y() * q.v));
-        m_seen[b].circleCuts.push_back({on, angleOrder(on), static_cast<int>(a)});
+        const auto number = static_cast<int>(m_crossings.size());
+        const Eigen::Vector2d& on = crossing.onB.on;
+        m_seen[a].circleCuts.push_back({u, angleOrder(u), static_cast<int>(b), number});
+        m_seen[b].circleCuts.push_back({on, angleOrder(on), static_cast<int>(a), number});
+        m_crossings.push_back(crossing);
     }
+}
+
+// Finds the place on B's circle of a crossing of two circles. Returns whether it is ahead.
+bool ShadowField::placeOnB(Crossing& crossing) const {
+    const Seen& onto = m_seen[crossing.b];
+    const SightScene::Relation& from = relation(crossing.a, crossing.b);
+    const Eigen::Vector2d on = m_seen[crossing.a].figure->radius() * crossing.onA.on;
+    const Image at = image(onto, from.origin + on.x() * from.e1 + on.y() * from.e2);
+    if (!isAhead(onto, at.w * travel(crossing.a, on)))
+        return false;
+    crossing.onB.on = Eigen::Vector2d(at.u, at.v) / (onto.figure->radius() * at.w);
+    return true;
 }
 
 // A ray r from p meets the plane at h r / (n . r); if r changes by at most the radius, so much does that
@@ -170,8 +211,11 @@ void ShadowField::cutCircleByEdges(std::size_t circle, std::size_t straight) {
                 continue;
             const Eigen::Vector2d on =
                 Eigen::Vector2d(a.u + s * (b.u - a.u), a.v + s * (b.v - a.v)) / (radius * w);
-            onto.circleCuts.push_back({on, angleOrder(on), static_cast<int>(straight) + 16 * (edge.run + 1)});
-            own.edgeCuts.push_back({i, s, static_cast<int>(circle)});
+            const auto number = static_cast<int>(m_crossings.size());
+            onto.circleCuts.push_back(
+                {on, angleOrder(on), static_cast<int>(straight) + 16 * (edge.run + 1), number});
+            own.edgeCuts.push_back({i, s, static_cast<int>(circle), number});
+            m_crossings.push_back({straight, circle, {i, s}, Place(on), half + square * s > 0.0});
         }
     };
     for (std::size_t k = 0; k < figure.chains().size(); ++k) {
@@ -237,8 +281,11 @@ void ShadowField::cutEdges(std::size_t a, std::size_t b) {
             const Eigen::Vector2d& end = cornersA[static_cast<std::size_t>(edge.to)];
             if (!isAhead(onto, (from.w + s * (to.w - from.w)) * travel(a, start + s * (end - start))))
                 continue;
-            own.edgeCuts.push_back({i, s, static_cast<int>(b) + 16 * (crossed.run + 1)});
-            onto.edgeCuts.push_back({j, sideP / (sideP - sideQ), static_cast<int>(a) + 16 * (edge.run + 1)});
+            const auto number = static_cast<int>(m_crossings.size());
+            const double t = sideP / (sideP - sideQ);
+            own.edgeCuts.push_back({i, s, static_cast<int>(b) + 16 * (crossed.run + 1), number});
+            onto.edgeCuts.push_back({j, t, static_cast<int>(a) + 16 * (edge.run + 1), number});
+            m_crossings.push_back({a, b, {i, s}, {j, t}});
         }
     };
     for (std::size_t k = 0; k < figure.chains().size(); ++k) {
@@ -285,13 +332,13 @@ void ShadowField::cutEdges(std::size_t a, std::size_t b) {
     }
 }
 
-void ShadowField::addCircle(std::size_t own, bool withField, ShadowLook& look) {
+void ShadowField::findArcs(std::size_t own, std::uint64_t& pattern) {
     Seen& seen = m_seen[own];
     const SightFigure& figure = *seen.figure;
     auto& cuts = seen.circleCuts;
     for (const Eigen::Vector2d& end : figure.arcEnds())
-        cuts.push_back({end, angleOrder(end), 15});
-    const auto consider = [&](const Eigen::Vector2d& middle, auto&& field, std::uint64_t key) {
+        cuts.push_back({end, angleOrder(end), 15, -1});
+    const auto consider = [&](const Eigen::Vector2d& middle, Piece piece, std::uint64_t key) {
         const Eigen::Vector2d at = figure.radius() * middle;
         for (const Eigen::Vector3d& cut : figure.cuts())
             if (cut.x() * at.x() + cut.y() * at.y() + cut.z() <= 0.0)
@@ -300,16 +347,13 @@ void ShadowField::addCircle(std::size_t own, bool withField, ShadowLook& look) {
         if (!counts(own, at, way))
             return;
         const double turn = seen.h * way > 0.0 ? 1.0 : -1.0; // of the outline about the direction of travel
-        look.pattern = mixed(look.pattern, key * 4 + (turn > 0.0 ? 1 : 2));
-        if (withField) {
-            const Eigen::Vector3d local = (own < m_targets || m_through ? turn : -turn) * field();
-            look.field += local.x() * figure.e1 + local.y() * figure.e2 + local.z() * figure.n;
-        }
+        pattern = mixed(pattern, key * 4 + (turn > 0.0 ? 1 : 2));
+        piece.sign = own < m_targets || m_through ? turn : -turn;
+        m_pieces.push_back(piece);
     };
-    const auto arc = [&] { return ArcField(figure.radius(), {seen.x, seen.y, -seen.h}); };
     if (cuts.empty()) {
-        consider(
-            {1.0, 0.0}, [&] { return arc().whole(); }, own);
+        const Eigen::Vector2d anywhere(1.0, 0.0);
+        consider(anywhere, {own, 0.0, -1, -1, Place(anywhere), Place(anywhere), kWholeTurn}, own);
         return;
     }
     std::ranges::sort(cuts, {}, &CircleCut::order);
@@ -320,17 +364,66 @@ void ShadowField::addCircle(std::size_t own, bool withField, ShadowLook& look) {
         const double turn = to.order - from.order + (isLast ? kWholeTurn : 0.0);
         if (turn < kSameCut)
             continue;
-        const bool isLong = turn > 0.5 * kWholeTurn;
         Eigen::Vector2d middle = from.at + to.at;
         if (cuts.size() == 1)
             middle = -from.at;
         else if (middle.squaredNorm() < 1e-20)
             middle = {-from.at.y(), from.at.x()};
         else
-            middle *= (isLong ? -1.0 : 1.0) / middle.norm();
-        consider(
-            middle, [&] { return cuts.size() == 1 ? arc().whole() : arc().between(from.at, to.at, isLong); },
-            (static_cast<std::uint64_t>(from.by) * 1048573 + static_cast<std::uint64_t>(to.by)) * 16 + own);
+            middle *= (turn > 0.5 * kWholeTurn ? -1.0 : 1.0) / middle.norm();
+        consider(middle, {own, 0.0, from.crossing, to.crossing, Place(from.at), Place(to.at), turn},
+                 (static_cast<std::uint64_t>(from.by) * 1048573 + static_cast<std::uint64_t>(to.by)) * 16 +
+                     own);
+    }
+}
+
+void ShadowField::findLines(std::size_t own, std::uint64_t& pattern) {
+    Seen& seen = m_seen[own];
+    const SightFigure& figure = *seen.figure;
+    auto& cuts = seen.edgeCuts;
+    std::ranges::sort(cuts, [](const EdgeCut& a, const EdgeCut& b) {
+        return a.edge != b.edge ? a.edge < b.edge : a.at < b.at;
+    });
+    const std::vector<SightFigure::Edge>& edges = figure.edges();
+    const auto consider = [&](const Place& first, const EdgeCut* from, const Place& last, const EdgeCut* to) {
+        if (first.edge == last.edge && last.along - first.along <= 0.0)
+            return;
+        const Eigen::Vector2d middle =
+            pointOn(figure, first.edge, 0.5 * (first.along + (first.edge == last.edge ? last.along : 1.0)));
+        const double way = travel(own, middle);
+        if (!counts(own, middle, way))
+            return;
+        const double turn = seen.h * way > 0.0 ? 1.0 : -1.0; // of the outline about the direction of travel
+        const auto note = [&](int what) {
+            pattern =
+                mixed(pattern, static_cast<std::uint64_t>(what + 2) * 64 + own * 4 + (turn > 0.0 ? 1 : 2));
+        };
+        note(from ? from->by : -1);
+        int run = kNoRun;
+        for (int i = first.edge; i <= last.edge; ++i)
+            if (const int here = edges[static_cast<std::size_t>(i)].run; here != run) {
+                run = here;
+                note(run);
+            }
+        note(to ? to->by : -1);
+        m_pieces.push_back({own, own < m_targets || m_through ? turn : -turn, from ? from->crossing : -1,
+                            to ? to->crossing : -1, first, last, 0.0});
+    };
+    auto cut = cuts.begin();
+    for (int first = 0; first < static_cast<int>(edges.size());) { // a ring
+        int end = first + 1;
+        while (end < static_cast<int>(edges.size()) && !edges[static_cast<std::size_t>(end)].isFirst)
+            ++end;
+        Place from(first, 0.0);
+        const EdgeCut* last = nullptr;
+        for (; cut != cuts.end() && cut->edge < end; ++cut) {
+            const Place to(cut->edge, cut->at);
+            consider(from, last, to, &*cut);
+            from = to;
+            last = &*cut;
+        }
+        consider(from, last, {end - 1, 1.0}, nullptr);
+        first = end;
     }
 }
 
@@ -342,119 +435,211 @@ bool ShadowField::isFarFrom(const Seen& seen, const SightFigure::Chain& chain) {
            aside.squaredNorm() + seen.h * seen.h > kFar2 * (chain.high - chain.low).squaredNorm();
 }
 
-void ShadowField::addLine(const Seen& seen, const SightFigure::Chain& chain, double sign, ShadowLook& look) {
+Eigen::Vector3d ShadowField::smoothField(const Seen& seen, const SightFigure::Chain& chain) {
     const SightFigure& figure = *seen.figure;
-    const Eigen::Vector2d p(seen.x, seen.y);
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     const double z = seen.h;
     for (int i = 0; i < kNodesOfChain; ++i) {
         const SightNode& node =
             figure.nodes()[static_cast<std::size_t>(chain.nodes) + static_cast<std::size_t>(i)];
-        const double x = node.at.x() - p.x(), y = node.at.y() - p.y();
+        const double x = node.at.x() - seen.x, y = node.at.y() - seen.y;
         const double scale = 1.0 / (x * x + y * y + z * z);
         sum.x() -= scale * z * node.step.y();
         sum.y() += scale * z * node.step.x();
         sum.z() += scale * (x * node.step.y() - y * node.step.x());
     }
-    look.field += sign * (sum.x() * figure.e1 + sum.y() * figure.e2 + sum.z() * figure.n);
+    return sum.x() * figure.e1 + sum.y() * figure.e2 + sum.z() * figure.n;
 }
 
-void ShadowField::addEdges(std::size_t own, bool withField, ShadowLook& look) {
-    Seen& seen = m_seen[own];
+const ShadowField::Place& ShadowField::begin(const Piece& piece) const {
+    if (piece.from < 0)
+        return piece.first;
+    const Crossing& crossing = m_crossings[static_cast<std::size_t>(piece.from)];
+    return crossing.a == piece.own ? crossing.onA : crossing.onB;
+}
+
+const ShadowField::Place& ShadowField::end(const Piece& piece) const {
+    if (piece.to < 0)
+        return piece.last;
+    const Crossing& crossing = m_crossings[static_cast<std::size_t>(piece.to)];
+    return crossing.a == piece.own ? crossing.onA : crossing.onB;
+}
+
+Eigen::Vector3d ShadowField::arcField(const Piece& piece) const {
+    const Seen& seen = m_seen[piece.own];
     const SightFigure& figure = *seen.figure;
-    auto& cuts = seen.edgeCuts;
-    std::ranges::sort(cuts, [](const EdgeCut& a, const EdgeCut& b) {
-        return a.edge != b.edge ? a.edge < b.edge : a.at < b.at;
-    });
-    std::size_t cut = 0;
-    bool known = false, included = false;
-    double turn = 1.0;
-    std::uint64_t lastKey = 0;
-    const double outward = own < m_targets || m_through ? 1.0 : -1.0;
-    const auto decide = [&](const Eigen::Vector2d& at) {
-        const double way = travel(own, at);
-        included = counts(own, at, way);
-        turn = seen.h * way > 0.0 ? 1.0 : -1.0; // of the outline about the direction of travel
-        known = true;
-        lastKey = 0;
-    };
-    const auto note = [&](int by, int run) {
-        if (!included)
-            return;
-        const std::uint64_t key =
-            (static_cast<std::uint64_t>(by) * 1048573 + static_cast<std::uint64_t>(run + 2)) * 64 + own * 4 +
-            (turn > 0.0 ? 1 : 2);
-        if (key != lastKey)
-            look.pattern = mixed(look.pattern, key);
-        lastKey = key;
-    };
-    // Where the sum passes from edges to the smooth line or back, it goes from the corner to the line or
-    // back.
-    const SightFigure::Chain* ring = nullptr; // its first chain
-    bool onLine = false, beganOnLine = false;
-    const auto passTo = [&](bool line, const SightFigure::Chain& chain) {
-        if (included && line != onLine) {
-            const int corner = figure.edges()[static_cast<std::size_t>(chain.first)].from;
-            const Eigen::Vector3d a = figure.inS(figure.corners()[static_cast<std::size_t>(corner)]) - m_p;
-            const Eigen::Vector3d b = figure.inS(chain.start) - m_p;
-            look.field += (line ? outward : -outward) * turn * straightField(a, b);
+    const ArcField arc(figure.radius(), {seen.x, seen.y, -seen.h});
+    const Eigen::Vector3d local =
+        piece.turn == kWholeTurn ? arc.whole()
+                                 : arc.between(begin(piece).on, end(piece).on, piece.turn > 0.5 * kWholeTurn);
+    return local.x() * figure.e1 + local.y() * figure.e2 + local.z() * figure.n;
+}
+
+// Along edges, and along the smooth line where that is far enough; between the two, it goes from the corner
+// to the line or back.
+Eigen::Vector3d ShadowField::lineField(const Piece& piece) const {
+    const Seen& seen = m_seen[piece.own];
+    const SightFigure& figure = *seen.figure;
+    const Place& first = begin(piece);
+    const Place& last = end(piece);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    const auto inS = [&](const Eigen::Vector2d& v) { return Eigen::Vector3d(figure.inS(v) - m_p); };
+    const auto corner = [&](int i) { return inS(figure.corners()[static_cast<std::size_t>(i)]); };
+    const SightFigure::Chain* line = nullptr; // on which the sum has come here
+    Eigen::Vector3d here = Eigen::Vector3d::Zero();
+    for (int i = first.edge; i <= last.edge; ++i) {
+        const SightFigure::Edge& edge = figure.edges()[static_cast<std::size_t>(i)];
+        const SightFigure::Chain& chain = figure.chains()[static_cast<std::size_t>(edge.chain)];
+        const bool isWhole = chain.first == i && (i > first.edge || first.along == 0.0) &&
+                             (chain.end <= last.edge || (chain.end == last.edge + 1 && last.along == 1.0));
+        const bool isSmooth = isWhole && isFarFrom(seen, chain);
+        if (isSmooth || line || i == first.edge) {
+            here = corner(edge.from);
+            if (i == first.edge && first.along > 0.0)
+                here += first.along * (corner(edge.to) - here);
         }
-        onLine = line;
-    };
-    for (const SightFigure::Chain& chain : figure.chains()) {
-        const SightFigure::Edge& first = figure.edges()[static_cast<std::size_t>(chain.first)];
-        const bool changes = cut < cuts.size() && cuts[cut].edge < chain.end;
-        const bool asLine = withField && !changes && isFarFrom(seen, chain);
-        if (first.isFirst) {
-            if (ring)
-                passTo(beganOnLine, *ring);
-            ring = &chain;
-            onLine = beganOnLine = asLine;
-            known = false;
-        }
-        if (!changes) {
-            if (!known)
-                decide(0.5 * (figure.corners()[static_cast<std::size_t>(first.from)] +
-                              figure.corners()[static_cast<std::size_t>(first.to)]));
-            if (!included)
-                continue;
-            if (asLine || (!withField && chain.nodes >= 0))
-                note(0, first.run);
-        }
-        passTo(asLine, chain);
-        if (asLine)
-            addLine(seen, chain, outward * turn, look);
-        if (!changes && (asLine || (!withField && chain.nodes >= 0)))
+        if (isSmooth && !line)
+            sum += straightField(here, inS(chain.start));
+        if (!isSmooth && line)
+            sum += straightField(inS(line->stop), here);
+        line = isSmooth ? &chain : nullptr;
+        if (isSmooth) {
+            sum += smoothField(seen, chain);
+            i = chain.end - 1;
             continue;
-        for (int i = chain.first; i < chain.end; ++i) {
-            const SightFigure::Edge& edge = figure.edges()[static_cast<std::size_t>(i)];
-            const Eigen::Vector2d& start = figure.corners()[static_cast<std::size_t>(edge.from)];
-            const Eigen::Vector2d& end = figure.corners()[static_cast<std::size_t>(edge.to)];
-            double from = 0.0;
-            int by = 0;
-            for (bool more = true; more;) {
-                more = cut < cuts.size() && cuts[cut].edge == i;
-                const double to = more ? cuts[cut].at : 1.0;
-                const Eigen::Vector2d a = start + from * (end - start);
-                const Eigen::Vector2d b = start + to * (end - start);
-                if (!known)
-                    decide(0.5 * (a + b));
-                note(by, edge.run);
-                if (included && withField)
-                    look.field += outward * turn * straightField(figure.inS(a) - m_p, figure.inS(b) - m_p);
-                if (more) {
-                    from = to;
-                    by = cuts[cut].by + 1;
-                    known = false;
-                    if (included)
-                        look.pattern = mixed(look.pattern, static_cast<std::uint64_t>(by));
-                    ++cut;
-                }
+        }
+        Eigen::Vector3d there = corner(edge.to);
+        if (i == last.edge && last.along < 1.0) {
+            const Eigen::Vector3d start = corner(edge.from);
+            there = start + last.along * (there - start);
+        }
+        sum += straightField(here, there);
+        here = there;
+    }
+    if (line)
+        sum += straightField(inS(line->stop), corner(figure.edges()[static_cast<std::size_t>(last.edge)].to));
+    return sum;
+}
+
+Eigen::Vector3d ShadowField::field() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const Piece& piece : m_pieces)
+        sum += piece.sign * (piece.first.edge < 0 ? arcField(piece) : lineField(piece));
+    return 0.5 * sum;
+}
+
+bool ShadowField::followCircles(Crossing& crossing) const {
+    constexpr int kSteps = 16;
+    const Conic f = conic(crossing.a, crossing.b);
+    Eigen::Vector2d& u = crossing.onA.on;
+    for (int step = 0; step < kSteps; ++step) {
+        const double turn = -valueOf(f, u) / slopeOf(f, u);
+        if (!(std::abs(turn) < 0.5))
+            return false;
+        u = (u + turn * Eigen::Vector2d(-u.y(), u.x())).normalized();
+        if (std::abs(turn) < 1e-8)
+            return (slopeOf(f, u) > 0.0) == crossing.rises && placeOnB(crossing);
+    }
+    return false;
+}
+
+bool ShadowField::followCircleAndEdge(Crossing& crossing) const {
+    const Seen& own = m_seen[crossing.a];
+    const Seen& onto = m_seen[crossing.b];
+    const SightScene::Relation& from = relation(crossing.a, crossing.b);
+    const double radius = onto.figure->radius(), radius2 = radius * radius;
+    for (int step = 0; step < kMaxSteps; ++step) {
+        const SightFigure::Edge& edge = own.figure->edges()[static_cast<std::size_t>(crossing.onA.edge)];
+        const Image a = image(onto, from.corners[static_cast<std::size_t>(edge.from)]),
+                    b = image(onto, from.corners[static_cast<std::size_t>(edge.to)]);
+        const double faa = formOf(a, a, radius2), fab = formOf(a, b, radius2), fbb = formOf(b, b, radius2);
+        const double square = faa - 2.0 * fab + fbb, half = fab - faa, root2 = half * half - square * faa;
+        if (root2 < 0.0)
+            return false;
+        const double q = -(half + (half < 0.0 ? -1.0 : 1.0) * std::sqrt(root2));
+        const double s = (half > 0.0) == crossing.rises ? faa / q : q / square;
+        if (s >= 0.0 && s <= 1.0) {
+            const double w = a.w + s * (b.w - a.w);
+            crossing.onA.along = s;
+            crossing.onB.on = Eigen::Vector2d(a.u + s * (b.u - a.u), a.v + s * (b.v - a.v)) / (radius * w);
+            return isAhead(onto, w * travel(crossing.a, pointOn(*own.figure, crossing.onA.edge, s)));
+        }
+        crossing.onA.edge = neighbour(*own.figure, crossing.onA.edge, s < 0.0);
+        if (crossing.onA.edge < 0)
+            return false;
+    }
+    return false;
+}
+
+bool ShadowField::followEdges(Crossing& crossing) const {
+    const Seen& own = m_seen[crossing.a];
+    const Seen& onto = m_seen[crossing.b];
+    const SightScene::Relation& relationA = relation(crossing.a, crossing.b);
+    for (int step = 0; step < kMaxSteps; ++step) {
+        const SightFigure::Edge& edge = own.figure->edges()[static_cast<std::size_t>(crossing.onA.edge)];
+        const SightFigure::Edge& crossed = onto.figure->edges()[static_cast<std::size_t>(crossing.onB.edge)];
+        const Image from = image(onto, relationA.corners[static_cast<std::size_t>(edge.from)]),
+                    to = image(onto, relationA.corners[static_cast<std::size_t>(edge.to)]);
+        const Eigen::Vector2d& p = onto.figure->corners()[static_cast<std::size_t>(crossed.from)];
+        const Eigen::Vector2d& q = onto.figure->corners()[static_cast<std::size_t>(crossed.to)];
+        const auto side = [&, x = from.v * to.w - from.w * to.v, y = from.w * to.u - from.u * to.w,
+                           c = from.u * to.v - from.v * to.u](const Eigen::Vector2d& at) {
+            return x * at.x() + y * at.y() + c;
+        };
+        const auto across = [&, x = p.y() - q.y(), y = q.x() - p.x(), c = p.x() * q.y() - p.y() * q.x()](
+                                const Image& at) { return x * at.u + y * at.v + c * at.w; };
+        const double u = across(from), v = across(to), sideP = side(p), sideQ = side(q);
+        const double s = u / (u - v), t = sideP / (sideP - sideQ);
+        const bool isOnA = s >= 0.0 && s <= 1.0, isOnB = t >= 0.0 && t <= 1.0;
+        if (isOnA && isOnB) {
+            crossing.onA.along = s;
+            crossing.onB.along = t;
+            return isAhead(onto, (from.w + s * (to.w - from.w)) *
+                                     travel(crossing.a, pointOn(*own.figure, crossing.onA.edge, s)));
+        }
+        if (!isOnA)
+            crossing.onA.edge = neighbour(*own.figure, crossing.onA.edge, s < 0.0);
+        if (!isOnB)
+            crossing.onB.edge = neighbour(*onto.figure, crossing.onB.edge, t < 0.0);
+        if (crossing.onA.edge < 0 || crossing.onB.edge < 0)
+            return false;
+    }
+    return false;
+}
+
+bool ShadowField::follow(Crossing& crossing) const {
+    if (crossing.onA.edge < 0)
+        return followCircles(crossing);
+    return crossing.onB.edge < 0 ? followCircleAndEdge(crossing) : followEdges(crossing);
+}
+
+std::optional<Eigen::Vector3d> ShadowField::fieldNear(const Eigen::Vector3d& p) {
+    lookFrom(p);
+    for (Piece& piece : m_pieces) {
+        for (const int number : {piece.from, piece.to})
+            if (number >= 0 && !m_crossings[static_cast<std::size_t>(number)].isHere) {
+                Crossing& crossing = m_crossings[static_cast<std::size_t>(number)];
+                if (!follow(crossing))
+                    return {};
+                crossing.isHere = true;
             }
+        const Place& first = begin(piece);
+        const Place& last = end(piece);
+        if (first.edge >= 0) {
+            if (first.edge > last.edge || (first.edge == last.edge && first.along > last.along))
+                return {};
+        } else if (piece.turn != kWholeTurn) {
+            double turn = angleOrder(last.on) - angleOrder(first.on);
+            if (turn < 0.0)
+                turn += kWholeTurn;
+            if (std::abs(turn - piece.turn) > 1.0)
+                return {};
+            piece.turn = turn;
         }
     }
-    if (ring)
-        passTo(beganOnLine, *ring);
+    for (Crossing& crossing : m_crossings)
+        crossing.isHere = false;
+    return field();
 }
 
 // Whether the spheres around two figures overlap as seen from p.
@@ -492,16 +677,24 @@ bool ShadowField::mayBeSeen(const Eigen::Vector3d& p, double slack_m) {
     return findActive(slack_m);
 }
 
-ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
+void ShadowField::lookFrom(const Eigen::Vector3d& p) {
     m_p = p;
-    ShadowLook look;
-    if (!findActive(0.0))
-        return look;
     for (Seen& seen : m_seen) {
         const Eigen::Vector3d back = p - seen.figure->origin;
         seen.x = seen.figure->e1.dot(back);
         seen.y = seen.figure->e2.dot(back);
         seen.h = -seen.figure->n.dot(back);
+    }
+}
+
+ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
+    ShadowLook look;
+    m_crossings.clear();
+    m_pieces.clear();
+    lookFrom(p);
+    if (!findActive(0.0))
+        return look;
+    for (Seen& seen : m_seen) {
         seen.circleCuts.clear();
         seen.edgeCuts.clear();
         if (std::abs(seen.h) > kEdgeOn * seen.figure->reach())
@@ -530,11 +723,12 @@ ShadowLook ShadowField::at(const Eigen::Vector3d& p, bool withField) {
         if (!m_seen[own].isActive)
             continue;
         if (m_seen[own].figure->isCircle())
-            addCircle(own, withField, look);
+            findArcs(own, look.pattern);
         if (!m_seen[own].figure->edges().empty())
-            addEdges(own, withField, look);
+            findLines(own, look.pattern);
     }
-    look.field *= 0.5;
+    if (withField)
+        look.field = field();
     return look;
 }
 

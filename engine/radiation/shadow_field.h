@@ -1,9 +1,11 @@
 #pragma once
 // The radiation through a point that goes from the object to the source and meets a blocker, as a vector.
 
+#include "engine/radiation/conic_roots.h"
 #include "engine/radiation/sight_scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,18 +35,48 @@ public:
     /// Returns false if the solid angle is empty for every point within `slack_m` of p.
     bool mayBeSeen(const Eigen::Vector3d& p, double slack_m);
     ShadowLook at(const Eigen::Vector3d& p, bool withField);
+    /// Returns the field at a point beside the last one, if the same pieces bound the solid angle there: only
+    /// their ends are followed. Empty if that fails; then ask at().
+    std::optional<Eigen::Vector3d> fieldNear(const Eigen::Vector3d& p);
 
 private:
-    /// Where an outline passes behind or in front of another one.
+    /// On an outline: on its circle (edge -1) as a unit vector, or on an edge from 0 to 1.
+    struct Place {
+        int edge = -1;
+        double along = 0.0;
+        Eigen::Vector2d on = Eigen::Vector2d::Zero();
+
+        explicit Place(const Eigen::Vector2d& at) : on(at) {}
+        Place(int number, double part) : edge(number), along(part) {}
+    };
+    /// Where the outlines of two figures pass in front of one another.
+    struct Crossing {
+        std::size_t a, b;
+        Place onA, onB;
+        bool rises = false;  ///< of a circle B: its form grows along A
+        bool isHere = false; ///< found as seen from the present point
+    };
+    /// Such a place on one outline.
     struct CircleCut {
         Eigen::Vector2d at; // on the unit circle
         double order;       // ascending along the circle
         int by;
+        int crossing; // -1: an end of the arc
     };
     struct EdgeCut {
         int edge;
         double at;
         int by;
+        int crossing;
+    };
+    /// A part of an outline that bounds the solid angle, between two crossings; where there is none (-1),
+    /// from `first` or to `last`.
+    struct Piece {
+        std::size_t own;
+        double sign;
+        int from, to;
+        Place first, last;
+        double turn; // of an arc, as angleOrder() counts
     };
     /// A point of another figure's plane, homogeneous: (u / w, v / w).
     struct Image {
@@ -88,16 +120,30 @@ private:
     void cutCircles(std::size_t a, std::size_t b);
     void cutCircleByEdges(std::size_t circle, std::size_t straight);
     void cutEdges(std::size_t a, std::size_t b);
-    void addCircle(std::size_t own, bool withField, ShadowLook& look);
-    void addEdges(std::size_t own, bool withField, ShadowLook& look);
+    void findArcs(std::size_t own, std::uint64_t& pattern);
+    void findLines(std::size_t own, std::uint64_t& pattern);
+    void lookFrom(const Eigen::Vector3d& p);
+    const Place& begin(const Piece& piece) const;
+    const Place& end(const Piece& piece) const;
+    Eigen::Vector3d field() const;
+    Eigen::Vector3d arcField(const Piece& piece) const;
+    Eigen::Vector3d lineField(const Piece& piece) const;
+    Conic conic(std::size_t a, std::size_t b) const;
+    bool placeOnB(Crossing& crossing) const;
+    bool follow(Crossing& crossing) const;
+    bool followCircles(Crossing& crossing) const;
+    bool followCircleAndEdge(Crossing& crossing) const;
+    bool followEdges(Crossing& crossing) const;
     static bool isFarFrom(const Seen& seen, const SightFigure::Chain& chain);
-    static void addLine(const Seen& seen, const SightFigure::Chain& chain, double sign, ShadowLook& look);
+    static Eigen::Vector3d smoothField(const Seen& seen, const SightFigure::Chain& chain);
 
     std::vector<Seen> m_seen; // targets first
     std::size_t m_targets;
     bool m_through;
     std::vector<const SightScene::Relation*> m_relations;
     std::vector<Image> m_images; // scratch: of the corners of a figure
+    std::vector<Crossing> m_crossings;
+    std::vector<Piece> m_pieces;
 
     Eigen::Vector3d m_p = Eigen::Vector3d::Zero();
 };

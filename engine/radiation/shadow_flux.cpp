@@ -133,6 +133,7 @@ struct Panel {
     bool changesFrom = false, changesTo = false;
     std::size_t outline = 0;
     const Curve* curve = nullptr;
+    std::uint64_t pattern = 0;
     bool isFine = false;             ///< of fifteen nodes, not seven
     std::optional<std::size_t> kept; ///< its seven nodes
     Sum sum;
@@ -301,6 +302,7 @@ private:
                 panel.outline = k;
                 panel.isFine = m_startFine;
                 panel.curve = &curve;
+                panel.pattern = changes[i].then;
                 panel.from = from + length * piece / pieces;
                 panel.to = from + length * (piece + 1) / pieces;
                 panel.changesFrom = piece == 0 && !isWhole && (curve.isClosed() || i > 0);
@@ -333,34 +335,60 @@ private:
             u *= 2.0 - u;
         }
         const auto [p, step] = panel.curve->at(panel.from + length * u);
-        if (!isSeen(outline, p))
+        if (!isSeen(outline, p)) {
+            m_follows = false;
             return {};
+        }
         ++m_points;
         const Vector3d eye = panel.curve->lookout(p, step);
         Vector3d field = Vector3d::Zero();
-        for (Outline::Part& part : outline.parts)
-            field += part.sign * part.field.at(eye, true).field;
+        if (m_follows)
+            for (Outline::Part& part : outline.parts) {
+                const std::optional<Vector3d> followed = part.field.fieldNear(eye);
+                m_follows = m_follows && followed;
+                if (followed)
+                    field += part.sign * *followed;
+            }
+        if (!m_follows) {
+            field.setZero();
+            std::uint64_t pattern = 0;
+            for (Outline::Part& part : outline.parts) {
+                const ShadowLook look = part.field.at(eye, true);
+                field += part.sign * look.field;
+                pattern = pattern * 31 + look.pattern;
+            }
+            m_follows = pattern == panel.pattern;
+        }
         return {p - m_p_SO, step.cross(field) * (length * slope / std::numbers::pi)};
     }
 
     void evaluate(Panel& panel) {
         const std::span<const Node> rule =
             panel.isFine ? std::span<const Node>(kFifteen) : std::span<const Node>(kSeven);
+        std::array<Share, kFifteen.size()> shares;
+        const bool hasSeven = panel.isFine && panel.kept;
+        // From the middle to either end: between changes, what is seen can be followed from node to node.
+        const auto fill = [&](std::size_t i) {
+            const bool isKnown = hasSeven && i % 2 == 1;
+            shares[i] = isKnown ? m_kept[*panel.kept][i / 2] : shareAt(panel, rule[i].at);
+        };
+        const std::size_t middle = rule.size() / 2;
+        m_follows = false;
+        for (std::size_t i = middle + 1; i-- > 0;)
+            fill(i);
+        m_follows = false;
+        for (std::size_t i = middle + 1; i < rule.size(); ++i)
+            fill(i);
+        if (!panel.isFine) {
+            panel.kept = m_kept.size();
+            std::ranges::copy_n(shares.begin(), kSeven.size(), m_kept.emplace_back().begin());
+        }
         Sum sum;
         double size = 0.0, before = 0.0, beforeThat = 0.0;
         for (std::size_t i = 0; i < rule.size(); ++i) {
             const Node& node = rule[i];
-            const bool isKnown = panel.isFine && panel.kept && i % 2 == 1;
-            const Share share = isKnown ? m_kept[*panel.kept][i / 2] : shareAt(panel, node.at);
-            if (!panel.isFine) {
-                if (i == 0) {
-                    panel.kept = m_kept.size();
-                    m_kept.emplace_back();
-                }
-                m_kept.back()[i] = share;
-            }
-            const double value = share.arm.dot(share.force);
-            sum.add(node.weight, share.arm, share.force);
+            const double value = shares[i].arm.dot(shares[i].force);
+            sum.add(node.weight, shares[i].arm, shares[i].force);
             before += node.before * value;
             beforeThat += node.beforeThat * value;
             size += node.weight * std::abs(value);
@@ -382,6 +410,7 @@ private:
     Vector3d m_p_SO;
     double m_precision = 0.0; ///< of a curve: how near a change is found
     double m_step_m = 0.0;
+    bool m_follows = false; ///< the last point saw what its panel sees
     bool m_startFine = false;
     std::vector<Panel> m_panels;
     std::vector<std::array<Share, kSeven.size()>> m_kept;

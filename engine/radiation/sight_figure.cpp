@@ -102,6 +102,7 @@ void SightFigure::layEdges() {
             chain.high = chain.high.cwiseMax(corner);
         }
         m_edges.push_back(edge);
+        m_edges.back().chain = static_cast<int>(m_chains.size()) - 1;
     };
     for (const SightRing& ring : m_rings) {
         const auto first = static_cast<int>(m_corners.size()), count = static_cast<int>(ring.corners.size());
@@ -116,6 +117,7 @@ void SightFigure::layEdges() {
                 Chain& chain = m_chains[m_chains.size() - chains + i];
                 chain.nodes = static_cast<int>(m_nodes.size() + i * kNodesOfChain);
                 chain.start = ring.starts[i];
+                chain.stop = ring.starts[(i + 1) % chains];
             }
             m_nodes.insert(m_nodes.end(), ring.nodes.begin(), ring.nodes.end());
         }

@@ -55,6 +55,7 @@ public:
         int run = 0;
         bool isFirst = false; ///< of its ring
         bool isChord = false; ///< closes the circle where it is cut
+        int chain = 0;
     };
     /// Up to kEdgesOfChain edges that follow one another, and the box around them.
     struct Chain {
@@ -64,8 +65,8 @@ public:
         Eigen::Vector2d middle() const { return 0.5 * (low + high); }
         double radius() const { return 0.5 * (high - low).norm(); }
         int nodes = -1; ///< first node of the smooth line for which they stand; -1: they stand for themselves
-        Eigen::Vector2d start =
-            Eigen::Vector2d::Zero(); ///< of that line; the corners lie a little outside it
+        /// Of that line; the corners lie a little outside it.
+        Eigen::Vector2d start = Eigen::Vector2d::Zero(), stop = Eigen::Vector2d::Zero();
     };
 
     SightFigure(const SightOutline& outline, const Pose& X_S);
