@@ -557,7 +557,7 @@ bool ShadowField::followCircleAndEdge(Crossing& crossing) const {
         if (root2 < 0.0)
             return false;
         const double q = -(half + (half < 0.0 ? -1.0 : 1.0) * std::sqrt(root2));
-        const double s = (half > 0.0) == crossing.rises ? faa / q : q / square;
+        const double s = (half >= 0.0) == crossing.rises ? faa / q : q / square;
         if (s >= 0.0 && s <= 1.0) {
             const double w = a.w + s * (b.w - a.w);
             crossing.onA.along = s;
