@@ -1,5 +1,5 @@
 #pragma once
-// Paints polygons into a grey picture; each pixel gets the exact share that they cover.
+// Paints polygons into a picture; each pixel gets the exact share that they cover.
 
 #include <Eigen/Core>
 
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// Brightness row by row, 0 to 255.
+/// Brightness row by row: 0 to 255, or a radiance.
 struct GreyCanvas {
     int width = 0, height = 0;
     std::vector<float> values;
