@@ -266,6 +266,10 @@ Result<std::unique_ptr<FrameSource>> openByName(const std::string& name,
 
 } // namespace
 
+bool isSamePicture(const CaughtPicture& a, const CaughtPicture& b) {
+    return a.picture.values == b.picture.values;
+}
+
 Result<std::unique_ptr<FrameSource>> openFrameSource(const std::string& name,
                                                      const std::function<bool()>& isStopped) {
     try {
