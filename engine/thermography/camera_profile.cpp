@@ -25,6 +25,7 @@ constexpr std::uintmax_t kLargestProfile = 64 << 10;
 
 const std::map<std::string, CountUnit> kCountUnits{
     {"K", CountUnit::Kelvin}, {"degC", CountUnit::Celsius}, {"degF", CountUnit::Fahrenheit}};
+const std::map<std::string, std::string> kPixelFormats{{"Y16", "Y16 "}, {"YUYV", "YUYV"}};
 const std::map<std::string, bool> kByteOrders{{"little", false}, {"big", true}};
 
 void readWithin(Fields& fields, const std::string& key, int& out, int min, int max, bool required = false) {
@@ -80,6 +81,7 @@ void readThermalProfile(const json& j, Failure& failure, ThermalProfile& out) {
     readWithin(fields, "skip_bottom", out.skipBottom, 0, kMaxSide);
     readWithin(fields, "optional_bottom", out.optionalBottom, 0, kMaxSide);
     readWithin(fields, "bits", out.bits, kMinBits, kMaxBits);
+    fields.readWord("pixel_format", kPixelFormats, out.pixelFormat);
     fields.readWord("byte_order", kByteOrders, out.isBigEndian);
     readPositive(fields, "scale", out.scale, true);
     fields.read("offset", out.offset);

@@ -23,6 +23,7 @@ struct ThermalProfile {
     int width = 0, height = 0;                           ///< of the temperatures, pixels
     int skipTop = 0, skipBottom = 0, optionalBottom = 0; ///< rows
     int bits = 16;                    ///< used of the 16; the number of all ones is a saturated pixel
+    std::string pixelFormat = "Y16 "; ///< four characters, by which a camera is asked for such frames (V4L2)
     bool isBigEndian = false;         ///< of the camera's bytes; pictures in files have their own order
     double scale = 1.0, offset = 0.0; ///< temperature = scale * number + offset
     CountUnit unit = CountUnit::Kelvin;
