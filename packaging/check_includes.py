@@ -85,7 +85,8 @@ def qt_in_engine(path):
     return False
 
 
-OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices"), ("engine", "thermography")}
+OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices"), ("engine", "simulation"),
+                  ("engine", "thermography")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
 SYSTEM_HEADER = re.compile(r"(unistd|dirent|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
@@ -186,7 +187,7 @@ class Checker:
         elif target.startswith("opencv2/") or target == "opencv.hpp":
             if home not in OPENCV_FOLDERS or header:
                 self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of "
-                                                  "engine/shape, engine/calibration, engine/devices and engine/thermography")
+                                                  "engine/shape, engine/calibration, engine/devices, engine/simulation and engine/thermography")
         elif re.match(r"vtk[A-Z]", target) or target.startswith("QVTK"):
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "

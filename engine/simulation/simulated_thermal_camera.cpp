@@ -1,0 +1,160 @@
+#include "engine/simulation/simulated_thermal_camera.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/simulation/simulated_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr double kUsualAngle_rad = radFromDeg(57.0);
+constexpr int kOutlinePoints = 180;
+
+SimulatedThermalCameraConfig usable(SimulatedThermalCameraConfig config) {
+    if (config.camera.width != config.profile.width || config.camera.height != config.profile.height ||
+        !config.profile.frameRate_Hz)
+        throw std::invalid_argument(
+            "SimulatedThermalCamera: a camera of the profile's size and rate is needed");
+    return config;
+}
+
+std::vector<Ring> turnedRings(const Shape& shape) {
+    std::vector<Ring> rings = shapeRings(shape, kOutlinePoints);
+    for (std::size_t k = 1; k < rings.size(); ++k)
+        std::ranges::reverse(rings[k]);
+    return rings;
+}
+
+double radianceOf(const FaceSurroundings& face, double T_K) {
+    const BandRadiance& band = thermalBand();
+    return band.radiance(apparentTemperature(band, face, T_K));
+}
+
+Error noPicture(const char* why) {
+    return {MessageCode::CameraLost, "", {"simulated", why}};
+}
+
+} // namespace
+
+std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& profile) {
+    const auto rowBytes = static_cast<std::size_t>(profile.width) * 2;
+    std::string bytes(static_cast<std::size_t>(profile.skipTop) * rowBytes, '\0');
+    // A profile is linear, so two of its numbers give its inverse.
+    const double zero_K = profile.temperature_K(0.0), step_K = profile.temperature_K(1.0) - zero_K;
+    const double largest = static_cast<double>((1 << profile.bits) - 1);
+    for (const double T_K : picture.T_K) {
+        const auto number =
+            static_cast<unsigned>(std::lround(std::clamp((T_K - zero_K) / step_K, 0.0, largest)));
+        const auto low = static_cast<char>(number & 0xffU), high = static_cast<char>(number >> 8U);
+        bytes += profile.isBigEndian ? high : low;
+        bytes += profile.isBigEndian ? low : high;
+    }
+    return bytes + std::string(static_cast<std::size_t>(profile.skipBottom) * rowBytes, '\0');
+}
+
+CameraModel usualThermalLens(const ThermalProfile& profile) {
+    CameraModel camera;
+    camera.width = profile.width;
+    camera.height = profile.height;
+    camera.fx = camera.fy = 0.5 * profile.width / std::tan(0.5 * kUsualAngle_rad);
+    camera.cx = 0.5 * (profile.width - 1);
+    camera.cy = 0.5 * (profile.height - 1);
+    return camera;
+}
+
+Pose usualThermalPose() {
+    return lookingAt({0.0, 0.0, 1.1}, Eigen::Vector3d::Zero());
+}
+
+SimulatedThermalCamera::SimulatedThermalCamera(SimulatedThermalCameraConfig config)
+    : m_config(usable(std::move(config))), m_sensor(thermalBand(), m_config.errors, m_config.camera.width,
+                                                    m_config.camera.height, m_config.environment_K),
+      m_painter(m_config.camera, room()) {}
+
+GreyCanvas SimulatedThermalCamera::room() const {
+    const CameraModel& camera = m_config.camera;
+    return {
+        camera.width, camera.height,
+        std::vector<float>(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height),
+                           static_cast<float>(thermalBand().radiance(m_config.environment_K)))};
+}
+
+void SimulatedThermalCamera::observe(const ThermalMoment& moment) {
+    if (moment.objects.size() != m_config.objects.size() || moment.source_K.size() != m_config.source.size())
+        throw std::invalid_argument("SimulatedThermalCamera: one temperature each");
+    const std::scoped_lock lock(m_mutex);
+    while (!m_moments.empty() && m_moments.back().time_s >= moment.time_s) // a clock set back, too
+        m_moments.pop_back();
+    m_moments.push_back(moment);
+    while (m_moments.size() > 1 && m_moments[1].time_s <= moment.time_s - m_config.delay_s)
+        m_moments.pop_front();
+}
+
+void SimulatedThermalCamera::setUnplugged(bool unplugged) {
+    const std::scoped_lock lock(m_mutex);
+    m_isUnplugged = unplugged;
+}
+
+const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment) {
+    const Pose X_CR = m_config.X_RC.inverse();
+    const double room = thermalBand().radiance(m_config.environment_K);
+    std::vector<SceneFace> faces;
+    std::vector<PlacedFace> placed;
+    faces.reserve(m_config.source.size() + m_config.objects.size() + m_config.fixtures.size() +
+                  m_config.shields.size());
+    const auto add = [&](const Shape& shape, const Pose& X_RP, double front, double behind, int layer) {
+        faces.push_back(
+            {turnedRings(shape), static_cast<float>(front), static_cast<float>(behind), {}, 0.0F, layer});
+        placed.push_back({&faces.back(), X_CR * X_RP});
+    };
+    for (std::size_t p = 0; p < m_config.source.size(); ++p) {
+        const auto& plate = m_config.source[p];
+        const double front =
+            plate.emittance * thermalBand().radiance(moment.source_K[p]) + (1.0 - plate.emittance) * room;
+        add(plate.shape, moment.X_RS * plate.X_SP, front, room, 0);
+    }
+    for (std::size_t i = 0; i < m_config.objects.size(); ++i) {
+        // A scene's face has its front towards +z, an object its heated face towards -z.
+        const ThermalMoment::Object& object = moment.objects[i];
+        add(m_config.objects[i].shape, moment.X_RE * m_config.objects[i].X_EO,
+            radianceOf(object.back, object.T_K), radianceOf(object.front, object.T_K), 1);
+    }
+    for (const auto& fixture : m_config.fixtures)
+        add(fixture.shape, moment.X_RE * fixture.X_EO, room, room, 1);
+    for (const auto& shield : m_config.shields)
+        add(shield.shape, shield.X_RB, room, room, 1);
+    return m_painter.paint(placed);
+}
+
+Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest() {
+    ThermalMoment seen;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (m_isUnplugged)
+            return noPicture("unplugged");
+        if (m_moments.empty())
+            return noPicture("not started");
+        seen = m_moments.front();
+    }
+    const double time_s = seen.time_s, period_s = 1.0 / *m_config.profile.frameRate_Hz;
+    const double passed_s = m_frame ? time_s - m_frame->time_s : period_s;
+    if (passed_s >= 0.0 && passed_s < period_s - 1e-6)
+        return m_frame;
+    if (m_frame && m_sensor.isShut(time_s))
+        return m_frame;
+    const std::uint64_t number = m_frame ? m_frame->number + 1 : 1;
+    const ThermalPicture picture = m_sensor.caught(painted(seen), time_s, number);
+    auto decoded = frameOfBytes(bytesOfFrame(picture, m_config.profile), m_config.profile, "simulated");
+    if (!decoded)
+        return decoded.error();
+    m_frame = std::make_shared<ThermalCameraFrame>(ThermalCameraFrame{time_s, number, std::move(*decoded)});
+    return m_frame;
+}
+
+} // namespace bask
