@@ -17,6 +17,7 @@ struct Reading {
     double value_K = 0.0;
     bool valid = false;
     SensorFault fault = SensorFault::None; ///< fault of an invalid reading, if the device reports it
+    double standardUncertainty_K = 0.0;    ///< 0: the device does not tell it
 };
 
 /// Use it only on the engine thread.

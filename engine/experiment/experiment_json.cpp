@@ -346,6 +346,9 @@ void readSimulation(const json& j, const std::string& path, const std::string& f
     readPart(fields, "camera", false, [&](const json& part, const std::string& where) {
         readSimulatedCamera(part, where, failure, out.camera);
     });
+    readPart(fields, "thermal_camera", false, [&](const json& part, const std::string& where) {
+        readSimulatedThermalCamera(part, where, failure, out.thermalCamera.emplace());
+    });
     readFaults(fields, "faults", out.faults);
     Unevenness uneven;
     readUnevenness(fields, "source_", folder, uneven);

@@ -169,6 +169,8 @@ Json simulationJson(const SimulationSpec& s) {
         j["source_pose"] = coordinatesJson(*s.sourcePose);
     if (s.camera != SimulatedCameraSpec())
         j["camera"] = simulatedCameraJson(s.camera);
+    if (s.thermalCamera)
+        j["thermal_camera"] = simulatedThermalCameraJson(*s.thermalCamera);
     if (!s.faults.empty())
         j["faults"] = faultsJson(s.faults);
     if (s.sourceUneven)

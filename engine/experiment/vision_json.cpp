@@ -108,6 +108,17 @@ void readSimulatedCamera(const json& j, const std::string& path, Failure& failur
     fields.close();
 }
 
+void readSimulatedThermalCamera(const json& j, const std::string& path, Failure& failure,
+                                SimulatedThermalCameraSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("profile", out.profile);
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
+    });
+    readParameters(fields, simulatedThermalCameraParameters(), out);
+    fields.close();
+}
+
 Json visionJson(const VisionSpec& vision) {
     Json j;
     j["dictionary"] = vision.dictionary;
@@ -132,6 +143,15 @@ Json simulatedCameraJson(const SimulatedCameraSpec& camera) {
     if (camera.pose)
         j["pose"] = coordinatesJson(*camera.pose);
     putParameters(j, simulatedCameraParameters(), camera);
+    return j;
+}
+
+Json simulatedThermalCameraJson(const SimulatedThermalCameraSpec& camera) {
+    Json j;
+    j["profile"] = camera.profile;
+    if (camera.pose)
+        j["pose"] = coordinatesJson(*camera.pose);
+    putParameters(j, simulatedThermalCameraParameters(), camera);
     return j;
 }
 

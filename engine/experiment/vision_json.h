@@ -11,6 +11,9 @@ void readSimulatedCamera(const nlohmann::json& j, const std::string& path, Failu
                          SimulatedCameraSpec& out);
 
 nlohmann::ordered_json visionJson(const VisionSpec& vision);
+void readSimulatedThermalCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
+                                SimulatedThermalCameraSpec& out);
+nlohmann::ordered_json simulatedThermalCameraJson(const SimulatedThermalCameraSpec& camera);
 nlohmann::ordered_json simulatedCameraJson(const SimulatedCameraSpec& camera);
 
 } // namespace bask

@@ -2,12 +2,14 @@
 
 #include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
 #include "engine/base/units.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/checker.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/shape_check.h"
 #include "engine/model/uneven_source.h"
+#include "engine/thermography/camera_profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -313,6 +315,24 @@ void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     check.parameters(path, simulatedCameraParameters(), camera);
 }
 
+void checkSimulatedThermalCamera(Checker& check, const Experiment& e) {
+    constexpr double kOldest_s = 0.8; // of a frame: behind a closed shutter and under way
+    const SimulatedThermalCameraSpec& camera = *e.simulation.thermalCamera;
+    const std::string path = "simulation.thermal_camera.";
+    check.range("sampling.period_s", e.sampling.period_s, kOldest_s / e.safety.stalePeriods, 60.0, "s");
+    std::string names;
+    bool isKnown = false;
+    for (const ThermalProfile& profile : shippedThermalProfiles()) {
+        names += (names.empty() ? "" : ", ") + profile.name;
+        isKnown = isKnown || (profile.name == camera.profile && profile.frameRate_Hz);
+    }
+    if (!isKnown)
+        check.fail(MessageCode::ValueUnknown, path + "profile", {plainWords(camera.profile), names});
+    if (camera.pose)
+        checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
+    check.parameters(path, simulatedThermalCameraParameters(), camera);
+}
+
 /// The trip limits must lie over the warning limits, and the source's over what it is asked for.
 void checkSafety(Checker& check, const Experiment& e) {
     const SafetySpec& s = e.safety;
@@ -447,6 +467,8 @@ Result<void> validate(const Experiment& e) {
     checkSimulation(check, e.simulation, e.sampling.period_s);
     checkTrueSource(check, e);
     checkSimulatedCamera(check, e.simulation.camera);
+    if (e.simulation.thermalCamera)
+        checkSimulatedThermalCamera(check, e);
     checkVision(check, e);
     if (e.rig && !check.failed())
         check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));

@@ -150,6 +150,7 @@ struct SimulationSpec {
     std::optional<double> sourceEmittance{}; ///< true emittance of the source; if empty, the assumed one
     std::optional<Vector6d> sourcePose{};    ///< true pose at the start; if empty, the assumed one
     SimulatedCameraSpec camera{};
+    std::optional<SimulatedThermalCameraSpec> thermalCamera{}; ///< if empty, sensors on the objects
     std::vector<ScriptedFault> faults{};
     bool naturalConvection =
         false; ///< whether true h is that of natural convection; convection_W_m2K is 0 then

@@ -143,6 +143,12 @@ constexpr Parameter<SimulatedCameraSpec> kSimulatedCamera[]{
     {{"light_fall", kNone, kShare}, &SimulatedCameraSpec::lightFall},
     {{"delay", kSeconds, {0.0, 1.0}}, &SimulatedCameraSpec::delay_s},
 };
+
+constexpr Parameter<SimulatedThermalCameraSpec> kSimulatedThermalCamera[]{
+    {{"noise", kKelvin, {0.0, 5.0}}, &SimulatedThermalCameraSpec::noise_K},
+    {{"gain", kNone, {0.0, 0.2}}, &SimulatedThermalCameraSpec::gain},
+    {{"offset", kKelvin, {0.0, 2.0}}, &SimulatedThermalCameraSpec::offset_K},
+};
 // clang-format on
 
 } // namespace
@@ -185,6 +191,9 @@ ParameterTable<CameraModel> cameraModelParameters() {
 }
 ParameterTable<SimulatedCameraSpec> simulatedCameraParameters() {
     return kSimulatedCamera;
+}
+ParameterTable<SimulatedThermalCameraSpec> simulatedThermalCameraParameters() {
+    return kSimulatedThermalCamera;
 }
 
 } // namespace bask

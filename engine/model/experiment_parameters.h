@@ -24,5 +24,6 @@ ParameterTable<SimulationSpec> simulationParameters();
 /// What every camera has, the rig's and the simulated one.
 ParameterTable<CameraModel> cameraModelParameters();
 ParameterTable<SimulatedCameraSpec> simulatedCameraParameters();
+ParameterTable<SimulatedThermalCameraSpec> simulatedThermalCameraParameters();
 
 } // namespace bask

@@ -119,7 +119,33 @@ SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
     return config;
 }
 
+SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& experiment) {
+    const SimulatedThermalCameraSpec& spec = *experiment.simulation.thermalCamera;
+    SimulatedThermalCameraConfig config;
+    config.profile = findThermalProfile(spec.profile).value();
+    config.camera = usualThermalLens(config.profile);
+    config.X_RC = thermalCameraPose(experiment);
+    config.source = {{experiment.source.shape, Pose::Identity(), trueSourceEmittance(experiment)}};
+    for (const ObjectSpec& object : experiment.objects)
+        config.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
+    for (const PlateSpec& fixture : experiment.fixtures)
+        config.fixtures.push_back({fixture.shape, poseFromCoordinates(fixture.pose)});
+    for (const PlateSpec& shield : experiment.shields)
+        config.shields.push_back({shield.shape, poseFromCoordinates(shield.pose)});
+    config.environment_K = experiment.environment_K;
+    config.errors.noise_K = spec.noise_K;
+    config.errors.gain = spec.gain;
+    config.errors.offset_K = spec.offset_K;
+    config.errors.seed = experiment.simulation.seed;
+    return config;
+}
+
 } // namespace
+
+Pose thermalCameraPose(const Experiment& experiment) {
+    const auto& pose = experiment.simulation.thermalCamera->pose;
+    return pose ? poseFromCoordinates(*pose) : usualThermalPose();
+}
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     const SimulationSpec& simulation = experiment.simulation;
@@ -162,7 +188,27 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.tracker = {simulation.trackingNoise_m, simulation.trackingNoise_rad, simulation.trackingDelay_s,
                       simulation.seed};
     config.camera = simulatedCameraConfig(experiment);
+    if (simulation.thermalCamera)
+        config.thermalCamera = simulatedThermalCameraConfig(experiment);
     return config;
+}
+
+std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig) {
+    if (rig.thermalCamera() == nullptr)
+        return nullptr;
+    CameraThermometerSetup setup;
+    setup.camera = usualThermalLens(rig.thermalCamera()->profile());
+    setup.X_RC = thermalCameraPose(experiment);
+    setup.objects = experiment.objects;
+    setup.fixtures = experiment.fixtures;
+    setup.shields = experiment.shields;
+    setup.source = experiment.source.shape;
+    setup.geometry = rigGeometry(experiment);
+    setup.sourceEmittance = experiment.source.emittance;
+    setup.environment_K = experiment.environment_K;
+    setup.hasShutter = true;
+    return std::make_unique<CameraThermometer>(std::move(setup), *rig.thermalCamera(), rig.robot(),
+                                               rig.heatSource());
 }
 
 } // namespace bask

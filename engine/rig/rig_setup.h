@@ -4,6 +4,7 @@
 #include "engine/control/controller.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/rig/camera_thermometer.h"
 #include "engine/simulation/simulated_rig.h"
 
 #include <memory>
@@ -40,6 +41,12 @@ FeasibilityRequest feasibilityRequest(const Experiment& experiment);
 /// Returns its verdict; takes about 50 to 100 ms.
 JointVerdict jointVerdict(const Experiment& experiment);
 
+/// Returns X_RC of the simulated thermal camera, which the experiment has.
+Pose thermalCameraPose(const Experiment& experiment);
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
+
+/// Returns the thermometer of a simulated rig with a thermal camera; null for one without. The rig must
+/// outlive it.
+std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig);
 
 } // namespace bask

@@ -15,6 +15,7 @@ Result<PoseReading> EngineSession::Tracker::read() {
 EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept)
     : steady(wall),
       simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
+      cameraThermometer(simulated ? bask::cameraThermometer(experiment, *simulated) : nullptr),
       real(std::move(kept.rig)), vision(std::move(kept.watcher)), tracker(*this),
       loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
     Camera* camera = simulated ? &simulated->camera() : real->camera();
@@ -33,7 +34,8 @@ EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, Ke
 RigDevices EngineSession::devices() {
     if (!simulated)
         return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker, true};
-    return {simulated->robot(), simulated->thermometer(), simulated->heatSource(),
+    Thermometer& thermometer = cameraThermometer ? *cameraThermometer : simulated->thermometer();
+    return {simulated->robot(), thermometer, simulated->heatSource(),
             [this] { return simulated->trueTemperatures_K(); }, &tracker};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 // A rig, simulated or real, with the servo loop of one experiment.
 
+#include "engine/rig/camera_thermometer.h"
 #include "engine/rig/real_rig.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
@@ -34,7 +35,8 @@ struct EngineSession {
     };
 
     const Clock& steady;
-    std::unique_ptr<SimulatedRig> simulated; ///< either this or `real` is set
+    std::unique_ptr<SimulatedRig> simulated;              ///< either this or `real` is set
+    std::unique_ptr<CameraThermometer> cameraThermometer; ///< null without a thermal camera
     std::unique_ptr<RealRig> real;
     std::unique_ptr<VisionThread> vision; ///< null without a camera
     Tracker tracker;

@@ -66,6 +66,8 @@ void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool 
         return rig.simulatedCamera().setCovered(isOn);
     case SimulatedFault::CameraLost:
         rig.simulatedSourceTracker().setLost(isOn);
+        if (rig.simulatedThermalCamera() != nullptr)
+            rig.simulatedThermalCamera()->setUnplugged(isOn);
         return rig.simulatedCamera().setUnplugged(isOn);
     }
 }

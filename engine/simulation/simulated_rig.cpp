@@ -43,11 +43,13 @@ SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
       m_camera(config.camera), m_face(config), m_X_RS(poseFromCoordinates(config.sourcePose)) {
+    if (config.thermalCamera)
+        m_thermalCamera.emplace(*config.thermalCamera);
     m_F.assign(m_objects.size(), 0.0);
     m_isHot.assign(m_objects.size(), false);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
-    showCamera();
+    showCameras();
 }
 
 std::vector<double> SimulatedRig::trueTemperatures_K() const {
@@ -86,7 +88,7 @@ void SimulatedRig::step(double until_s) {
     m_clock.advanceTo(until_s);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
-    showCamera();
+    showCameras();
 }
 
 void SimulatedRig::moveSource(const Pose& X_RS) {
@@ -98,8 +100,22 @@ void SimulatedRig::moveSource(const Pose& X_RS) {
     m_computedAt.reset(); // end-effector and source may have moved as one, but not the shields
 }
 
-void SimulatedRig::showCamera() {
-    m_camera.observe({m_clock.now_s(), poseFromCoordinates(m_robot.coordinates()), m_X_RS});
+void SimulatedRig::showCameras() {
+    const double time_s = m_clock.now_s();
+    const Pose X_RE = poseFromCoordinates(m_robot.coordinates());
+    m_camera.observe({time_s, X_RE, m_X_RS});
+    if (!m_thermalCamera)
+        return;
+    const double room_K = m_config.environment_K, source_K = m_heated ? m_source.temperature_K() : room_K;
+    ThermalMoment moment{time_s, X_RE, m_X_RS, {source_K}, {}};
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const double emittance = m_config.objects[i].material.emittance;
+        moment.objects.push_back(
+            {std::clamp(m_plant.temperature_K(i), kMinBand_K, kMaxBand_K),
+             {emittance, {{std::clamp(m_F[i], 0.0, 1.0), source_K, m_config.sourceEmittance}}, room_K},
+             {emittance, {}, room_K}});
+    }
+    m_thermalCamera->observe(moment);
 }
 
 void SimulatedRig::seeSource() {

@@ -8,6 +8,7 @@
 #include "engine/simulation/simulated_robot.h"
 #include "engine/simulation/simulated_sensors.h"
 #include "engine/simulation/simulated_source_tracker.h"
+#include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/simulation/thermal_plant.h"
 #include "engine/thermal/source_emission.h"
 
@@ -38,6 +39,7 @@ struct SimulatedRigConfig {
     SimulatedThermometerConfig thermometer;
     SimulatedTrackerConfig tracker;
     SimulatedCameraConfig camera;
+    std::optional<SimulatedThermalCameraConfig> thermalCamera{};
     double viewFactorTolerance = 1e-8;
     /// What radiates of an uneven source, in S, and how; empty: the source is even.
     std::vector<SourceTerm> sourceTerms{};
@@ -80,6 +82,7 @@ public:
     HeatSource& heatSource() { return m_source; }
     SourceTracker& sourceTracker() { return m_tracker; }
     Camera& camera() { return m_camera; }
+    ThermalCamera* thermalCamera() { return simulatedThermalCamera(); } ///< null: none
 
     /// Advances the clock by dt_s in steps of at most kStep_s.
     void advance(double dt_s);
@@ -95,6 +98,7 @@ public:
     SimulatedHeatSource& simulatedHeatSource() { return m_source; }
     SimulatedSourceTracker& simulatedSourceTracker() { return m_tracker; }
     SimulatedCamera& simulatedCamera() { return m_camera; }
+    SimulatedThermalCamera* simulatedThermalCamera() { return m_thermalCamera ? &*m_thermalCamera : nullptr; }
 
     static constexpr double kStep_s = 0.1;
     static constexpr double kHot_K_s = 2.0;
@@ -103,7 +107,7 @@ private:
     void step(double until_s);
     void moveSource(const Pose& X_RS);
     void seeSource();
-    void showCamera();
+    void showCameras();
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
@@ -114,6 +118,7 @@ private:
     SimulatedHeatSource m_source;
     SimulatedSourceTracker m_tracker;
     SimulatedCamera m_camera;
+    std::optional<SimulatedThermalCamera> m_thermalCamera;
     SimulatedSourceFace m_face;
     Pose m_X_RS;
     bool m_heated = false; ///< whether it was heated in the last step

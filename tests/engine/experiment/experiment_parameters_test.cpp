@@ -20,6 +20,7 @@ Experiment example() {
     Experiment e = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
     e.objects[0].estimatedRates = HeatRates{0.2, 1e-11, 0.1};
     e.simulation.camera.rate_Hz = 25.0; // so that it is written
+    e.simulation.thermalCamera.emplace();
     e.source.uneven.parts.emplace_back().shape = Disk{0.05};
     e.simulation.sourceUneven.emplace().profile.push_back({0.05});
     e.vision.camera = CameraModel{640, 480, 800.0, 801.0, 319.5, 239.5, {}, {}, {}, {}, {}};
@@ -74,6 +75,9 @@ std::vector<Placed> everyParameter() {
     place(
         out, "simulation.camera.", simulatedCameraParameters(),
         [](Experiment & e) -> auto& { return e.simulation.camera; });
+    place(
+        out, "simulation.thermal_camera.", simulatedThermalCameraParameters(),
+        [](Experiment & e) -> auto& { return *e.simulation.thermalCamera; });
     place(
         out, "vision.camera.", cameraModelParameters(),
         [](Experiment & e) -> auto& { return *e.vision.camera; });
@@ -193,6 +197,7 @@ TEST(ExperimentParameters, TheDocumentHasThem) {
     usual.vision.camera.emplace();
     usual.source.uneven.parts.emplace_back();
     usual.simulation.sourceUneven.emplace().profile.emplace_back();
+    usual.simulation.thermalCamera.emplace();
     for (const Placed& placed : everyParameter()) {
         const auto rows = rowsOf(text, keyOf(*placed.facts));
         ASSERT_FALSE(rows.empty()) << placed.path << keyOf(*placed.facts);

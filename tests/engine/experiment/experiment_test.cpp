@@ -40,7 +40,7 @@ std::vector<std::string> exampleNames() {
 }
 
 TEST(Examples, AllAreReadAndValid) {
-    EXPECT_EQ(exampleNames().size(), 9u);
+    EXPECT_EQ(exampleNames().size(), 10u);
     for (const std::string& name : exampleNames()) {
         const Experiment e = example(name);
         EXPECT_FALSE(e.objects.empty()) << name;

@@ -159,6 +159,23 @@ TEST(Example, OverAPlateWithAColdRimBothSettle) {
         EXPECT_NEAR(rig.trueTemperatures_K()[i], experiment.objects[i].target_K, 0.06);
 }
 
+// Number of THERMAL_CAMERA: by camera alone within 1.2 times the time by sensors on the objects.
+TEST(Example, ByAThermalCameraTheThreeSettleAsByTheirSensors) {
+    const auto lastSettling_s = [](const RunOutcome& outcome) {
+        double last_s = 0.0;
+        for (const ObjectOutcome& object : outcome.objects)
+            last_s = std::max(last_s, object.settlingTime_s.value_or(1e9));
+        return last_s;
+    };
+    const double bySensors_s = lastSettling_s(run(example("three-objects.json"), 220.0));
+    ASSERT_LT(bySensors_s, 200.0);
+    const RunOutcome byCamera = run(example("thermal-camera.json"), 220.0);
+    EXPECT_TRUE(byCamera.settled);
+    EXPECT_LE(lastSettling_s(byCamera), 1.2 * bySensors_s);
+    for (const ObjectOutcome& object : byCamera.objects) // true temperatures
+        EXPECT_NEAR(object.final_K, object.target_K, 0.5) << object.name;
+}
+
 // A controller that takes an uneven source for an even one has its targets all the same.
 TEST(Example, AnUnknownColdRimDoesNotKeepTheCirclesFromSettling) {
     Experiment experiment = example("uneven-plate.json");
