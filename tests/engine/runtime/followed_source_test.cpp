@@ -83,10 +83,14 @@ TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
     }
 }
 
-// Catches a source that is carried away, and nobody is told that the objects do not follow their heat.
+// Catches a source that is carried away, and nobody is told that the objects do not follow their heat. It is
+// carried out of reach: one that is 10 cm away the servo may find again by the temperatures.
 TEST(FollowedSource, ThatIsCarriedAwayUnseenEndsTheRun) {
     Experiment experiment = movingSource();
     experiment.source.tracked = false;
+    Vector6d away = experiment.source.pose;
+    away[kX] += 0.5;
+    experiment.simulation.sourceMotion = {{300.0, experiment.source.pose}, {330.0, away}};
     SimulatedRunOptions options;
     options.duration_s = 900.0;
     const auto outcome = runSimulated(experiment, options);
