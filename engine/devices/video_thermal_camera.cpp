@@ -4,7 +4,8 @@
 
 namespace bask {
 
-VideoThermalCamera::VideoThermalCamera(const std::string& name, ThermalProfile profile, const Clock& clock)
+VideoThermalCamera::VideoThermalCamera(const std::string& name, const ThermalProfile& profile,
+                                       const Clock& clock)
     : VideoThermalCamera(name, profile, clock, [name, profile](const std::function<bool()>&) {
           return openThermalFrames(name, profile);
       }) {}

@@ -18,7 +18,7 @@ public:
 
     /// `name` as in openThermalFrames; opened on the capture thread. `clock` is read only by newest() and
     /// must outlive the camera.
-    VideoThermalCamera(const std::string& name, ThermalProfile profile, const Clock& clock);
+    VideoThermalCamera(const std::string& name, const ThermalProfile& profile, const Clock& clock);
     /// Uses another function for opening, for tests.
     VideoThermalCamera(const std::string& name, ThermalProfile profile, const Clock& clock, Opener opener);
 
