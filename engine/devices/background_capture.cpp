@@ -7,6 +7,10 @@ std::atomic<int>& hangingCaptures() {
     return hanging;
 }
 
+Error captureRefusal(const std::string& name, const std::string& words) {
+    return {MessageCode::CameraNotOpened, "", {name, words}};
+}
+
 std::string captureProblem(const Error& error) {
     return error.code() == MessageCode::CameraNotOpened && error.message.args.size() > 1
                ? error.message.args[1].text()

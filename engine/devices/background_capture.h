@@ -45,6 +45,8 @@ using CaptureOpener =
 
 /// Number of abandoned captures of the process that have not returned.
 std::atomic<int>& hangingCaptures();
+/// Returns a CameraNotOpened with the reason in words.
+Error captureRefusal(const std::string& name, const std::string& words);
 /// Returns the reason within a CameraNotOpened.
 std::string captureProblem(const Error& error);
 

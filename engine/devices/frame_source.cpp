@@ -29,10 +29,6 @@ constexpr int kMinSide_px = 32;
 constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr double kOldestStamp_s = 0.5; // a driver's time stamp farther back is on another clock
 
-Error refusal(const std::string& name, const std::string& words) {
-    return {MessageCode::CameraNotOpened, "", {name, words}};
-}
-
 std::string sizeText(int width, int height) {
     return std::to_string(width) + " x " + std::to_string(height) + " pixels";
 }
@@ -65,12 +61,12 @@ public:
         m_next = (m_next + 1) % m_paths.size();
         auto picture = readGreyPicture(path);
         if (!picture)
-            return refusal(m_name, describe(picture.error()));
+            return captureRefusal(m_name, describe(picture.error()));
         if (const std::string problem = sizeProblem(picture->width, picture->height); !problem.empty())
-            return refusal(m_name, problem);
+            return captureRefusal(m_name, problem);
         if (m_width > 0 && (picture->width != m_width || picture->height != m_height))
-            return refusal(m_name, path + " has " + sizeText(picture->width, picture->height) +
-                                       ", those before " + sizeText(m_width, m_height));
+            return captureRefusal(m_name, path + " has " + sizeText(picture->width, picture->height) +
+                                              ", those before " + sizeText(m_width, m_height));
         m_width = picture->width;
         m_height = picture->height;
         return CaughtPicture{std::move(*picture), SteadyClock().now_s()};
@@ -103,9 +99,9 @@ Result<std::unique_ptr<FrameSource>> openFolder(const std::string& name,
             paths.push_back(entry->path().string());
     }
     if (problem)
-        return refusal(name, problem.message());
+        return captureRefusal(name, problem.message());
     if (paths.empty())
-        return refusal(name, "there is no picture in this folder");
+        return captureRefusal(name, "there is no picture in this folder");
     std::ranges::sort(paths);
     auto source = std::make_unique<PictureSource>(name, std::move(paths));
     for (std::size_t k = 0; k < source->count() && !isStopped(); ++k)
@@ -123,9 +119,9 @@ public:
     Result<void> open() {
         silenceLibraries();
         if (!(m_kind == VideoKind::Device ? openDevice() : openByFfmpeg()))
-            return refusal(m_name, m_kind == VideoKind::Device ? "no camera answers there"
-                                   : m_kind == VideoKind::File ? "not a video that can be read"
-                                                               : "no video comes from there");
+            return captureRefusal(m_name, m_kind == VideoKind::Device ? "no camera answers there"
+                                          : m_kind == VideoKind::File ? "not a video that can be read"
+                                                                      : "no video comes from there");
         const double rate_Hz = m_capture.get(cv::CAP_PROP_FPS);
         m_period_s = m_kind != VideoKind::File            ? 0.0
                      : rate_Hz >= 1.0 && rate_Hz <= 240.0 ? 1.0 / rate_Hz
@@ -143,7 +139,8 @@ public:
         }
         const double now_s = SteadyClock().now_s();
         if (image.empty())
-            return refusal(m_name, m_kind == VideoKind::File ? "there is no picture in it" : "it has ended");
+            return captureRefusal(m_name,
+                                  m_kind == VideoKind::File ? "there is no picture in it" : "it has ended");
         if (auto checked = checkSize(image.cols, image.rows); !checked)
             return checked.error();
         cv::Mat grey = image;
@@ -164,9 +161,7 @@ public:
 
 private:
     bool openDevice() {
-        const bool isNumber = std::ranges::all_of(m_name, [](unsigned char c) { return std::isdigit(c); });
-        const std::string path = isNumber ? "/dev/video" + m_name : m_name;
-        if (!m_capture.open(path, cv::CAP_V4L2))
+        if (!m_capture.open(cameraDevice(m_name), cv::CAP_V4L2))
             return false;
         // Uncompressed, USB 2 has room for some 10 such pictures a second only.
         m_capture.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
@@ -183,10 +178,10 @@ private:
 
     Result<void> checkSize(int width, int height) {
         if (const std::string problem = sizeProblem(width, height); !problem.empty())
-            return refusal(m_name, problem);
+            return captureRefusal(m_name, problem);
         if (m_width > 0 && (width != m_width || height != m_height))
-            return refusal(m_name, "its pictures have " + sizeText(width, height) + " now, " +
-                                       sizeText(m_width, m_height) + " before");
+            return captureRefusal(m_name, "its pictures have " + sizeText(width, height) + " now, " +
+                                              sizeText(m_width, m_height) + " before");
         m_width = width;
         m_height = height;
         return {};
@@ -212,14 +207,15 @@ Result<std::unique_ptr<FrameSource>> openFifo(const std::string& name,
     constexpr int kLook_ms = 50;
     pollfd fifo{::open(name.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC), POLLIN, 0};
     if (fifo.fd < 0)
-        return refusal(name, std::generic_category().message(errno));
+        return captureRefusal(name, std::generic_category().message(errno));
     while ((fifo.revents & POLLIN) == 0 && !isStopped()) {
         ::poll(&fifo, 1, kLook_ms);
         if ((fifo.revents & POLLIN) == 0 && fifo.revents != 0) // its writer is gone: answers at once
             ::poll(nullptr, 0, kLook_ms);
     }
-    auto source = isStopped() ? Result<std::unique_ptr<FrameSource>>(refusal(name, "not wanted any more"))
-                              : openVideo(name, VideoKind::Fifo);
+    auto source = isStopped()
+                      ? Result<std::unique_ptr<FrameSource>>(captureRefusal(name, "not wanted any more"))
+                      : openVideo(name, VideoKind::Fifo);
     ::close(fifo.fd);
     return source;
 }
@@ -227,9 +223,9 @@ Result<std::unique_ptr<FrameSource>> openFifo(const std::string& name,
 Result<std::unique_ptr<FrameSource>> openFile(const std::string& name) {
     std::ifstream file(name, std::ios::binary);
     if (!file.is_open())
-        return refusal(name, "it cannot be read");
+        return captureRefusal(name, "it cannot be read");
     if (file.peek() == std::ifstream::traits_type::eof())
-        return refusal(name, "the file is empty");
+        return captureRefusal(name, "the file is empty");
     if (!isPictureName(name))
         return openVideo(name, VideoKind::File);
     auto source = std::make_unique<PictureSource>(name, std::vector{name});
@@ -241,8 +237,8 @@ Result<std::unique_ptr<FrameSource>> openFile(const std::string& name) {
 Result<std::unique_ptr<FrameSource>> openByName(const std::string& name,
                                                 const std::function<bool()>& isStopped) {
     if (name.empty())
-        return refusal(name, "no camera is named");
-    if (name.size() < 4 && std::ranges::all_of(name, [](unsigned char c) { return std::isdigit(c); }))
+        return captureRefusal(name, "no camera is named");
+    if (isCameraNumber(name))
         return openVideo(name, VideoKind::Device);
     if (name.find("://") != std::string::npos)
         return openVideo(name, VideoKind::Stream);
@@ -258,13 +254,22 @@ Result<std::unique_ptr<FrameSource>> openByName(const std::string& name,
     case fs::file_type::regular:
         return openFile(name);
     case fs::file_type::not_found:
-        return refusal(name, "there is no such file or device");
+        return captureRefusal(name, "there is no such file or device");
     default:
-        return refusal(name, problem ? problem.message() : "neither file nor device");
+        return captureRefusal(name, problem ? problem.message() : "neither file nor device");
     }
 }
 
 } // namespace
+
+bool isCameraNumber(const std::string& name) {
+    return !name.empty() && name.size() < 4 &&
+           std::ranges::all_of(name, [](unsigned char c) { return std::isdigit(c); });
+}
+
+std::string cameraDevice(const std::string& name) {
+    return isCameraNumber(name) ? "/dev/video" + name : name;
+}
 
 bool isSamePicture(const CaughtPicture& a, const CaughtPicture& b) {
     return a.picture.values == b.picture.values;
@@ -275,7 +280,7 @@ Result<std::unique_ptr<FrameSource>> openFrameSource(const std::string& name,
     try {
         return openByName(name, isStopped);
     } catch (const std::exception& problem) {
-        return refusal(name, problem.what());
+        return captureRefusal(name, problem.what());
     }
 }
 

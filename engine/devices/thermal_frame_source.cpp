@@ -1,12 +1,11 @@
 #include "engine/devices/thermal_frame_source.h"
 
 #include "engine/base/clock.h"
+#include "engine/devices/frame_source.h"
 #include "engine/thermography/frame_file.h"
 
 #include <opencv2/videoio.hpp>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -16,13 +15,9 @@ namespace {
 
 using FramesOpened = Result<std::unique_ptr<ThermalFrameSource>>;
 
-Error notOpened(const std::string& name, const std::string& words) {
-    return {MessageCode::CameraNotOpened, "", {name, words}};
-}
-
 Result<CaughtThermalFrame> caughtNow(const std::string& name, Result<ThermalFrame> frame) {
     if (!frame)
-        return notOpened(name, describe(frame.error()));
+        return captureRefusal(name, describe(frame.error()));
     return CaughtThermalFrame{std::move(*frame), SteadyClock().now_s()};
 }
 
@@ -54,10 +49,8 @@ public:
         : m_name(std::move(name)), m_profile(std::move(profile)) {}
 
     Result<void> open() {
-        const bool isNumber = std::ranges::all_of(m_name, [](unsigned char c) { return std::isdigit(c); });
-        const std::string path = isNumber ? "/dev/video" + m_name : m_name;
-        if (!m_capture.open(path, cv::CAP_V4L2))
-            return notOpened(m_name, "no camera answers there");
+        if (!m_capture.open(cameraDevice(m_name), cv::CAP_V4L2))
+            return captureRefusal(m_name, "no camera answers there");
         // The numbers themselves, not a picture made of them; another format might have as many bytes.
         m_capture.set(cv::CAP_PROP_CONVERT_RGB, 0);
         const std::string& format = m_profile.pixelFormat;
@@ -70,7 +63,7 @@ public:
         if (static_cast<int>(m_capture.get(cv::CAP_PROP_FOURCC)) != fourcc ||
             static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_WIDTH)) != m_profile.width ||
             (given != rows && given != rows + m_profile.optionalBottom))
-            return notOpened(m_name, "it gives no frames of \"" + m_profile.name + "\"");
+            return captureRefusal(m_name, "it gives no frames of \"" + m_profile.name + "\"");
         if (const auto first = next(); !first)
             return first.error();
         return {};
@@ -79,7 +72,7 @@ public:
     Result<CaughtThermalFrame> next() override {
         cv::Mat image;
         if (!m_capture.read(image) || image.empty())
-            return notOpened(m_name, "it has ended");
+            return captureRefusal(m_name, "it has ended");
         if (!image.isContinuous())
             image = image.clone();
         const std::string_view bytes(reinterpret_cast<const char*>(image.data),
@@ -105,11 +98,11 @@ FramesOpened openRecorded(const std::string& name, const ThermalProfile& profile
     if (isFolder) {
         auto listed = framesOfFolder(name, profile);
         if (!listed)
-            return notOpened(name, describe(listed.error()));
+            return captureRefusal(name, describe(listed.error()));
         frames = std::move(*listed);
     }
     if (auto first = readFrame(frames.front().path, profile); !first)
-        return notOpened(name, describe(first.error()));
+        return captureRefusal(name, describe(first.error()));
     return FramesOpened(std::make_unique<RecordedFrames>(name, profile, std::move(frames)));
 }
 
@@ -122,20 +115,18 @@ bool isSamePicture(const CaughtThermalFrame& a, const CaughtThermalFrame& b) {
 FramesOpened openThermalFrames(const std::string& name, const ThermalProfile& profile) {
     namespace fs = std::filesystem;
     if (name.empty())
-        return notOpened(name, "no camera is named");
+        return captureRefusal(name, "no camera is named");
     std::error_code problem;
     const fs::file_type type = fs::status(name, problem).type();
-    const bool isNumber =
-        name.size() < 4 && std::ranges::all_of(name, [](unsigned char c) { return std::isdigit(c); });
     try {
-        if (isNumber || type == fs::file_type::character)
+        if (isCameraNumber(name) || type == fs::file_type::character)
             return openLive(name, profile);
         if (type == fs::file_type::directory || type == fs::file_type::regular)
             return openRecorded(name, profile, type == fs::file_type::directory);
     } catch (const std::exception& failure) {
-        return notOpened(name, failure.what());
+        return captureRefusal(name, failure.what());
     }
-    return notOpened(name, "there is no such file or device");
+    return captureRefusal(name, "there is no such file or device");
 }
 
 } // namespace bask

@@ -22,14 +22,6 @@ Ring square(double side) {
     return rectangle(-0.5 * side, -0.5 * side, side, side);
 }
 
-std::vector<Ring> ringsOf(const Shape& shape) {
-    constexpr int kPoints = 180;
-    std::vector<Ring> rings = shapeRings(shape, kPoints);
-    for (std::size_t k = 1; k < rings.size(); ++k)
-        std::ranges::reverse(rings[k]);
-    return rings;
-}
-
 // Side of the plate that the source and the markers beside it sit on.
 double plateSide_m(const SimulatedCameraConfig& config) {
     constexpr double kRim_m = 0.02;
@@ -68,6 +60,14 @@ Ring handOutline(double radius_m) {
 }
 
 } // namespace
+
+std::vector<Ring> ringsOf(const Shape& shape) {
+    constexpr int kPoints = 180;
+    std::vector<Ring> rings = shapeRings(shape, kPoints);
+    for (std::size_t k = 1; k < rings.size(); ++k)
+        std::ranges::reverse(rings[k]);
+    return rings;
+}
 
 std::vector<PartFace> rigFaces(const SimulatedCameraConfig& config) {
     std::vector<PartFace> faces;

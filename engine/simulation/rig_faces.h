@@ -3,6 +3,7 @@
 
 #include "engine/calibration/board.h"
 #include "engine/calibration/marker_layout.h"
+#include "engine/shape/shape.h"
 #include "engine/simulation/scene_renderer.h"
 
 #include <vector>
@@ -17,6 +18,8 @@ struct PartFace {
     SceneFace face;
 };
 
+/// Returns the outline and the holes of a shape as they are painted.
+std::vector<Ring> ringsOf(const Shape& shape);
 /// Returns the source's plate and hot face, the objects, and every marker on a card with a light margin of
 /// one module.
 std::vector<PartFace> rigFaces(const SimulatedCameraConfig& config);

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/simulation/rig_faces.h"
 #include "engine/simulation/simulated_camera.h"
 
 #include <algorithm>
@@ -14,7 +15,6 @@ namespace bask {
 namespace {
 
 constexpr double kUsualAngle_rad = radFromDeg(57.0);
-constexpr int kOutlinePoints = 180;
 
 SimulatedThermalCameraConfig usable(SimulatedThermalCameraConfig config) {
     if (config.camera.width != config.profile.width || config.camera.height != config.profile.height ||
@@ -22,13 +22,6 @@ SimulatedThermalCameraConfig usable(SimulatedThermalCameraConfig config) {
         throw std::invalid_argument(
             "SimulatedThermalCamera: a camera of the profile's size and rate is needed");
     return config;
-}
-
-std::vector<Ring> turnedRings(const Shape& shape) {
-    std::vector<Ring> rings = shapeRings(shape, kOutlinePoints);
-    for (std::size_t k = 1; k < rings.size(); ++k)
-        std::ranges::reverse(rings[k]);
-    return rings;
 }
 
 double radianceOf(const FaceSurroundings& face, double T_K) {
@@ -75,7 +68,19 @@ Pose usualThermalPose() {
 SimulatedThermalCamera::SimulatedThermalCamera(SimulatedThermalCameraConfig config)
     : m_config(usable(std::move(config))), m_sensor(thermalBand(), m_config.errors, m_config.camera.width,
                                                     m_config.camera.height, m_config.environment_K),
-      m_painter(m_config.camera, room()) {}
+      m_painter(m_config.camera, room()) {
+    const auto add = [&](const Shape& shape, int layer) {
+        m_faces.push_back({ringsOf(shape), 0.0F, 0.0F, {}, 0.0F, layer});
+    };
+    for (const auto& plate : m_config.source)
+        add(plate.shape, 0);
+    for (const auto& object : m_config.objects)
+        add(object.shape, 1);
+    for (const auto& fixture : m_config.fixtures)
+        add(fixture.shape, 1);
+    for (const auto& shield : m_config.shields)
+        add(shield.shape, 1);
+}
 
 GreyCanvas SimulatedThermalCamera::room() const {
     const CameraModel& camera = m_config.camera;
@@ -104,31 +109,29 @@ void SimulatedThermalCamera::setUnplugged(bool unplugged) {
 const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment) {
     const Pose X_CR = m_config.X_RC.inverse();
     const double room = thermalBand().radiance(m_config.environment_K);
-    std::vector<SceneFace> faces;
     std::vector<PlacedFace> placed;
-    faces.reserve(m_config.source.size() + m_config.objects.size() + m_config.fixtures.size() +
-                  m_config.shields.size());
-    const auto add = [&](const Shape& shape, const Pose& X_RP, double front, double behind, int layer) {
-        faces.push_back(
-            {turnedRings(shape), static_cast<float>(front), static_cast<float>(behind), {}, 0.0F, layer});
-        placed.push_back({&faces.back(), X_CR * X_RP});
+    const auto place = [&](const Pose& X_RP, double front, double behind) {
+        SceneFace& face = m_faces[placed.size()];
+        face.front = static_cast<float>(front);
+        face.behind = static_cast<float>(behind);
+        placed.push_back({&face, X_CR * X_RP});
     };
     for (std::size_t p = 0; p < m_config.source.size(); ++p) {
         const auto& plate = m_config.source[p];
         const double front =
             plate.emittance * thermalBand().radiance(moment.source_K[p]) + (1.0 - plate.emittance) * room;
-        add(plate.shape, moment.X_RS * plate.X_SP, front, room, 0);
+        place(moment.X_RS * plate.X_SP, front, room);
     }
     for (std::size_t i = 0; i < m_config.objects.size(); ++i) {
         // A scene's face has its front towards +z, an object its heated face towards -z.
         const ThermalMoment::Object& object = moment.objects[i];
-        add(m_config.objects[i].shape, moment.X_RE * m_config.objects[i].X_EO,
-            radianceOf(object.back, object.T_K), radianceOf(object.front, object.T_K), 1);
+        place(moment.X_RE * m_config.objects[i].X_EO, radianceOf(object.back, object.T_K),
+              radianceOf(object.front, object.T_K));
     }
     for (const auto& fixture : m_config.fixtures)
-        add(fixture.shape, moment.X_RE * fixture.X_EO, room, room, 1);
+        place(moment.X_RE * fixture.X_EO, room, room);
     for (const auto& shield : m_config.shields)
-        add(shield.shape, shield.X_RB, room, room, 1);
+        place(shield.X_RB, room, room);
     return m_painter.paint(placed);
 }
 

@@ -96,6 +96,7 @@ private:
     bool m_isUnplugged = false;
 
     // Used by the thread of newest().
+    std::vector<SceneFace> m_faces; ///< source, objects, fixtures and shields, in their orders
     std::shared_ptr<const ThermalCameraFrame> m_frame;
 };
 

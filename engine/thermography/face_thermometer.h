@@ -48,10 +48,10 @@ struct ObjectReading {
     RegionStatistics region;
 };
 
-/// Reads the objects from a picture. `zeros` is empty, or has one for each object; without it the camera's
-/// own accuracy is not part of the uncertainty. `sinceShutter_s`: since the last shutter event. One result
-/// for each object; errors: those of facePixels, regionStatistics and readFace. Throws std::invalid_argument
-/// for a picture of another size than the camera's, or another number of zeros.
+/// Reads the objects from a picture. `zeros` has one for each object; of one that is empty the camera's own
+/// accuracy is not part of the uncertainty. `sinceShutter_s`: since the last shutter event. One result for
+/// each object; errors: those of facePixels, regionStatistics and readFace. Throws std::invalid_argument for
+/// a picture of another size than the camera's, or another number of zeros.
 std::vector<Result<ObjectReading>>
 readObjects(const BandRadiance& band, const ThermalPicture& picture, const PixelRays& rays, const Pose& X_WC,
             std::span<const ReadObject> objects, std::span<const PlacedPlate> screens,
