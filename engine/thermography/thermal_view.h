@@ -1,0 +1,38 @@
+#pragma once
+// What the window shows of a thermal camera: a picture and what was read from it. Contains values, never the
+// camera.
+
+#include "engine/base/message.h"
+#include "engine/thermography/thermal_picture.h"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// One object in a picture.
+struct ThermalObjectView {
+    /// Its outline as the lens shows it, closed, px; partly outside of the picture or empty if it is not seen.
+    std::vector<Eigen::Vector2d> outline_px;
+    std::vector<int> pixels;    ///< those that were read, ascending, row by row
+    std::optional<double> T_K;  ///< empty: it could not be read
+    double uncertainty_K = 0.0; ///< standard uncertainty of T_K
+    double spread_K = 0.0;      ///< largest difference across its face
+    Message reason;             ///< why it could not be read; code None if it could
+};
+
+/// The result for one picture.
+struct ThermalView {
+    std::string cameraName;                        ///< of its profile
+    std::shared_ptr<const ThermalPicture> picture; ///< null before the first
+    double time_s = 0.0;                           ///< when it was taken, on the engine's clock
+    double age_s = 0.0;                            ///< when the view was made
+    Message problem;                               ///< such as CameraLost; code None if the camera answers
+    std::vector<ThermalObjectView> objects;        ///< in the experiment's order
+};
+
+} // namespace bask
