@@ -1,5 +1,7 @@
 #include "engine/simulation/scene_painter.h"
 
+#include "engine/calibration/picture_outline.h"
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -8,36 +10,7 @@
 namespace bask {
 namespace {
 
-constexpr double kNearest_m = 1e-3; // what is nearer to the camera's plane is cut off
-
-// Where Brown's formula, radially, turns back upon itself: no picture shows more.
-double farthestRay(const Lens& lens) {
-    constexpr double kMax = 8.0, kStep = 0.01; // 83 degrees
-    const auto shownRadius = [&](double r) {
-        const double r2 = r * r;
-        const auto& k = lens.k;
-        return r * (1.0 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) /
-               (1.0 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])));
-    };
-    double r = 0.0;
-    while (r < kMax && shownRadius(r + kStep) > shownRadius(r))
-        r += kStep;
-    return r;
-}
-
-// Which part of a closed ring lies where n . p >= 0 (Sutherland and Hodgman).
-void cutOff(std::vector<Eigen::Vector3d>& ring, const Eigen::Vector3d& n, double min) {
-    std::vector<Eigen::Vector3d> kept;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
-        const double da = n.dot(a) - min, db = n.dot(b) - min;
-        if (da >= 0.0)
-            kept.push_back(a);
-        if ((da >= 0.0) != (db >= 0.0))
-            kept.push_back(a + da / (da - db) * (b - a));
-    }
-    ring = std::move(kept);
-}
+constexpr double kMaxPainted_px = 12.0; // the lens bends such a piece by some thousandths of a pixel
 
 // What one face asks of the order, in camera axes.
 struct Plane {
@@ -128,61 +101,16 @@ const CameraModel& paintable(const CameraModel& camera) {
 }
 
 ScenePainter::ScenePainter(const CameraModel& camera, GreyCanvas background)
-    : m_lens(paintable(camera)), m_background(std::move(background)) {
+    : m_lens(paintable(camera)), m_bounds(raysInPicture(camera, 3.0)), m_background(std::move(background)) {
     if (m_background.width != camera.width || m_background.height != camera.height)
         throw std::invalid_argument("ScenePainter: the background has another size");
-    setBounds();
-}
-
-void ScenePainter::setBounds() {
-    const double max = farthestRay(m_lens), right = m_background.width - 0.5,
-                 bottom = m_background.height - 0.5;
-    const Eigen::Vector2d margin(3.0 / m_lens.fx, 3.0 / m_lens.fy);
-    constexpr int kSteps = 32;
-    for (int k = 0; k <= kSteps; ++k) {
-        const double s = static_cast<double>(k) / kSteps, x = -0.5 + s * (right + 0.5),
-                     y = -0.5 + s * (bottom + 0.5);
-        for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(x, -0.5), {x, bottom}, {-0.5, y}, {right, y}}) {
-            const Eigen::Vector2d ideal((pixel.x() - m_lens.cx) / m_lens.fx,
-                                        (pixel.y() - m_lens.cy) / m_lens.fy);
-            const Eigen::Vector2d ray = rayAt(m_lens, pixel, ideal, 50);
-            if (ray.norm() < max) // not of a lens that never shows anything there
-                m_seen.extend(Eigen::AlignedBox2d(ray - margin, ray + margin));
-            else
-                m_seen.extend(
-                    Eigen::Vector2d(std::clamp(ideal.x(), -max, max), std::clamp(ideal.y(), -max, max)));
-        }
-    }
 }
 
 std::vector<Ring> ScenePainter::shown(const std::vector<Ring>& rings, const Pose& X_CF) const {
-    constexpr double kFar_px = 1e6;   // only lenses that cannot be show something there
-    constexpr double kStep_px = 12.0; // the lens bends such a piece by some thousandths of a pixel
     std::vector<Ring> result;
-    for (const Ring& ring : rings) {
-        std::vector<Eigen::Vector3d> points;
-        for (const Eigen::Vector2d& p : ring)
-            points.push_back(X_CF * Eigen::Vector3d(p.x(), p.y(), 0.0));
-        cutOff(points, {0, 0, 1}, kNearest_m);
-        cutOff(points, {1, 0, -m_seen.min().x()}, 0.0);
-        cutOff(points, {-1, 0, m_seen.max().x()}, 0.0);
-        cutOff(points, {0, 1, -m_seen.min().y()}, 0.0);
-        cutOff(points, {0, -1, m_seen.max().y()}, 0.0);
-        Ring picture;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const Eigen::Vector2d a = points[k].hnormalized(),
-                                  b = points[(k + 1) % points.size()].hnormalized();
-            const int pieces = 1 + static_cast<int>((b - a).norm() * m_lens.fx / kStep_px);
-            for (int i = 0; i < pieces; ++i) {
-                const Eigen::Vector2d ray = a + static_cast<double>(i) / pieces * (b - a);
-                const Eigen::Vector2d p = shownAt(m_lens, Eigen::Vector3d(ray.x(), ray.y(), 1.0));
-                if (p.norm() < kFar_px)
-                    picture.push_back(p);
-            }
-        }
-        if (!picture.empty())
+    for (const Ring& ring : rings)
+        if (Ring picture = ringInPicture(m_lens, m_bounds, X_CF, ring, kMaxPainted_px); !picture.empty())
             result.push_back(std::move(picture));
-    }
     return result;
 }
 

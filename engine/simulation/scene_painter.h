@@ -47,12 +47,11 @@ public:
     const GreyCanvas& paint(std::span<const PlacedFace> faces, std::span<const PlacedFace> onTop = {});
 
 private:
-    void setBounds();
     void paint(const PlacedFace& placed);
     std::vector<Ring> shown(const std::vector<Ring>& rings, const Pose& X_CF) const;
 
     Lens m_lens;
-    Eigen::AlignedBox2d m_seen; ///< (x, y) / z of everything in the picture, with a small margin
+    Eigen::AlignedBox2d m_bounds; ///< of raysInPicture
     GreyCanvas m_background, m_canvas;
     AreaPainter m_painter;
 };

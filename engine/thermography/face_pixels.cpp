@@ -1,119 +1,30 @@
 #include "engine/thermography/face_pixels.h"
 
 #include "engine/base/message_code.h"
-#include "engine/calibration/projection.h"
-
-#include <Eigen/LU>
+#include "engine/calibration/picture_outline.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 namespace bask {
 namespace {
 
 using Ring2 = std::vector<Eigen::Vector2d>;
-using Ring3 = std::vector<Eigen::Vector3d>;
 
 constexpr int kMaxSide_px = 4096;
 constexpr int kOutlinePoints = 128;     ///< of a disk or a Fourier outline: 0.03 px off at a radius of 100 px
 constexpr double kMinStep_px = 0.1;     ///< nearer points of an outline are left out
-constexpr double kMaxBentEdge_px = 6.0; ///< longer edges are divided where the lens bends them
-constexpr double kNear_m = 1e-3;        ///< nothing nearer to the camera is drawn
+constexpr double kMaxBentEdge_px = 6.0; ///< longer edges are divided, since the lens bends them
 
-/// Newton's method with differences; the lens is close to the identity within a picture.
-std::optional<Eigen::Vector2d> undistorted(const Lens& lens, const Eigen::Vector2d& shown) {
-    constexpr double kStep = 1e-6, kGood_px = 1e-6;
-    Eigen::Vector2d ray{(shown.x() - lens.cx) / lens.fx, (shown.y() - lens.cy) / lens.fy};
-    const auto shownOf = [&](double x, double y) { return shownAt(lens, Eigen::Vector3d(x, y, 1.0)); };
-    for (int i = 0; i < 30; ++i) {
-        const Eigen::Vector2d off = shownOf(ray.x(), ray.y()) - shown;
-        if (off.norm() < kGood_px)
-            return ray;
-        Eigen::Matrix2d J;
-        J.col(0) = (shownOf(ray.x() + kStep, ray.y()) - shownOf(ray.x() - kStep, ray.y())) / (2.0 * kStep);
-        J.col(1) = (shownOf(ray.x(), ray.y() + kStep) - shownOf(ray.x(), ray.y() - kStep)) / (2.0 * kStep);
-        ray -= J.inverse() * off;
-    }
-    return std::nullopt;
-}
-
-/// The part of space that a picture shows, with a margin: |x - middle| <= half, for X/Z and Y/Z.
-struct Frustum {
-    Eigen::Vector2d min = Eigen::Vector2d::Constant(std::numeric_limits<double>::max());
-    Eigen::Vector2d max = -min;
-};
-
-/// What clips lies outside of the picture by `margin_px` and more, so that no edge in it is one of clipping.
-Frustum frustumOf(const PixelRays& rays, double margin_px) {
-    const CameraModel& camera = rays.camera();
-    Frustum out;
-    const auto take = [&](int column, int row) {
-        const Eigen::Vector2d& ray =
-            rays.ray(static_cast<std::size_t>(row) * static_cast<std::size_t>(camera.width) +
-                     static_cast<std::size_t>(column));
-        out.min = out.min.cwiseMin(ray);
-        out.max = out.max.cwiseMax(ray);
-    };
-    for (int column = 0; column < camera.width; ++column) {
-        take(column, 0);
-        take(column, camera.height - 1);
-    }
-    for (int row = 0; row < camera.height; ++row) {
-        take(0, row);
-        take(camera.width - 1, row);
-    }
-    // At the rim of a picture a pixel can be twice as wide as in its middle.
-    const Eigen::Vector2d margin{2.0 * margin_px / camera.fx, 2.0 * margin_px / camera.fy};
-    out.min -= margin;
-    out.max += margin;
-    return out;
-}
-
-/// The part of a ring with side(p) >= 0 (Sutherland and Hodgman); side is linear.
-template <class Side> Ring3 clippedBy(const Ring3& ring, Side side) {
-    Ring3 out;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
-        const double at = side(a), bt = side(b);
-        if (at >= 0.0)
-            out.push_back(a);
-        if ((at >= 0.0) != (bt >= 0.0))
-            out.push_back(a + at / (at - bt) * (b - a));
-    }
-    return out;
-}
-
-Ring3 clipped(Ring3 ring, const Frustum& to) {
-    ring = clippedBy(ring, [](const Eigen::Vector3d& p) { return p.z() - kNear_m; });
-    for (int axis = 0; axis < 2; ++axis) {
-        ring = clippedBy(ring, [&](const Eigen::Vector3d& p) { return p[axis] - to.min[axis] * p.z(); });
-        ring = clippedBy(ring, [&](const Eigen::Vector3d& p) { return to.max[axis] * p.z() - p[axis]; });
-    }
-    return ring;
-}
-
-/// A ring as the lens shows it.
-Ring2 shownRing(const Lens& lens, const Ring3& ring) {
-    const bool isBent = std::ranges::any_of(lens.k, [](double k) { return k != 0.0; });
+/// Returns a ring without points that are nearly where the one before is.
+Ring2 thinned(const Ring2& ring) {
     Ring2 out;
-    const auto add = [&](const Eigen::Vector2d& p) {
+    for (const Eigen::Vector2d& p : ring)
         if (out.empty() || (p - out.back()).norm() >= kMinStep_px)
             out.push_back(p);
-    };
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Eigen::Vector3d &a = ring[k], &b = ring[(k + 1) % ring.size()];
-        const Eigen::Vector2d from = shownAt(lens, a);
-        add(from);
-        const int pieces =
-            isBent ? static_cast<int>(std::min((shownAt(lens, b) - from).norm() / kMaxBentEdge_px, 1000.0))
-                   : 0;
-        for (int i = 1; i < pieces; ++i)
-            add(shownAt(lens, Eigen::Vector3d(a + static_cast<double>(i) / pieces * (b - a))));
-    }
     return out;
 }
 
@@ -183,7 +94,7 @@ void markNear(Footprint& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b
         }
 }
 
-Footprint footprintOf(const PixelRays& rays, const Frustum& frustum, const PlacedPlate& plate,
+Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, const PlacedPlate& plate,
                       const Pose& X_CO, double blur_px) {
     const CameraModel& camera = rays.camera();
     const Lens lens(camera);
@@ -193,10 +104,7 @@ Footprint footprintOf(const PixelRays& rays, const Frustum& frustum, const Place
     std::vector<Ring2> rings;
     Eigen::Vector2d min = Eigen::Vector2d::Constant(std::numeric_limits<double>::max()), max = -min;
     for (const std::vector<Eigen::Vector2d>& ring_O : shapeRings(plate.shape, kOutlinePoints)) {
-        Ring3 ring;
-        for (const Eigen::Vector2d& p : ring_O)
-            ring.push_back(X_CO * Eigen::Vector3d(p.x(), p.y(), 0.0));
-        const Ring2 shown = shownRing(lens, clipped(ring, frustum));
+        const Ring2 shown = thinned(ringInPicture(lens, bounds, X_CO, ring_O, kMaxBentEdge_px));
         for (const Eigen::Vector2d& p : shown) {
             min = min.cwiseMin(p);
             max = max.cwiseMax(p);
@@ -288,7 +196,7 @@ PixelRays::PixelRays(const CameraModel& camera) : m_camera(camera) {
     m_rays.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
     for (int row = 0; row < camera.height; ++row)
         for (int column = 0; column < camera.width; ++column) {
-            const auto ray = undistorted(lens, Eigen::Vector2d(column, row));
+            const auto ray = rayOf(lens, Eigen::Vector2d(column, row));
             if (!ray)
                 throw std::invalid_argument(
                     "PixelRays: the lens model cannot be inverted within the picture");
@@ -303,14 +211,16 @@ std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_
     if (!(options.blur_px >= kMinBlur_px && options.blur_px <= 100.0) || options.minPixels < 1 ||
         !(options.minAngle_rad >= 0.0))
         throw std::invalid_argument("facePixels: a blur of 1.5 to 100 px, at least one pixel");
-    const Frustum frustum = frustumOf(rays, options.blur_px + 2.0);
+    // At the rim of a picture a pixel can be twice as wide as in its middle. What cuts off then lies outside
+    // of the picture by the blur and more, so that no edge in it is one of cutting.
+    const Eigen::AlignedBox2d bounds = raysInPicture(rays.camera(), 2.0 * (options.blur_px + 2.0));
     const Pose X_CW = X_WC.inverse();
     std::vector<Pose> poses;
     std::vector<Footprint> footprints;
     for (const auto& plates : {objects, screens})
         for (const PlacedPlate& plate : plates) {
             poses.push_back(X_CW * plate.X_WO);
-            footprints.push_back(footprintOf(rays, frustum, plate, poses.back(), options.blur_px));
+            footprints.push_back(footprintOf(rays, bounds, plate, poses.back(), options.blur_px));
         }
     std::vector<Result<FacePixels>> out;
     for (std::size_t i = 0; i < objects.size(); ++i)
