@@ -2,10 +2,10 @@
 
 #include "engine/calibration/projection.h"
 #include "widgets/common/colour_map.h"
+#include "widgets/common/picture_painting.h"
 #include "widgets/common/theme.h"
 
 #include <QCoreApplication>
-#include <QFontMetricsF>
 #include <QLocale>
 #include <QPainter>
 
@@ -25,14 +25,6 @@ QPointF at(const OverlayPlace& place, const Eigen::Vector2d& p_px) {
     return place.map.map(QPointF(p_px.x(), p_px.y()));
 }
 
-void cased(QPainter& painter, const QPolygonF& line, const QColor& colour, double width,
-           Qt::PenStyle style = Qt::SolidLine) {
-    for (const QPen& pen : {QPen(kCasing, width + 2.0), QPen(colour, width, style)}) {
-        painter.setPen(pen);
-        painter.drawPolyline(line);
-    }
-}
-
 void dot(QPainter& painter, const QPointF& middle, const QColor& colour, double radius) {
     painter.setPen(QPen(kCasing, 1.0));
     painter.setBrush(colour);
@@ -40,19 +32,15 @@ void dot(QPainter& painter, const QPointF& middle, const QColor& colour, double 
     painter.setBrush(Qt::NoBrush);
 }
 
-// White on a dark plate, within the picture.
+// Within the picture.
 void plate(QPainter& painter, const OverlayPlace& place, const QPointF& bottomLeft, const QString& text,
            const QColor& edge) {
-    const QFontMetricsF metrics(painter.font());
-    QRectF box(0.0, 0.0, metrics.horizontalAdvance(text) + 12.0, metrics.height() + 4.0);
+    QRectF box(QPointF(), plateSize(painter.font(), text));
     box.moveBottomLeft(bottomLeft);
     box.moveLeft(std::clamp(box.left(), place.picture.left(),
                             std::max(place.picture.left(), place.picture.right() - box.width())));
     box.moveTop(std::max(box.top(), place.picture.top()));
-    painter.fillRect(box, QColor(0, 0, 0, 190));
-    painter.fillRect(QRectF(box.topLeft(), QSizeF(3.0, box.height())), edge);
-    painter.setPen(Qt::white);
-    painter.drawText(box.adjusted(8.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
+    paintPlate(painter, box, text, edge);
 }
 
 // Behind the end of an axis.
@@ -133,7 +121,7 @@ void paintBoard(QPainter& painter, const OverlayPlace& place, const BoardView& b
         const bool goesOn = k + 1 < board.corners.size() && board.corners[k + 1] == board.corners[k] + 1 &&
                             board.corners[k + 1] / columns == board.corners[k] / columns;
         if (!goesOn)
-            cased(painter, std::exchange(line, {}), colour(k), 1.6);
+            paintCased(painter, std::exchange(line, {}), QPen(colour(k), 1.6));
     }
     for (std::size_t k = 0; k < board.corners.size(); ++k)
         dot(painter, at(place, board.corners_px[k]), colour(k), k == 0 ? 5.0 : 3.0);
@@ -148,7 +136,7 @@ void paintMarkers(QPainter& painter, const OverlayPlace& place, const std::vecto
             outline << at(place, corner);
         const QPointF first = outline.front();
         outline << first;
-        cased(painter, outline, colour, 2.0);
+        paintCased(painter, outline, QPen(colour, 2.0));
         dot(painter, first, colour, 4.0);
         plate(painter, place, outline.boundingRect().topLeft() - QPointF(0.0, 6.0), markerText(viewed),
               colour);
@@ -171,7 +159,8 @@ void paintAxes(QPainter& painter, const OverlayPlace& place, const Pose& X_CF, d
             continue;
         const QColor colour = seriesColor(kColours[axis], kOnDark);
         const QLineF line(at(place, shownAt(lens, origin)), at(place, shownAt(lens, end)));
-        cased(painter, {line.p1(), line.p2()}, colour, 2.4, isUncertain ? Qt::DotLine : Qt::SolidLine);
+        paintCased(painter, {line.p1(), line.p2()},
+                   QPen(colour, 2.4, isUncertain ? Qt::DotLine : Qt::SolidLine));
         letter(painter, line, QChar('x' + axis), colour);
     }
 }

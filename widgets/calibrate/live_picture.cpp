@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "widgets/calibrate/live_overlay.h"
 #include "widgets/common/display.h"
+#include "widgets/common/picture_painting.h"
 #include "widgets/common/theme.h"
 
 #include <QEvent>
@@ -138,33 +139,6 @@ void LivePicture::paintFound(QPainter& painter, const QRectF& place) const {
     painter.setClipping(false);
 }
 
-void LivePicture::paintSentence(QPainter& painter, const QRectF& place) const {
-    const QString text = sentence();
-    const bool isProblem = m_view.problem.code != MessageCode::None;
-    if (m_view.frame) {
-        painter.fillRect(place, QColor(0, 0, 0, 130));
-        painter.fillRect(place, QBrush(QColor(255, 255, 255, 60), Qt::BDiagPattern));
-    }
-    constexpr int kIcon = 22;
-    constexpr double kPad = 14.0;
-    const double widest = std::min(440.0, place.width() - 4.0 * kPad - (isProblem ? kIcon + kPad : 0.0));
-    const QRectF words = painter.boundingRect(QRectF(0, 0, widest, place.height()), Qt::TextWordWrap, text);
-    QRectF box(0, 0, words.width() + 2.0 * kPad + (isProblem ? kIcon + kPad : 0.0),
-               std::max<double>(words.height(), kIcon) + 2.0 * kPad);
-    box.moveCenter(place.center());
-    painter.setPen(hairline(isDark(this)));
-    painter.setBrush(palette().color(QPalette::Window));
-    painter.drawRoundedRect(box, 4.0, 4.0);
-    QRectF inside = box.adjusted(kPad, kPad, -kPad, -kPad);
-    if (isProblem) {
-        const QPixmap icon = alarmPixmap(2, isDark(this), kIcon, devicePixelRatioF());
-        painter.drawPixmap(QPointF(inside.left(), inside.center().y() - 0.5 * kIcon), icon);
-        inside.adjust(kIcon + kPad, 0.0, 0.0, 0.0);
-    }
-    painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
-}
-
 void LivePicture::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     const QRectF place = pictureRect();
@@ -177,8 +151,11 @@ void LivePicture::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (m_view.frame && m_view.problem.code == MessageCode::None)
         paintFound(painter, place);
-    if (!sentence().isEmpty())
-        paintSentence(painter, place);
+    if (const QString over = sentence(); !over.isEmpty()) {
+        if (m_view.frame)
+            paintDimmed(painter, place);
+        paintNotice(painter, place, over, m_view.problem.code != MessageCode::None, *this);
+    }
     painter.setPen(secondaryText(isDark(this)));
     const QRectF line(place.left() + 2.0, place.bottom() + kGap, place.width() - 4.0, fontMetrics().height());
     painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,

@@ -41,7 +41,6 @@ private:
     QString foundText() const;
     QRectF pictureRect() const;
     void paintFound(QPainter& painter, const QRectF& place) const;
-    void paintSentence(QPainter& painter, const QRectF& place) const;
 
     VisionView m_view;
     double m_age_s = 0.0; ///< age of the picture when the view arrived

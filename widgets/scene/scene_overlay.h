@@ -5,8 +5,8 @@
 #include "engine/base/units.h"
 #include "engine/exchange/target_surfaces.h"
 #include "widgets/common/colour_map.h"
+#include "widgets/common/label_layout.h"
 #include "widgets/scene/camera_fit.h"
-#include "widgets/scene/label_layout.h"
 
 #include <QColor>
 #include <QCoreApplication>

@@ -1,4 +1,4 @@
-#include "widgets/scene/label_layout.h"
+#include "widgets/common/label_layout.h"
 
 #include <algorithm>
 #include <array>

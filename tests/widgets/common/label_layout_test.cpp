@@ -1,5 +1,5 @@
 #include "widgets/common/colour_map.h"
-#include "widgets/scene/label_layout.h"
+#include "widgets/common/label_layout.h"
 
 #include <gtest/gtest.h>
 
