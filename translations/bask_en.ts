@@ -155,4 +155,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>bask::ThermalHistogramPlot</name>
+    <message numerus="yes">
+        <source>%1: %n pixel(s)</source>
+        <translation>
+            <numerusform>%1: %n pixel</numerusform>
+            <numerusform>%1: %n pixels</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

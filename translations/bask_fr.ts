@@ -7283,6 +7283,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>The robot is not sure of its place.</source>
         <translation>Le robot n’est pas sûr de sa position.</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>Image thermique</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunReport</name>
@@ -8815,6 +8819,220 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCanvas</name>
+    <message>
+        <source>no value</source>
+        <translation>sans valeur</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>saturé</translation>
+    </message>
+    <message>
+        <source>below range</source>
+        <translation>sous la plage</translation>
+    </message>
+    <message>
+        <source>%1 at column %2, row %3</source>
+        <translation>%1, colonne %2, ligne %3</translation>
+    </message>
+    <message>
+        <source>saturated %1</source>
+        <comment>a number of pixels</comment>
+        <translation>saturés %1</translation>
+    </message>
+    <message>
+        <source>below range %1</source>
+        <comment>a number of pixels</comment>
+        <translation>sous la plage %1</translation>
+    </message>
+    <message>
+        <source>no value %1</source>
+        <comment>a number of pixels</comment>
+        <translation>sans valeur %1</translation>
+    </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>Image thermique</translation>
+    </message>
+    <message>
+        <source>Arrow keys place a spot, which tells a pixel&apos;s temperature; Escape removes it.</source>
+        <translation>Les flèches placent un point de mesure, qui dit la température d’un pixel&#xa0;; Échap l’enlève.</translation>
+    </message>
+    <message>
+        <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
+        <translation>Température apparente&#xa0;: celle d’un corps noir de même aspect. Les températures des objets tiennent compte des réflexions et de l’émissivité.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalControls</name>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Gris</translation>
+    </message>
+    <message>
+        <source>Colours of the thermal picture</source>
+        <translation>Couleurs de l’image thermique</translation>
+    </message>
+    <message>
+        <source>Limits: objects</source>
+        <translation>Limites&#xa0;: objets</translation>
+    </message>
+    <message>
+        <source>Limits: picture</source>
+        <translation>Limites&#xa0;: image</translation>
+    </message>
+    <message>
+        <source>Limits: fixed</source>
+        <translation>Limites&#xa0;: fixes</translation>
+    </message>
+    <message>
+        <source>Limits of the colours</source>
+        <translation>Limites des couleurs</translation>
+    </message>
+    <message>
+        <source>What the colours span: the objects&apos; pixels with a margin, all pixels but the 0.5 % at either end, or limits of your own.</source>
+        <translation>Ce que couvrent les couleurs&#xa0;: les pixels des objets avec une marge, tous les pixels sauf 0,5&#xa0;% à chaque bout, ou vos propres limites.</translation>
+    </message>
+    <message>
+        <source>Lower limit of the colours</source>
+        <translation>Limite basse des couleurs</translation>
+    </message>
+    <message>
+        <source>Upper limit of the colours</source>
+        <translation>Limite haute des couleurs</translation>
+    </message>
+    <message>
+        <source>No isotherm</source>
+        <translation>Sans isotherme</translation>
+    </message>
+    <message>
+        <source>Isotherm: above</source>
+        <translation>Isotherme&#xa0;: au-dessus</translation>
+    </message>
+    <message>
+        <source>Isotherm: near</source>
+        <translation>Isotherme&#xa0;: autour</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>Isotherme</translation>
+    </message>
+    <message>
+        <source>Draws the pixels in green that are above a temperature, or nearer to it than 0.5 K.</source>
+        <translation>Dessine en vert les pixels au-dessus d’une température, ou à moins de 0,5&#xa0;K d’elle.</translation>
+    </message>
+    <message>
+        <source>Temperature of the isotherm</source>
+        <translation>Température de l’isotherme</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoom</translation>
+    </message>
+    <message>
+        <source>Show the objects with a margin instead of the whole picture.</source>
+        <translation>Montrer les objets avec une marge au lieu de toute l’image.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Lisser</translation>
+    </message>
+    <message>
+        <source>Smooth the picture; else each pixel is a square of one colour.</source>
+        <translation>Lisser l’image&#xa0;; sinon chaque pixel est un carré d’une couleur.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalHistogramPlot</name>
+    <message numerus="yes">
+        <source>%1: %n pixel(s)</source>
+        <translation>
+            <numerusform>%1&#xa0;: %n pixel</numerusform>
+            <numerusform>%1&#xa0;: %n pixels</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No pixels are read</source>
+        <translation>Aucun pixel n’est lu</translation>
+    </message>
+    <message>
+        <source>mean %1, s.d. %2</source>
+        <comment>standard deviation</comment>
+        <translation>moyenne %1, écart-type %2</translation>
+    </message>
+    <message>
+        <source>Distribution of apparent temperatures</source>
+        <translation>Répartition des températures apparentes</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalObjectList</name>
+    <message>
+        <source>Temperatures by the thermal camera</source>
+        <translation>Températures par la caméra thermique</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Étendue</translation>
+    </message>
+    <message>
+        <source>Reflections and emittance are taken into account; with two standard deviations.</source>
+        <translation>Les réflexions et l’émissivité sont prises en compte&#xa0;; avec deux écarts-types.</translation>
+    </message>
+    <message>
+        <source>Largest difference across the object.</source>
+        <translation>Plus grande différence sur l’objet.</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>Toute l’image</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Apparent temperatures of all but the 0.5 % at either end.</source>
+        <translation>Températures apparentes de tous les pixels sauf 0,5&#xa0;% à chaque bout.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalPictureView</name>
+    <message>
+        <source>The thermal camera has not given a picture yet.</source>
+        <translation>La caméra thermique n’a pas encore donné d’image.</translation>
+    </message>
+    <message>
+        <source>This picture is %1.</source>
+        <translation>Image reçue %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s</source>
+        <translation>%1 images/s</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>âge %1 s</translation>
     </message>
 </context>
 <context>

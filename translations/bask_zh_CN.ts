@@ -7275,6 +7275,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The robot is not sure of its place.</source>
         <translation>机器人的位置不确定。</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>热像图</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunReport</name>
@@ -8797,6 +8801,219 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若运行中有目标无法达到，需要您在开始时明确同意。运行将保持所找到的最佳折中并予以说明，会话中也会记录您已同意。运行期间，新目标立即生效；若无法保持，会有事件说明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCanvas</name>
+    <message>
+        <source>no value</source>
+        <translation>无数值</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>饱和</translation>
+    </message>
+    <message>
+        <source>below range</source>
+        <translation>低于量程</translation>
+    </message>
+    <message>
+        <source>%1 at column %2, row %3</source>
+        <translation>%1（第 %2 列，第 %3 行）</translation>
+    </message>
+    <message>
+        <source>saturated %1</source>
+        <comment>a number of pixels</comment>
+        <translation>饱和 %1</translation>
+    </message>
+    <message>
+        <source>below range %1</source>
+        <comment>a number of pixels</comment>
+        <translation>低于量程 %1</translation>
+    </message>
+    <message>
+        <source>no value %1</source>
+        <comment>a number of pixels</comment>
+        <translation>无数值 %1</translation>
+    </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>热像图</translation>
+    </message>
+    <message>
+        <source>Arrow keys place a spot, which tells a pixel&apos;s temperature; Escape removes it.</source>
+        <translation>方向键可放置测温点，显示一个像素的温度；Esc 键将其移除。</translation>
+    </message>
+    <message>
+        <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
+        <translation>表观温度：看起来相同的黑体的温度。物体的温度已计入反射和发射率。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalControls</name>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰度</translation>
+    </message>
+    <message>
+        <source>Colours of the thermal picture</source>
+        <translation>热像图的颜色</translation>
+    </message>
+    <message>
+        <source>Limits: objects</source>
+        <translation>界限：物体</translation>
+    </message>
+    <message>
+        <source>Limits: picture</source>
+        <translation>界限：图像</translation>
+    </message>
+    <message>
+        <source>Limits: fixed</source>
+        <translation>界限：固定</translation>
+    </message>
+    <message>
+        <source>Limits of the colours</source>
+        <translation>颜色的界限</translation>
+    </message>
+    <message>
+        <source>What the colours span: the objects&apos; pixels with a margin, all pixels but the 0.5 % at either end, or limits of your own.</source>
+        <translation>颜色覆盖的范围：物体的像素并留余量、除两端各 0.5 % 外的所有像素，或自定的界限。</translation>
+    </message>
+    <message>
+        <source>Lower limit of the colours</source>
+        <translation>颜色的下限</translation>
+    </message>
+    <message>
+        <source>Upper limit of the colours</source>
+        <translation>颜色的上限</translation>
+    </message>
+    <message>
+        <source>No isotherm</source>
+        <translation>无等温线</translation>
+    </message>
+    <message>
+        <source>Isotherm: above</source>
+        <translation>等温线：以上</translation>
+    </message>
+    <message>
+        <source>Isotherm: near</source>
+        <translation>等温线：附近</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>等温线</translation>
+    </message>
+    <message>
+        <source>Draws the pixels in green that are above a temperature, or nearer to it than 0.5 K.</source>
+        <translation>将高于某温度或与其相差不到 0.5 K 的像素画成绿色。</translation>
+    </message>
+    <message>
+        <source>Temperature of the isotherm</source>
+        <translation>等温线的温度</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Show the objects with a margin instead of the whole picture.</source>
+        <translation>只显示物体及其周围，而不是整幅图像。</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Smooth the picture; else each pixel is a square of one colour.</source>
+        <translation>平滑图像；否则每个像素为一个单色方块。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalHistogramPlot</name>
+    <message numerus="yes">
+        <source>%1: %n pixel(s)</source>
+        <translation>
+            <numerusform>%1：%n 个像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No pixels are read</source>
+        <translation>没有读取的像素</translation>
+    </message>
+    <message>
+        <source>mean %1, s.d. %2</source>
+        <comment>standard deviation</comment>
+        <translation>平均 %1，标准差 %2</translation>
+    </message>
+    <message>
+        <source>Distribution of apparent temperatures</source>
+        <translation>表观温度的分布</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalObjectList</name>
+    <message>
+        <source>Temperatures by the thermal camera</source>
+        <translation>热像仪测得的温度</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>温差</translation>
+    </message>
+    <message>
+        <source>Reflections and emittance are taken into account; with two standard deviations.</source>
+        <translation>已计入反射和发射率；附两倍标准差。</translation>
+    </message>
+    <message>
+        <source>Largest difference across the object.</source>
+        <translation>物体上的最大温差。</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>整幅图像</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Apparent temperatures of all but the 0.5 % at either end.</source>
+        <translation>除两端各 0.5 % 外所有像素的表观温度。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalPictureView</name>
+    <message>
+        <source>The thermal camera has not given a picture yet.</source>
+        <translation>热像仪尚未给出图像。</translation>
+    </message>
+    <message>
+        <source>This picture is %1.</source>
+        <translation>此图像为 %1的。</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s</source>
+        <translation>%1 帧/s</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>时龄 %1 s</translation>
     </message>
 </context>
 <context>

@@ -7275,6 +7275,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The robot is not sure of its place.</source>
         <translation>機器人的位置不確定。</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>熱像圖</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunReport</name>
@@ -8797,6 +8801,219 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若運轉中有目標無法達到，需要您在開始時明確同意。運轉將保持所找到的最佳折衷並予以說明，工作階段中也會記錄您已同意。運轉期間，新目標立即生效；若無法保持，會有事件說明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCanvas</name>
+    <message>
+        <source>no value</source>
+        <translation>無數值</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>飽和</translation>
+    </message>
+    <message>
+        <source>below range</source>
+        <translation>低於量程</translation>
+    </message>
+    <message>
+        <source>%1 at column %2, row %3</source>
+        <translation>%1（第 %2 行，第 %3 列）</translation>
+    </message>
+    <message>
+        <source>saturated %1</source>
+        <comment>a number of pixels</comment>
+        <translation>飽和 %1</translation>
+    </message>
+    <message>
+        <source>below range %1</source>
+        <comment>a number of pixels</comment>
+        <translation>低於量程 %1</translation>
+    </message>
+    <message>
+        <source>no value %1</source>
+        <comment>a number of pixels</comment>
+        <translation>無數值 %1</translation>
+    </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>熱像圖</translation>
+    </message>
+    <message>
+        <source>Arrow keys place a spot, which tells a pixel&apos;s temperature; Escape removes it.</source>
+        <translation>方向鍵可放置測溫點，顯示一個像素的溫度；Esc 鍵將其移除。</translation>
+    </message>
+    <message>
+        <source>Apparent temperature: that of a black body which looks the same. The objects&apos; temperatures have reflections and emittance taken into account.</source>
+        <translation>表觀溫度：看起來相同的黑體的溫度。物體的溫度已計入反射和發射率。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalControls</name>
+    <message>
+        <source>Inferno</source>
+        <translation>Inferno</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>灰階</translation>
+    </message>
+    <message>
+        <source>Colours of the thermal picture</source>
+        <translation>熱像圖的顏色</translation>
+    </message>
+    <message>
+        <source>Limits: objects</source>
+        <translation>界限：物體</translation>
+    </message>
+    <message>
+        <source>Limits: picture</source>
+        <translation>界限：影像</translation>
+    </message>
+    <message>
+        <source>Limits: fixed</source>
+        <translation>界限：固定</translation>
+    </message>
+    <message>
+        <source>Limits of the colours</source>
+        <translation>顏色的界限</translation>
+    </message>
+    <message>
+        <source>What the colours span: the objects&apos; pixels with a margin, all pixels but the 0.5 % at either end, or limits of your own.</source>
+        <translation>顏色涵蓋的範圍：物體的像素並留餘量、除兩端各 0.5 % 外的所有像素，或自訂的界限。</translation>
+    </message>
+    <message>
+        <source>Lower limit of the colours</source>
+        <translation>顏色的下限</translation>
+    </message>
+    <message>
+        <source>Upper limit of the colours</source>
+        <translation>顏色的上限</translation>
+    </message>
+    <message>
+        <source>No isotherm</source>
+        <translation>無等溫線</translation>
+    </message>
+    <message>
+        <source>Isotherm: above</source>
+        <translation>等溫線：以上</translation>
+    </message>
+    <message>
+        <source>Isotherm: near</source>
+        <translation>等溫線：附近</translation>
+    </message>
+    <message>
+        <source>Isotherm</source>
+        <translation>等溫線</translation>
+    </message>
+    <message>
+        <source>Draws the pixels in green that are above a temperature, or nearer to it than 0.5 K.</source>
+        <translation>將高於某溫度或與其相差不到 0.5 K 的像素畫成綠色。</translation>
+    </message>
+    <message>
+        <source>Temperature of the isotherm</source>
+        <translation>等溫線的溫度</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>放大</translation>
+    </message>
+    <message>
+        <source>Show the objects with a margin instead of the whole picture.</source>
+        <translation>只顯示物體及其周圍，而不是整幅影像。</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>平滑</translation>
+    </message>
+    <message>
+        <source>Smooth the picture; else each pixel is a square of one colour.</source>
+        <translation>平滑影像；否則每個像素為一個單色方塊。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalHistogramPlot</name>
+    <message numerus="yes">
+        <source>%1: %n pixel(s)</source>
+        <translation>
+            <numerusform>%1：%n 個像素</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No pixels are read</source>
+        <translation>沒有讀取的像素</translation>
+    </message>
+    <message>
+        <source>mean %1, s.d. %2</source>
+        <comment>standard deviation</comment>
+        <translation>平均 %1，標準差 %2</translation>
+    </message>
+    <message>
+        <source>Distribution of apparent temperatures</source>
+        <translation>表觀溫度的分布</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalObjectList</name>
+    <message>
+        <source>Temperatures by the thermal camera</source>
+        <translation>熱像儀測得的溫度</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物體</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>溫度</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>溫差</translation>
+    </message>
+    <message>
+        <source>Reflections and emittance are taken into account; with two standard deviations.</source>
+        <translation>已計入反射和發射率；附兩倍標準差。</translation>
+    </message>
+    <message>
+        <source>Largest difference across the object.</source>
+        <translation>物體上的最大溫差。</translation>
+    </message>
+    <message>
+        <source>Whole picture</source>
+        <translation>整幅影像</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>Apparent temperatures of all but the 0.5 % at either end.</source>
+        <translation>除兩端各 0.5 % 外所有像素的表觀溫度。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalPictureView</name>
+    <message>
+        <source>The thermal camera has not given a picture yet.</source>
+        <translation>熱像儀尚未給出影像。</translation>
+    </message>
+    <message>
+        <source>This picture is %1.</source>
+        <translation>此影像為 %1的。</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 pictures/s</source>
+        <translation>%1 影格/s</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>時齡 %1 s</translation>
     </message>
 </context>
 <context>

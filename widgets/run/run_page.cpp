@@ -9,6 +9,7 @@
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/thermal/thermal_picture_view.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -49,6 +50,10 @@ QString limitWords(const ActiveLimits& limits) {
     return words.join(QStringLiteral(", "));
 }
 
+bool hasThermalCamera(const Experiment& experiment) {
+    return experiment.simulation.thermalCamera.has_value();
+}
+
 } // namespace
 
 void RunPage::setExperiment(const Experiment& experiment) {
@@ -69,6 +74,9 @@ void RunPage::setExperiment(const Experiment& experiment) {
         plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
     }
     m_scene->setExperiment(experiment);
+    m_thermal->setNames(m_names);
+    m_thermal->setView({});
+    showThermalTab(hasThermalCamera(experiment));
     m_controller->setSettings(experiment.controller);
     m_runId.reset();
     beginTrace();
@@ -173,6 +181,7 @@ void RunPage::setTemperatureUnit(TemperatureUnit unit) {
     for (TracePlot* plot : m_plots)
         plot->setTemperatureUnit(unit);
     m_scene->setTemperatureUnit(unit);
+    m_thermal->setTemperatureUnit(unit);
 }
 
 void RunPage::showMoment(double time_s) {
@@ -181,6 +190,18 @@ void RunPage::showMoment(double time_s) {
     for (TracePlot* plot : m_plots)
         plot->setTimeRange(time_s - half, time_s + half);
     setFollow(false);
+}
+
+void RunPage::showThermalTab(bool hasCamera) {
+    const int tab = m_tabs->indexOf(m_thermal);
+    if (hasCamera && tab < 0)
+        m_tabs->addTab(m_thermal, tr("Thermal picture"));
+    else if (!hasCamera && tab >= 0)
+        m_tabs->removeTab(tab);
+}
+
+void RunPage::setThermalView(const ThermalView& view) {
+    m_thermal->setView(view);
 }
 
 void RunPage::setFollow(bool follow) {

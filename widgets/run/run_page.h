@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/thermography/thermal_view.h"
 #include "widgets/plots/trace_store.h"
 
 #include <QWidget>
@@ -25,10 +26,12 @@ namespace bask {
 class ControllerPanel;
 class TileGrid;
 class SceneView;
+class ThermalPictureView;
 class TracePlot;
 
 /// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>"; plots
-/// "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs "plotTabs"; "followLive",
+/// "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs "plotTabs", the last of
+/// which is "thermalPictureView" for a rig with a thermal camera; "followLive",
 /// "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric"; "activeLimits";
 /// "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
@@ -47,6 +50,10 @@ public:
     void showMoment(double time_s);
 
     QSize minimumSizeHint() const override;
+
+public slots:
+    /// Shows what the rig's thermal camera sees.
+    void setThermalView(const bask::ThermalView& view);
 
 signals:
     void controllerApplied(const bask::ControllerSettings& settings);
@@ -70,6 +77,7 @@ private:
     void showLimits(const Snapshot& snapshot);
     void addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes);
     void beginTrace();
+    void showThermalTab(bool hasCamera);
     void addNote();
     void retranslateUi();
     void restyle();
@@ -85,6 +93,7 @@ private:
     std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< shared by all plots
     std::vector<TracePlot*> m_plots; ///< temperature first, then those of the tabs
     QTabWidget* m_tabs = nullptr;
+    ThermalPictureView* m_thermal = nullptr; ///< in no tab without a thermal camera
     QCheckBox* m_follow = nullptr;
     QLabel* m_windowLabel = nullptr;
     QComboBox* m_window = nullptr;

@@ -7,6 +7,7 @@
 #include "widgets/run/controller_panel.h"
 #include "widgets/run/run_page.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/thermal/thermal_picture_view.h"
 
 #include <QAbstractItemView>
 #include <QCheckBox>
@@ -116,6 +117,8 @@ QWidget* RunPage::makePlots() {
     m_tabs->setUsesScrollButtons(true);
     for (const Quantity quantity : furtherQuantities())
         m_tabs->addTab(makePlot(quantity), QString());
+    m_thermal = new ThermalPictureView(m_tabs);
+    m_thermal->hide();
     stack->addWidget(m_tabs);
     stack->setSizes({330, 230});
     stack->setStretchFactor(0, 3);
@@ -244,8 +247,10 @@ void RunPage::retranslateUi() {
     m_jump->setText(tr("Jump to live"));
     m_jump->setAccessibleName(m_jump->text());
     m_jump->setToolTip(tr("Show the newest samples again and follow them."));
-    for (int i = 0; i < m_tabs->count(); ++i)
-        m_tabs->setTabText(i, quantityTitle(m_plots[static_cast<std::size_t>(i) + 1]->quantity()));
+    for (std::size_t i = 1; i < m_plots.size(); ++i)
+        m_tabs->setTabText(static_cast<int>(i) - 1, quantityTitle(m_plots[i]->quantity()));
+    if (const int tab = m_tabs->indexOf(m_thermal); tab >= 0)
+        m_tabs->setTabText(tab, tr("Thermal picture"));
     m_tabs->setAccessibleName(tr("Further traces"));
 
     m_sceneLabel->setText(tr("Scene"));

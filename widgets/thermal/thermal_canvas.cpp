@@ -1,6 +1,5 @@
 #include "widgets/thermal/thermal_canvas.h"
 
-#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/picture_painting.h"
 #include "widgets/common/theme.h"
@@ -13,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 
@@ -62,7 +62,8 @@ void ThermalCanvas::setLook(const ThermalLook& look) {
 }
 
 void ThermalCanvas::setSmooth(bool smooth) {
-    m_isSmooth = smooth;
+    if (std::exchange(m_isSmooth, smooth) == smooth)
+        return;
     m_scaled = {};
     update();
 }

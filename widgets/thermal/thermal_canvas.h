@@ -48,16 +48,15 @@ public:
     /// Returns "saturated 12" and so on for pixels that tell no temperature, in the legend's order.
     QStringList legendTexts() const;
 
-    const QRect& shownPixels() const { return m_pixels; }    ///< the part of the picture that is drawn
-    const QImage& image() const { return prepared().image; } ///< one pixel each
-    QRectF pictureRect() const;                              ///< where it is drawn
-    QRectF pixelRect(QPoint pixel) const;                    ///< where one of its pixels is drawn
+    const QRect& shownPixels() const { return m_pixels; } ///< the part of the picture that is drawn
+    QRectF pictureRect() const;                           ///< where it is drawn
+    QRectF pixelRect(QPoint pixel) const;                 ///< where one of its pixels is drawn
     const std::vector<QRectF>& labelRects() const { return m_labels; } ///< those that were drawn last
 
     /// Returns the width with which the picture fills this height.
     int widthFor(int height) const;
     QSize sizeHint() const override { return {480, 320}; }
-    QSize minimumSizeHint() const override { return {200, 110}; }
+    QSize minimumSizeHint() const override { return {180, 110}; }
 
 protected:
     bool event(QEvent* event) override;
@@ -93,12 +92,12 @@ private:
     void pin(std::optional<QPoint> pixel);
     void describe();
     bool showToolTip(const QHelpEvent& event);
+    QString spotLabel(QPoint pixel) const;
+    QRectF spotBox(QPoint pixel) const; ///< of its label
 
     void paintPicture(QPainter& painter);
     void paintOutlines(QPainter& painter);
     void paintLabels(QPainter& painter);
-    QString spotLabel(QPoint pixel) const;
-    QRectF spotBox(QPoint pixel) const;
     void paintSpot(QPainter& painter, QPoint pixel, bool isPinned);
     void paintBar(QPainter& painter);
     void paintStatus(QPainter& painter);

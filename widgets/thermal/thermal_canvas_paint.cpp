@@ -1,6 +1,5 @@
 // How the canvas of a thermal picture is painted.
 
-#include "engine/base/message_code.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/display.h"
 #include "widgets/common/picture_painting.h"
@@ -83,12 +82,14 @@ void ThermalCanvas::paintOutlines(QPainter& painter) {
 
 void ThermalCanvas::paintLabels(QPainter& painter) {
     const QRectF place = pictureRect();
-    constexpr double kNarrow = 420.0;
+    constexpr double kNarrow = 420.0, kTooNarrow = 150.0;
+    if (place.width() < kTooNarrow)
+        return;
     const auto overlaps = [this](const QRectF& rect) {
         return std::ranges::any_of(m_labels, [&rect](const QRectF& other) { return rect.intersects(other); });
     };
     m_layout.begin(place.adjusted(3.0, 3.0, -3.0, -3.0));
-    if (m_pinned) { // asked for by a person, so first
+    if (m_pinned && m_pixels.contains(*m_pinned)) { // asked for by a person, so first
         m_labels.push_back(spotBox(*m_pinned));
         m_layout.take(m_labels.back());
     }
@@ -236,7 +237,7 @@ void ThermalCanvas::paintEvent(QPaintEvent*) {
         paintLabels(painter);
         if (m_hovered && m_hovered != m_pinned)
             paintSpot(painter, *m_hovered, false);
-        if (m_pinned)
+        if (m_pinned && m_pixels.contains(*m_pinned))
             paintSpot(painter, *m_pinned, true);
         painter.setClipping(false);
     }

@@ -147,7 +147,7 @@ void ThermalControls::retranslateUi() {
     setTexts(*m_palette, {tr("Inferno"), tr("Grey")});
     m_palette->setAccessibleName(tr("Colours of the thermal picture"));
     m_palette->setToolTip(m_palette->accessibleName());
-    setTexts(*m_limits, {tr("Limits: objects"), tr("Limits: whole picture"), tr("Limits: fixed")});
+    setTexts(*m_limits, {tr("Limits: objects"), tr("Limits: picture"), tr("Limits: fixed")});
     m_limits->setAccessibleName(tr("Limits of the colours"));
     m_limits->setToolTip(tr("What the colours span: the objects' pixels with a margin, all pixels but the "
                             "0.5 % at either end, or limits of your own."));

@@ -52,7 +52,7 @@ QString ThermalHistogramPlot::summary() const {
     if (!m_histogram)
         return tr("No pixels are read");
     const double deviation = displayDifference(m_histogram->deviation_K, m_unit);
-    return tr("mean %1, std. dev. %2", "standard deviation")
+    return tr("mean %1, s.d. %2", "standard deviation")
         .arg(formatTemperature(m_histogram->mean_K, m_unit, 2),
              QLocale().toString(deviation, 'f', 2) + QChar(0x00a0) + differenceUnitSymbol(m_unit));
 }

@@ -3,7 +3,6 @@
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_canvas.h"
-#include "widgets/thermal/thermal_range.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -147,9 +146,10 @@ void ThermalObjectList::showReading(int row, const ThermalObjectView& object, bo
     setCell(row, kThermalSpread, isShown ? spreadText(object.spread_K, unit) : QString(kNoValue));
 }
 
-void ThermalObjectList::showView(const ThermalView& view, bool isCurrent, TemperatureUnit unit) {
+void ThermalObjectList::showView(const ThermalView& view, const std::optional<ThermalRange>& range,
+                                 bool isCurrent, TemperatureUnit unit) {
     QString whole = kNoValue;
-    if (const auto range = hasPicture(view) && isCurrent ? rangeOfPicture(*view.picture) : std::nullopt)
+    if (range && isCurrent)
         whole = tr("%1 to %2")
                     .arg(formatTemperatureNumber(range->min_K, unit), formatTemperature(range->max_K, unit));
     setCell(0, kThermalReading, whole, tr("Apparent temperatures of all but the 0.5 % at either end."));

@@ -2,7 +2,7 @@
 // What a thermal camera reads of each object, or why it cannot; the one that is chosen.
 
 #include "engine/base/units.h"
-#include "engine/thermography/thermal_view.h"
+#include "widgets/thermal/thermal_range.h"
 
 #include <QTableWidget>
 
@@ -17,15 +17,17 @@ class ThermalObjectList : public QTableWidget {
 public:
     explicit ThermalObjectList(QWidget* parent = nullptr);
 
-    /// Shows the readings of a view. If they are not current, dashes are shown.
-    void showView(const ThermalView& view, bool isCurrent, TemperatureUnit unit);
+    /// Shows the readings of a view, and the range of its whole picture. If they are not current, dashes are
+    /// shown.
+    void showView(const ThermalView& view, const std::optional<ThermalRange>& range, bool isCurrent,
+                  TemperatureUnit unit);
     void setNames(const std::vector<QString>& names);
     /// Returns the chosen object; empty is the whole picture.
     std::optional<std::size_t> chosen() const;
     QString chosenName() const; ///< or the words for the whole picture
 
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return {290, 60}; }
+    QSize minimumSizeHint() const override { return {270, 60}; }
 
 signals:
     void chosenChanged();

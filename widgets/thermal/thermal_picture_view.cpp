@@ -18,6 +18,7 @@ namespace bask {
 namespace {
 
 constexpr int kThermalGap = 8;
+constexpr int kFirst = 1000; // stretch of what has the room before others have it
 
 } // namespace
 
@@ -28,12 +29,11 @@ ThermalPictureView::ThermalPictureView(QWidget* parent)
     setObjectName(QStringLiteral("thermalPictureView"));
     m_panel->setSpacing(kThermalGap);
     m_panel->addWidget(m_list);
-    m_panel->addWidget(m_histogram, 1000);
+    m_panel->addWidget(m_histogram, kFirst);
     m_panel->addStretch(1);
     auto* row = new QHBoxLayout;
     row->setSpacing(2 * kThermalGap);
-    constexpr int kFirst = 1000; // the picture as large as it can be, the rest of the width for the others
-    row->addWidget(m_canvas, kFirst);
+    row->addWidget(m_canvas, kFirst); // as large as it can be, the rest of the width for the others
     row->addLayout(m_panel, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, kThermalGap, 0, 0);
@@ -111,6 +111,7 @@ QString ThermalPictureView::statusText() const {
 
 void ThermalPictureView::refresh() {
     m_canvas->setView(m_view);
+    m_whole = hasPicture(m_view) ? rangeOfPicture(*m_view.picture) : std::nullopt;
     refreshLimits();
     refreshNotice();
     refreshHistogram();
@@ -118,15 +119,12 @@ void ThermalPictureView::refresh() {
 }
 
 void ThermalPictureView::refreshLimits() {
-    std::optional<ThermalRange> wanted;
     if (m_controls->limits() == ThermalLimits::Fixed) {
         m_shown = m_controls->fixedRange();
     } else if (hasPicture(m_view)) {
-        if (m_controls->limits() == ThermalLimits::Objects)
-            wanted = rangeOfObjects(m_view);
-        if (!wanted)
-            wanted = rangeOfPicture(*m_view.picture);
-        if (wanted)
+        const auto objects =
+            m_controls->limits() == ThermalLimits::Objects ? rangeOfObjects(m_view) : std::nullopt;
+        if (const auto& wanted = objects ? objects : m_whole)
             m_shown = steadied(*wanted, m_shown);
     }
     m_controls->setShownRange(limits());
@@ -138,9 +136,9 @@ void ThermalPictureView::refreshLimits() {
 void ThermalPictureView::refreshNotice() {
     m_canvas->setNotice(sentence(), hasPicture(m_view) || m_view.problem.code != MessageCode::None);
     m_canvas->setStatus(statusText());
-    m_list->showView(m_view, sentence().isEmpty(), m_unit);
+    m_list->showView(m_view, m_whole, sentence().isEmpty(), m_unit);
     if (hasPicture(m_view) && isVisible())
-        m_age->start(); // again from now: it ends only if no other picture comes
+        m_age->start(); // again from now: nothing to do if another picture comes before
     else
         m_age->stop();
 }
@@ -159,17 +157,18 @@ void ThermalPictureView::refreshHistogram() {
                               {m_controls->colours(), limits(), {}});
 }
 
-// A low view has the list and the histogram beside each other.
+// A low view has the list and the histogram beside each other, or no histogram where that is too wide.
 void ThermalPictureView::arrange() {
-    constexpr int kLow = 330, kBeside = 520, kTallest = 300;
+    constexpr int kLow = 330, kBeside = 480, kTallest = 300;
     m_canvas->setMaximumWidth(
         std::max(m_canvas->minimumSizeHint().width(), m_canvas->widthFor(m_canvas->height())));
     const int panel = width() - std::min(m_canvas->maximumWidth(), width()) - 2 * kThermalGap;
-    const bool isBeside = height() < kLow && panel >= kBeside;
+    const bool isLow = height() < kLow, isBeside = isLow && panel >= kBeside;
     m_panel->setDirection(isBeside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_panel->setStretch(0, isBeside ? 1000 : 0);
-    m_histogram->setMaximumHeight(isBeside ? QWIDGETSIZE_MAX : kTallest);
+    m_panel->setStretch(0, isBeside ? kFirst : 0);
     m_panel->setStretch(m_panel->count() - 1, isBeside ? 0 : 1); // below them nothing
+    m_histogram->setMaximumHeight(isBeside ? QWIDGETSIZE_MAX : kTallest);
+    m_histogram->setVisible(isBeside || !isLow);
 }
 
 void ThermalPictureView::resizeEvent(QResizeEvent* event) {

@@ -41,7 +41,7 @@ public:
     QString sentence() const;   ///< text over the picture; empty while the camera answers
     QString statusText() const; ///< text below the picture: camera, size, rate, age
 
-    QSize minimumSizeHint() const override { return {540, 150}; }
+    QSize minimumSizeHint() const override { return {500, 150}; }
 
 public slots:
     /// Cheap while it is not seen.
@@ -61,9 +61,10 @@ private:
     void arrange();
 
     ThermalView m_view;
-    QElapsedTimer m_since;   ///< the view came
-    double m_period_s = 0.0; ///< of pictures, smoothed; 0 before the second
-    std::optional<ThermalRange> m_shown;
+    QElapsedTimer m_since;               ///< the view came
+    double m_period_s = 0.0;             ///< of pictures, smoothed; 0 before the second
+    std::optional<ThermalRange> m_whole; ///< of the picture
+    std::optional<ThermalRange> m_shown; ///< by the colours
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     ThermalControls* m_controls;

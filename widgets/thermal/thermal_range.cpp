@@ -46,7 +46,12 @@ std::vector<double> pixelsOf(const ThermalPicture& picture, const ThermalObjectV
 }
 
 std::optional<ThermalRange> rangeOfPicture(const ThermalPicture& picture) {
-    std::vector<double> all = pixelsOf(picture);
+    constexpr std::size_t kEnough = 100000;
+    const std::size_t step = picture.T_K.size() / kEnough * 2 + 1; // odd, so that no column is left out
+    std::vector<double> all;
+    for (std::size_t i = 0; i < picture.T_K.size(); i += step)
+        if (std::isfinite(picture.T_K[i]))
+            all.push_back(picture.T_K[i]);
     if (all.empty())
         return std::nullopt;
     const auto tail = static_cast<std::ptrdiff_t>(kTail * static_cast<double>(all.size() - 1));
