@@ -1,5 +1,5 @@
 // The thermal picture in a window of 1280 x 800, from a new view until it is drawn, with three objects of
-// 300 points. Wanted at 256 x 192: 5 ms.
+// 300 points. Wanted at 256 x 192: 10 ms, a quarter of the time between two pictures.
 
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_picture_view.h"
@@ -34,11 +34,13 @@ ThermalView sceneOf(int width, int height) {
             const double angle = 2.0 * std::numbers::pi * k / kPoints;
             object.outline_px.emplace_back(x + radius * std::cos(angle), y + radius * std::sin(angle));
         }
-        for (int k = 0; k < width * height; ++k)
-            if (std::hypot(k % width - x, k / width - y) < radius - 1.5) {
+        for (int k = 0; k < width * height; ++k) {
+            const int column = k % width, row = k / width;
+            if (std::hypot(column - x, row - y) < radius - 1.5) {
                 object.pixels.push_back(k);
                 picture.T_K[static_cast<std::size_t>(k)] += 15.0 + i;
             }
+        }
         view.objects.push_back(object);
     }
     view.picture = std::make_shared<ThermalPicture>(picture);

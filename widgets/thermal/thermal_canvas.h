@@ -120,7 +120,4 @@ private:
     std::vector<QRectF> m_labels;
 };
 
-/// Returns "40.2 °C ± 0.6 K", with the expanded uncertainty (two standard deviations).
-QString thermalReadingText(double T_K, double uncertainty_K, TemperatureUnit unit);
-
 } // namespace bask

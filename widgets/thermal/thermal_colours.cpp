@@ -39,8 +39,8 @@ ColourTable tableOf(QRgb (*colour)(double)) {
 }
 
 const ColourTable& colourTable(ThermalPalette palette) {
-    static const ColourTable infernos = tableOf(inferno), greys = tableOf(grey);
-    return palette == ThermalPalette::Grey ? greys : infernos;
+    static const ColourTable kInfernos = tableOf(inferno), kGreys = tableOf(grey);
+    return palette == ThermalPalette::Grey ? kGreys : kInfernos;
 }
 
 QRgb colourIn(const ColourTable& table, double fraction) {

@@ -1,5 +1,7 @@
 #include "widgets/thermal/thermal_zoom.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 

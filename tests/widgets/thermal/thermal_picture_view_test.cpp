@@ -7,6 +7,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_canvas.h"
 #include "widgets/thermal/thermal_histogram_plot.h"
+#include "widgets/thermal/thermal_words.h"
 
 #include <QAbstractButton>
 #include <QApplication>
@@ -41,6 +42,11 @@ int distance(const QColor& a, const QColor& b) {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
 }
 
+double& pixelOf(ThermalPicture& picture, int column, int row) {
+    return picture.T_K[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                       static_cast<std::size_t>(column)];
+}
+
 /// 40 x 30 pixels of 293.15 K, a square of 313.15 K at (10, 5) to (19, 14) with its outline.
 ThermalView squareScene() {
     ThermalPicture picture{40, 30, std::vector<double>(1200, 293.15)};
@@ -48,7 +54,7 @@ ThermalView squareScene() {
     for (int row = 5; row < 15; ++row)
         for (int column = 10; column < 20; ++column) {
             object.pixels.push_back(40 * row + column);
-            picture.T_K[static_cast<std::size_t>(40 * row + column)] = 313.15;
+            pixelOf(picture, column, row) = 313.15;
         }
     object.outline_px = {{9.5, 4.5}, {19.5, 4.5}, {19.5, 14.5}, {9.5, 14.5}};
     object.T_K = 314.15;
@@ -117,8 +123,8 @@ TEST(ThermalPictureView, LimitsAreTheObjectsThePicturesOrOnesOwn) {
     ThermalView scene = squareScene();
     auto picture = *scene.picture;
     for (int column = 0; column < 40; ++column)
-        picture.T_K[static_cast<std::size_t>(29 * 40 + column)] = 480.0; // a hot plate: 3 % of the picture
-    picture.T_K[0] = 1500.0;                                             // and one odd pixel
+        pixelOf(picture, column, 29) = 480.0; // a hot plate: 3 % of the picture
+    picture.T_K[0] = 1500.0;                  // and one odd pixel
     picture.T_K[static_cast<std::size_t>(scene.objects[0].pixels[0])] = 303.15;
     scene.picture = std::make_shared<ThermalPicture>(picture);
     Shown shown(scene);
@@ -347,7 +353,7 @@ TEST(ThermalPictureView, PixelsWithoutATemperatureHaveTheirOwnColours) {
     for (const auto& [from, value] : odd)
         for (int column = from; column < from + 3; ++column)
             for (int row = 20; row < 23; ++row)
-                picture.T_K[static_cast<std::size_t>(40 * row + column)] = value;
+                pixelOf(picture, column, row) = value;
     scene.picture = std::make_shared<ThermalPicture>(picture);
     Shown shown(scene);
     child<QCheckBox>(shown.view, "thermalSmooth").setChecked(false);
@@ -530,10 +536,9 @@ TEST(ThermalPictureView, Pictures) {
         auto picture = *scene.picture;
         for (int row = 0; row < 24; ++row)
             for (int column = 0; column < 60; ++column)
-                picture.T_K[static_cast<std::size_t>(row * picture.width + column)] =
-                    column < 20   ? test::kInfinity
-                    : column < 40 ? -test::kInfinity
-                                  : test::kNaN;
+                pixelOf(picture, column, row) = column < 20   ? test::kInfinity
+                                                : column < 40 ? -test::kInfinity
+                                                              : test::kNaN;
         odd.picture = std::make_shared<ThermalPicture>(picture);
         view.setView(odd);
         child<QComboBox>(view, "thermalLimits").setCurrentIndex(1);

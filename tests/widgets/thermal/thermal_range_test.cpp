@@ -67,11 +67,10 @@ TEST(ThermalRange, StaysWhileItChangesLittle) {
 }
 
 TEST(ThermalHistogram, CountsEveryPixelOnce) {
-    std::vector<double> pixels_K;
+    std::vector<double> pixels_K(5000);
     std::mt19937 random(3);
     std::normal_distribution<double> normal(312.0, 0.4);
-    for (int k = 0; k < 5000; ++k)
-        pixels_K.push_back(normal(random));
+    std::ranges::generate(pixels_K, [&] { return normal(random); });
     const auto histogram = thermalHistogram(pixels_K);
     ASSERT_TRUE(histogram);
     int sum = 0;

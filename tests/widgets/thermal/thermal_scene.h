@@ -41,6 +41,7 @@ inline ThermalView thermalScene(double height_m = 0.5, const char* profile = "p2
     SimulatedThermalCameraConfig config;
     config.profile = *findThermalProfile(profile);
     config.camera = usualThermalLens(config.profile);
+    config.errors.gain = config.errors.offset_K = 0.0; // zeroed
     config.X_RC = lookingAt({0.0, 0.0, height_m}, Eigen::Vector3d::Zero());
     config.source.push_back({Disk{0.12}, Pose::Identity(), 0.25});
     const Shape shapes[] = {Disk{0.022}, lobed(0.032, 3), lobed(0.03, 5)};
