@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <ceres/autodiff_cost_function.h>
+#include <ceres/jet.h>
 #include <ceres/loss_function.h>
 #include <ceres/problem.h>
 #include <ceres/rotation.h>

@@ -91,8 +91,8 @@ double standardOfLimits(double limit) {
     return limit / std::sqrt(3.0);
 }
 
-Result<FaceReading> readFace(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
-                             const ReadingUncertainty& u) {
+Result<FaceReading> estimateFace(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
+                                 const ReadingUncertainty& u) {
     requireUncertainty(face, u);
     auto solved = faceTemperature(band, face, T_app_K);
     if (!solved)
@@ -118,10 +118,16 @@ Result<FaceReading> readFace(const BandRadiance& band, const FaceSurroundings& f
          {out.fromPixels_K, out.fromGain_K, out.fromOffset_K, out.fromDrift_K, out.fromEmittance_K,
           out.fromRoom_K, out.fromViewFactors_K, out.fromSurfaces_K, out.fromSurfaceEmittances_K})
         out.standardUncertainty_K = std::hypot(out.standardUncertainty_K, part);
-    if (!(out.standardUncertainty_K <= kMaxReadingUncertainty_K))
+    return out;
+}
+
+Result<FaceReading> readFace(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
+                             const ReadingUncertainty& uncertainty) {
+    auto out = estimateFace(band, face, T_app_K, uncertainty);
+    if (out && !(out->standardUncertainty_K <= kMaxReadingUncertainty_K))
         return Error{MessageCode::ThermalFaceUnusable,
                      {},
-                     {formatNumber(face.emittance), differenceArg(2.0 * out.standardUncertainty_K, 2),
+                     {formatNumber(face.emittance), differenceArg(2.0 * out->standardUncertainty_K, 2),
                       differenceArg(2.0 * kMaxReadingUncertainty_K, 2)}};
     return out;
 }

@@ -91,9 +91,13 @@ struct FaceReading {
 /// in any room, painted faces are far below; at twice that, +-10 K, no limit of temperature can be watched.
 inline constexpr double kMaxReadingUncertainty_K = 5.0;
 
-/// Returns the face's temperature with its uncertainty. Throws as faceTemperature does, and unless there is
-/// one SurfaceUncertainty for each surface and no uncertainty is negative or NaN. Errors: those of
-/// faceTemperature; ThermalFaceUnusable where the uncertainty is above kMaxReadingUncertainty_K.
+/// Returns the face's temperature with its uncertainty, however large. Throws as faceTemperature does, and
+/// unless there is one SurfaceUncertainty for each surface and no uncertainty is negative or NaN. Errors:
+/// those of faceTemperature.
+Result<FaceReading> estimateFace(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
+                                 const ReadingUncertainty& uncertainty);
+/// The same of a face that is used as a thermometer. Error: also ThermalFaceUnusable where the uncertainty is
+/// above kMaxReadingUncertainty_K.
 Result<FaceReading> readFace(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
                              const ReadingUncertainty& uncertainty);
 
