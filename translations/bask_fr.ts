@@ -620,6 +620,58 @@
         <translation>à l’émissivité %1, la caméra n’indique la température de cette face qu’à ±%2 près, et un thermomètre demande ±%3 ; peignez la face en noir, ou prenez un capteur de contact</translation>
     </message>
     <message>
+        <source>the objects&apos; outlines are seen at %1 poses of the robot; at least %2 are needed</source>
+        <translation>les contours des objets se voient à %1 poses du robot ; il en faut au moins %2</translation>
+    </message>
+    <message>
+        <source>no object lies in the picture where the camera is said to be; check that pose, or aim the camera at the objects</source>
+        <translation>aucun objet n’est dans l’image à la place indiquée de la caméra ; vérifiez cette pose, ou dirigez la caméra vers les objets</translation>
+    </message>
+    <message>
+        <source>the objects do not stand out against what is behind them by %1 or more; make them 5 K or more warmer or colder than the room</source>
+        <translation>les objets ne se détachent pas de ce qui est derrière eux de %1 ou plus ; rendez-les plus chauds ou plus froids que la pièce de 5 K au moins</translation>
+    </message>
+    <message>
+        <source>no pose of the camera explains the pictures: at the best one %1 % of the visible outlines are found; check the start pose, the robot&apos;s pose of each picture, the mountings and that no outline is mirrored</source>
+        <translation>aucune pose de la caméra n’explique les images : à la meilleure, %1 % des contours visibles sont trouvés ; vérifiez la pose de départ, la pose du robot de chaque image, les montages et qu’aucun contour n’est en miroir</translation>
+    </message>
+    <message>
+        <source>the pictures allow two poses of the camera, %1 degrees apart; take more pictures, with the objects tilted and nearer</source>
+        <translation>les images permettent deux poses de la caméra, à %1 degrés l’une de l’autre ; prenez d’autres images, avec les objets inclinés et plus près</translation>
+    </message>
+    <message>
+        <source>picture %1 was left out: %2 points of the objects&apos; outlines are seen in it, %3 are needed</source>
+        <translation>l’image %1 a été écartée : on y voit %2 points des contours des objets, il en faut %3</translation>
+    </message>
+    <message>
+        <source>%1 poses of the robot hardly show the robot&apos;s own errors; take %2 or more</source>
+        <translation>%1 poses du robot ne montrent guère les écarts propres du robot ; prenez-en %2 ou plus</translation>
+    </message>
+    <message>
+        <source>the robot stood at places in one line, within %1 mm; move it in two directions or more</source>
+        <translation>le robot s’est tenu sur une seule ligne, à %1 mm près ; déplacez-le dans deux directions ou plus</translation>
+    </message>
+    <message>
+        <source>all outlines lie at nearly one distance from the camera (within %1 %), where its distance and its tilt are told badly; move the robot towards the camera, too</source>
+        <translation>tous les contours sont à presque une même distance de la caméra (à %1 % près), ce qui indique mal sa distance et son inclinaison ; déplacez le robot aussi vers la caméra</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm at the objects, %2 mm across the line of sight (2 sigma)</source>
+        <translation>la pose de la caméra est bonne à %1 mm près aux objets, %2 mm en travers de la ligne de visée (2 sigma)</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm only at the objects, %2 mm across the line of sight (2 sigma); take more pictures, with the objects nearer and all over the picture</source>
+        <translation>la pose de la caméra n’est bonne qu’à %1 mm près aux objets, %2 mm en travers de la ligne de visée (2 sigma) ; prenez d’autres images, avec les objets plus près et partout dans l’image</translation>
+    </message>
+    <message>
+        <source>%1 pixels show the source&apos;s face and nothing else, %2 are needed; move the objects aside, or bring the camera nearer</source>
+        <translation>%1 pixels montrent la face de la source et rien d’autre, il en faut %2 ; écartez les objets, ou rapprochez la caméra</translation>
+    </message>
+    <message>
+        <source>of the ring from %1 to %2 mm too little is seen; it is left out of the profile</source>
+        <translation>de l’anneau de %1 à %2 mm on voit trop peu ; il est laissé hors du profil</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
     </message>

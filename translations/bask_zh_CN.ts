@@ -620,6 +620,58 @@
         <translation>发射率为 %1 时，相机只能以 ±%2 测得该表面的温度，而温度计需要 ±%3；请将表面涂黑，或使用接触式传感器</translation>
     </message>
     <message>
+        <source>the objects&apos; outlines are seen at %1 poses of the robot; at least %2 are needed</source>
+        <translation>在 %1 个机器人位姿看到物体的轮廓；至少需要 %2 个</translation>
+    </message>
+    <message>
+        <source>no object lies in the picture where the camera is said to be; check that pose, or aim the camera at the objects</source>
+        <translation>按所给的相机位姿，图像中没有物体；请检查该位姿，或将相机对准物体</translation>
+    </message>
+    <message>
+        <source>the objects do not stand out against what is behind them by %1 or more; make them 5 K or more warmer or colder than the room</source>
+        <translation>物体与其背景相差不到 %1；请使其比室内热或冷 5 K 以上</translation>
+    </message>
+    <message>
+        <source>no pose of the camera explains the pictures: at the best one %1 % of the visible outlines are found; check the start pose, the robot&apos;s pose of each picture, the mountings and that no outline is mirrored</source>
+        <translation>没有能解释这些图像的相机位姿：最好的位姿也只找到 %1 % 的可见轮廓；请检查起始位姿、每幅图像的机器人位姿、安装位置，以及轮廓是否镜像</translation>
+    </message>
+    <message>
+        <source>the pictures allow two poses of the camera, %1 degrees apart; take more pictures, with the objects tilted and nearer</source>
+        <translation>这些图像允许两个相机位姿，相差 %1 度；请再拍摄物体倾斜且更近的图像</translation>
+    </message>
+    <message>
+        <source>picture %1 was left out: %2 points of the objects&apos; outlines are seen in it, %3 are needed</source>
+        <translation>图像 %1 未采用：其中看到物体轮廓的 %2 个点，需要 %3 个</translation>
+    </message>
+    <message>
+        <source>%1 poses of the robot hardly show the robot&apos;s own errors; take %2 or more</source>
+        <translation>%1 个机器人位姿几乎显不出机器人自身的误差；请取 %2 个或更多</translation>
+    </message>
+    <message>
+        <source>the robot stood at places in one line, within %1 mm; move it in two directions or more</source>
+        <translation>机器人所在的位置在一条直线上（%1 mm 以内）；请沿两个或更多方向移动</translation>
+    </message>
+    <message>
+        <source>all outlines lie at nearly one distance from the camera (within %1 %), where its distance and its tilt are told badly; move the robot towards the camera, too</source>
+        <translation>所有轮廓到相机的距离几乎相同（%1 % 以内），难以得出其距离和倾斜；请也让机器人朝相机移动</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm at the objects, %2 mm across the line of sight (2 sigma)</source>
+        <translation>相机位姿在物体处的误差为 %1 mm，垂直于视线方向 %2 mm（2 sigma）</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm only at the objects, %2 mm across the line of sight (2 sigma); take more pictures, with the objects nearer and all over the picture</source>
+        <translation>相机位姿在物体处的误差只能达到 %1 mm，垂直于视线方向 %2 mm（2 sigma）；请再拍摄物体更近、遍布图像各处的图像</translation>
+    </message>
+    <message>
+        <source>%1 pixels show the source&apos;s face and nothing else, %2 are needed; move the objects aside, or bring the camera nearer</source>
+        <translation>只有 %1 个像素仅显示热源的表面，需要 %2 个；请移开物体，或将相机移近</translation>
+    </message>
+    <message>
+        <source>of the ring from %1 to %2 mm too little is seen; it is left out of the profile</source>
+        <translation>%1 至 %2 mm 的圆环可见部分太少；未计入分布</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 与 %2 重叠；请移动其中一个</translation>
     </message>

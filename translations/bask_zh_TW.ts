@@ -620,6 +620,58 @@
         <translation>發射率為 %1 時，相機只能以 ±%2 測得該表面的溫度，而溫度計需要 ±%3；請將表面塗黑，或使用接觸式感測器</translation>
     </message>
     <message>
+        <source>the objects&apos; outlines are seen at %1 poses of the robot; at least %2 are needed</source>
+        <translation>在 %1 個機器人位姿看到物體的輪廓；至少需要 %2 個</translation>
+    </message>
+    <message>
+        <source>no object lies in the picture where the camera is said to be; check that pose, or aim the camera at the objects</source>
+        <translation>依所給的相機位姿，影像中沒有物體；請檢查該位姿，或將相機對準物體</translation>
+    </message>
+    <message>
+        <source>the objects do not stand out against what is behind them by %1 or more; make them 5 K or more warmer or colder than the room</source>
+        <translation>物體與其背景相差不到 %1；請使其比室內熱或冷 5 K 以上</translation>
+    </message>
+    <message>
+        <source>no pose of the camera explains the pictures: at the best one %1 % of the visible outlines are found; check the start pose, the robot&apos;s pose of each picture, the mountings and that no outline is mirrored</source>
+        <translation>沒有能解釋這些影像的相機位姿：最好的位姿也只找到 %1 % 的可見輪廓；請檢查起始位姿、每幅影像的機器人位姿、安裝位置，以及輪廓是否鏡像</translation>
+    </message>
+    <message>
+        <source>the pictures allow two poses of the camera, %1 degrees apart; take more pictures, with the objects tilted and nearer</source>
+        <translation>這些影像允許兩個相機位姿，相差 %1 度；請再拍攝物體傾斜且更近的影像</translation>
+    </message>
+    <message>
+        <source>picture %1 was left out: %2 points of the objects&apos; outlines are seen in it, %3 are needed</source>
+        <translation>影像 %1 未採用：其中看到物體輪廓的 %2 個點，需要 %3 個</translation>
+    </message>
+    <message>
+        <source>%1 poses of the robot hardly show the robot&apos;s own errors; take %2 or more</source>
+        <translation>%1 個機器人位姿幾乎顯不出機器人自身的誤差；請取 %2 個或更多</translation>
+    </message>
+    <message>
+        <source>the robot stood at places in one line, within %1 mm; move it in two directions or more</source>
+        <translation>機器人所在的位置在一條直線上（%1 mm 以內）；請沿兩個或更多方向移動</translation>
+    </message>
+    <message>
+        <source>all outlines lie at nearly one distance from the camera (within %1 %), where its distance and its tilt are told badly; move the robot towards the camera, too</source>
+        <translation>所有輪廓到相機的距離幾乎相同（%1 % 以內），難以得出其距離和傾斜；請也讓機器人朝相機移動</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm at the objects, %2 mm across the line of sight (2 sigma)</source>
+        <translation>相機位姿在物體處的誤差為 %1 mm，垂直於視線方向 %2 mm（2 sigma）</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose is good to %1 mm only at the objects, %2 mm across the line of sight (2 sigma); take more pictures, with the objects nearer and all over the picture</source>
+        <translation>相機位姿在物體處的誤差只能達到 %1 mm，垂直於視線方向 %2 mm（2 sigma）；請再拍攝物體更近、遍布影像各處的影像</translation>
+    </message>
+    <message>
+        <source>%1 pixels show the source&apos;s face and nothing else, %2 are needed; move the objects aside, or bring the camera nearer</source>
+        <translation>只有 %1 個像素僅顯示熱源的表面，需要 %2 個；請移開物體，或將相機移近</translation>
+    </message>
+    <message>
+        <source>of the ring from %1 to %2 mm too little is seen; it is left out of the profile</source>
+        <translation>%1 至 %2 mm 的圓環可見部分太少；未計入分布</translation>
+    </message>
+    <message>
         <source>%1 and %2 overlap; move one of them</source>
         <translation>%1 與 %2 重疊；請移動其中一個</translation>
     </message>

@@ -33,6 +33,8 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"detect-markers", "the ArUco markers in a picture, with poses", detectMarkersCommand},
         Subcommand{"thermal-frame", "a frame of a thermal camera as temperatures, with statistics of regions",
                    thermalFrameCommand},
+        Subcommand{"thermal-pose", "where a thermal camera is, from silhouettes of the held objects",
+                   thermalPoseCommand},
         Subcommand{"simulate-device", "a robot, thermometer or heater that is not there, on a serial port",
                    simulateDeviceCommand},
     };

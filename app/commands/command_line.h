@@ -35,6 +35,7 @@ int reportCommand(const QStringList& arguments);
 int detectMarkersCommand(const QStringList& arguments);
 int calibrateCameraCommand(const QStringList& arguments);
 int thermalFrameCommand(const QStringList& arguments);
+int thermalPoseCommand(const QStringList& arguments);
 int makeBoardCommand(const QStringList& arguments);
 int simulateDeviceCommand(const QStringList& arguments);
 int simulateRigCommand(const QStringList& arguments);
