@@ -194,6 +194,10 @@
         <source>source temperature</source>
         <translation>température de la source</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>caméra thermique</translation>
+    </message>
 </context>
 <context>
     <name>Fault</name>
@@ -280,6 +284,10 @@
     <message>
         <source>Camera lost</source>
         <translation>Caméra perdue</translation>
+    </message>
+    <message>
+        <source>Sensors swapped with the next object</source>
+        <translation>Capteurs échangés avec l’objet suivant</translation>
     </message>
 </context>
 <context>
@@ -516,7 +524,7 @@
         <translation>il faut %1 mm avec les marges, %2 n’offre que %3 mm ; prenez un papier plus grand ou un motif plus petit</translation>
     </message>
     <message>
-        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <source>the file does not say which camera it came from; name the camera&apos;s profile</source>
         <translation>le fichier ne dit pas de quelle caméra il vient ; indiquez le profil de la caméra</translation>
     </message>
     <message>
@@ -528,7 +536,7 @@
         <translation>le fichier contient %1 images de « %2 » à la suite ; enregistrez une image (%3 octets) par fichier</translation>
     </message>
     <message>
-        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>le nombre %1 à la colonne %2, ligne %3, ne tient pas dans %4 bits ; l’ordre des octets, ou le profil, est celui d’une autre caméra</translation>
     </message>
     <message>
@@ -540,7 +548,7 @@
         <translation>%1 pixels sont au-dessus de %2, où les nombres de « %3 » sont faux pour certaines caméras ; vérifiez-les avec un autre thermomètre</translation>
     </message>
     <message>
-        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <source>all pixels of the picture have one value; the camera&apos;s shutter is closed, or it sends no picture</source>
         <translation>tous les pixels de l’image ont la même valeur ; l’obturateur de la caméra est fermé, ou elle n’envoie pas d’image</translation>
     </message>
     <message>
@@ -548,7 +556,7 @@
         <translation>%1 pixels sont hors de ce que la caméra peut indiquer, le premier à la colonne %2, ligne %3 : les températures de l’image entière ne sont pas connues ; demandez des régions, ou prenez un gain plus faible</translation>
     </message>
     <message>
-        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>il faut un seul canal de 16 bits, et cette image a %1 ; enregistrez les nombres de la caméra, pas les couleurs qu’elle montre</translation>
     </message>
     <message>
@@ -564,7 +572,7 @@
         <translation>il n’y a pas de tableau de températures : des lignes d’au moins %1 nombres, de même longueur, jusqu’à la fin du fichier</translation>
     </message>
     <message>
-        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <source>line %1 has %2 values, the table&apos;s first line has %3; export the picture again</source>
         <translation>la ligne %1 a %2 valeurs, la première ligne du tableau en a %3 ; exportez l’image de nouveau</translation>
     </message>
     <message>
@@ -612,11 +620,11 @@
         <translation>le nom « %1 » sert deux fois ; donnez à chaque région le sien</translation>
     </message>
     <message>
-        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source&apos;s temperature</source>
         <translation>ce que la caméra a vu, %1, ne s’explique par aucune température de la face à l’émissivité %2 avec ces réflexions ; vérifiez l’émissivité, les facteurs de forme et la température de la source</translation>
     </message>
     <message>
-        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <source>at emittance %1 the camera tells this face&apos;s temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
         <translation>à l’émissivité %1, la caméra n’indique la température de cette face qu’à ±%2 près, et un thermomètre demande ±%3 ; peignez la face en noir, ou prenez un capteur de contact</translation>
     </message>
     <message>
@@ -1810,6 +1818,74 @@
     <message>
         <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
         <translation>le point le plus bas de cet écran est à %1&#xa0;mm au-dessus du plan de la source&#xa0;; il faut au moins %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose in the robot&apos;s base is not known</source>
+        <translation>la pose de la caméra dans la base du robot n’est pas connue</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s place is not sure, so nobody knows where in the picture it is</source>
+        <translation>la position du robot n’est pas sûre, donc nul ne sait où il est dans l’image</translation>
+    </message>
+    <message>
+        <source>the camera is not zeroed on it; it has to see the object as cold as the room, before any heat</source>
+        <translation>la caméra n’est pas ajustée sur lui&#xa0;; elle doit voir l’objet aussi froid que la pièce, avant tout chauffage</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose temperature is not known</source>
+        <translation>sa face réfléchit la source, dont la température n’est pas connue</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
+        <translation>sa face réfléchit la source, qui est inégale ou déplacée&#xa0;; cela ne peut pas encore être retranché, visez donc le dos des objets</translation>
+    </message>
+    <message>
+        <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
+        <translation>il est au-dessus de %1, où les nombres de la caméra sont connus pour être faux</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s last picture is %1 s old</source>
+        <translation>la dernière image de la caméra date de %1 s</translation>
+    </message>
+    <message>
+        <source>the lens model has no line of sight for some pixels; calibrate the camera again</source>
+        <translation>le modèle de l’objectif n’a pas de ligne de visée pour certains pixels&#xa0;; étalonnez de nouveau la caméra</translation>
+    </message>
+    <message>
+        <source>no pictures of a thermal camera were recorded; set sampling.thermal_frame_period_s before a run</source>
+        <translation>aucune image de caméra thermique n’a été enregistrée&#xa0;; fixez sampling.thermal_frame_period_s avant un essai</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is to be read by a thermal camera, and the rig has none; give the rig one, or read the object by &quot;contact&quot;</source>
+        <translation>«&#xa0;%1&#xa0;» doit être lu par une caméra thermique, et le banc n’en a pas&#xa0;; donnez-en une au banc, ou lisez l’objet par «&#xa0;contact&#xa0;»</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2, mais la caméra thermique voit l’objet à %3, à %4 près, et aucune émissivité n’explique cela. Le capteur est peut-être décollé de son objet. Le chauffage est coupé. Fixez le capteur, confirmez-le, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4; both agreed %5 s ago. The sensor has come off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2, mais la caméra thermique voit l’objet à %3, à %4 près&#xa0;; les deux s’accordaient il y a %5 s. Le capteur est décollé de son objet. Le chauffage est coupé. Fixez le capteur, confirmez-le, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>Les capteurs de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont échangés&#xa0;: ils indiquent %3 et %4, la caméra thermique voit %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
+        <translation>La caméra thermique ne peut pas lire «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Both agree if the emittance of its face is %5 instead of %6. Measure the emittance, and check that the sensor is fastened well.</source>
+        <translation>La caméra thermique voit «&#xa0;%1&#xa0;» à %2, à %3 près, mais son capteur indique %4. Les deux s’accordent si l’émissivité de sa face vaut %5 au lieu de %6. Mesurez l’émissivité, et vérifiez que le capteur est bien fixé.</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Check the sensor, that nothing is before the camera, and that the camera has not been moved.</source>
+        <translation>La caméra thermique voit «&#xa0;%1&#xa0;» à %2, à %3 près, mais son capteur indique %4. Vérifiez le capteur, que rien n’est devant la caméra, et qu’elle n’a pas été déplacée.</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
+        <translation>La caméra thermique ne peut pas vérifier le capteur de «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -3293,10 +3369,6 @@
 <context>
     <name>bask::Coach</name>
     <message>
-        <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>Première fois ? Treize petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
-    </message>
-    <message>
         <source>Show me</source>
         <translation>Montrer</translation>
     </message>
@@ -3384,6 +3456,14 @@
     <message>
         <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
         <translation>Retapez-y %1, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
+    </message>
+    <message>
+        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+        <translation>Première fois ? Quatorze petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
+        <translation>Fichier &gt; Exemples &gt; thermal-camera&#xa0;: trois objets que seule une caméra thermique lit. Sur la page Essai, regardez l’onglet Image thermique.</translation>
     </message>
 </context>
 <context>
@@ -3641,6 +3721,10 @@
         <comment>a temperature and how old it is</comment>
         <translation>%1, %2</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>Caméra thermique</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3861,6 +3945,14 @@
     <message>
         <source>Host name or IP address of the device</source>
         <translation>Nom d’hôte ou adresse IP de l’appareil</translation>
+    </message>
+    <message>
+        <source>Picture from %1 to %2</source>
+        <translation>Image de %1 à %2</translation>
+    </message>
+    <message>
+        <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
+        <translation>Un numéro (0), un périphérique (/dev/video0), une image enregistrée ou un dossier d’images</translation>
     </message>
 </context>
 <context>
@@ -5601,10 +5693,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Non cru</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed</source>
-        <translation>Âge de la dernière mesure qui a été crue</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>Confirmer</translation>
     </message>
@@ -5615,6 +5703,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>You have looked: the sensor is on its object and right. It is believed again.</source>
         <translation>Vous avez regardé : le capteur est sur son objet et juste. Il est cru de nouveau.</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>Âge de la dernière mesure crue, ou ce que la caméra thermique voit de l’objet, avec deux fois l’incertitude type</translation>
     </message>
 </context>
 <context>
@@ -6110,6 +6206,33 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1 %2 and %3 %4: no pose has both</source>
         <translation>%1 à %2 et %3 à %4 : aucune pose n’a les deux</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReadingPanel</name>
+    <message>
+        <source>Temperature of %1</source>
+        <translation>Température de %1</translation>
+    </message>
+    <message>
+        <source>Temperatures by</source>
+        <translation>Températures par</translation>
+    </message>
+    <message>
+        <source>The pose of the thermal camera is not known, so it reads nothing: set it up.</source>
+        <translation>La pose de la caméra thermique n’est pas connue, elle ne lit donc rien&#xa0;: configurez-la.</translation>
+    </message>
+    <message>
+        <source>Sensor on the object</source>
+        <translation>Capteur sur l’objet</translation>
+    </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>Caméra thermique</translation>
+    </message>
+    <message>
+        <source>Sensor, checked by the thermal camera</source>
+        <translation>Capteur, vérifié par la caméra thermique</translation>
     </message>
 </context>
 <context>
@@ -7961,6 +8084,46 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>in the robot&apos;s base: %1</source>
         <translation>dans la base du robot&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>caméra thermique</translation>
+    </message>
+    <message>
+        <source>sensor, checked by the thermal camera</source>
+        <translation>capteur, vérifié par la caméra thermique</translation>
+    </message>
+    <message>
+        <source>sensor on the object</source>
+        <translation>capteur sur l’objet</translation>
+    </message>
+    <message>
+        <source>Temperature by</source>
+        <translation>Température par</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mesurée</translation>
+    </message>
+    <message>
+        <source>By the camera, ± 2 standard uncertainties</source>
+        <translation>Par la caméra, ± 2 incertitudes types</translation>
+    </message>
+    <message>
+        <source>Largest difference across the face</source>
+        <translation>Plus grand écart sur la face</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>Pixels</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>non lu</translation>
+    </message>
+    <message>
+        <source>The thermal camera at the last sample until Stop</source>
+        <translation>La caméra thermique au dernier échantillon avant l’arrêt</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8871,6 +9034,45 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCameraForm</name>
+    <message>
+        <source>Take a profile from a file</source>
+        <translation>Prendre un profil dans un fichier</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>Profils (*.json)</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Kind of thermal camera</source>
+        <translation>Modèle de caméra thermique</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>D’un fichier…</translation>
+    </message>
+    <message>
+        <source>Take what the camera&apos;s numbers mean from a file</source>
+        <translation>Prendre dans un fichier ce que signifient les nombres de la caméra</translation>
+    </message>
+    <message>
+        <source>Its pose in the robot&apos;s base is known</source>
+        <translation>Sa pose dans la base du robot est connue</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes: x right, y down, z along its view. Without its pose it shows pictures and reads no object.</source>
+        <translation>Axes de la caméra&#xa0;: x à droite, y en bas, z dans le sens de la visée. Sans sa pose, elle montre des images et ne lit aucun objet.</translation>
+    </message>
+    <message>
+        <source>Pose of the camera, %1</source>
+        <translation>Pose de la caméra, %1</translation>
     </message>
 </context>
 <context>

@@ -194,6 +194,10 @@
         <source>source temperature</source>
         <translation>热源温度</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>热像仪</translation>
+    </message>
 </context>
 <context>
     <name>Fault</name>
@@ -280,6 +284,10 @@
     <message>
         <source>Camera lost</source>
         <translation>相机失联</translation>
+    </message>
+    <message>
+        <source>Sensors swapped with the next object</source>
+        <translation>传感器与下一个物体的互换</translation>
     </message>
 </context>
 <context>
@@ -516,7 +524,7 @@
         <translation>含边距共需 %1 mm，而 %2 只有 %3 mm；请用更大的纸张或更小的图案</translation>
     </message>
     <message>
-        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <source>the file does not say which camera it came from; name the camera&apos;s profile</source>
         <translation>该文件没有说明来自哪台相机；请指定相机的配置文件</translation>
     </message>
     <message>
@@ -528,7 +536,7 @@
         <translation>该文件依次包含“%2”的 %1 帧；请每个文件只保存一帧（%3 字节）</translation>
     </message>
     <message>
-        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>第 %2 列、第 %3 行的数值 %1 超出 %4 位；字节顺序或配置文件属于另一台相机</translation>
     </message>
     <message>
@@ -540,7 +548,7 @@
         <translation>%1 个像素高于 %2，在该范围“%3”的数值对某些相机已知是错误的；请用另一支温度计核对</translation>
     </message>
     <message>
-        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <source>all pixels of the picture have one value; the camera&apos;s shutter is closed, or it sends no picture</source>
         <translation>图像的所有像素都是同一个值；相机的快门关着，或相机没有送出图像</translation>
     </message>
     <message>
@@ -548,7 +556,7 @@
         <translation>%1 个像素超出相机能测的范围，第一个在第 %2 列、第 %3 行，因此整幅图像的温度未知；请改用区域，或降低增益</translation>
     </message>
     <message>
-        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>需要 16 位的单通道，而该图像是 %1；请保存相机的数值，而不是它显示的颜色</translation>
     </message>
     <message>
@@ -564,7 +572,7 @@
         <translation>没有温度表：应是每行至少 %1 个数、长度相同、直到文件末尾的各行</translation>
     </message>
     <message>
-        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <source>line %1 has %2 values, the table&apos;s first line has %3; export the picture again</source>
         <translation>第 %1 行有 %2 个值，而表的首行有 %3 个；请重新导出图像</translation>
     </message>
     <message>
@@ -612,11 +620,11 @@
         <translation>名称“%1”用了两次；请给每个区域各自的名称</translation>
     </message>
     <message>
-        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source&apos;s temperature</source>
         <translation>相机所见的 %1，在发射率 %2 及这些反射下，表面取任何温度都无法解释；请检查发射率、角系数和热源温度</translation>
     </message>
     <message>
-        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <source>at emittance %1 the camera tells this face&apos;s temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
         <translation>发射率为 %1 时，相机只能以 ±%2 测得该表面的温度，而温度计需要 ±%3；请将表面涂黑，或使用接触式传感器</translation>
     </message>
     <message>
@@ -1810,6 +1818,74 @@
     <message>
         <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
         <translation>此遮板的最低点在热源平面上方 %1 mm；至少需要 %2 mm</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose in the robot&apos;s base is not known</source>
+        <translation>相机在机器人基座中的位姿未知</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s place is not sure, so nobody knows where in the picture it is</source>
+        <translation>机器人的位置不确定，因此无从得知它在图像中的何处</translation>
+    </message>
+    <message>
+        <source>the camera is not zeroed on it; it has to see the object as cold as the room, before any heat</source>
+        <translation>相机尚未在它上面校零；须在任何加热之前看到该物体与室内一样冷</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose temperature is not known</source>
+        <translation>其表面反射热源，而热源的温度未知</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
+        <translation>其表面反射热源，而热源不均匀或被移动；这还不能扣除，请将相机对准物体的背面</translation>
+    </message>
+    <message>
+        <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
+        <translation>它高于 %1，已知相机的数值在那里有误</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s last picture is %1 s old</source>
+        <translation>相机最近一幅图像已过去 %1 s</translation>
+    </message>
+    <message>
+        <source>the lens model has no line of sight for some pixels; calibrate the camera again</source>
+        <translation>镜头模型对某些像素没有视线；请重新标定相机</translation>
+    </message>
+    <message>
+        <source>no pictures of a thermal camera were recorded; set sampling.thermal_frame_period_s before a run</source>
+        <translation>没有记录热像仪的图像；请在运行前设定 sampling.thermal_frame_period_s</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is to be read by a thermal camera, and the rig has none; give the rig one, or read the object by &quot;contact&quot;</source>
+        <translation>“%1”要由热像仪读取，而装置没有热像仪；请为装置配一台，或以“contact”读取该物体</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>“%1”的传感器读数为 %2，而热像仪看到该物体为 %3（误差在 %4 以内），没有任何发射率能解释。传感器可能已从物体上脱落。加热已关闭。请固定传感器并确认，然后复位。</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4; both agreed %5 s ago. The sensor has come off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>“%1”的传感器读数为 %2，而热像仪看到该物体为 %3（误差在 %4 以内）；%5 s 前两者还相符。传感器已从物体上脱落。加热已关闭。请固定传感器并确认，然后复位。</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>“%1”和“%2”的传感器互换了：它们的读数为 %3 和 %4，热像仪看到的是 %5 和 %6。加热已关闭。请换回来，确认两者，然后复位。</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
+        <translation>热像仪无法读取“%1”：%2。</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Both agree if the emittance of its face is %5 instead of %6. Measure the emittance, and check that the sensor is fastened well.</source>
+        <translation>热像仪看到“%1”为 %2（误差在 %3 以内），而其传感器读数为 %4。若其表面的发射率为 %5 而不是 %6，两者就相符。请测量发射率，并检查传感器是否固定好。</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Check the sensor, that nothing is before the camera, and that the camera has not been moved.</source>
+        <translation>热像仪看到“%1”为 %2（误差在 %3 以内），而其传感器读数为 %4。请检查传感器，相机前有没有东西，以及相机是否被移动过。</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
+        <translation>热像仪无法核对“%1”的传感器：%2。</translation>
     </message>
 </context>
 <context>
@@ -3289,10 +3365,6 @@
 <context>
     <name>bask::Coach</name>
     <message>
-        <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>初次使用？在仿真装置上的十三个小步骤演示 Bask 的功能，不会有任何危险。</translation>
-    </message>
-    <message>
         <source>Show me</source>
         <translation>演示</translation>
     </message>
@@ -3380,6 +3452,14 @@
     <message>
         <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
         <translation>在那里重新输入 %1，可更快达到。然后待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
+    </message>
+    <message>
+        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+        <translation>初次使用？在仿真装置上的十四个小步骤演示 Bask 的功能，不会有任何危险。</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
+        <translation>文件 &gt; 示例 &gt; thermal-camera：三个只由热像仪读取的物体。在“运行”页查看“热像图”标签页。</translation>
     </message>
 </context>
 <context>
@@ -3637,6 +3717,10 @@
         <comment>a temperature and how old it is</comment>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>热像仪</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3856,6 +3940,14 @@
     <message>
         <source>Host name or IP address of the device</source>
         <translation>设备的主机名或 IP 地址</translation>
+    </message>
+    <message>
+        <source>Picture from %1 to %2</source>
+        <translation>图像从 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
+        <translation>编号（0）、设备（/dev/video0）、录制的一帧或帧的文件夹</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5688,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>不采信</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed</source>
-        <translation>最新采信读数的时间</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>确认</translation>
     </message>
@@ -5610,6 +5698,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>You have looked: the sensor is on its object and right. It is believed again.</source>
         <translation>您已查看：传感器在物体上且正确。将重新采信。</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>热像仪 %1</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>最近一次被采信的读数距今多久，或热像仪所见的该物体的温度及其两倍标准不确定度</translation>
     </message>
 </context>
 <context>
@@ -6105,6 +6201,33 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 %2 and %3 %4: no pose has both</source>
         <translation>%1 %2 且 %3 %4：没有位姿可同时达到</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReadingPanel</name>
+    <message>
+        <source>Temperature of %1</source>
+        <translation>%1 的温度</translation>
+    </message>
+    <message>
+        <source>Temperatures by</source>
+        <translation>温度来自</translation>
+    </message>
+    <message>
+        <source>The pose of the thermal camera is not known, so it reads nothing: set it up.</source>
+        <translation>热像仪的位姿未知，因此它不读取任何物体：请设置。</translation>
+    </message>
+    <message>
+        <source>Sensor on the object</source>
+        <translation>物体上的传感器</translation>
+    </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>热像仪</translation>
+    </message>
+    <message>
+        <source>Sensor, checked by the thermal camera</source>
+        <translation>传感器，由热像仪核对</translation>
     </message>
 </context>
 <context>
@@ -7947,6 +8070,46 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>in the robot&apos;s base: %1</source>
         <translation>在机器人基座中：%1</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>热像仪</translation>
+    </message>
+    <message>
+        <source>sensor, checked by the thermal camera</source>
+        <translation>传感器，由热像仪核对</translation>
+    </message>
+    <message>
+        <source>sensor on the object</source>
+        <translation>物体上的传感器</translation>
+    </message>
+    <message>
+        <source>Temperature by</source>
+        <translation>温度来自</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>测得</translation>
+    </message>
+    <message>
+        <source>By the camera, ± 2 standard uncertainties</source>
+        <translation>热像仪，± 2 倍标准不确定度</translation>
+    </message>
+    <message>
+        <source>Largest difference across the face</source>
+        <translation>面上的最大温差</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未读取</translation>
+    </message>
+    <message>
+        <source>The thermal camera at the last sample until Stop</source>
+        <translation>停止前最后一个采样时的热像仪</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8853,6 +9016,45 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若运行中有目标无法达到，需要您在开始时明确同意。运行将保持所找到的最佳折中并予以说明，会话中也会记录您已同意。运行期间，新目标立即生效；若无法保持，会有事件说明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCameraForm</name>
+    <message>
+        <source>Take a profile from a file</source>
+        <translation>从文件读取配置</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>配置文件 (*.json)</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Kind of thermal camera</source>
+        <translation>热像仪的型号</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>从文件…</translation>
+    </message>
+    <message>
+        <source>Take what the camera&apos;s numbers mean from a file</source>
+        <translation>从文件取得相机数值的含义</translation>
+    </message>
+    <message>
+        <source>Its pose in the robot&apos;s base is known</source>
+        <translation>其在机器人基座中的位姿已知</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes: x right, y down, z along its view. Without its pose it shows pictures and reads no object.</source>
+        <translation>相机的轴：x 向右，y 向下，z 沿视线方向。没有位姿时它只显示图像，不读取任何物体。</translation>
+    </message>
+    <message>
+        <source>Pose of the camera, %1</source>
+        <translation>相机的位姿，%1</translation>
     </message>
 </context>
 <context>

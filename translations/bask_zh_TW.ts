@@ -194,6 +194,10 @@
         <source>source temperature</source>
         <translation>熱源溫度</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>熱像儀</translation>
+    </message>
 </context>
 <context>
     <name>Fault</name>
@@ -280,6 +284,10 @@
     <message>
         <source>Camera lost</source>
         <translation>相機失聯</translation>
+    </message>
+    <message>
+        <source>Sensors swapped with the next object</source>
+        <translation>感測器與下一個物體的互換</translation>
     </message>
 </context>
 <context>
@@ -516,7 +524,7 @@
         <translation>含邊距共需 %1 mm，而 %2 只有 %3 mm；請用更大的紙張或更小的圖案</translation>
     </message>
     <message>
-        <source>the file does not say which camera it came from; name the camera's profile</source>
+        <source>the file does not say which camera it came from; name the camera&apos;s profile</source>
         <translation>該檔案沒有說明來自哪台相機；請指定相機的設定檔</translation>
     </message>
     <message>
@@ -528,7 +536,7 @@
         <translation>該檔案依序包含「%2」的 %1 個影格；請每個檔案只儲存一個影格（%3 位元組）</translation>
     </message>
     <message>
-        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera's</source>
+        <source>the number %1 at column %2, row %3 does not fit into %4 bits; the byte order, or the profile, is another camera&apos;s</source>
         <translation>第 %2 欄、第 %3 列的數值 %1 超出 %4 位元；位元組順序或設定檔屬於另一台相機</translation>
     </message>
     <message>
@@ -540,7 +548,7 @@
         <translation>%1 個像素高於 %2，在該範圍「%3」的數值對某些相機已知是錯誤的；請用另一支溫度計核對</translation>
     </message>
     <message>
-        <source>all pixels of the picture have one value; the camera's shutter is closed, or it sends no picture</source>
+        <source>all pixels of the picture have one value; the camera&apos;s shutter is closed, or it sends no picture</source>
         <translation>影像的所有像素都是同一個值；相機的快門關著，或相機沒有送出影像</translation>
     </message>
     <message>
@@ -548,7 +556,7 @@
         <translation>%1 個像素超出相機能測的範圍，第一個在第 %2 欄、第 %3 列，因此整幅影像的溫度未知；請改用區域，或降低增益</translation>
     </message>
     <message>
-        <source>one channel of 16 bits is needed, and this picture has %1; save the camera's numbers, not the colours that it shows</source>
+        <source>one channel of 16 bits is needed, and this picture has %1; save the camera&apos;s numbers, not the colours that it shows</source>
         <translation>需要 16 位元的單一通道，而該影像是 %1；請儲存相機的數值，而不是它顯示的顏色</translation>
     </message>
     <message>
@@ -564,7 +572,7 @@
         <translation>沒有溫度表：應是每行至少 %1 個數、長度相同、直到檔案末尾的各行</translation>
     </message>
     <message>
-        <source>line %1 has %2 values, the table's first line has %3; export the picture again</source>
+        <source>line %1 has %2 values, the table&apos;s first line has %3; export the picture again</source>
         <translation>第 %1 行有 %2 個值，而表的首行有 %3 個；請重新匯出影像</translation>
     </message>
     <message>
@@ -612,11 +620,11 @@
         <translation>名稱「%1」用了兩次；請給每個區域各自的名稱</translation>
     </message>
     <message>
-        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source's temperature</source>
+        <source>what the camera saw, %1, is explained by no temperature of the face at emittance %2 with these reflections; check emittance, view factors and the source&apos;s temperature</source>
         <translation>相機所見的 %1，在發射率 %2 及這些反射下，表面取任何溫度都無法解釋；請檢查發射率、角係數和熱源溫度</translation>
     </message>
     <message>
-        <source>at emittance %1 the camera tells this face's temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
+        <source>at emittance %1 the camera tells this face&apos;s temperature to +-%2 only, and a thermometer needs +-%3; paint the face black, or use a contact sensor</source>
         <translation>發射率為 %1 時，相機只能以 ±%2 測得該表面的溫度，而溫度計需要 ±%3；請將表面塗黑，或使用接觸式感測器</translation>
     </message>
     <message>
@@ -1810,6 +1818,74 @@
     <message>
         <source>the lowest point of this shield is %1 mm over the source plane; at least %2 mm are needed</source>
         <translation>此遮板的最低點在熱源平面上方 %1 mm；至少需要 %2 mm</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s pose in the robot&apos;s base is not known</source>
+        <translation>相機在機器人基座中的位姿未知</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s place is not sure, so nobody knows where in the picture it is</source>
+        <translation>機器人的位置不確定，因此無從得知它在影像中的何處</translation>
+    </message>
+    <message>
+        <source>the camera is not zeroed on it; it has to see the object as cold as the room, before any heat</source>
+        <translation>相機尚未在它上面歸零；須在任何加熱之前看到該物體與室內一樣冷</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, whose temperature is not known</source>
+        <translation>其表面反射熱源，而熱源的溫度未知</translation>
+    </message>
+    <message>
+        <source>its face reflects the source, which is uneven or moved; that cannot be taken off yet, so aim the camera at the backs of the objects</source>
+        <translation>其表面反射熱源，而熱源不均勻或被移動；這還不能扣除，請將相機對準物體的背面</translation>
+    </message>
+    <message>
+        <source>it is above %1, where the camera&apos;s numbers are known to be wrong</source>
+        <translation>它高於 %1，已知相機的數值在那裡有誤</translation>
+    </message>
+    <message>
+        <source>the camera&apos;s last picture is %1 s old</source>
+        <translation>相機最近一幅影像已過去 %1 s</translation>
+    </message>
+    <message>
+        <source>the lens model has no line of sight for some pixels; calibrate the camera again</source>
+        <translation>鏡頭模型對某些像素沒有視線；請重新校正相機</translation>
+    </message>
+    <message>
+        <source>no pictures of a thermal camera were recorded; set sampling.thermal_frame_period_s before a run</source>
+        <translation>沒有記錄熱像儀的影像；請在運轉前設定 sampling.thermal_frame_period_s</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is to be read by a thermal camera, and the rig has none; give the rig one, or read the object by &quot;contact&quot;</source>
+        <translation>「%1」要由熱像儀讀取，而實驗台沒有熱像儀；請為實驗台配一台，或以「contact」讀取該物體</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4, and no emittance explains that. The sensor may be off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>「%1」的感測器讀數為 %2，而熱像儀看到該物體為 %3（誤差在 %4 以內），沒有任何發射率能解釋。感測器可能已從物體上脫落。加熱已關閉。請固定感測器並確認，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2, but the thermal camera sees the object at %3, within %4; both agreed %5 s ago. The sensor has come off its object. The heat is off. Fasten the sensor, confirm it, then reset.</source>
+        <translation>「%1」的感測器讀數為 %2，而熱像儀看到該物體為 %3（誤差在 %4 以內）；%5 s 前兩者還相符。感測器已從物體上脫落。加熱已關閉。請固定感測器並確認，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>「%1」和「%2」的感測器互換了：它們的讀數為 %3 和 %4，熱像儀看到的是 %5 和 %6。加熱已關閉。請換回來，確認兩者，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
+        <translation>熱像儀無法讀取「%1」：%2。</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Both agree if the emittance of its face is %5 instead of %6. Measure the emittance, and check that the sensor is fastened well.</source>
+        <translation>熱像儀看到「%1」為 %2（誤差在 %3 以內），而其感測器讀數為 %4。若其表面的發射率為 %5 而不是 %6，兩者就相符。請測量發射率，並檢查感測器是否固定好。</translation>
+    </message>
+    <message>
+        <source>The thermal camera sees &quot;%1&quot; at %2, within %3, but its sensor reads %4. Check the sensor, that nothing is before the camera, and that the camera has not been moved.</source>
+        <translation>熱像儀看到「%1」為 %2（誤差在 %3 以內），而其感測器讀數為 %4。請檢查感測器，相機前有沒有東西，以及相機是否被移動過。</translation>
+    </message>
+    <message>
+        <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
+        <translation>熱像儀無法核對「%1」的感測器：%2。</translation>
     </message>
 </context>
 <context>
@@ -3289,10 +3365,6 @@
 <context>
     <name>bask::Coach</name>
     <message>
-        <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>初次使用？在模擬實驗台上的十三個小步驟示範 Bask 的功能，不會有任何危險。</translation>
-    </message>
-    <message>
         <source>Show me</source>
         <translation>示範</translation>
     </message>
@@ -3380,6 +3452,14 @@
     <message>
         <source>Type %1 there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
         <translation>在那裡重新輸入 %1，可更快達到。然後待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
+    </message>
+    <message>
+        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+        <translation>初次使用？在模擬實驗台上的十四個小步驟示範 Bask 的功能，不會有任何危險。</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
+        <translation>檔案 &gt; 範例 &gt; thermal-camera：三個只由熱像儀讀取的物體。在「運轉」頁查看「熱像圖」標籤頁。</translation>
     </message>
 </context>
 <context>
@@ -3637,6 +3717,10 @@
         <comment>a temperature and how old it is</comment>
         <translation>%1，%2</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>熱像儀</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3856,6 +3940,14 @@
     <message>
         <source>Host name or IP address of the device</source>
         <translation>裝置的主機名稱或 IP 位址</translation>
+    </message>
+    <message>
+        <source>Picture from %1 to %2</source>
+        <translation>影像從 %1 到 %2</translation>
+    </message>
+    <message>
+        <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
+        <translation>編號（0）、裝置（/dev/video0）、錄製的一格或影格的資料夾</translation>
     </message>
 </context>
 <context>
@@ -5596,10 +5688,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>不採信</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed</source>
-        <translation>最新採信讀數的時間</translation>
-    </message>
-    <message>
         <source>Confirm</source>
         <translation>確認</translation>
     </message>
@@ -5610,6 +5698,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>You have looked: the sensor is on its object and right. It is believed again.</source>
         <translation>您已查看：感測器在物體上且正確。將重新採信。</translation>
+    </message>
+    <message>
+        <source>Camera %1</source>
+        <translation>熱像儀 %1</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>最近一次被採信的讀數距今多久，或熱像儀所見的該物體的溫度及其兩倍標準不確定度</translation>
     </message>
 </context>
 <context>
@@ -6105,6 +6201,33 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 %2 and %3 %4: no pose has both</source>
         <translation>%1 %2 且 %3 %4：沒有位姿可同時達到</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReadingPanel</name>
+    <message>
+        <source>Temperature of %1</source>
+        <translation>%1 的溫度</translation>
+    </message>
+    <message>
+        <source>Temperatures by</source>
+        <translation>溫度來自</translation>
+    </message>
+    <message>
+        <source>The pose of the thermal camera is not known, so it reads nothing: set it up.</source>
+        <translation>熱像儀的位姿未知，因此它不讀取任何物體：請設定。</translation>
+    </message>
+    <message>
+        <source>Sensor on the object</source>
+        <translation>物體上的感測器</translation>
+    </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>熱像儀</translation>
+    </message>
+    <message>
+        <source>Sensor, checked by the thermal camera</source>
+        <translation>感測器，由熱像儀核對</translation>
     </message>
 </context>
 <context>
@@ -7947,6 +8070,46 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>in the robot&apos;s base: %1</source>
         <translation>在機器人基座中：%1</translation>
     </message>
+    <message>
+        <source>thermal camera</source>
+        <translation>熱像儀</translation>
+    </message>
+    <message>
+        <source>sensor, checked by the thermal camera</source>
+        <translation>感測器，由熱像儀核對</translation>
+    </message>
+    <message>
+        <source>sensor on the object</source>
+        <translation>物體上的感測器</translation>
+    </message>
+    <message>
+        <source>Temperature by</source>
+        <translation>溫度來自</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>測得</translation>
+    </message>
+    <message>
+        <source>By the camera, ± 2 standard uncertainties</source>
+        <translation>熱像儀，± 2 倍標準不確定度</translation>
+    </message>
+    <message>
+        <source>Largest difference across the face</source>
+        <translation>面上的最大溫差</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <translation>像素</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>未讀取</translation>
+    </message>
+    <message>
+        <source>The thermal camera at the last sample until Stop</source>
+        <translation>停止前最後一個取樣時的熱像儀</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8853,6 +9016,45 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若運轉中有目標無法達到，需要您在開始時明確同意。運轉將保持所找到的最佳折衷並予以說明，工作階段中也會記錄您已同意。運轉期間，新目標立即生效；若無法保持，會有事件說明原因。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ThermalCameraForm</name>
+    <message>
+        <source>Take a profile from a file</source>
+        <translation>從檔案讀取配置</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>設定檔 (*.json)</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相機</translation>
+    </message>
+    <message>
+        <source>Kind of thermal camera</source>
+        <translation>熱像儀的型號</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>從檔案…</translation>
+    </message>
+    <message>
+        <source>Take what the camera&apos;s numbers mean from a file</source>
+        <translation>從檔案取得相機數值的含義</translation>
+    </message>
+    <message>
+        <source>Its pose in the robot&apos;s base is known</source>
+        <translation>其在機器人基座中的位姿已知</translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes: x right, y down, z along its view. Without its pose it shows pictures and reads no object.</source>
+        <translation>相機的軸：x 向右，y 向下，z 沿視線方向。沒有位姿時它只顯示影像，不讀取任何物體。</translation>
+    </message>
+    <message>
+        <source>Pose of the camera, %1</source>
+        <translation>相機的位姿，%1</translation>
     </message>
 </context>
 <context>

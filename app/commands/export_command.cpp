@@ -17,7 +17,7 @@ namespace bask {
 namespace {
 
 constexpr const char* kName = "export";
-constexpr std::array kKinds{"csv", "nexus", "vtk", "figures"};
+constexpr std::array kKinds{"csv", "nexus", "vtk", "figures", "frames"};
 
 using Files = Result<std::vector<std::string>>;
 
@@ -26,6 +26,8 @@ Files exported(const QString& kind, const std::string& path, std::optional<Sessi
                const std::string& folder) {
     if (kind == QLatin1String("csv"))
         return exportSessionCsv(path, folder);
+    if (kind == QLatin1String("frames"))
+        return exportThermalFrames(path, folder);
     if (!session) {
         auto read = readSession(path);
         if (!read)
@@ -54,6 +56,7 @@ int exportCommand(const QStringList& arguments) {
          {"nexus", "One HDF5 file in NeXus layout, *.nxs.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
          {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
+         {"frames", "Recorded pictures of the thermal camera: TIFF of 16 bits, and times.csv.", "DIR"},
          {"language", "Of the figures: en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
@@ -63,7 +66,7 @@ int exportCommand(const QStringList& arguments) {
         if (!parser.value(kind).isEmpty())
             wanted << kind;
     if (wanted.isEmpty())
-        return refuse(kName, QStringLiteral("--csv, --nexus, --vtk or --figures DIR is needed"));
+        return refuse(kName, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kName, spoken.error());

@@ -70,6 +70,7 @@ constexpr std::array kFaults{
     Word{"sensor-frozen", QT_TRANSLATE_NOOP("Fault", "Sensor frozen")},
     Word{"sensor-jumping", QT_TRANSLATE_NOOP("Fault", "Sensor jumping")},
     Word{"sensor-off", QT_TRANSLATE_NOOP("Fault", "Sensor off its object")},
+    Word{"sensors-swapped", QT_TRANSLATE_NOOP("Fault", "Sensors swapped with the next object")},
     Word{"object-hot", QT_TRANSLATE_NOOP("Fault", "Object heated otherwise")},
     Word{"robot-lost", QT_TRANSLATE_NOOP("Fault", "Robot lost")},
     Word{"robot-alarm", QT_TRANSLATE_NOOP("Fault", "Robot in alarm")},
@@ -93,6 +94,7 @@ constexpr Word same(const char* text) {
 constexpr std::array kDevices{
     same(QT_TRANSLATE_NOOP("Device", "robot")),
     same(QT_TRANSLATE_NOOP("Device", "thermometer")),
+    same(QT_TRANSLATE_NOOP("Device", "thermal camera")),
     same(QT_TRANSLATE_NOOP("Device", "heat source")),
     same(QT_TRANSLATE_NOOP("Device", "heat source kept by hand")),
     same(QT_TRANSLATE_NOOP("Device", "source temperature")),

@@ -8,7 +8,7 @@
 
 namespace bask {
 
-enum class DeviceRole { Robot, Thermometer, HeatSource, Camera };
+enum class DeviceRole { Robot, Thermometer, HeatSource, Camera, ThermalCamera };
 
 enum class LinkState {
     Closed,  ///< not to be opened

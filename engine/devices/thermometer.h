@@ -1,6 +1,7 @@
 #pragma once
 // Thermometers on the objects, all read together.
 
+#include "engine/base/message.h"
 #include "engine/base/result.h"
 
 #include <vector>
@@ -18,6 +19,7 @@ struct Reading {
     bool valid = false;
     SensorFault fault = SensorFault::None; ///< fault of an invalid reading, if the device reports it
     double standardUncertainty_K = 0.0;    ///< 0: the device does not tell it
+    Message reason{};                      ///< why an invalid reading tells nothing, if that is known
 };
 
 /// Use it only on the engine thread.

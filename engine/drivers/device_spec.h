@@ -35,7 +35,7 @@ struct ThermometerDeviceSpec : DeviceSpec {
     ThermometerDeviceSpec() { driver = "modbus"; }
     int unit = 1;              ///< Modbus only
     ModbusProfile profile{};   ///< Modbus only
-    std::vector<int> channels; ///< channel of each object, counted from 0
+    std::vector<int> channels; ///< of each object with a sensor, counted from 0
     bool operator==(const ThermometerDeviceSpec&) const = default;
 };
 

@@ -56,6 +56,7 @@ std::vector<const DriverFacts*> driversOf(DeviceRole role) {
     case DeviceRole::HeatSource:
         return factsOf(heatSourceDrivers());
     case DeviceRole::Camera:
+    case DeviceRole::ThermalCamera:
         break;
     }
     return {};

@@ -169,6 +169,10 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
         readMaterial(part, where, failure, object.simulatedMaterial.emplace());
     });
     readParameters(fields, objectLimitParameters(), object);
+    std::map<std::string, ReadBy> readings;
+    for (const ReadBy each : {ReadBy::Contact, ReadBy::Camera, ReadBy::Both})
+        readings[readByName(each)] = each;
+    fields.readWord("read_by", readings, object.readBy);
     fields.close();
     return object;
 }

@@ -102,6 +102,8 @@ Json objectJson(const ObjectSpec& object) {
     if (object.simulatedMaterial)
         j["simulated_material"] = materialJson(*object.simulatedMaterial);
     putParameters(j, objectLimitParameters(), object);
+    if (object.readBy != ReadBy::Contact)
+        j["read_by"] = readByName(object.readBy);
     return j;
 }
 

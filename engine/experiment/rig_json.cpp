@@ -4,6 +4,7 @@
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/experiment/json_quantities.h"
 #include "engine/experiment/parameter_json.h"
+#include "engine/experiment/vision_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -41,13 +42,15 @@ void readSerial(Fields& device, const SerialSettings& usual, SerialSettings& out
 }
 
 /// One that comes with Bask by its name, or the whole profile.
-void readProfile(Fields& device, bool required, ModbusProfile& out) {
+template <class Profile>
+void readProfile(Fields& device, bool required, const std::vector<Profile>& shipped,
+                 Result<Profile> (*parse)(const std::string& text, const std::string& where), Profile& out) {
     const json* j = device.find("profile", required);
     if (j == nullptr || device.failure())
         return;
     const std::string path = device.pathOf("profile");
     if (j->is_object()) {
-        auto profile = modbusProfileFromJson(j->dump(), path);
+        auto profile = parse(j->dump(), path);
         if (profile)
             out = std::move(*profile);
         else if (!device.failure())
@@ -56,14 +59,13 @@ void readProfile(Fields& device, bool required, ModbusProfile& out) {
     }
     if (!j->is_string())
         return device.fail(MessageCode::JsonWrongType, path, {"a name or an object", typeName(*j)});
-    const auto& shipped = shippedProfiles();
-    const auto it = std::ranges::find(shipped, j->get<std::string>(), &ModbusProfile::name);
+    const auto it = std::ranges::find(shipped, j->get<std::string>(), &Profile::name);
     if (it != shipped.end()) {
         out = *it;
         return;
     }
     std::string known;
-    for (const ModbusProfile& profile : shipped)
+    for (const Profile& profile : shipped)
         known += (known.empty() ? "" : ", ") + profile.name;
     device.fail(MessageCode::ValueUnknown, path, {plainWords(j->get<std::string>()), known});
 }
@@ -130,7 +132,7 @@ void readThermometerDevice(const json& j, const std::string& path, Failure& fail
                            ThermometerDeviceSpec& out) {
     Fields fields(j, path, failure);
     readDevice(fields, DeviceRole::Thermometer, true, out);
-    readProfile(fields, driverOf(out).isModbus, out.profile);
+    readProfile(fields, driverOf(out).isModbus, shippedProfiles(), modbusProfileFromJson, out.profile);
     std::vector<double> channels;
     fields.read("channels", channels);
     for (const double channel : channels) {
@@ -146,10 +148,23 @@ void readThermometerDevice(const json& j, const std::string& path, Failure& fail
 void readSourceDevice(const json& j, const std::string& path, Failure& failure, HeatSourceDeviceSpec& out) {
     Fields fields(j, path, failure);
     readDevice(fields, DeviceRole::HeatSource, false, out);
-    readProfile(fields, driverOf(out).isModbus, out.profile);
+    readProfile(fields, driverOf(out).isModbus, shippedProfiles(), modbusProfileFromJson, out.profile);
     readDeviceParameters(fields, heatSourceParameters(), out);
     fields.read("unattended_heat", out.mayHeatUnattended);
     fields.read("probe", out.isProbeUsed);
+    fields.close();
+}
+
+void readThermalCamera(const json& j, const std::string& path, Failure& failure, ThermalCameraSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("device", out.device, true);
+    readProfile(fields, true, shippedThermalProfiles(), thermalProfileFromJson, out.profile);
+    readPart(fields, "lens", false, [&](const json& part, const std::string& where) {
+        readCalibratedCamera(part, where, failure, out.lens.emplace());
+    });
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
+    });
     fields.close();
 }
 
@@ -179,11 +194,16 @@ template <class Spec> void putDeviceParameters(Json& j, SetupStep step, const Sp
             putParameter(j, *parameter.facts, parameter.get(spec), parameter.isWhole);
 }
 
-Json profileJson(const ModbusProfile& profile) {
-    const auto& shipped = shippedProfiles();
+template <class Profile>
+Json profileJson(const Profile& profile, const std::vector<Profile>& shipped,
+                 std::string (*write)(const Profile&)) {
     if (std::ranges::find(shipped, profile) != shipped.end())
         return profile.name;
-    return Json::parse(modbusProfileToJson(profile));
+    return Json::parse(write(profile));
+}
+
+Json profileJson(const ModbusProfile& profile) {
+    return profileJson(profile, shippedProfiles(), modbusProfileToJson);
 }
 
 Json robotJson(const RobotDeviceSpec& robot) {
@@ -230,6 +250,16 @@ Json sourceJson(const HeatSourceDeviceSpec& source) {
     return j;
 }
 
+Json thermalCameraJson(const ThermalCameraSpec& camera) {
+    Json j{{"device", camera.device}};
+    j["profile"] = profileJson(camera.profile, shippedThermalProfiles(), thermalProfileToJson);
+    if (camera.lens)
+        j["lens"] = calibratedCameraJson(*camera.lens);
+    if (camera.pose)
+        j["pose"] = coordinatesJson(*camera.pose);
+    return j;
+}
+
 } // namespace
 
 void readRig(const json& j, const std::string& path, Failure& failure, RigSpec& out) {
@@ -245,6 +275,9 @@ void readRig(const json& j, const std::string& path, Failure& failure, RigSpec& 
         readSourceDevice(part, where, failure, out.source.emplace());
     });
     fields.read("camera", out.camera);
+    readPart(fields, "thermal_camera", false, [&](const json& part, const std::string& where) {
+        readThermalCamera(part, where, failure, out.thermalCamera.emplace());
+    });
     fields.close();
 }
 
@@ -260,6 +293,8 @@ Json rigJson(const RigSpec& rig) {
         j["source"] = sourceJson(*rig.source);
     if (!rig.camera.empty())
         j["camera"] = rig.camera;
+    if (rig.thermalCamera)
+        j["thermal_camera"] = thermalCameraJson(*rig.thermalCamera);
     return j;
 }
 

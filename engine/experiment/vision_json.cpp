@@ -25,14 +25,17 @@ void putModel(Json& j, const CameraModel& camera) {
     j["distortion"] = camera.distortion;
 }
 
+void readCalibrationFields(Fields& fields, CameraModel& out) {
+    readModelFields(fields, out);
+    if (fields.find("rms_px") != nullptr)
+        fields.read("rms_px", out.rms_px.emplace());
+    fields.read("deviations", out.deviations);
+    fields.read("board", out.board);
+}
+
 void readCamera(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
     Fields fields(j, path, failure);
-    CameraModel& camera = out.camera.emplace();
-    readModelFields(fields, camera);
-    if (fields.find("rms_px") != nullptr)
-        fields.read("rms_px", camera.rms_px.emplace());
-    fields.read("deviations", camera.deviations);
-    fields.read("board", camera.board);
+    readCalibrationFields(fields, out.camera.emplace());
     fields.read("date", out.cameraDate);
     fields.close();
 }
@@ -62,7 +65,21 @@ Json markerJson(const MarkerSpec& marker) {
 }
 
 Json cameraJson(const VisionSpec& vision) {
-    const CameraModel& camera = *vision.camera;
+    Json j = calibratedCameraJson(*vision.camera);
+    if (!vision.cameraDate.empty())
+        j["date"] = vision.cameraDate;
+    return j;
+}
+
+} // namespace
+
+void readCalibratedCamera(const json& j, const std::string& path, Failure& failure, CameraModel& out) {
+    Fields fields(j, path, failure);
+    readCalibrationFields(fields, out);
+    fields.close();
+}
+
+Json calibratedCameraJson(const CameraModel& camera) {
     Json j;
     putModel(j, camera);
     if (camera.rms_px)
@@ -71,12 +88,8 @@ Json cameraJson(const VisionSpec& vision) {
         j["deviations"] = camera.deviations;
     if (!camera.board.empty())
         j["board"] = camera.board;
-    if (!vision.cameraDate.empty())
-        j["date"] = vision.cameraDate;
     return j;
 }
-
-} // namespace
 
 void readVision(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
     Fields fields(j, path, failure);

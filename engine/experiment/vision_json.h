@@ -10,6 +10,11 @@ void readVision(const nlohmann::json& j, const std::string& path, Failure& failu
 void readSimulatedCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
                          SimulatedCameraSpec& out);
 
+/// A camera's calibration without its date.
+void readCalibratedCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
+                          CameraModel& out);
+nlohmann::ordered_json calibratedCameraJson(const CameraModel& camera);
+
 nlohmann::ordered_json visionJson(const VisionSpec& vision);
 void readSimulatedThermalCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
                                 SimulatedThermalCameraSpec& out);

@@ -10,6 +10,7 @@
 #include "engine/model/shape_check.h"
 #include "engine/model/uneven_source.h"
 #include "engine/thermography/camera_profile.h"
+#include "engine/thermography/face_pixels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -315,11 +316,39 @@ void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     check.parameters(path, simulatedCameraParameters(), camera);
 }
 
-void checkSimulatedThermalCamera(Checker& check, const Experiment& e) {
+/// The lens of a thermal camera, for pictures of its profile's size.
+void checkThermalLens(Checker& check, const std::string& path, const CameraModel& lens,
+                      const ThermalProfile& profile) {
+    checkCameraModel(check, path, lens);
+    if (check.failed())
+        return;
+    check.range(path + "width_px", lens.width, profile.width, profile.width, "px");
+    check.range(path + "height_px", lens.height, profile.height, profile.height, "px");
+    if (!check.failed() && !PixelRays::isUsable(lens))
+        check.fail(MessageCode::LensNotInvertible, path + "distortion");
+}
+
+void checkReadings(Checker& check, const Experiment& e) {
     constexpr double kOldest_s = 0.8; // of a frame: behind a closed shutter and under way
-    const SimulatedThermalCameraSpec& camera = *e.simulation.thermalCamera;
+    for (std::size_t i = 0; i < e.objects.size(); ++i) {
+        if (e.objects[i].readBy == ReadBy::Contact)
+            continue;
+        if (!e.rig && !e.simulation.thermalCamera)
+            check.fail(MessageCode::ReadByNoCamera, "objects[" + to_string(i) + "].read_by",
+                       {e.objects[i].name});
+        check.range("sampling.period_s", e.sampling.period_s, kOldest_s / e.safety.stalePeriods, 60.0, "s");
+    }
+    if (!e.rig || !e.rig->thermalCamera)
+        return;
+    const ThermalCameraSpec& camera = *e.rig->thermalCamera;
+    if (camera.lens)
+        checkThermalLens(check, "rig.thermal_camera.lens.", *camera.lens, camera.profile);
+    if (camera.pose)
+        checkCoordinates(check, "rig.thermal_camera.pose.", *camera.pose, kMaxPlace_cm, false);
+}
+
+void checkSimulatedThermalCamera(Checker& check, const SimulatedThermalCameraSpec& camera) {
     const std::string path = "simulation.thermal_camera.";
-    check.range("sampling.period_s", e.sampling.period_s, kOldest_s / e.safety.stalePeriods, 60.0, "s");
     std::string names;
     bool isKnown = false;
     for (const ThermalProfile& profile : shippedThermalProfiles()) {
@@ -441,6 +470,40 @@ double tripLimit_K(const Experiment& experiment, const ObjectSpec& object) {
     return object.trip_K.value_or(experiment.safety.trip_K);
 }
 
+const char* readByName(ReadBy readBy) {
+    switch (readBy) {
+    case ReadBy::Contact:
+        break;
+    case ReadBy::Camera:
+        return "camera";
+    case ReadBy::Both:
+        return "both";
+    }
+    return "contact";
+}
+
+std::optional<ThermalProfile> thermalProfile(const Experiment& experiment, bool simulated) {
+    if (!simulated)
+        return experiment.rig && experiment.rig->thermalCamera
+                   ? std::optional(experiment.rig->thermalCamera->profile)
+                   : std::nullopt;
+    if (!experiment.simulation.thermalCamera && !readsByCamera(experiment))
+        return std::nullopt;
+    return findThermalProfile(
+               experiment.simulation.thermalCamera.value_or(SimulatedThermalCameraSpec()).profile)
+        .value();
+}
+
+bool readsByCamera(const Experiment& experiment) {
+    return std::ranges::any_of(experiment.objects,
+                               [](const ObjectSpec& object) { return object.readBy != ReadBy::Contact; });
+}
+
+std::size_t contactSensors(const std::vector<ObjectSpec>& objects) {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        objects, [](const ObjectSpec& object) { return object.readBy != ReadBy::Camera; }));
+}
+
 double sourceTripLimit_K(const Experiment& experiment) {
     return experiment.safety.sourceTrip_K.value_or(highestSetPoint_K(experiment.source) +
                                                    SafetySpec::kSourceOver_K);
@@ -468,10 +531,11 @@ Result<void> validate(const Experiment& e) {
     checkTrueSource(check, e);
     checkSimulatedCamera(check, e.simulation.camera);
     if (e.simulation.thermalCamera)
-        checkSimulatedThermalCamera(check, e);
+        checkSimulatedThermalCamera(check, *e.simulation.thermalCamera);
+    checkReadings(check, e);
     checkVision(check, e);
     if (e.rig && !check.failed())
-        check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));
+        check.take(inside("rig.", checkRig(*e.rig, contactSensors(e.objects), e.robot.free)));
     checkSafety(check, e);
     checkFaults(check, e);
     if (!check.failed())

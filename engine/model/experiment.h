@@ -93,6 +93,11 @@ struct SourceSpec {
     bool operator==(const SourceSpec&) const = default;
 };
 
+/// What tells an object's temperature. With both, the sensor on the object does, and the thermal camera is a
+/// second opinion.
+enum class ReadBy : std::uint8_t { Contact, Camera, Both };
+const char* readByName(ReadBy readBy); ///< as in files: "contact"
+
 struct ObjectSpec {
     std::string name;
     Shape shape;
@@ -108,6 +113,7 @@ struct ObjectSpec {
     /// The object's own limit; if empty, that of all objects (SafetySpec).
     std::optional<double> warning_K{};
     std::optional<double> trip_K{};
+    ReadBy readBy = ReadBy::Contact;
     bool operator==(const ObjectSpec&) const = default;
 };
 
@@ -125,6 +131,8 @@ struct SamplingSpec {
     double period_s = 1.0;
     int window = 10; ///< number of samples of the rate estimator
     int order = 3;   ///< of its polynomial
+    /// Between two recorded pictures of the thermal camera; if empty, none is recorded.
+    std::optional<double> thermalFramePeriod_s{};
     bool operator==(const SamplingSpec&) const = default;
 };
 
@@ -150,7 +158,7 @@ struct SimulationSpec {
     std::optional<double> sourceEmittance{}; ///< true emittance of the source; if empty, the assumed one
     std::optional<Vector6d> sourcePose{};    ///< true pose at the start; if empty, the assumed one
     SimulatedCameraSpec camera{};
-    std::optional<SimulatedThermalCameraSpec> thermalCamera{}; ///< if empty, sensors on the objects
+    std::optional<SimulatedThermalCameraSpec> thermalCamera{};
     std::vector<ScriptedFault> faults{};
     bool naturalConvection =
         false; ///< whether true h is that of natural convection; convection_W_m2K is 0 then
@@ -186,6 +194,13 @@ inline constexpr double kMinShieldHeight_m = 1e-4; ///< of any point of a shield
 inline constexpr int kExperimentFormat = 1;        ///< version written to and accepted from JSON
 /// Of a polygon: with more corners a run would be slower than real time.
 inline constexpr std::size_t kMaxCorners = 5000;
+
+/// Returns the profile of the thermal camera of the simulated or the real rig; empty if it has none.
+std::optional<ThermalProfile> thermalProfile(const Experiment& experiment, bool simulated);
+/// Returns whether an object is read by a thermal camera.
+bool readsByCamera(const Experiment& experiment);
+/// Returns the number of objects with a sensor on them.
+std::size_t contactSensors(const std::vector<ObjectSpec>& objects);
 
 /// Returns the set point of the source at a run time, K.
 double sourceSetPoint_K(const SourceSpec& source, double time_s);

@@ -108,6 +108,7 @@ constexpr Parameter<SamplingSpec> kSampling[]{
     {{"period", kSeconds, {0.01, 60.0}}, &SamplingSpec::period_s},
     {{"window", kNone, {2.0, 1000.0}}, &SamplingSpec::window}, // and more than the order
     {{"order", kNone, {1.0, 5.0}}, &SamplingSpec::order},
+    {{"thermal_frame_period", kSeconds, {0.1, 3600.0}}, &SamplingSpec::thermalFramePeriod_s},
 };
 
 constexpr Parameter<SimulationSpec> kSimulation[]{

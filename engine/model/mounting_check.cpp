@@ -93,7 +93,7 @@ template <class F> void forPassages(const Experiment& experiment, const F& take)
 }
 
 /// A fixture, shield or object, with the place of its pose in files.
-struct PlacedPlate {
+struct PlateInRig {
     std::string name;
     Shape shape;
     Pose X = Pose::Identity(); ///< in E, of shields in R
@@ -101,9 +101,9 @@ struct PlacedPlate {
     int object = -1; ///< -1: none
 };
 
-std::vector<PlacedPlate> platesOf(const std::vector<PlateSpec>& specs, const std::string& list,
-                                  const std::string& pose) {
-    std::vector<PlacedPlate> plates;
+std::vector<PlateInRig> platesOf(const std::vector<PlateSpec>& specs, const std::string& list,
+                                 const std::string& pose) {
+    std::vector<PlateInRig> plates;
     for (const PlateSpec& spec : specs)
         plates.push_back({spec.name, thinned(spec.shape), poseFromCoordinates(spec.pose),
                           list + '[' + std::to_string(plates.size()) + "]." + pose});
@@ -113,7 +113,7 @@ std::vector<PlacedPlate> platesOf(const std::vector<PlateSpec>& specs, const std
 // Calls `take(one, other)` for every fixture that passes through an object or another fixture, and for every
 // two shields that pass through one another.
 template <class F> void forPassingPlates(const Experiment& experiment, const F& take) {
-    std::vector<PlacedPlate> held;
+    std::vector<PlateInRig> held;
     for (const ObjectSpec& object : experiment.objects)
         if (!experiment.fixtures.empty())
             held.push_back({object.name,
@@ -121,22 +121,22 @@ template <class F> void forPassingPlates(const Experiment& experiment, const F& 
                             poseFromCoordinates(object.mounting),
                             {},
                             static_cast<int>(held.size())});
-    const auto addTo = [&](std::vector<PlacedPlate>& before, std::vector<PlacedPlate> plates) {
-        for (PlacedPlate& plate : plates) {
-            for (const PlacedPlate& other : before)
+    const auto addTo = [&](std::vector<PlateInRig>& before, std::vector<PlateInRig> plates) {
+        for (PlateInRig& plate : plates) {
+            for (const PlateInRig& other : before)
                 if (passageOf(other.shape, other.X, plate.shape, plate.X) == Passage::Through)
                     take(other, plate);
             before.push_back(std::move(plate));
         }
     };
     addTo(held, platesOf(experiment.fixtures, "fixtures", "mounting"));
-    std::vector<PlacedPlate> standing;
+    std::vector<PlateInRig> standing;
     addTo(standing, platesOf(experiment.shields, "shields", "pose"));
 }
 
 Result<void> checkPlates(const Experiment& experiment) {
     Result<void> check;
-    forPassingPlates(experiment, [&](const PlacedPlate& one, const PlacedPlate& other) {
+    forPassingPlates(experiment, [&](const PlateInRig& one, const PlateInRig& other) {
         if (check)
             check = Error(MessageCode::MountingOverlap, other.where, {one.name, other.name});
     });
@@ -260,7 +260,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                     out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
         }
     }
-    forPassingPlates(quick, [&](const PlacedPlate& one, const PlacedPlate& other) {
+    forPassingPlates(quick, [&](const PlateInRig& one, const PlateInRig& other) {
         out.push_back({{MessageCode::MountingOverlap, {one.name, other.name}},
                        one.object < 0 ? std::vector<int>{} : std::vector<int>{one.object}});
     });

@@ -87,13 +87,13 @@ Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>&
     return {};
 }
 
-Result<void> checkThermometer(const ThermometerDeviceSpec& thermometer, std::size_t objects) {
+Result<void> checkThermometer(const ThermometerDeviceSpec& thermometer, std::size_t sensors) {
     if (const auto fit = checkDevice(DeviceRole::Thermometer, "thermometer.", thermometer); !fit)
         return fit;
     const std::vector<int>& channels = thermometer.channels;
-    if (channels.size() != objects)
+    if (channels.size() != sensors)
         return Error(MessageCode::ChannelCountWrong, "thermometer.channels",
-                     {std::to_string(channels.size()), std::to_string(objects)});
+                     {std::to_string(channels.size()), std::to_string(sensors)});
     const ThermometerDriver& driver = driverOf(thermometer);
     const int last = (driver.isModbus ? thermometer.profile.channels : driver.maxChannels) - 1;
     for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -151,7 +151,7 @@ bool hasOneLine(const RigSpec& rig) {
     return rig.thermometer && rig.source && rig.thermometer->port == rig.source->port;
 }
 
-Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
+Result<void> checkRig(const RigSpec& rig, std::size_t sensors, const std::array<bool, 6>& freeCoordinates) {
     if (auto fit = checkRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
         !fit)
         return fit;
@@ -159,13 +159,16 @@ Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<
         if (const auto fit = checkRobot(*rig.robot, freeCoordinates); !fit)
             return fit;
     if (rig.thermometer)
-        if (const auto fit = checkThermometer(*rig.thermometer, objects); !fit)
+        if (const auto fit = checkThermometer(*rig.thermometer, sensors); !fit)
             return fit;
     if (rig.source)
         if (const auto fit = checkSource(*rig.source); !fit)
             return fit;
     if (!rig.camera.empty())
         if (const auto fit = checkPort("camera", rig.camera); !fit)
+            return fit;
+    if (rig.thermalCamera)
+        if (const auto fit = checkPort("thermal_camera.device", rig.thermalCamera->device); !fit)
             return fit;
     return checkPorts(rig);
 }

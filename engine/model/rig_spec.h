@@ -3,6 +3,7 @@
 
 #include "engine/base/result.h"
 #include "engine/drivers/device_spec.h"
+#include "engine/model/thermal_camera_spec.h"
 
 #include <array>
 #include <optional>
@@ -10,13 +11,14 @@
 
 namespace bask {
 
-/// A rig cannot be run if one of the first three is missing.
+/// A rig cannot be run without a robot, a source, and what its objects are read by.
 struct RigSpec {
     std::string name;
     std::optional<RobotDeviceSpec> robot;
     std::optional<ThermometerDeviceSpec> thermometer;
     std::optional<HeatSourceDeviceSpec> source;
     std::string camera; ///< as in VideoCamera; empty: none
+    std::optional<ThermalCameraSpec> thermalCamera;
     bool operator==(const RigSpec&) const = default;
 };
 
@@ -26,10 +28,10 @@ bool isManualSource(const HeatSourceDeviceSpec& source);
 /// Returns whether the thermometer is on the heater's line, so that it must use the heater's guard.
 bool hasOneLine(const RigSpec& rig);
 
-/// Checks a rig for this number of objects and these free coordinates: ranges, an axis for every free
-/// coordinate, a channel for every object, a source that switches off if the engine dies or is allowed to
-/// stay hot, and no port used twice except by Modbus devices on one line. The error's `where` is a path
-/// inside the rig: "thermometer.channels[1]".
-Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates);
+/// Checks a rig for this number of objects with sensors on them and these free coordinates: ranges, an axis
+/// for every free coordinate, a channel for every sensor, a source that switches off if the engine dies or is
+/// allowed to stay hot, and no port used twice except by Modbus devices on one line. The error's `where` is a
+/// path inside the rig: "thermometer.channels[1]".
+Result<void> checkRig(const RigSpec& rig, std::size_t sensors, const std::array<bool, 6>& freeCoordinates);
 
 } // namespace bask

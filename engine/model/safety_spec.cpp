@@ -18,6 +18,8 @@ const char* simulatedFaultName(SimulatedFault fault) {
         return "sensor-jumping";
     case SimulatedFault::SensorOff:
         return "sensor-off";
+    case SimulatedFault::SensorsSwapped:
+        return "sensors-swapped";
     case SimulatedFault::ObjectHot:
         return "object-hot";
     case SimulatedFault::RobotLost:

@@ -44,13 +44,14 @@ struct SafetySpec {
 enum class SimulatedFault {
     None,
     // Faults of one object
-    SensorLost,    ///< gives no value
-    SensorOpen,    ///< gives no value and reports it
-    SensorShort,   ///< gives no value and reports it
-    SensorFrozen,  ///< repeats its last value
-    SensorJumping, ///< jumps by 30 K, up and down
-    SensorOff,     ///< has come off its object: measures the room
-    ObjectHot,     ///< is heated by something else, 2 K/s
+    SensorLost,     ///< gives no value
+    SensorOpen,     ///< gives no value and reports it
+    SensorShort,    ///< gives no value and reports it
+    SensorFrozen,   ///< repeats its last value
+    SensorJumping,  ///< jumps by 30 K, up and down
+    SensorOff,      ///< has come off its object: measures the room
+    SensorsSwapped, ///< gives what the sensor of the next object measures, and that one what this one does
+    ObjectHot,      ///< is heated by something else, 2 K/s
     // Faults of the rig
     RobotLost,
     RobotAlarm,

@@ -3,7 +3,9 @@
 
 #include "engine/base/message.h"
 #include "engine/model/trace_sample.h"
+#include "engine/thermography/thermal_picture.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +16,12 @@ namespace bask {
 struct TraceEvent {
     double time_s = 0.0;
     Message message;
+};
+
+/// A recorded picture of the thermal camera.
+struct TraceFrame {
+    double time_s = 0.0;
+    std::shared_ptr<const ThermalPicture> picture;
 };
 
 struct TraceNote {

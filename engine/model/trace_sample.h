@@ -11,12 +11,21 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 namespace bask {
+
+/// What a thermal camera tells of one object; NaN: it cannot read it, or there is no camera.
+struct CameraSample {
+    double T_K = std::numeric_limits<double>::quiet_NaN();
+    double uncertainty_K = std::numeric_limits<double>::quiet_NaN(); ///< standard uncertainty of T_K
+    double spread_K = std::numeric_limits<double>::quiet_NaN();      ///< largest difference across its face
+    double pixels = std::numeric_limits<double>::quiet_NaN();        ///< number of them that were read
+};
 
 /// One object at one sample. A value that is unknown or invalid is NaN (NULL in the file).
 struct ObjectSample {
@@ -30,6 +39,7 @@ struct ObjectSample {
     double lambda2 = 0.0;            ///< 1/(K3 s)
     double true_K = 0.0;             ///< the simulated plant's own temperature; NaN on a real rig
     bool valid = false;              ///< measured_K is a fresh, plausible reading
+    CameraSample camera;             ///< what the thermal camera tells of it
 };
 
 /// Returns the temperature for judging a result: the plant's own temperature if it is known, else the
@@ -59,6 +69,19 @@ enum class Quantity : std::uint8_t {
     Rate,     ///< dT/dt
     Strength, ///< the controller's estimate of lambda1, K/s
     Speed,    ///< commanded; of the run, two series: translation and rotation
+};
+
+/// What a rig needs to have a value.
+enum class Needs : std::uint8_t { Nothing, Plant, ThermalCamera }; ///< Plant: a simulated rig
+
+/// What the rig of a recording had.
+struct RecordedRig {
+    bool isSimulated = false;
+    bool hasThermalCamera = false;
+
+    bool has(Needs needs) const {
+        return needs == Needs::Nothing || (needs == Needs::Plant ? isSimulated : hasThermalCamera);
+    }
 };
 
 /// How a value is displayed: temperatures and their differences are in the unit that the person chose.
@@ -99,9 +122,9 @@ template <class Row> struct SampleColumn {
     /// Caption of its figure in the report, in the same context; null if it has none.
     const char* caption = nullptr;
     ShownAs shownAs = ShownAs::Number;
-    int decimals = -1;      ///< decimals of a number on a screen; -1: three significant digits
-    bool isWhole = false;   ///< whether it is a flag or bits
-    bool isOfPlant = false; ///< whether only a simulated rig has it
+    int decimals = -1;    ///< decimals of a number on a screen; -1: three significant digits
+    bool isWhole = false; ///< whether it is a flag or bits
+    Needs needs = Needs::Nothing;
     bool isReading = false; ///< whether it is unknown if the sensor's reading is invalid
 
     const char* nameInView() const { return stored.name != nullptr ? stored.name : key; }
@@ -134,6 +157,10 @@ inline constexpr ColumnValue<ObjectSample> kOfObject{
         else
             o.*Member = value;
     }};
+template <double CameraSample::*Member>
+inline constexpr ColumnValue<ObjectSample> kOfCamera{
+    [](const ObjectSample& o) { return o.camera.*Member; },
+    [](ObjectSample& o, double value) { o.camera.*Member = value; }};
 template <double TraceSample::*Member>
 inline constexpr ColumnValue<TraceSample> kOfRun{[](const TraceSample& s) { return s.*Member; },
                                                  [](TraceSample& s, double value) { s.*Member = value; }};
@@ -245,7 +272,36 @@ inline constexpr std::array kObjectColumns{
                  .csv = "true",
                  .nexus = NexusLog{"temperature_true", "the simulated object's own temperature"},
                  .vtk = "true_K",
-                 .isOfPlant = true},
+                 .needs = Needs::Plant},
+    ObjectColumn{.key = "camera_K",
+                 .unit = unit::kCelsius,
+                 .value = kOfCamera<&CameraSample::T_K>,
+                 .stored = {.place = 11, .view = "camera", .isLater = true},
+                 .csv = "camera",
+                 .nexus = NexusLog{"thermal_camera/value_log", "temperature by the thermal camera"},
+                 .vtk = "camera_K",
+                 .needs = Needs::ThermalCamera},
+    ObjectColumn{.key = "camera_uncertainty_K",
+                 .unit = unit::kKelvin,
+                 .value = kOfCamera<&CameraSample::uncertainty_K>,
+                 .stored = {.place = 12, .view = "camera", .isLater = true},
+                 .csv = "camera standard uncertainty",
+                 .nexus = NexusLog{"thermal_camera/uncertainty_log", "standard uncertainty of value_log"},
+                 .needs = Needs::ThermalCamera},
+    ObjectColumn{.key = "camera_spread_K",
+                 .unit = unit::kKelvin,
+                 .value = kOfCamera<&CameraSample::spread_K>,
+                 .stored = {.place = 13, .view = "camera", .isLater = true},
+                 .csv = "camera spread",
+                 .nexus = NexusLog{"thermal_camera/spread_log", "largest difference across the face"},
+                 .needs = Needs::ThermalCamera},
+    ObjectColumn{.key = "camera_pixels",
+                 .unit = unit::kNone,
+                 .value = kOfCamera<&CameraSample::pixels>,
+                 .stored = {.place = 14, .view = "camera", .isLater = true},
+                 .csv = "camera pixels",
+                 .nexus = NexusLog{"thermal_camera/pixels_log", "number of pixels that were read"},
+                 .needs = Needs::ThermalCamera},
 };
 
 inline constexpr const char* kCommanded = "commanded, axes of the robot's base";

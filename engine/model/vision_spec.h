@@ -48,7 +48,7 @@ struct SimulatedCameraSpec {
     bool operator==(const SimulatedCameraSpec&) const = default;
 };
 
-/// The true thermal camera of a simulated rig: it is the rig's thermometer then, for all objects.
+/// The true thermal camera of a simulated rig.
 struct SimulatedThermalCameraSpec {
     std::string profile = "p2-pro"; ///< name of a shipped profile
     std::optional<Vector6d> pose;   ///< coordinates of X_RC; if empty, the default pose

@@ -218,7 +218,7 @@ private:
         m_file.text(sensor + "/attached_to", object.name);
         m_file.text(sensor + "/measurement", "temperature");
         for (const ObjectColumn& column : kObjectColumns) {
-            if (!column.nexus || (column.isOfPlant && !m_session.simulated))
+            if (!column.nexus || !m_session.rig().has(column.needs))
                 continue;
             if (column.plot == Quantity::Temperature) { // is in NXdata already
                 const std::string path = group + '/' + column.nexus->path;

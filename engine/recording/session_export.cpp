@@ -164,7 +164,7 @@ template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
 }
 
 bool isInTraces(const ObjectColumn& column, const SessionRecord& facts) {
-    return column.csv != nullptr && (facts.simulated || !column.isOfPlant);
+    return column.csv != nullptr && facts.rig().has(column.needs);
 }
 
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an

@@ -5,6 +5,7 @@
 #include "engine/model/experiment.h"
 #include "engine/model/trace.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -36,6 +37,8 @@ public:
     Result<void> add(const TraceEvent& event);
     Result<void> add(const TraceNote& note);
     Result<void> add(const CommandRow& command);
+    /// Adds a picture of the experiment's thermal camera, without loss.
+    Result<void> add(const TraceFrame& frame);
     Result<void> flush();                            ///< commits now
     Result<void> finish(const std::string& outcome); ///< marks the run complete ("settled", "not-settled",
                                                      ///< "stopped", "fault")
@@ -66,6 +69,7 @@ struct SessionRecord {
     std::vector<CommandRow> commands;
 
     bool interrupted() const { return outcome.empty(); }
+    RecordedRig rig() const { return {simulated, thermalProfile(experiment, simulated).has_value()}; }
     /// Returns the samples until Stop or STOP; the later ones are the retreat and cool-down. All samples if
     /// there was none.
     std::vector<TraceSample> controlledSamples() const;
@@ -75,8 +79,16 @@ struct SessionRecord {
 /// the file's data.
 Result<SessionRecord> readSession(const std::string& path);
 
+/// Calls `take` with the time and the PNG of each recorded picture of the thermal camera, in their order.
+Result<void> readThermalFrames(const std::string& path,
+                               const std::function<void(double time_s, const std::string& png)>& take);
+
 /// Copies a whole session, even one that is being written, or nothing.
 Result<void> copySession(const std::string& from, const std::string& to);
+
+/// Writes the recorded pictures of the thermal camera as TIFF of 16 bits with their times in times.csv: a
+/// folder that plays as a thermal camera. Returns the files written. Error: NoThermalFrames.
+Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder);
 
 /// Writes one CSV for each table into an existing or new folder, with units in the headers. Returns the files
 /// written.

@@ -48,11 +48,11 @@ private:
                               });
     }
 
-    /// Makes unknown what this version does not have, or only of a simulated rig.
+    /// Makes unknown what this version does not have, or only of some rigs.
     template <class Sample, std::size_t N>
     static void forgetLater(const std::array<SampleColumn<Sample>, N>& columns, Sample& sample) {
         for (const SampleColumn<Sample>& column : columns)
-            if (column.stored.isLater || column.isOfPlant)
+            if (column.stored.isLater || column.needs != Needs::Nothing)
                 column.value.set(sample, kUnknown);
     }
 
@@ -118,6 +118,8 @@ private:
                 continue;
             std::vector<const ObjectColumn*> columns;
             const std::string names = columnsOf(table, kObjectColumns, columns);
+            if (columns.empty()) // a table that came later
+                continue;
             auto done =
                 eachObject(table, names, [&](ObjectSample& object, Row row) { fill(columns, object, row); });
             if (!done)

@@ -51,7 +51,7 @@ PolyLines objectTrajectories(const SessionRecord& session) {
     const auto& objects = session.experiment.objects;
     std::vector<const ObjectColumn*> columns;
     for (const ObjectColumn& column : kObjectColumns)
-        if (column.vtk != nullptr && (session.simulated || !column.isOfPlant)) {
+        if (column.vtk != nullptr && session.rig().has(column.needs)) {
             columns.push_back(&column);
             poly.pointData.push_back({column.vtk, {}});
         }

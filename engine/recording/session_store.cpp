@@ -175,7 +175,7 @@ namespace {
 /// Is it one of the views that Bask makes: columns of `step`, for each object or once?
 bool isOwnView(const QString& sql) {
     static const QRegularExpression kBegin(QStringLiteral(
-        R"(\ACREATE VIEW (sample|object_state|truth|pose|motion|source|source_pose) AS SELECT [\w ,.+)-]+\z)"));
+        R"(\ACREATE VIEW (sample|object_state|truth|camera|pose|motion|source|source_pose) AS SELECT [\w ,.+)-]+\z)"));
     static const QRegularExpression kEnd(QStringLiteral(R"(FROM step( CROSS JOIN object)?( WHERE 0)?\z)"));
     const QRegularExpressionMatch end = kEnd.match(sql);
     QString columns = sql.left(end.capturedStart());
@@ -356,7 +356,8 @@ Result<std::vector<std::string>> SessionStore::tables() const {
     std::vector<std::string> names;
     const auto done = select(
         "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name NOT LIKE 'sqlite\\_%' "
-        "ESCAPE '\\' AND name NOT IN ('step', 'object', 'target_step', 'overview') ORDER BY rowid",
+        "ESCAPE '\\' AND name NOT IN ('step', 'object', 'target_step', 'overview', 'thermal_frame') ORDER BY "
+        "rowid",
         [&](Row row) { names.push_back(textOf(row[0])); });
     if (!done)
         return done.error();

@@ -69,21 +69,28 @@ std::array<double, 7> columnsOfPose(const Vector6d& x) {
     return {x[0], x[1], x[2], q.w(), q.x(), q.y(), q.z()};
 }
 
+/// Whether a view has a thermal camera's columns: older programs read only files without such a view.
+bool isOfThermalCamera(const std::string& view) {
+    return std::ranges::any_of(objectColumns(), [&](const ObjectColumn* column) {
+        return column->stored.view == view && column->needs == Needs::ThermalCamera;
+    });
+}
+
 /// A view with one row a sample and object.
-std::string objectView(const std::string& name, std::size_t objects, bool simulated) {
+std::string objectView(const std::string& name, std::size_t objects, const RecordedRig& rig) {
     std::string out = "CREATE VIEW " + name + " AS SELECT time_s, name AS object";
-    bool isOfPlant = true;
+    bool isThere = false;
     for (const ObjectColumn* column : objectColumns()) {
         if (column->stored.view != name)
             continue;
-        isOfPlant = isOfPlant && column->isOfPlant;
+        isThere = isThere || rig.has(column->needs);
         out += ", CASE object.number";
         for (std::size_t i = 0; i < objects; ++i)
             out += " WHEN " + std::to_string(i + 1) + " THEN " + columnOf(column->nameInView(), i);
         out += std::string(" END AS ") + column->nameInView();
     }
     out += " FROM step CROSS JOIN object"; // in this order: samples, then objects
-    return isOfPlant && !simulated ? out + " WHERE 0" : out;
+    return isThere ? out : out + " WHERE 0";
 }
 
 std::string rigView(const std::string& name, const std::vector<std::string>& columns) {
@@ -101,7 +108,7 @@ template <class Row> SqlValue cellOf(const SampleColumn<Row>& column, const Row&
 } // namespace
 
 SessionTables::SessionTables(const Experiment& experiment, bool simulated)
-    : m_source(experiment.source.pose), m_simulated(simulated) {
+    : m_source(experiment.source.pose), m_rig{simulated, thermalProfile(experiment, simulated).has_value()} {
     for (const ObjectSpec& object : experiment.objects)
         m_names.push_back(object.name);
 }
@@ -167,7 +174,8 @@ std::vector<std::string> SessionTables::create() const {
     out.push_back("CREATE TABLE step(" + columnList(true) + ')');
 
     for (const std::string& view : storedViews(kObjectColumns))
-        out.push_back(objectView(view, m_names.size(), m_simulated));
+        if (m_rig.hasThermalCamera || !isOfThermalCamera(view))
+            out.push_back(objectView(view, m_names.size(), m_rig));
     out.push_back(rigView("pose", {kPose.begin(), kPose.end()}));
     for (const std::string& view : storedViews(kRunColumns)) {
         std::vector<std::string> columns;
@@ -185,6 +193,8 @@ std::vector<std::string> SessionTables::create() const {
                              kPose[k]);
     out.push_back(rigView("source_pose", sourcePose));
     out.insert(out.end(), std::begin(kMadeLast), std::end(kMadeLast));
+    if (hasFrames())
+        out.emplace_back("CREATE TABLE thermal_frame(time_s REAL NOT NULL, png BLOB NOT NULL)");
     return out;
 }
 
@@ -211,7 +221,7 @@ std::vector<SqlValue> SessionTables::stepRow(std::int64_t number, const TraceSam
             row.push_back(sqlNumber(value));
     for (const ObjectSample& object : sample.objects)
         for (const ObjectColumn* column : objectColumns())
-            row.push_back(column->isOfPlant && !m_simulated ? SqlValue() : cellOf(*column, object));
+            row.push_back(m_rig.has(column->needs) ? cellOf(*column, object) : SqlValue());
     return row;
 }
 

@@ -22,6 +22,8 @@ public:
     /// unknown. Errors: the file cannot be read.
     static Result<SessionTables> of(const SessionStore& store, const SessionRecord& facts);
 
+    bool hasFrames() const { return m_rig.hasThermalCamera; } ///< whether there is the table thermal_frame
+
     /// Returns the statements that create all tables and views of a new file.
     std::vector<std::string> create() const;
 
@@ -42,7 +44,7 @@ private:
     std::vector<std::string> m_names; ///< names of the objects
     std::set<std::string> m_absent;   ///< keys of columns that are missing in the file
     Vector6d m_source;                ///< pose in the experiment, which is not stored again
-    bool m_simulated;                 ///< whether true values are stored
+    RecordedRig m_rig;                ///< of what it does not have, nothing is stored
 };
 
 /// Converts the columns x_m, y_m, z_m, qw, qx, qy, qz to coordinates.

@@ -6,6 +6,7 @@
 #include "engine/recording/session_store.h"
 #include "engine/recording/session_tables.h"
 #include "engine/recording/trace_overview.h"
+#include "engine/thermography/frame_picture_file.h"
 
 #include <QAbstractEventDispatcher>
 #include <QDateTime>
@@ -33,6 +34,7 @@ enum Statement : std::size_t {
     kInsertEvent,
     kInsertNote,
     kPutMeta,
+    kInsertFrame, ///< only of a rig with a thermal camera
 };
 
 /// In the order of Statement, after kInsertStep.
@@ -67,6 +69,8 @@ Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
     }
     std::vector<std::string> prepared{tables.insertStep()};
     prepared.insert(prepared.end(), kStatements.begin(), kStatements.end());
+    if (tables.hasFrames())
+        prepared.emplace_back("INSERT INTO thermal_frame VALUES(?, ?)");
     for (const std::string& sql : prepared) {
         if (auto done = store.prepare(sql); !done)
             return done.error();
@@ -90,12 +94,13 @@ Result<void> clearPlace(const std::string& path, ReplacedFiles& replaced) {
 
 struct SessionWriter::Impl {
     Impl(const Experiment& experiment, bool simulated)
-        : tables(experiment, simulated), targets_K(experiment.objects.size()),
-          overview(experiment.objects.size()) {}
+        : tables(experiment, simulated), profile(thermalProfile(experiment, simulated)),
+          targets_K(experiment.objects.size()), overview(experiment.objects.size()) {}
 
     std::string path;
     std::unique_ptr<SessionStore> store;
     SessionTables tables;
+    std::optional<ThermalProfile> profile; ///< of the thermal camera
     double commitInterval_s = 0.5;
     std::size_t samples = 0;
     std::vector<std::optional<double>> targets_K; ///< as recorded last
@@ -247,6 +252,13 @@ Result<void> SessionWriter::add(const TraceNote& note) {
 Result<void> SessionWriter::add(const CommandRow& command) {
     return m_impl->add(
         [&] { return m_impl->put(kInsertCommand, command.time_s, command.name, command.value); });
+}
+
+Result<void> SessionWriter::add(const TraceFrame& frame) {
+    if (!m_impl->profile)
+        throw std::invalid_argument("SessionWriter: a picture of a thermal camera that is not there");
+    std::string png = pngOfCounts(countsOfPicture(*frame.picture, *m_impl->profile));
+    return m_impl->add([&] { return m_impl->put(kInsertFrame, frame.time_s, SqlBlob{std::move(png)}); });
 }
 
 Result<void> SessionWriter::flush() {

@@ -1,13 +1,23 @@
 #include "engine/rig/camera_thermometer.h"
 
+#include "engine/base/message_code.h"
+#include "engine/calibration/picture_outline.h"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bask {
 namespace {
 
-constexpr double kKept_s = 5.0;          // of moments, longer than any frame is under way
+constexpr double kCold_K = 5.0;     // above the room: a source that warms nothing noticeably
+constexpr double kAsCold_K = 10.0;  // how far a camera that is not yet zeroed may be off
+constexpr double kTogether_K = 2.0; // how far cold objects may look different from one another
+constexpr double kKnown_K = 0.1;    // how well the objects' temperature is known when they are cold
+constexpr double kCooled_s = 600.0; // since the source was not cold last: objects that were warm are cold
+constexpr int kZeroFrames = 20;     // over which a zero is the mean
+constexpr double kKept_s = 5.0;     // of moments, longer than any frame is under way
 constexpr double kSinceShutter_s = 90.0; // when a shutter closed last is not told: half of a usual period
 
 /// Small objects a metre away have few pixels; that is part of the uncertainty.
@@ -20,17 +30,48 @@ FacePixelOptions fewPixels() {
 } // namespace
 
 CameraThermometer::CameraThermometer(CameraThermometerSetup setup, ThermalCamera& camera, Robot& robot,
-                                     HeatSource& source)
+                                     HeatSource& source, const Clock& clock)
     : m_setup(std::move(setup)), m_camera(camera), m_robot(robot), m_source(source), m_rays(m_setup.camera),
-      m_zeros(m_setup.objects.size()), m_readings(m_setup.objects.size()), m_reasons(m_setup.objects.size()) {
-}
+      m_clock(clock), m_zeros(m_setup.objects.size()), m_zeroFrames(m_setup.objects.size()),
+      m_seen(m_setup.objects.size()) {}
 
-std::optional<double> CameraThermometer::seenSource_K() {
-    m_wasHeated = m_wasHeated || m_source.heating();
+std::optional<double> CameraThermometer::seenSource_K() const {
     if (m_setup.hasShutter && !m_source.heating())
         return m_setup.environment_K;
     const auto reading = m_source.read();
-    return reading && reading->valid ? std::optional(reading->value_K) : std::nullopt;
+    const bool isKnown =
+        reading && reading->valid && reading->value_K > kMinBand_K && reading->value_K < kMaxBand_K;
+    return isKnown ? std::optional(reading->value_K) : std::nullopt;
+}
+
+bool CameraThermometer::isCold() const {
+    return m_isSourceCold && m_clock.now_s() - m_hot_s > kCooled_s;
+}
+
+void CameraThermometer::setRoom(double environment_K) {
+    if (std::abs(environment_K - m_setup.environment_K) > kKnown_K)
+        m_zeroFrames.assign(m_zeroFrames.size(), 0); // those were zeros to another room
+    m_setup.environment_K = environment_K;
+}
+
+void CameraThermometer::noteMoment() {
+    const std::optional<double> source_K = seenSource_K();
+    m_isSourceCold = source_K && *source_K < m_setup.environment_K + kCold_K;
+    if (source_K && !m_isSourceCold)
+        m_hot_s = m_clock.now_s();
+    const auto state = m_robot.state();
+    if (!state) {
+        if (!m_moments.empty())
+            m_moments.back().isPlaceSure = false;
+        return;
+    }
+    const bool isPossible =
+        m_setup.geometry->lowestPoint_m(state->coordinates) > -m_setup.geometry->floor_m();
+    if (!m_moments.empty() && state->time_s <= m_moments.back().time_s)
+        m_moments.pop_back();
+    m_moments.push_back({state->time_s, state->coordinates, state->isPlaceSure && isPossible, source_K});
+    while (m_moments.size() > 2 && m_moments[1].time_s < state->time_s - kKept_s)
+        m_moments.pop_front();
 }
 
 Vector6d CameraThermometer::placeAt(double time_s) const {
@@ -79,54 +120,187 @@ std::vector<PlacedPlate> CameraThermometer::screensAt(const Vector6d& q) const {
 }
 
 Result<std::vector<Reading>> CameraThermometer::read() {
-    constexpr double kAsCold_K = 10.0; // how far a camera that is not yet zeroed may be off
-    constexpr double kKnown_K = 0.1;   // how well the objects' temperature is known then
-    const auto state = m_robot.state();
-    if (!state)
-        return state.error();
-    const Moment now{state->time_s, state->coordinates, state->isPlaceSure, seenSource_K()};
-    if (!m_moments.empty() && now.time_s <= m_moments.back().time_s)
-        m_moments.pop_back();
-    m_moments.push_back(now);
-    while (m_moments.size() > 2 && m_moments[1].time_s < now.time_s - kKept_s)
-        m_moments.pop_front();
+    noteMoment();
     const auto newest = m_camera.newest();
-    if (!newest)
+    if (!newest) {
+        invalidate(newest.error().message);
         return newest.error();
-    const ThermalCameraFrame& frame = **newest;
-    if (frame.number == m_number)
-        return m_readings;
-    m_number = frame.number;
-    const Moment& then = nearest(frame.time_s);
-    const Vector6d q = placeAt(frame.time_s);
+    }
+    const double age_s = m_clock.now_s() - (*newest)->time_s;
+    if (!m_frame || m_frame->number != (*newest)->number) {
+        m_frame = *newest;
+        readFrame();
+    } else if (age_s > kOldFrame_s) {
+        invalidate({MessageCode::ThermalFrameOld, {formatNumber(age_s, 2)}});
+    }
+    std::vector<Reading> out;
+    for (const Seen& seen : m_seen)
+        out.push_back(seen.reading);
+    return out;
+}
+
+/// Nothing of an earlier frame is told as if it were of now.
+void CameraThermometer::invalidate(const Message& reason) {
+    m_view.reset();
+    for (Seen& seen : m_seen) {
+        seen = {};
+        seen.reading = Reading{m_clock.now_s(), 0.0, false, SensorFault::Other, 0.0, reason};
+    }
+}
+
+void CameraThermometer::readFrame() {
+    if (!m_setup.X_RC)
+        return invalidate({MessageCode::ThermalPoseUnknown, {}});
+    if (m_moments.empty() || !nearest(m_frame->time_s).isPlaceSure)
+        return invalidate({MessageCode::ThermalPlaceUnsure, {}});
+    invalidate({});
+    const Moment& then = nearest(m_frame->time_s);
+    const Vector6d q = placeAt(m_frame->time_s);
     const std::vector<ReadObject> objects = objectsAt(q, then.source_K.value_or(m_setup.environment_K));
     const std::vector<PlacedPlate> screens = screensAt(q);
     const auto readAll = [&] {
-        return readObjects(thermalBand(), frame.frame.picture, m_rays, m_setup.X_RC, objects, screens,
+        return readObjects(thermalBand(), m_frame->frame.picture, m_rays, *m_setup.X_RC, objects, screens,
                            m_zeros, {}, kSinceShutter_s, fewPixels());
     };
     auto read = readAll();
-    bool isZeroed = false;
+    if (findZeros(objects, read))
+        read = readAll();
+    for (std::size_t i = 0; i < read.size(); ++i)
+        take(i, then, objects[i], std::move(read[i]));
+}
+
+bool CameraThermometer::findZeros(const std::vector<ReadObject>& objects,
+                                  const std::vector<Result<ObjectReading>>& read) {
+    std::vector<double> apparent_K;
+    for (const auto& reading : read)
+        if (reading)
+            apparent_K.push_back(reading->region.mean_K);
+    if (!isCold() || apparent_K.empty())
+        return false;
+    const auto middle = apparent_K.begin() + static_cast<std::ptrdiff_t>(apparent_K.size() / 2);
+    std::ranges::nth_element(apparent_K, middle);
+    bool isFound = false;
     for (std::size_t i = 0; i < read.size(); ++i) {
-        if (m_zeros[i] || m_wasHeated || !then.isPlaceSure || !read[i] ||
-            std::abs(read[i]->region.mean_K - m_setup.environment_K) > kAsCold_K)
+        if (!read[i])
+            continue;
+        const RegionStatistics& region = read[i]->region;
+        if (std::abs(region.mean_K - m_setup.environment_K) > kAsCold_K ||
+            std::abs(region.mean_K - *middle) > kTogether_K)
             continue;
         const KnownFace& face = read[i]->seen.isFront ? objects[i].front : objects[i].back;
-        m_zeros[i] = zeroAt(thermalBand(), face.surroundings, m_setup.environment_K, kKnown_K,
-                            read[i]->region.mean_K, read[i]->region.standardError_K);
-        isZeroed = true;
+        CameraZero zero = zeroAt(thermalBand(), face.surroundings, m_setup.environment_K, kKnown_K,
+                                 region.mean_K, region.standardError_K);
+        m_zeroFrames[i] = std::min(m_zeroFrames[i] + 1, kZeroFrames);
+        if (m_zeros[i]) {
+            zero.offset_K = m_zeros[i]->offset_K + (zero.offset_K - m_zeros[i]->offset_K) / m_zeroFrames[i];
+            zero.apparent_K = m_setup.environment_K + zero.offset_K;
+        }
+        m_zeros[i] = zero;
+        isFound = true;
     }
-    if (isZeroed)
-        read = readAll();
-    for (std::size_t i = 0; i < read.size(); ++i) {
-        m_reasons[i] = read[i] ? Message{} : read[i].error().message;
-        const bool isUsable =
-            read[i] && m_zeros[i] && then.isPlaceSure && (then.source_K || !read[i]->seen.isFront);
-        m_readings[i] = isUsable ? Reading{frame.time_s, read[i]->face.T_K, true, SensorFault::None,
-                                           read[i]->face.standardUncertainty_K}
-                                 : Reading{frame.time_s, 0.0, false, SensorFault::Other};
+    return isFound;
+}
+
+void CameraThermometer::take(std::size_t object, const Moment& then, const ReadObject& known,
+                             Result<ObjectReading> reading) {
+    Seen& seen = m_seen[object];
+    if (!reading) {
+        seen.reading.reason = reading.error().message;
+        return;
     }
-    return m_readings;
+    seen.pixels = std::move(reading->seen.pixels);
+    const RegionStatistics& region = reading->region;
+    const auto& warnAbove_K = m_camera.profile().warnAbove_K;
+    if (!m_zeros[object])
+        seen.reading.reason = {MessageCode::ThermalNotZeroed, {}};
+    else if (reading->seen.isFront && !m_setup.isSourceEven)
+        seen.reading.reason = {MessageCode::ThermalSourceUneven, {}};
+    else if (reading->seen.isFront && !then.source_K)
+        seen.reading.reason = {MessageCode::ThermalSourceUnknown, {}};
+    else if (warnAbove_K && region.max_K > *warnAbove_K)
+        seen.reading.reason = {MessageCode::ThermalAboveRange, {temperatureArg(*warnAbove_K)}};
+    if (seen.reading.reason.code != MessageCode::None)
+        return;
+    const FaceReading& face = reading->face;
+    seen.reading = Reading{m_frame->time_s, face.T_K, true, SensorFault::None, face.standardUncertainty_K};
+    seen.sample = {face.T_K, face.standardUncertainty_K,
+                   region.difference ? region.difference->value_K : std::numeric_limits<double>::quiet_NaN(),
+                   static_cast<double>(region.pixels)};
+    seen.face = (reading->seen.isFront ? known.front : known.back).surroundings;
+    seen.apparent_K = region.mean_K - m_zeros[object]->offset_K;
+}
+
+double CameraThermometer::explainingEmittance(std::size_t object, double T_K) const {
+    const Seen& seen = m_seen.at(object);
+    return seen.reading.valid && T_K > kMinBand_K && T_K < kMaxBand_K
+               ? bask::explainingEmittance(thermalBand(), seen.face, seen.apparent_K, T_K)
+               : std::numeric_limits<double>::quiet_NaN();
+}
+
+double CameraThermometer::reflected_K(std::size_t object) const {
+    const Seen& seen = m_seen.at(object);
+    return seen.reading.valid ? reflectedTemperature(thermalBand(), seen.face)
+                              : std::numeric_limits<double>::quiet_NaN();
+}
+
+TraceFrame CameraThermometer::frame() const {
+    if (!m_frame)
+        return {};
+    return {m_frame->time_s, {m_frame, &m_frame->frame.picture}};
+}
+
+std::shared_ptr<const ThermalView> CameraThermometer::view() {
+    const auto read = this->read();
+    if (m_frame && !m_view)
+        m_view = viewOfFrame();
+    auto view = std::make_shared<ThermalView>(m_view.value_or(ThermalView{}));
+    view->cameraName = m_camera.profile().title;
+    view->age_s = m_frame ? m_clock.now_s() - m_frame->time_s : 0.0;
+    if (!read)
+        view->problem = read.error().message;
+    return view;
+}
+
+ThermalView CameraThermometer::viewOfFrame() const {
+    ThermalView view;
+    view.picture = frame().picture;
+    view.time_s = m_frame->time_s;
+    for (std::size_t i = 0; i < m_seen.size(); ++i) {
+        const Seen& seen = m_seen[i];
+        ThermalObjectView object;
+        if (m_setup.X_RC && !m_moments.empty()) {
+            const Pose X_CE = m_setup.X_RC->inverse() * poseFromCoordinates(placeAt(m_frame->time_s));
+            object.outline_px =
+                outlineInPicture(m_setup.camera, X_CE * poseFromCoordinates(m_setup.objects[i].mounting),
+                                 m_setup.objects[i].shape);
+        }
+        object.pixels = seen.pixels;
+        if (seen.reading.valid)
+            object.T_K = seen.reading.value_K;
+        object.uncertainty_K = seen.reading.standardUncertainty_K;
+        object.spread_K = std::isfinite(seen.sample.spread_K) ? seen.sample.spread_K : 0.0;
+        object.reason = seen.reading.reason;
+        view.objects.push_back(std::move(object));
+    }
+    return view;
+}
+
+CameraThermometer::Memory CameraThermometer::memory() const {
+    Memory out;
+    out.hot_s = m_hot_s;
+    for (std::size_t i = 0; i < m_zeros.size(); ++i)
+        if (m_zeros[i])
+            out.zeros[m_setup.objects[i].name] = *m_zeros[i];
+    return out;
+}
+
+void CameraThermometer::use(const Memory& before) {
+    m_hot_s = before.hot_s;
+    for (std::size_t i = 0; i < m_zeros.size(); ++i)
+        if (const auto zero = before.zeros.find(m_setup.objects[i].name); zero != before.zeros.end()) {
+            m_zeros[i] = zero->second;
+            m_zeroFrames[i] = kZeroFrames;
+        }
 }
 
 } // namespace bask

@@ -2,17 +2,23 @@
 // A thermal camera as the rig's thermometer: what it tells of each object, with the reflection of the source
 // computed for the pose at which the frame was taken.
 
+#include "engine/base/clock.h"
 #include "engine/control/rig_geometry.h"
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
 #include "engine/devices/thermal_camera.h"
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
+#include "engine/model/trace.h"
+#include "engine/model/trace_sample.h"
 #include "engine/thermography/face_thermometer.h"
+#include "engine/thermography/thermal_view.h"
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bask {
@@ -20,7 +26,7 @@ namespace bask {
 /// What the thermometer knows of the rig; emittances are those of the camera's band.
 struct CameraThermometerSetup {
     CameraModel camera;
-    Pose X_RC = Pose::Identity();
+    std::optional<Pose> X_RC; ///< without it the camera shows pictures and reads nothing
     std::vector<ObjectSpec> objects;
     std::vector<PlateSpec> fixtures, shields;
     Shape source;                                ///< at the geometry's X_RS
@@ -29,23 +35,55 @@ struct CameraThermometerSetup {
     double environment_K = 298.15;
     /// The source is behind a shutter: with the heat off the objects see the room instead.
     bool hasShutter = false;
+    /// The source is even, and stays at the geometry's X_RS: else what a face reflects of it is not known.
+    bool isSourceEven = true;
 };
 
-/// Frames before any heat have to show the objects as cold as the room: with the first that does so the
-/// camera is zeroed on an object. Until then, while an object cannot be read, and while the robot does not
-/// know its place, its reading is invalid. The pose at a frame's time is between those of two readings, on a
-/// line. The source is taken for even and stays where it is; what neighbours emit is not reflected: in one
-/// plane they do not see one another. Use it on the engine thread.
+/// Frames before any heat, with a cold source, have to show the objects as cold as the room: the first zeroes
+/// the camera on an object, the later ones make that better. Until then, while an object cannot be read,
+/// while the last frame is old, and while the robot does not know its place, its reading is invalid and says
+/// why. The pose at a frame's time is between those of two readings, on a line. What neighbours emit is not
+/// reflected: in one plane they do not see one another. Use it on the engine thread.
 class CameraThermometer final : public Thermometer {
 public:
-    /// The devices must outlive it.
-    CameraThermometer(CameraThermometerSetup setup, ThermalCamera& camera, Robot& robot, HeatSource& source);
+    /// What is kept where the rig stays and the experiment changes.
+    struct Memory {
+        std::map<std::string, CameraZero> zeros; ///< by the objects' names
+        double hot_s = -1e300;                   ///< when the source was not cold last
+    };
+
+    /// The devices and `clock`, which is theirs, must outlive it.
+    CameraThermometer(CameraThermometerSetup setup, ThermalCamera& camera, Robot& robot, HeatSource& source,
+                      const Clock& clock);
 
     int channels() const override { return static_cast<int>(m_setup.objects.size()); }
-    /// Errors: those of robot and camera.
+    /// Errors: those of the camera.
     Result<std::vector<Reading>> read() override;
-    /// Returns why an object could not be read the last time; None if it could, or if it is not yet zeroed.
-    Message reason(std::size_t object) const { return m_reasons.at(object); }
+
+    /// Returns what the last frame told of an object besides its reading; NaN if it could not be read.
+    const CameraSample& sample(std::size_t object) const { return m_seen.at(object).sample; }
+    /// Returns the emittance with which the last frame tells `T_K` for an object; NaN if it could not be
+    /// read, or no emittance does.
+    double explainingEmittance(std::size_t object, double T_K) const;
+    /// Returns the temperature of the black body as bright as what the object's face reflects, K; NaN if it
+    /// could not be read.
+    double reflected_K(std::size_t object) const;
+    /// Returns the last frame, with the time when it was taken; without a picture before the first.
+    TraceFrame frame() const;
+    /// Reads a frame that is new, and returns what the window shows of it: as often as it wants pictures.
+    std::shared_ptr<const ThermalView> view();
+    /// Returns why an object could not be read; code None if it could.
+    const Message& reason(std::size_t object) const { return m_seen.at(object).reading.reason; }
+
+    /// Sets the temperature of the room, as other thermometers tell it while everything is cold.
+    void setRoom(double environment_K);
+    /// Whether frames may be used for zeroing: the source is cold, and has been for some minutes.
+    bool isCold() const;
+
+    Memory memory() const;
+    void use(const Memory& before);
+
+    static constexpr double kOldFrame_s = 1.5; ///< a closed shutter, and the way of a frame, take less
 
 private:
     /// What the rig's other devices told when the thermometer was read.
@@ -55,23 +93,40 @@ private:
         bool isPlaceSure;
         std::optional<double> source_K; ///< what the objects see; empty: unknown
     };
-    std::optional<double> seenSource_K();
+    /// An object in the last frame.
+    struct Seen {
+        Reading reading;
+        CameraSample sample;
+        std::vector<int> pixels;
+        FaceSurroundings face; ///< as the camera sees it, if it could be read
+        double apparent_K = 0.0;
+    };
+    std::optional<double> seenSource_K() const;
+    void noteMoment();
+    void invalidate(const Message& reason);
     Vector6d placeAt(double time_s) const;
     const Moment& nearest(double time_s) const;
     std::vector<ReadObject> objectsAt(const Vector6d& q, double source_K) const;
     std::vector<PlacedPlate> screensAt(const Vector6d& q) const;
+    void readFrame();
+    bool findZeros(const std::vector<ReadObject>& objects, const std::vector<Result<ObjectReading>>& read);
+    void take(std::size_t object, const Moment& then, const ReadObject& known, Result<ObjectReading> reading);
+    ThermalView viewOfFrame() const;
 
     CameraThermometerSetup m_setup;
     ThermalCamera& m_camera;
     Robot& m_robot;
     HeatSource& m_source;
     PixelRays m_rays;
+    const Clock& m_clock;
     std::deque<Moment> m_moments;
-    std::uint64_t m_number = 0; ///< of the last frame
-    bool m_wasHeated = false;
+    std::shared_ptr<const ThermalCameraFrame> m_frame; ///< the last one; null before the first
+    bool m_isSourceCold = false;                       ///< known to be
+    double m_hot_s = -1e300;                           ///< when the source was not cold last
     std::vector<std::optional<CameraZero>> m_zeros;
-    std::vector<Reading> m_readings;
-    std::vector<Message> m_reasons;
+    std::vector<int> m_zeroFrames; ///< that went into a zero
+    std::vector<Seen> m_seen;
+    std::optional<ThermalView> m_view; ///< of the last frame, once it was asked for
 };
 
 } // namespace bask

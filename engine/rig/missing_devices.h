@@ -22,10 +22,12 @@ private:
 
 class MissingThermometer final : public Thermometer {
 public:
+    explicit MissingThermometer(const char* name) : m_name(name) {}
     int channels() const override { return 0; }
-    Result<std::vector<Reading>> read() override {
-        return Error(MessageCode::RigIncomplete, {}, {"thermometer"});
-    }
+    Result<std::vector<Reading>> read() override { return Error(MessageCode::RigIncomplete, {}, {m_name}); }
+
+private:
+    const char* m_name;
 };
 
 class MissingHeatSource final : public HeatSource {

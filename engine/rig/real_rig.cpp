@@ -1,6 +1,7 @@
 #include "engine/rig/real_rig.h"
 
 #include "engine/devices/video_camera.h"
+#include "engine/devices/video_thermal_camera.h"
 #include "engine/drivers/byte_link_on_thread.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/drivers/driver_make.h"
@@ -42,10 +43,29 @@ struct Plan {
     bool hasSameThermometer(const Plan& b) const { return rig.thermometer == b.rig.thermometer; }
     bool hasSameSource(const Plan& b) const { return rig.source == b.rig.source; }
     bool hasSameCamera(const Plan& b) const { return rig.camera == b.rig.camera; }
+    /// Its lens and its pose are no matter of the device.
+    bool hasSameThermalCamera(const Plan& b) const {
+        const auto &one = rig.thermalCamera, &other = b.rig.thermalCamera;
+        return one && other ? one->device == other->device && one->profile == other->profile
+                            : one.has_value() == other.has_value();
+    }
 
     RigSpec rig;
     Vector6d fixed = Vector6d::Zero(); ///< coordinates without an axis
 };
+
+DeviceStatus statusOf(ThermalCamera& camera) {
+    DeviceStatus status;
+    const auto newest = camera.newest();
+    if (newest) {
+        status.link = LinkState::Live;
+        status.lastReply_s = (*newest)->time_s;
+    } else {
+        status.problem = newest.error().message;
+        status.link = status.problem.code == MessageCode::CameraLost ? LinkState::Lost : LinkState::Opening;
+    }
+    return status;
+}
 
 /// One that looks at its port on a thread of its own; an empty `portId` takes whatever port has that name.
 std::unique_ptr<ByteLink> serialLink(const std::string& port, const SerialSettings& settings,
@@ -185,6 +205,8 @@ struct RealRig::Parts {
             drop(DeviceRole::HeatSource);
         if (!plan.hasSameCamera(next))
             camera.reset();
+        if (!plan.hasSameThermalCamera(next))
+            thermalCamera.reset();
         plan = next;
         std::erase_if(modbusLinks, [this](const auto& link) {
             return std::ranges::find(entries, link.first, &Entry::port) == entries.end();
@@ -203,6 +225,9 @@ struct RealRig::Parts {
             addSource(*rig.source);
         if (!rig.camera.empty() && !camera)
             camera = std::make_unique<VideoCamera>(rig.camera, clock);
+        if (rig.thermalCamera && !thermalCamera)
+            thermalCamera = std::make_unique<VideoThermalCamera>(rig.thermalCamera->device,
+                                                                 rig.thermalCamera->profile, clock);
         std::ranges::sort(entries, {}, &Entry::role);
     }
 
@@ -219,9 +244,10 @@ struct RealRig::Parts {
     std::unique_ptr<HeatSource> source;
     GuardedHeater* guardedHeater = nullptr; ///< source, where it is one
     std::unique_ptr<VideoCamera> camera;
+    std::unique_ptr<VideoThermalCamera> thermalCamera;
     std::vector<Entry> entries;
     MissingRobot noRobot;
-    MissingThermometer noThermometer;
+    MissingThermometer noThermometer{"thermometer"};
     MissingHeatSource noSource;
 };
 
@@ -243,7 +269,7 @@ bool RealRig::isFor(const Experiment& experiment) const {
     const Plan& plan = m_parts->plan;
     const Plan other(experiment);
     return plan.hasSameRobot(other) && plan.hasSameThermometer(other) && plan.hasSameSource(other) &&
-           plan.hasSameCamera(other);
+           plan.hasSameCamera(other) && plan.hasSameThermalCamera(other);
 }
 
 void RealRig::change(const Experiment& experiment, const DeviceMemory& memory) {
@@ -314,6 +340,14 @@ Camera* RealRig::camera() {
     return m_parts->camera.get();
 }
 
+ThermalCamera* RealRig::thermalCamera() {
+    return m_parts->thermalCamera.get();
+}
+
+std::unique_ptr<ThermalCamera> RealRig::takeThermalCamera() {
+    return std::move(m_parts->thermalCamera);
+}
+
 std::unique_ptr<Camera> RealRig::takeCamera() {
     return std::move(m_parts->camera);
 }
@@ -341,11 +375,15 @@ Result<void> RealRig::typeSourceTemperature(double temperature_K) {
 
 std::vector<RigDeviceState> RealRig::devices() const {
     std::vector<RigDeviceState> out;
-    for (const Parts::Entry& entry : m_parts->entries) {
-        RigDeviceState state{entry.role, entry.port, entry.device->status()};
-        state.age_s = m_parts->clock.now_s() - state.status.lastReply_s;
-        out.push_back(std::move(state));
-    }
+    const auto add = [&](DeviceRole role, const std::string& port, DeviceStatus status) {
+        const double age_s = m_parts->clock.now_s() - status.lastReply_s;
+        out.push_back({role, port, std::move(status), age_s});
+    };
+    for (const Parts::Entry& entry : m_parts->entries)
+        add(entry.role, entry.port, entry.device->status());
+    if (m_parts->thermalCamera)
+        add(DeviceRole::ThermalCamera, m_parts->plan.rig.thermalCamera->device,
+            statusOf(*m_parts->thermalCamera));
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/devices/camera.h"
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
+#include "engine/devices/thermal_camera.h"
 #include "engine/devices/thermometer.h"
 #include "engine/experiment/device_memory.h"
 #include "engine/model/experiment.h"
@@ -52,12 +53,15 @@ public:
     void work();
 
     Robot& robot();
-    /// Returns one channel for each object, in their order; for a test, all channels of the device.
+    /// Returns one channel for each object with a sensor on it, in their order; for a test, all channels of
+    /// the device.
     Thermometer& thermometer();
     HeatSource& heatSource();
-    Camera* camera(); ///< null if there is none
-    /// Returns the camera so that it can be closed elsewhere, which takes half a second if its driver hangs.
+    Camera* camera();               ///< null if there is none
+    ThermalCamera* thermalCamera(); ///< null if there is none
+    /// Returns the cameras so that they can be closed elsewhere, which takes half a second if a driver hangs.
     std::unique_ptr<Camera> takeCamera();
+    std::unique_ptr<ThermalCamera> takeThermalCamera();
     /// Returns whether another thread may destroy it: a network link belongs to this thread, and closes at
     /// once.
     bool mayEndElsewhere() const;

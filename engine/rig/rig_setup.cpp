@@ -1,7 +1,9 @@
 #include "engine/rig/rig_setup.h"
 
 #include "engine/model/uneven_source.h"
+#include "engine/thermography/usual_lens.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -99,6 +101,14 @@ JointVerdict jointVerdict(const Experiment& experiment) {
 
 namespace {
 
+/// A rig without one gets one where objects are read by a camera: an experiment for real devices runs
+/// simulated, too.
+std::optional<SimulatedThermalCameraSpec> simulatedThermalCamera(const Experiment& experiment) {
+    if (experiment.simulation.thermalCamera || !readsByCamera(experiment))
+        return experiment.simulation.thermalCamera;
+    return SimulatedThermalCameraSpec();
+}
+
 SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
     const SimulatedCameraSpec& spec = experiment.simulation.camera;
     SimulatedCameraConfig config;
@@ -120,7 +130,7 @@ SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
 }
 
 SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& experiment) {
-    const SimulatedThermalCameraSpec& spec = *experiment.simulation.thermalCamera;
+    const SimulatedThermalCameraSpec spec = simulatedThermalCamera(experiment).value();
     SimulatedThermalCameraConfig config;
     config.profile = findThermalProfile(spec.profile).value();
     config.camera = usualThermalLens(config.profile);
@@ -143,7 +153,7 @@ SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& expe
 } // namespace
 
 Pose thermalCameraPose(const Experiment& experiment) {
-    const auto& pose = experiment.simulation.thermalCamera->pose;
+    const auto pose = simulatedThermalCamera(experiment).value().pose;
     return pose ? poseFromCoordinates(*pose) : usualThermalPose();
 }
 
@@ -188,17 +198,18 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.tracker = {simulation.trackingNoise_m, simulation.trackingNoise_rad, simulation.trackingDelay_s,
                       simulation.seed};
     config.camera = simulatedCameraConfig(experiment);
-    if (simulation.thermalCamera)
+    if (simulatedThermalCamera(experiment))
         config.thermalCamera = simulatedThermalCameraConfig(experiment);
     return config;
 }
 
-std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig) {
-    if (rig.thermalCamera() == nullptr)
-        return nullptr;
+namespace {
+
+CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, CameraModel lens,
+                                              const std::optional<Pose>& X_RC) {
     CameraThermometerSetup setup;
-    setup.camera = usualThermalLens(rig.thermalCamera()->profile());
-    setup.X_RC = thermalCameraPose(experiment);
+    setup.camera = std::move(lens);
+    setup.X_RC = X_RC;
     setup.objects = experiment.objects;
     setup.fixtures = experiment.fixtures;
     setup.shields = experiment.shields;
@@ -206,9 +217,47 @@ std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experimen
     setup.geometry = rigGeometry(experiment);
     setup.sourceEmittance = experiment.source.emittance;
     setup.environment_K = experiment.environment_K;
+    setup.isSourceEven = experiment.source.uneven.isEven() && !experiment.source.tracked;
+    return setup;
+}
+
+std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, Thermometer& contact,
+                                                     std::unique_ptr<CameraThermometer> camera) {
+    std::vector<ReadBy> readBy;
+    for (const ObjectSpec& object : experiment.objects)
+        readBy.push_back(object.readBy);
+    return std::make_unique<ObjectThermometer>(std::move(readBy), experiment.environment_K, contact,
+                                               std::move(camera));
+}
+
+} // namespace
+
+std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig) {
+    if (rig.thermalCamera() == nullptr)
+        return nullptr;
+    CameraThermometerSetup setup = cameraThermometerSetup(
+        experiment, usualThermalLens(rig.thermalCamera()->profile()), thermalCameraPose(experiment));
     setup.hasShutter = true;
     return std::make_unique<CameraThermometer>(std::move(setup), *rig.thermalCamera(), rig.robot(),
-                                               rig.heatSource());
+                                               rig.heatSource(), rig.clock());
+}
+
+std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, SimulatedRig& rig) {
+    auto camera = cameraThermometer(experiment, rig);
+    return camera ? objectThermometer(experiment, rig.thermometer(), std::move(camera)) : nullptr;
+}
+
+std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, RealRig& rig,
+                                                     const Clock& clock) {
+    if (rig.thermalCamera() == nullptr)
+        return nullptr;
+    const ThermalCameraSpec& spec = *experiment.rig->thermalCamera;
+    CameraThermometerSetup setup =
+        cameraThermometerSetup(experiment, spec.lens.value_or(usualThermalLens(spec.profile)),
+                               spec.pose ? std::optional(poseFromCoordinates(*spec.pose)) : std::nullopt);
+    return objectThermometer(experiment, rig.thermometer(),
+                             std::make_unique<CameraThermometer>(std::move(setup), *rig.thermalCamera(),
+                                                                 rig.robot(), rig.heatSource(), clock));
 }
 
 } // namespace bask

@@ -4,7 +4,8 @@
 #include "engine/control/controller.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/model/experiment_rig.h"
-#include "engine/rig/camera_thermometer.h"
+#include "engine/rig/object_thermometer.h"
+#include "engine/rig/real_rig.h"
 #include "engine/simulation/simulated_rig.h"
 
 #include <memory>
@@ -45,8 +46,12 @@ JointVerdict jointVerdict(const Experiment& experiment);
 Pose thermalCameraPose(const Experiment& experiment);
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
 
-/// Returns the thermometer of a simulated rig with a thermal camera; null for one without. The rig must
-/// outlive it.
+/// Returns the thermal camera of a simulated rig as thermometer; null for one without. The rig must outlive
+/// it.
 std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig);
+/// Returns the thermometer of a rig with a thermal camera; null for one without. The rig must outlive it.
+std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, SimulatedRig& rig);
+std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, RealRig& rig,
+                                                     const Clock& clock);
 
 } // namespace bask

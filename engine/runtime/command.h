@@ -88,6 +88,10 @@ struct WatchCamera {
     bool show = false;
     std::optional<Board> board;
 };
+/// Shows the pictures of the rig's thermal camera.
+struct WatchThermalCamera {
+    bool show = false;
+};
 /// Selects the camera that is watched: a device, file, folder or address as VideoCamera takes it. An empty
 /// name selects the simulated one, which also follows the source. Refused while a run is armed or on.
 struct ChooseCamera {
@@ -141,11 +145,11 @@ struct AcceptDevice {
     DeviceRole role = DeviceRole::Robot;
 };
 
-using Command =
-    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, Retreat,
-                 EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                 SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm, UnshelveAlarm, SetVision,
-                 WatchCamera, ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm, SetHeat,
-                 TypeSourceTemperature, ZeroSensors, ConfirmSensor, ListPorts, TryDevice, AcceptDevice>;
+using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
+                             Retreat, EndRecording, SetTargets, ReportInfeasible, SetController, AddNote,
+                             SetSimulationSpeed, SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm,
+                             UnshelveAlarm, SetVision, WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo,
+                             Jog, HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ZeroSensors,
+                             ConfirmSensor, ListPorts, TryDevice, AcceptDevice>;
 
 } // namespace bask

@@ -2,6 +2,8 @@
 
 #include "engine/rig/rig_setup.h"
 
+#include <algorithm>
+
 namespace bask {
 
 Result<PoseReading> EngineSession::Tracker::read() {
@@ -15,9 +17,10 @@ Result<PoseReading> EngineSession::Tracker::read() {
 EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept)
     : steady(wall),
       simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
-      cameraThermometer(simulated ? bask::cameraThermometer(experiment, *simulated) : nullptr),
-      real(std::move(kept.rig)), vision(std::move(kept.watcher)), tracker(*this),
-      loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
+      real(std::move(kept.rig)), thermometer(simulated ? objectThermometer(experiment, *simulated)
+                                                       : objectThermometer(experiment, *real, wall)),
+      vision(std::move(kept.watcher)), tracker(*this), loop(experiment, devices(experiment), clock()),
+      script(experiment.simulation.faults) {
     Camera* camera = simulated ? &simulated->camera() : real->camera();
     if (camera != nullptr && !vision)
         vision = std::make_unique<VisionThread>(*camera, simulated ? "simulated" : experiment.rig->camera,
@@ -31,12 +34,25 @@ EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, Ke
     real->setPeriod(experiment.sampling.period_s);
 }
 
-RigDevices EngineSession::devices() {
+RigDevices EngineSession::devices(const Experiment& experiment) {
     if (!simulated)
-        return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker, true};
-    Thermometer& thermometer = cameraThermometer ? *cameraThermometer : simulated->thermometer();
-    return {simulated->robot(), thermometer, simulated->heatSource(),
-            [this] { return simulated->trueTemperatures_K(); }, &tracker};
+        return {real->robot(), thermometerOf(experiment), real->heatSource(), {}, &tracker,
+                true,          thermometer.get()};
+    return {simulated->robot(),
+            thermometerOf(experiment),
+            simulated->heatSource(),
+            [this] { return simulated->trueTemperatures_K(); },
+            &tracker,
+            false,
+            thermometer.get()};
+}
+
+Thermometer& EngineSession::thermometerOf(const Experiment& experiment) {
+    if (thermometer)
+        return *thermometer;
+    if (simulated)
+        return simulated->thermometer();
+    return readsByCamera(experiment) ? noCamera : real->thermometer();
 }
 
 void EngineSession::tell(Snapshot& snapshot) const {
@@ -87,7 +103,10 @@ bool haveSameSensors(const Experiment& a, const Experiment& b) {
     if (a.objects.size() != b.objects.size() || a.environment_K != b.environment_K ||
         a.rig.has_value() != b.rig.has_value())
         return false;
-    return a.rig ? a.rig->thermometer == b.rig->thermometer : a.simulation == b.simulation;
+    if (!std::ranges::equal(a.objects, b.objects, {}, &ObjectSpec::readBy, &ObjectSpec::readBy))
+        return false;
+    return a.rig ? a.rig->thermometer == b.rig->thermometer && a.rig->thermalCamera == b.rig->thermalCamera
+                 : a.simulation == b.simulation;
 }
 
 } // namespace bask

@@ -1,7 +1,8 @@
 #pragma once
 // A rig, simulated or real, with the servo loop of one experiment.
 
-#include "engine/rig/camera_thermometer.h"
+#include "engine/rig/missing_devices.h"
+#include "engine/rig/object_thermometer.h"
 #include "engine/rig/real_rig.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
@@ -35,16 +36,18 @@ struct EngineSession {
     };
 
     const Clock& steady;
-    std::unique_ptr<SimulatedRig> simulated;              ///< either this or `real` is set
-    std::unique_ptr<CameraThermometer> cameraThermometer; ///< null without a thermal camera
+    std::unique_ptr<SimulatedRig> simulated; ///< either this or `real` is set
     std::unique_ptr<RealRig> real;
-    std::unique_ptr<VisionThread> vision; ///< null without a camera
+    std::unique_ptr<ObjectThermometer> thermometer; ///< null without a thermal camera
+    MissingThermometer noCamera{"thermal camera"};  ///< where objects are read by one that is not there
+    std::unique_ptr<VisionThread> vision;           ///< null without a camera
     Tracker tracker;
     ServoLoop loop;
     FaultScript script;
 
 private:
-    RigDevices devices();
+    RigDevices devices(const Experiment& experiment);
+    Thermometer& thermometerOf(const Experiment& experiment);
 };
 
 /// Returns whether sensor offsets found with one experiment are valid for the other.

@@ -22,6 +22,7 @@ constexpr int kTimer_ms = 20;
 constexpr int kRealTimer_ms = 4; ///< period of serving real devices
 constexpr int kOverdue_ms = 50;  ///< of the timer, when it is late
 constexpr double kPublish_s = 0.05;
+constexpr double kThermal_s = 0.1; // between two pictures of the thermal camera
 constexpr double kLongestGap_s =
     1.0; ///< longest real time that is caught up after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
@@ -75,6 +76,7 @@ EngineWorker::EngineWorker(std::string alarmFile, std::string deviceFile, std::u
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
     qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
+    qRegisterMetaType<std::shared_ptr<const bask::ThermalView>>();
 }
 
 EngineWorker::~EngineWorker() = default;
@@ -236,6 +238,9 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     const bool isSameRig =
         m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
     const auto known = isSameRig ? std::optional(m_session->loop.knowledge()) : std::nullopt;
+    const auto camera = isSameRig && m_session->thermometer
+                            ? std::optional(m_session->thermometer->camera().memory())
+                            : std::nullopt;
     const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_recordings.isOn();
     KeptRig kept = closeSession(isSameRig);
     if (m_isEnding)
@@ -255,6 +260,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
         m_session->loop.use(*known);
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
+    if (camera && m_session->thermometer)
+        m_session->thermometer->camera().use(*camera);
     m_untilTick_s = experiment.sampling.period_s;
     m_worked_s = m_session->clock().now_s();
     m_nextTick_s = m_worked_s + experiment.sampling.period_s;
@@ -291,6 +298,7 @@ void EngineWorker::endTrial() {
     if (!m_tried)
         return;
     m_closer.dispose(m_tried->takeCamera());
+    m_closer.dispose(m_tried->takeThermalCamera());
     const bool isLive =
         m_session && (m_session->loop.heat().isOn() || m_session->loop.motion().isMoving() || isInUse());
     if (isLive && m_tried->mayEndElsewhere())
@@ -308,7 +316,7 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     endTrial();
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
-    if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty())
+    if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty() || rig.thermalCamera)
         m_tried = std::make_unique<DeviceTrial>(rig, m_devices.memory());
     return {};
 }
@@ -335,6 +343,15 @@ void EngineWorker::forwardView() {
     m_view = std::move(view);
     if (m_view)
         emit looked(m_view, m_views.next());
+}
+
+void EngineWorker::showThermal(double wall_s) {
+    m_sinceThermal_s += wall_s;
+    if (!m_isThermalWatched || !m_session->thermometer || m_sinceThermal_s < kThermal_s ||
+        m_thermalViews.isFull())
+        return;
+    m_sinceThermal_s = 0.0;
+    emit sawHeat(m_session->thermometer->camera().view(), m_thermalViews.next());
 }
 
 Result<void> EngineWorker::armWith(const std::string& recordingPath) {
@@ -429,6 +446,9 @@ Result<void> EngineWorker::apply(const Command& command) {
             [](const ShelveAlarm&) { return Result<void>(); },
             [](const UnshelveAlarm&) { return Result<void>(); },
             [&](const WatchCamera& wanted) { return m_cameras.watch(*m_session, wanted), Result<void>(); },
+            [&](const WatchThermalCamera& wanted) {
+                return m_isThermalWatched = wanted.show, Result<void>();
+            },
             [&](const ChooseCamera& camera) { return choose(camera.name); },
             [&](const SetVision& set) { return setVision(set.vision); },
             [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
@@ -597,6 +617,7 @@ void EngineWorker::onTimer() {
                 advanceSimulated(wall_s);
             else
                 workReal();
+            showThermal(wall_s);
         } catch (const std::exception& exception) {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }

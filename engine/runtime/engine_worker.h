@@ -25,6 +25,7 @@
 Q_DECLARE_METATYPE(bask::Command)
 Q_DECLARE_METATYPE(bask::Snapshot)
 Q_DECLARE_METATYPE(std::shared_ptr<const bask::VisionView>)
+Q_DECLARE_METATYPE(std::shared_ptr<const bask::ThermalView>)
 
 namespace bask {
 
@@ -57,6 +58,10 @@ public slots:
     void shutdown();
 
 signals:
+    /// A new picture of the thermal camera, about ten a second while they are watched; limited in number as
+    /// the snapshots are.
+    void sawHeat(const std::shared_ptr<const bask::ThermalView>& view,
+                 const std::shared_ptr<const int>& token);
     /// At most Underway::kMax wait in the receiver's queue, besides the answers to commands. A receiver that
     /// was blocked then gets the newest state, and all samples, events and notes up to kMaxKept. `token` is
     /// for counting.
@@ -110,6 +115,7 @@ private:
     Result<void> accept(DeviceRole role);
     void watchSleep();
     void forwardView();
+    void showThermal(double wall_s);
     bool isInUse() const; ///< whether a run is armed or on
     /// Commands wait: a rig is being closed, or Arm or Start is not answered yet.
     bool isBusy() const { return m_isClosing || m_recordings.isBeginning() || m_judging; }
@@ -155,7 +161,9 @@ private:
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
     Snapshot m_pending; ///< samples, events and notes since the last snapshot
-    Underway m_snapshots, m_views;
+    Underway m_snapshots, m_views, m_thermalViews;
+    bool m_isThermalWatched = false;
+    double m_sinceThermal_s = 0.0;
     std::uint64_t m_sequence = 0;
     BackgroundThread m_system; ///< reads the free disk space and the list of ports
     BackgroundThread m_judge;

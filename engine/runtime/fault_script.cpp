@@ -35,6 +35,11 @@ void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool 
         return setSensor(rig, object, SensorTrouble::Jumping, isOn);
     case SimulatedFault::SensorOff:
         return setSensor(rig, object, SensorTrouble::Off, isOn);
+    case SimulatedFault::SensorsSwapped:
+        if (const auto sensors = static_cast<std::size_t>(rig.simulatedThermometer().channels());
+            object < sensors)
+            rig.simulatedThermometer().setSwapped(object, (object + 1) % sensors, isOn);
+        return;
     case SimulatedFault::ObjectHot:
         if (object < static_cast<std::size_t>(rig.simulatedThermometer().channels()))
             rig.setHot(object, isOn);

@@ -13,6 +13,7 @@ Result<void> write(const LoopRecord& rows, SessionWriter& writer) {
     addAll(rows.events);
     addAll(rows.notes);
     addAll(rows.commands);
+    addAll(rows.frames);
     return result;
 }
 

@@ -13,6 +13,7 @@ struct LoopRecord {
     std::vector<TraceEvent> events;
     std::vector<TraceNote> notes;
     std::vector<CommandRow> commands;
+    std::vector<TraceFrame> frames;
 };
 
 /// Adds all rows, kind by kind; stops at the first failure.

@@ -47,6 +47,10 @@ TriedDevice DeviceTrial::state() {
     } else if (out.state.role == DeviceRole::Thermometer) {
         if (const auto readings = m_rig.thermometer().read())
             std::ranges::for_each(*readings, add);
+    } else if (out.state.role == DeviceRole::ThermalCamera) {
+        if (const auto frame = m_rig.thermalCamera()->newest())
+            if (const auto range = pictureRange((*frame)->frame.picture))
+                out.temperatures_K = {range->min_K, range->max_K};
     } else if (out.state.role == DeviceRole::HeatSource) {
         if (const auto reading = m_rig.heatSource().read())
             add(*reading);

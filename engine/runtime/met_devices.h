@@ -39,6 +39,7 @@ public:
     void work() { m_rig.work(); }
     TriedDevice state();
     std::unique_ptr<Camera> takeCamera() { return m_rig.takeCamera(); }
+    std::unique_ptr<ThermalCamera> takeThermalCamera() { return m_rig.takeThermalCamera(); }
     bool mayEndElsewhere() const { return m_rig.mayEndElsewhere(); }
 
 private:

@@ -62,6 +62,8 @@ void RigReadings::readSensors() {
         m_sensors.add(*readings);
     m_answers.hasThermometer = m_answers.hasThermometer || readings;
     m_thermometerProblem = problemOf(readings, m_answers.hasThermometer);
+    if (readings && m_devices.byCamera != nullptr)
+        m_thermometerProblem = m_devices.byCamera->contactProblem();
     m_sampleTime_s = m_clock.now_s();
     takeSensors();
 }
@@ -82,6 +84,8 @@ void RigReadings::takeSensors() {
         object.rate_K_s = estimate ? estimate->rate_K_s : kNaN;
         object.target_K = m_experiment.objects[i].target_K;
         object.true_K = i < truth.size() ? truth[i] : kNaN;
+        if (m_devices.byCamera != nullptr)
+            object.camera = m_devices.byCamera->camera().sample(i);
     }
 }
 
@@ -216,7 +220,7 @@ Result<void> RigReadings::requireFreshSensor(std::size_t object) const {
         return Error(why.code, {}, why.args);
     }
     if (!m_sensors.fresh(object, m_clock.now_s()))
-        return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[object].name});
+        return Error(noReading(object).code, {}, noReading(object).args);
     return {};
 }
 
@@ -225,6 +229,13 @@ Result<void> RigReadings::requireFreshSensors() const {
         if (auto fresh = requireFreshSensor(i); !fresh)
             return fresh;
     return {};
+}
+
+Message RigReadings::noReading(std::size_t object) const {
+    const std::string& name = m_experiment.objects[object].name;
+    if (const Message& reason = m_sensors.lastReason(object); reason.code != MessageCode::None)
+        return {MessageCode::SafetyCameraCannotRead, {name, reason}};
+    return {MessageCode::ReasonSensorInvalid, {name}};
 }
 
 Message RigReadings::distrust(std::size_t object) const {

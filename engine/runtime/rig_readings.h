@@ -9,6 +9,7 @@
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
 #include "engine/model/trace_sample.h"
+#include "engine/rig/object_thermometer.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/snapshot.h"
 
@@ -31,6 +32,8 @@ struct RigDevices {
     /// A real rig starts in a fault until a person has looked and reset, and its source may be hot with the
     /// heat off.
     bool isReal = false;
+    /// The same as the thermometer, if the rig has a thermal camera; null if it has none.
+    const ObjectThermometer* byCamera = nullptr;
 };
 
 /// Which devices have ever answered since they were first given to a loop.
@@ -97,6 +100,11 @@ public:
     Message sourceProblem(const Result<void>& answer) const { return problemOf(answer, m_answers.hasSource); }
     /// Returns the devices that are not set up: this is not an error, but no run can begin.
     std::vector<Message> missing() const;
+
+    /// The rig's thermal camera; null if it has none.
+    const ObjectThermometer* byCamera() const { return m_devices.byCamera; }
+    /// Why a sensor gives no value, in a sentence about its object.
+    Message noReading(std::size_t object) const;
 
     /// Errors: the sensor is not trusted, or it has given no valid value lately.
     Result<void> requireFreshSensor(std::size_t object) const;

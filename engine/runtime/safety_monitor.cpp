@@ -26,6 +26,7 @@ constexpr double kHandWarm_K = 30.0;      ///< above room temperature: a source 
 constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
+constexpr double kOpinionSigmas = 2.0;
 
 // NOLINTNEXTLINE(readability-identifier-naming): as the table writes them
 enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
@@ -65,6 +66,11 @@ std::string oneDigit(double value) {
     return formatNumber(std::round(value * 10.0) / 10.0, 6);
 }
 
+/// In a fault, also by a source that heats by itself. During manual work, objects are taken off a hot rig.
+bool isHeated(const SafetyObservation& seen) {
+    return seen.asked_K || (seen.isHeatUnwanted && !seen.isSourceDark);
+}
+
 void sortByGravity(std::vector<SafetyFinding>& findings) {
     std::ranges::stable_sort(findings, [](const SafetyFinding& a, const SafetyFinding& b) {
         return alarmEntry(a.condition).reaction > alarmEntry(b.condition).reaction;
@@ -97,7 +103,8 @@ SensorLimits sensorLimits(const Experiment& experiment) {
 }
 
 SafetyMonitor::SafetyMonitor(const Experiment& experiment)
-    : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K),
+    : m_experiment(experiment), m_opinion(experiment.objects.size(), experiment.sampling.period_s),
+      m_source(experiment.safety, experiment.environment_K),
       m_neighbours(rigGeometry(experiment)->neighbours()), m_coldAfter_s(0.0) {
     const Surroundings surroundings = surroundingsOf(experiment);
     for (const ObjectSpec& object : experiment.objects) {
@@ -118,6 +125,10 @@ SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
     m_present.clear();
     if (seen.asked_K)
         m_lastHeat_s = seen.now_s;
+    std::vector<std::optional<CameraOpinion>> opinions;
+    for (const ObservedObject& object : seen.objects)
+        opinions.push_back(object.opinion);
+    m_opinion.add(seen.now_s, opinions);
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         addObject(i, seen);
     addRobot(seen);
@@ -154,10 +165,14 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     addSensor(i, seen);
     addWarming(i, seen);
+    addOpinion(i, seen);
     // Readings too fast for heat, but enough in a row to make a fault: the object may have touched the
     // source.
     const bool isRejected = !object.measured_K && object.jump.inARow >= m_experiment.safety.jumps;
-    const auto seen_K = isRejected ? std::optional(object.jump.min_K) : object.measured_K;
+    auto seen_K = isRejected ? std::optional(object.jump.min_K) : object.measured_K;
+    if (object.opinion) // an object may be hotter than a sensor that came off it
+        seen_K = std::max(seen_K.value_or(0.0),
+                          object.opinion->camera_K - kOpinionSigmas * object.opinion->uncertainty_K);
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
         const SafetyFinding* const active = activeOne(condition, i);
         const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
@@ -186,6 +201,8 @@ void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
         add(Condition::SensorOpen, {MessageCode::SafetySensorOpen, {name(i)}}, i);
     else if (object.fault == SensorFault::Short)
         add(Condition::SensorShort, {MessageCode::SafetySensorShort, {name(i)}}, i);
+    else if (object.reason.code != MessageCode::None)
+        add(Condition::CameraCannotRead, {MessageCode::SafetyCameraCannotRead, {name(i), object.reason}}, i);
     else if (object.isInvalid || !std::isfinite(object.age_s))
         add(Condition::SensorInvalid, {MessageCode::ReasonSensorInvalid, {name(i)}}, i);
     else
@@ -222,13 +239,56 @@ void SafetyMonitor::confirmSensor(std::size_t object) {
     watch.warming.reset();
     watch.frozenAt_K.reset();
     watch.quiet.confirm();
+    m_opinion.confirm(object);
 }
 
 void SafetyMonitor::atRest(const SafetyObservation& seen) {
+    m_opinion.atRest();
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         m_objects[i].quiet.confirm(); // because their offsets have changed
         if (seen.objects[i].measured_K)
             m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
+    }
+}
+
+void SafetyMonitor::addOpinion(std::size_t i, const SafetyObservation& seen) {
+    if (const Message& why = seen.objects[i].unchecked;
+        why.code != MessageCode::None && seen.cameraProblem.code == MessageCode::None && seen.asked_K)
+        add(Condition::CameraCannotCheck, {MessageCode::SafetyCameraCannotCheck, {name(i), why}}, i);
+    const auto& found = m_opinion.finding(i);
+    if (!found)
+        return;
+    const bool isOfSensor =
+        found->verdict != OpinionVerdict::EmittanceOther && found->verdict != OpinionVerdict::CameraDiffers;
+    if (isOfSensor && !isHeated(seen)) // during manual work, sensors are taken off
+        return;
+    const MessageArg contact = roundedTemperatureArg(found->seen.contact_K);
+    const MessageArg camera = roundedTemperatureArg(found->seen.camera_K);
+    const MessageArg within = differenceArg(2.0 * found->seen.uncertainty_K, 2);
+    switch (found->verdict) {
+    case OpinionVerdict::SensorOff:
+        return add(Condition::SensorNotOnObject,
+                   {MessageCode::SafetySensorNotOnObject,
+                    {name(i), contact, camera, within, formatNumber(std::round(found->agreedAgo_s))}},
+                   i);
+    case OpinionVerdict::NeverOn:
+        return add(Condition::SensorNotOnObject,
+                   {MessageCode::SafetySensorNeverOn, {name(i), contact, camera, within}}, i);
+    case OpinionVerdict::Swapped:
+        return add(Condition::SensorsSwapped,
+                   {MessageCode::SafetySensorsSwapped,
+                    {name(i), name(found->other), contact, roundedTemperatureArg(found->seenOther.contact_K),
+                     camera, roundedTemperatureArg(found->seenOther.camera_K)}},
+                   i);
+    case OpinionVerdict::EmittanceOther:
+        return add(Condition::EmittanceOther,
+                   {MessageCode::SafetyEmittanceOther,
+                    {name(i), camera, within, contact, formatNumber(found->seen.emittance, 2),
+                     formatNumber(m_experiment.objects[i].material.emittance, 2)}},
+                   i);
+    case OpinionVerdict::CameraDiffers:
+        return add(Condition::CameraDisagrees,
+                   {MessageCode::SafetyCameraDisagrees, {name(i), camera, within, contact}}, i);
     }
 }
 
@@ -250,10 +310,7 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0 && !watch.frozenAt_K)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    // In a fault, also a source that heats them by itself. During manual work, objects are taken off a hot
-    // rig.
-    const bool isHeated = seen.asked_K || (seen.isHeatUnwanted && !seen.isSourceDark);
-    if (watch.frozenAt_K || !isHeated)
+    if (watch.frozenAt_K || !isHeated(seen))
         return;
     const double same_s = watch.warming.sameFor_s();
     if (same_s >= m_experiment.safety.frozen_s &&
@@ -366,6 +423,8 @@ void SafetyMonitor::addRig(const SafetyObservation& seen) {
     const bool isThermometerDue = std::ranges::any_of(seen.objects, &ObservedObject::isLost);
     if (seen.thermometerProblem.code != MessageCode::None && isThermometerDue)
         add(Condition::ThermometerLost, seen.thermometerProblem);
+    if (seen.cameraProblem.code != MessageCode::None)
+        add(Condition::ThermalCameraLost, seen.cameraProblem);
     if (seen.sinceTick_s > m_experiment.sampling.period_s + kLate_s)
         add(Condition::LoopLate,
             {MessageCode::SafetyLoopLate,

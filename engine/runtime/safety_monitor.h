@@ -6,6 +6,7 @@
 #include "engine/model/experiment.h"
 #include "engine/radiation/neighbours.h"
 #include "engine/runtime/quiet_watch.h"
+#include "engine/runtime/second_opinion.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/source_watch.h"
 #include "engine/runtime/warming_watch.h"
@@ -56,11 +57,14 @@ struct ObservedObject {
     bool isLost = false;  ///< no valid reading for too long
     bool isInvalid = false;
     SensorFault fault = SensorFault::None;
+    Message reason; ///< why it is invalid, if its device says so
     Jump jump;
     double largestRate_K_s = 0.0;
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
     double viewFactor = 0.0;
+    std::optional<CameraOpinion> opinion{}; ///< if it is read by a sensor and by the thermal camera
+    Message unchecked{};                    ///< why the thermal camera cannot check its sensor, if it should
     /// highest temperature that the heat balance allows
     double max_K = std::numeric_limits<double>::infinity();
 };
@@ -71,7 +75,8 @@ struct SafetyObservation {
     double sinceTick_s = 0.0; ///< since the previous tick; 0 if there was none
     std::vector<ObservedObject> objects;
     Message thermometerProblem;
-    Message robotProblem; ///< why it does not answer
+    Message cameraProblem; ///< of the thermal camera
+    Message robotProblem;  ///< why it does not answer
     Message robotAlarm;
     bool isPlaceSure = true;
     double robotAge_s = 0.0; ///< age of its state
@@ -143,6 +148,10 @@ public:
     bool isSensorStill(std::size_t object) const;
     /// A person confirms that the object's sensor is correct: its earlier readings are forgotten.
     void confirmSensor(std::size_t object);
+    /// Returns what the thermal camera says against the sensor of an object.
+    const std::optional<OpinionFinding>& opinion(std::size_t object) const {
+        return m_opinion.finding(object);
+    }
     /// Call when the sensors have been zeroed: the objects are at rest at the room's temperature.
     void atRest(const SafetyObservation& seen);
     /// Whether the source's heat was ever on; for the next monitor of the same source.
@@ -171,6 +180,7 @@ private:
     void addSensor(std::size_t i, const SafetyObservation& seen);
     double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated
     void addWarming(std::size_t i, const SafetyObservation& seen);
+    void addOpinion(std::size_t i, const SafetyObservation& seen);
     void addRobot(const SafetyObservation& seen);
     void addSource(const SafetyObservation& seen);
     void addHeating(const SafetyObservation& seen);
@@ -188,6 +198,7 @@ private:
 
     Experiment m_experiment;
     std::vector<ObjectWatch> m_objects;
+    SecondOpinion m_opinion;
     SourceWatch m_source;
     Neighbours m_neighbours;
     double m_coldAfter_s; ///< after this time without heat all objects are at the room's temperature

@@ -138,6 +138,7 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
     for (std::size_t i = 0; i < readings.size(); ++i) {
         Channel& channel = m_channels[i];
         channel.lastFault = readings[i].fault;
+        channel.lastReason = readings[i].valid ? Message{} : readings[i].reason;
         const bool isPlausible = plausible(readings[i]);
         if (isPlausible)
             channel.told = readings[i];

@@ -58,6 +58,8 @@ public:
     void useDistrust(const SensorChannels& before);
     /// Newest plausible reading, trusted or not; NaN if there is none, or it is older than the stale periods.
     double told_K(std::size_t i, double now_s) const;
+    /// Time of the newest plausible reading, s.
+    double toldTime_s(std::size_t i) const { return m_channels[i].told.time_s; }
     /// Accepts the sensor's current reading and forgets its earlier ones. Returns false if there is no
     /// current plausible reading.
     bool confirm(std::size_t i, double now_s);
@@ -72,6 +74,8 @@ public:
     double age_s(std::size_t i, double now_s) const;
     bool lastInvalid(std::size_t i) const { return m_channels[i].lastInvalid; }
     SensorFault lastFault(std::size_t i) const { return m_channels[i].lastFault; }
+    /// Why the last reading was invalid, if its device says so; code None if it was not, or does not.
+    const Message& lastReason(std::size_t i) const { return m_channels[i].lastReason; }
     Jump jump(std::size_t i) const { return m_channels[i].jump; }
     double largestRate_K_s(std::size_t i) const;
     double measured_K(std::size_t i) const;
@@ -95,6 +99,7 @@ private:
         double offset_K = 0.0;
         bool lastInvalid = false;
         SensorFault lastFault = SensorFault::None;
+        Message lastReason{};
         Jump jump{};
         std::vector<double> jumped_K{}; ///< newest rejected readings
         bool isDistrusted = false;

@@ -156,12 +156,14 @@ private:
     void retreat();
     void noteSettling();
     void trace();
+    void traceFrame();
     bool isCold() const;
     void updateReadiness();
 
     // servo_reactions.cpp
     void watch(); ///< detects the conditions of the alarm table and reacts
     SafetyObservation observe() const;
+    std::optional<CameraOpinion> opinion(std::size_t object) const;
     void react(const SafetyFinding& finding);
     void tellEnd(const SafetyFinding& finding);
     void watchLoss();
@@ -207,7 +209,8 @@ private:
     bool m_isCooling = false;
     bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
-    std::optional<double> m_tick_s; ///< time of the previous tick
+    std::optional<double> m_tick_s;  ///< time of the previous tick
+    std::optional<double> m_frame_s; ///< time of the last recorded thermal picture
     std::string m_outcome;
     LoopRecord m_record;
 };

@@ -24,6 +24,22 @@ Message wrong(const Message& problem) {
 
 } // namespace
 
+std::optional<CameraOpinion> ServoLoop::opinion(std::size_t object) const {
+    const ObjectThermometer* const byCamera = m_readings.byCamera();
+    const CameraSample& sample = m_latest.objects[object].camera;
+    if (byCamera == nullptr || m_experiment.objects[object].readBy != ReadBy::Both || std::isnan(sample.T_K))
+        return std::nullopt;
+    const CameraThermometer& camera = byCamera->camera();
+    const SensorChannels& sensors = m_readings.sensors();
+    const double contact_K = sensors.told_K(object, m_clock.now_s());
+    return CameraOpinion{contact_K,
+                         sensors.toldTime_s(object),
+                         sample.T_K,
+                         sample.uncertainty_K,
+                         camera.reflected_K(object),
+                         camera.explainingEmittance(object, contact_K)};
+}
+
 SafetyObservation ServoLoop::observe() const {
     const SensorChannels& sensors = m_readings.sensors();
     SafetyObservation seen;
@@ -36,6 +52,10 @@ SafetyObservation ServoLoop::observe() const {
         object.isKnown = object.isInvalid || std::isfinite(object.age_s);
         object.isLost = !sensors.fresh(i, seen.now_s);
         object.fault = sensors.lastFault(i);
+        object.reason = sensors.lastReason(i);
+        object.opinion = opinion(i);
+        if (m_readings.byCamera() != nullptr && m_experiment.objects[i].readBy == ReadBy::Both)
+            object.unchecked = m_readings.byCamera()->camera().reason(i);
         object.jump = sensors.jump(i);
         object.largestRate_K_s = sensors.largestRate_K_s(i);
         if (m_latest.objects[i].valid)
@@ -46,6 +66,8 @@ SafetyObservation ServoLoop::observe() const {
         seen.objects.push_back(object);
     }
     seen.thermometerProblem = wrong(m_readings.thermometerProblem());
+    if (const ObjectThermometer* byCamera = m_readings.byCamera())
+        seen.cameraProblem = byCamera->cameraProblem();
     seen.robotProblem = wrong(m_readings.robotProblem());
     seen.robotAlarm = m_readings.robot().alarm;
     seen.isPlaceSure = m_readings.robot().isPlaceSure;
@@ -79,8 +101,12 @@ void ServoLoop::watch() {
     for (const SafetyFinding& finding : changes.ended)
         tellEnd(finding);
     for (const SafetyFinding& finding : changes.raised) {
-        if (finding.condition == SafetyCondition::NotWarming)
+        using Condition = SafetyCondition;
+        if (finding.condition == Condition::NotWarming || finding.condition == Condition::SensorNotOnObject ||
+            finding.condition == Condition::SensorsSwapped)
             m_readings.sensors().doubt(finding.object);
+        if (finding.condition == Condition::SensorsSwapped)
+            m_readings.sensors().doubt(m_safety.opinion(finding.object)->other);
         react(finding);
     }
     watchHeatInFault();

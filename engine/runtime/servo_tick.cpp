@@ -13,6 +13,7 @@ namespace {
 /// a run is settled after all objects were within the band for this time, and once the robot stands or goes
 /// to where it will
 constexpr double kSettledAfter_s = 30.0;
+constexpr double kSameTime_s = 0.01;
 /// share of the clearance; below it the source has come nearer, or the robot obeys late
 constexpr double kTooNear = 0.8;
 
@@ -124,6 +125,20 @@ void ServoLoop::trace() {
         return;
     m_latest.time_s = m_clock.now_s() - m_control.began_s();
     m_record.samples.push_back(m_latest);
+    traceFrame();
+}
+
+void ServoLoop::traceFrame() {
+    const std::optional<double> period_s = m_experiment.sampling.thermalFramePeriod_s;
+    if (!period_s || m_readings.byCamera() == nullptr)
+        return;
+    TraceFrame frame = m_readings.byCamera()->camera().frame();
+    const bool isDue = frame.picture && (!m_frame_s || frame.time_s >= *m_frame_s + *period_s - kSameTime_s);
+    if (!isDue)
+        return;
+    m_frame_s = frame.time_s;
+    frame.time_s -= m_control.began_s();
+    m_record.frames.push_back(std::move(frame));
 }
 
 } // namespace bask

@@ -30,11 +30,11 @@ std::unique_ptr<CameraSourceTracker> cameraTracker(const Experiment& experiment,
 
 SimulatedDrive::SimulatedDrive(const Experiment& experiment)
     : m_period_s(experiment.sampling.period_s), m_rig(config(experiment)),
-      m_camera(cameraTracker(experiment, m_rig)), m_cameraThermometer(cameraThermometer(experiment, m_rig)),
+      m_camera(cameraTracker(experiment, m_rig)), m_thermometer(objectThermometer(experiment, m_rig)),
       m_loop(experiment,
-             {m_rig.robot(), m_cameraThermometer ? *m_cameraThermometer : m_rig.thermometer(),
-              m_rig.heatSource(), [this] { return m_rig.trueTemperatures_K(); },
-              m_camera ? m_camera.get() : &m_rig.sourceTracker()},
+             {m_rig.robot(), m_thermometer ? *m_thermometer : m_rig.thermometer(), m_rig.heatSource(),
+              [this] { return m_rig.trueTemperatures_K(); },
+              m_camera ? m_camera.get() : &m_rig.sourceTracker(), false, m_thermometer.get()},
              m_rig.clock()),
       m_script(experiment.simulation.faults) {}
 

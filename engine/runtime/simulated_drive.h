@@ -1,7 +1,7 @@
 #pragma once
 // A simulated rig and its loop, advanced together as fast as the computer can.
 
-#include "engine/rig/camera_thermometer.h"
+#include "engine/rig/object_thermometer.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/simulation/simulated_rig.h"
@@ -26,8 +26,8 @@ private:
 
     double m_period_s;
     SimulatedRig m_rig;
-    std::unique_ptr<CameraSourceTracker> m_camera;          ///< null unless a camera follows the source
-    std::unique_ptr<CameraThermometer> m_cameraThermometer; ///< null without a thermal camera
+    std::unique_ptr<CameraSourceTracker> m_camera;    ///< null unless a camera follows the source
+    std::unique_ptr<ObjectThermometer> m_thermometer; ///< null without a thermal camera
     ServoLoop m_loop;
     FaultScript m_script;
 };

@@ -47,7 +47,8 @@ enum class PlaceState {
 /// The state of a device that is being tried.
 struct TriedDevice {
     RigDeviceState state;
-    std::vector<double> temperatures_K;  ///< all channels of a thermometer, or the source; NaN: no value
+    std::vector<double> temperatures_K;  ///< all channels of a thermometer, the source, or least and
+                                         ///< largest of a thermal picture; NaN: no value
     std::optional<Vector6d> coordinates; ///< of a robot
 };
 

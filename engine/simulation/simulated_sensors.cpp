@@ -47,7 +47,16 @@ Result<std::vector<Reading>> SimulatedThermometer::read() {
         if (dropped)
             out[i] = {m_clock.now_s(), std::numeric_limits<double>::quiet_NaN(), false};
     }
+    if (m_swapped)
+        std::swap(out.at(m_swapped->first), out.at(m_swapped->second));
     return out;
+}
+
+void SimulatedThermometer::setSwapped(std::size_t a, std::size_t b, bool isOn) {
+    if (isOn)
+        m_swapped = {a, b};
+    else if (m_swapped == std::pair(a, b))
+        m_swapped.reset();
 }
 
 void SimulatedThermometer::setTrouble(std::size_t channel, SensorTrouble trouble, double room_K) {

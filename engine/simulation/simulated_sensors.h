@@ -7,7 +7,9 @@
 #include "engine/devices/thermometer.h"
 
 #include <deque>
+#include <optional>
 #include <random>
+#include <utility>
 
 namespace bask {
 
@@ -48,6 +50,8 @@ public:
     }
     /// Sets a fault; `room_K` is the reading of a sensor that has come off.
     void setTrouble(std::size_t channel, SensorTrouble trouble, double room_K = 298.15);
+    /// Lets two channels give each other's readings, or no longer; one pair at a time.
+    void setSwapped(std::size_t a, std::size_t b, bool isOn);
     /// Sets the time constant in still air of sensors that come off, s; 0: they read the room's temperature
     /// at once.
     void setOffLag(double lag_s) { m_offLag_s = lag_s; }
@@ -75,6 +79,7 @@ private:
     double m_offLag_s = 0.0;
     std::vector<double> m_offset_K;
     std::vector<Trouble> m_troubles;
+    std::optional<std::pair<std::size_t, std::size_t>> m_swapped;
     std::deque<Moment> m_history;
 };
 

@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/simulation/rig_faces.h"
 #include "engine/simulation/simulated_camera.h"
+#include "engine/thermography/frame_picture_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@
 
 namespace bask {
 namespace {
-
-constexpr double kUsualAngle_rad = radFromDeg(57.0);
 
 SimulatedThermalCameraConfig usable(SimulatedThermalCameraConfig config) {
     if (config.camera.width != config.profile.width || config.camera.height != config.profile.height ||
@@ -38,27 +37,12 @@ Error noPicture(const char* why) {
 std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& profile) {
     const auto rowBytes = static_cast<std::size_t>(profile.width) * 2;
     std::string bytes(static_cast<std::size_t>(profile.skipTop) * rowBytes, '\0');
-    // A profile is linear, so two of its numbers give its inverse.
-    const double zero_K = profile.temperature_K(0.0), step_K = profile.temperature_K(1.0) - zero_K;
-    const double largest = static_cast<double>((1 << profile.bits) - 1);
-    for (const double T_K : picture.T_K) {
-        const auto number =
-            static_cast<unsigned>(std::lround(std::clamp((T_K - zero_K) / step_K, 0.0, largest)));
+    for (const unsigned number : countsOfPicture(picture, profile).counts) {
         const auto low = static_cast<char>(number & 0xffU), high = static_cast<char>(number >> 8U);
         bytes += profile.isBigEndian ? high : low;
         bytes += profile.isBigEndian ? low : high;
     }
     return bytes + std::string(static_cast<std::size_t>(profile.skipBottom) * rowBytes, '\0');
-}
-
-CameraModel usualThermalLens(const ThermalProfile& profile) {
-    CameraModel camera;
-    camera.width = profile.width;
-    camera.height = profile.height;
-    camera.fx = camera.fy = 0.5 * profile.width / std::tan(0.5 * kUsualAngle_rad);
-    camera.cx = 0.5 * (profile.width - 1);
-    camera.cy = 0.5 * (profile.height - 1);
-    return camera;
 }
 
 Pose usualThermalPose() {

@@ -20,8 +20,6 @@ namespace bask {
 /// hotter than it can tell is its least or largest number.
 std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& profile);
 
-/// Returns a lens of 57 degrees across the picture of a camera, without distortion.
-CameraModel usualThermalLens(const ThermalProfile& profile);
 /// Returns X_RC of a camera 1.1 m above a source at R's origin, which sees the backs of objects within 20 cm
 /// of it and up to 30 cm high.
 Pose usualThermalPose();

@@ -179,7 +179,8 @@ const std::vector<SimulatedFault>& alarmFaults() {
     static const std::vector<SimulatedFault> faults = [] {
         std::vector<SimulatedFault> all;
         for (int i = 1; i < kSimulatedFaults; ++i)
-            all.push_back(static_cast<SimulatedFault>(i));
+            if (const auto fault = static_cast<SimulatedFault>(i); fault != SimulatedFault::SensorsSwapped)
+                all.push_back(fault); // which only a thermal camera can tell
         return all;
     }();
     return faults;
@@ -212,6 +213,7 @@ double alarmFaultFrequency(SimulatedFault fault) {
     case SimulatedFault::SourceSilent:
         return 2.0;
     case SimulatedFault::ObjectHot:
+    case SimulatedFault::SensorsSwapped:
         return 1.0;
     case SimulatedFault::SourceOverheats:
     case SimulatedFault::SourceKeepsHeat:

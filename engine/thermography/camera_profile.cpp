@@ -129,6 +129,40 @@ Result<ThermalProfile> thermalProfileFromJson(const std::string& text, const std
     return readJsonText<ThermalProfile>(text, where, readThermalProfile);
 }
 
+std::string thermalProfileToJson(const ThermalProfile& profile) {
+    nlohmann::ordered_json j;
+    const auto temperature = [&](const char* key, double T_K) {
+        const double rounded_degC = std::round(celsiusFromKelvin(T_K) * 1e6) / 1e6;
+        j[key] = kelvinFromCelsius(rounded_degC) == T_K ? rounded_degC : celsiusFromKelvin(T_K);
+    };
+    const auto word = [&](const char* key, const auto& words, const auto& value) {
+        for (const auto& [name, each] : words)
+            if (each == value)
+                j[key] = name;
+    };
+    j["name"] = profile.name;
+    j["title"] = profile.title;
+    j["source"] = profile.source;
+    j["width"] = profile.width;
+    j["height"] = profile.height;
+    j["skip_top"] = profile.skipTop;
+    j["skip_bottom"] = profile.skipBottom;
+    j["optional_bottom"] = profile.optionalBottom;
+    j["bits"] = profile.bits;
+    word("pixel_format", kPixelFormats, profile.pixelFormat);
+    word("byte_order", kByteOrders, profile.isBigEndian);
+    j["scale"] = profile.scale;
+    j["offset"] = profile.offset;
+    word("unit", kCountUnits, profile.unit);
+    temperature("min_degC", profile.min_K);
+    temperature("max_degC", profile.max_K);
+    if (profile.warnAbove_K)
+        temperature("warn_above_degC", *profile.warnAbove_K);
+    if (profile.frameRate_Hz)
+        j["frame_rate_Hz"] = *profile.frameRate_Hz;
+    return j.dump();
+}
+
 const std::vector<ThermalProfile>& shippedThermalProfiles() {
     static const std::vector<ThermalProfile> kProfiles = [] {
         std::vector<ThermalProfile> out;

@@ -44,6 +44,9 @@ struct ThermalProfile {
 /// numbers out of range. docs/thermal-cameras.md lists the keys.
 Result<ThermalProfile> thermalProfileFromJson(const std::string& text, const std::string& where);
 
+/// Returns JSON that thermalProfileFromJson reads back as the same profile.
+std::string thermalProfileToJson(const ThermalProfile& profile);
+
 /// Returns the profiles that are part of Bask, in the order of their names.
 const std::vector<ThermalProfile>& shippedThermalProfiles();
 

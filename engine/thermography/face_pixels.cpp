@@ -204,6 +204,17 @@ PixelRays::PixelRays(const CameraModel& camera) : m_camera(camera) {
         }
 }
 
+bool PixelRays::isUsable(const CameraModel& camera) {
+    const Lens lens(camera);
+    constexpr int kLines = 24; // both ways, with the edges; where a lens model fails it fails beyond a curve
+    for (int i = 0; i <= kLines; ++i)
+        for (int k = 0; k <= kLines; ++k)
+            if (!rayOf(lens, Eigen::Vector2d((camera.width - 1.0) * i / kLines,
+                                             (camera.height - 1.0) * k / kLines)))
+                return false;
+    return true;
+}
+
 std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_WC,
                                            std::span<const PlacedPlate> objects,
                                            std::span<const PlacedPlate> screens,

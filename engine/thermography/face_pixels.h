@@ -18,6 +18,9 @@ public:
     /// model cannot be inverted within the picture.
     explicit PixelRays(const CameraModel& camera);
 
+    /// Returns whether a lens model can be inverted within the whole picture.
+    static bool isUsable(const CameraModel& camera);
+
     const CameraModel& camera() const { return m_camera; }
     /// Returns (X/Z, Y/Z) of a pixel's line of sight in camera axes; pixels count row by row.
     const Eigen::Vector2d& ray(std::size_t pixel) const { return m_rays[pixel]; }

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace bask {
@@ -85,6 +86,18 @@ Result<FaceTemperature> faceTemperature(const BandRadiance& band, const FaceSurr
                      {},
                      {temperatureArg(T_app_K), formatNumber(face.emittance)}};
     return FaceTemperature{T_K, sensitivitiesAt(band, face, T_K, T_app_K, surrounding)};
+}
+
+double reflectedTemperature(const BandRadiance& band, const FaceSurroundings& face) {
+    return band.temperature(surroundingRadiance(band, face));
+}
+
+double explainingEmittance(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
+                           double T_K) {
+    const double surrounding = surroundingRadiance(band, face);
+    const double own = band.radiance(T_K) - surrounding;
+    return own == 0.0 ? std::numeric_limits<double>::quiet_NaN()
+                      : (band.radiance(T_app_K) - surrounding) / own;
 }
 
 double standardOfLimits(double limit) {

@@ -53,6 +53,14 @@ struct FaceTemperature {
 Result<FaceTemperature> faceTemperature(const BandRadiance& band, const FaceSurroundings& face,
                                         double T_app_K);
 
+/// Returns the temperature of the black body as bright as what a face reflects, K.
+double reflectedTemperature(const BandRadiance& band, const FaceSurroundings& face);
+
+/// Returns the emittance with which a face at `T_K` looks like `T_app_K`, whatever `face` says of it; NaN if
+/// the face is as warm as what it reflects. Outside of 0 to 1 no face explains it.
+double explainingEmittance(const BandRadiance& band, const FaceSurroundings& face, double T_app_K,
+                           double T_K);
+
 /// Returns the standard uncertainty of a value known to lie within +-`limit`, evenly likely (GUM 4.3.7).
 double standardOfLimits(double limit);
 

@@ -16,7 +16,8 @@ namespace bask {
 
 /// One object in a picture.
 struct ThermalObjectView {
-    /// Its outline as the lens shows it, closed, px; partly outside of the picture or empty if it is not seen.
+    /// Its outline as the lens shows it, closed, px; partly outside of the picture or empty if it is not
+    /// seen.
     std::vector<Eigen::Vector2d> outline_px;
     std::vector<int> pixels;    ///< those that were read, ascending, row by row
     std::optional<double> T_K;  ///< empty: it could not be read

@@ -35,6 +35,8 @@ QString roleWord(DeviceRole role) {
         return Words::tr("Heat source");
     case DeviceRole::Camera:
         return Words::tr("Camera");
+    case DeviceRole::ThermalCamera:
+        return Words::tr("Thermal camera");
     }
     return {};
 }
@@ -67,6 +69,8 @@ bool hasDevice(const RigSpec& rig, DeviceRole role) {
         return rig.source.has_value();
     case DeviceRole::Camera:
         return !rig.camera.empty();
+    case DeviceRole::ThermalCamera:
+        return rig.thermalCamera.has_value();
     }
     return false;
 }
@@ -88,6 +92,8 @@ QString driverText(const RigSpec& rig, DeviceRole role) {
         return withTitle(*rig.source);
     case DeviceRole::Camera:
         return Words::tr("Pictures");
+    case DeviceRole::ThermalCamera:
+        return QString::fromStdString(rig.thermalCamera->profile.title);
     }
     return {};
 }
@@ -104,6 +110,8 @@ QString portText(const RigSpec& rig, DeviceRole role) {
         return isManualSource(*rig.source) ? QString() : QString::fromStdString(rig.source->port);
     case DeviceRole::Camera:
         return QString::fromStdString(rig.camera);
+    case DeviceRole::ThermalCamera:
+        return QString::fromStdString(rig.thermalCamera->device);
     }
     return {};
 }
@@ -121,6 +129,9 @@ RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other) {
         break;
     case DeviceRole::Camera:
         rig.camera = other.camera;
+        break;
+    case DeviceRole::ThermalCamera:
+        rig.thermalCamera = other.thermalCamera;
         break;
     }
     return rig;
@@ -149,16 +160,25 @@ QString ageText(double age_s) {
     return age_s < 99.95 ? Words::tr("%1 s").arg(QLocale().toString(age_s, 'f', 1)) : formatDuration(age_s);
 }
 
+std::vector<std::string> withSensors(const std::vector<ObjectSpec>& objects) {
+    std::vector<std::string> out;
+    for (const ObjectSpec& object : objects)
+        if (object.readBy != ReadBy::Camera)
+            out.push_back(object.name);
+    return out;
+}
+
 void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<ObjectSpec>& after,
                   std::vector<int>& channels) {
-    if (before.size() == after.size() || channels.size() != before.size())
+    const std::vector<std::string> old = withSensors(before), now = withSensors(after);
+    if (old.size() == now.size() || channels.size() != old.size())
         return;
     constexpr int kNew = -1;
-    std::vector<int> kept(after.size(), kNew);
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        const auto it = std::ranges::find(before, after[i].name, &ObjectSpec::name);
-        if (it != before.end())
-            kept[i] = channels[static_cast<std::size_t>(it - before.begin())];
+    std::vector<int> kept(now.size(), kNew);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const auto it = std::ranges::find(old, now[i]);
+        if (it != old.end())
+            kept[i] = channels[static_cast<std::size_t>(it - old.begin())];
     }
     int free = 0;
     for (int& channel : kept)
@@ -170,10 +190,10 @@ void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<Objec
     channels = std::move(kept);
 }
 
-std::vector<int> channelsFor(std::vector<int> channels, std::size_t objects) {
-    if (channels.size() > objects)
-        channels.resize(objects);
-    for (int free = 0; channels.size() < objects; ++free)
+std::vector<int> channelsFor(std::vector<int> channels, std::size_t sensors) {
+    if (channels.size() > sensors)
+        channels.resize(sensors);
+    for (int free = 0; channels.size() < sensors; ++free)
         if (std::ranges::find(channels, free) == channels.end())
             channels.push_back(free);
     return channels;

@@ -19,7 +19,7 @@ double sourceTemperature_K(const Snapshot& snapshot);
 QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit);
 
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
-                                         DeviceRole::Camera};
+                                         DeviceRole::Camera, DeviceRole::ThermalCamera};
 
 const char* roleName(DeviceRole role); ///< "robot", for object names
 QString roleWord(DeviceRole role);     ///< "Robot"
@@ -38,12 +38,15 @@ RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other);
 /// Returns "12 ms", "3.2 s", "2:05"; empty if it never answered.
 QString ageText(double age_s);
 
-/// Adapts the channels to added or removed objects: an object with the same name keeps its channel, new ones
+/// Returns the names of the objects with a sensor on them: each has a channel.
+std::vector<std::string> withSensors(const std::vector<ObjectSpec>& objects);
+
+/// Adapts the channels to added or removed sensors: an object with the same name keeps its channel, new ones
 /// get the lowest free ones. If the number is the same, nothing changes.
 void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<ObjectSpec>& after,
                   std::vector<int>& channels);
 
-/// Returns channels for this number of objects: the existing ones, then the lowest free ones.
-std::vector<int> channelsFor(std::vector<int> channels, std::size_t objects);
+/// Returns channels for this number of sensors: the existing ones, then the lowest free ones.
+std::vector<int> channelsFor(std::vector<int> channels, std::size_t sensors);
 
 } // namespace bask

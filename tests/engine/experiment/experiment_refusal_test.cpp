@@ -286,7 +286,8 @@ TEST(Refusal, NamesTheAllowedRangeAndTheKnownKeys) {
               "e.json: objects[0].material.emittance: 2 is out of range; allowed: 0 to 1");
     j = base();
     j["sampling"]["periode_s"] = 2;
-    EXPECT_NE(describe(refused(j.dump())).find("\"periode_s\"; known here: order, period_s, window"),
+    EXPECT_NE(describe(refused(j.dump()))
+                  .find("\"periode_s\"; known here: order, period_s, thermal_frame_period_s, window"),
               std::string::npos);
 }
 
@@ -427,6 +428,52 @@ TEST(Fuzz, DamagedTextsAreAcceptedOrRefusedInWords) {
     EXPECT_GT(refusals, 2000);
     for (std::size_t n = 0; n + 2 < whole.size(); n += 7)
         ASSERT_FALSE(experimentFromJson(whole.substr(0, n), "e.json", "/nowhere"));
+}
+
+TEST(ThermalCameraOfAnExperiment, IsRefusedWhereItDoesNotFit) {
+    json j = base();
+    const auto refuse = [&] { return refused(j.dump()); };
+    j["objects"][1]["read_by"] = "eye";
+    EXPECT_EQ(refuse().where, "e.json: objects[1].read_by");
+    j["objects"][1]["read_by"] = "both";
+    EXPECT_EQ(refuse().code(), ReadByNoCamera);
+    EXPECT_EQ(refuse().where, "e.json: objects[1].read_by");
+    j["simulation"]["thermal_camera"] = json::object();
+    j["sampling"]["period_s"] = 1.0;
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+    j["sampling"]["period_s"] = 0.1; // a closed shutter would be a lost sensor
+    EXPECT_EQ(refuse().where, "e.json: sampling.period_s");
+    j["objects"][1]["read_by"] = "contact";
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+
+    j = base();
+    json& camera = j["rig"]["thermal_camera"];
+    camera =
+        json::parse(R"({"device": "0", "profile": "lepton-3.5", "pose": {"z_cm": 110, "theta_x_deg": 180},
+        "lens": {"width_px": 160, "height_px": 120, "fx_px": 150, "fy_px": 150, "cx_px": 79.5, "cy_px": 59.5}})");
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+    camera["lens"]["width_px"] = 161;
+    EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.lens.width_px");
+    camera["lens"]["width_px"] = 160;
+    camera["lens"]["distortion"] = {-9.0, 0.0, 0.0, 0.0, 0.0};
+    EXPECT_EQ(refuse().code(), LensNotInvertible);
+    camera["lens"].erase("distortion");
+    camera["pose"]["z_cm"] = 1e4;
+    EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.pose.z_cm");
+}
+
+// An object that the camera reads has no channel.
+TEST(ThermalCameraOfAnExperiment, LeavesOutTheChannelsOfWhatItReads) {
+    json j = base();
+    j["rig"] = json::parse(R"({"thermometer": {"driver": "stream", "port": "t", "channels": [0, 1]},
+                               "thermal_camera": {"device": "0", "profile": "p2-pro"}})");
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+    j["objects"][0]["read_by"] = "camera";
+    EXPECT_EQ(refused(j.dump()).code(), ChannelCountWrong);
+    j["rig"]["thermometer"]["channels"] = {3};
+    const auto read = experimentFromJson(j.dump(), "e.json", "/nowhere");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(experimentFromJson(experimentToJson(*read), "e.json", "/nowhere").value(), *read);
 }
 
 } // namespace

@@ -31,6 +31,20 @@ RigSpec wholeRig() {
     rig.source->isProbeUsed = true;
     rig.source->mayHeatUnattended = true;
     rig.camera = "/dev/video2";
+    ThermalCameraSpec& camera = rig.thermalCamera.emplace();
+    camera.device = "frames/of run 3";
+    camera.profile = findThermalProfile("p2-pro").value();
+    camera.profile.scale = 0.015625123; // one of nobody's
+    CameraModel& lens = camera.lens.emplace();
+    lens.width = 256;
+    lens.height = 192;
+    lens.fx = 211.5;
+    lens.fy = 212.25;
+    lens.cx = 127.5;
+    lens.cy = 95.125;
+    lens.distortion = {-0.2, 0.03, 0.001, 0.0};
+    lens.rms_px = 0.123;
+    camera.pose = Vector6d{{0.1, -0.2, 1.1, 3.0, 0.1, -0.2}};
     return rig;
 }
 
@@ -143,6 +157,32 @@ TEST_F(RigFile, AFileThatCannotBeWrittenIsTold) {
     const auto written = writeRigFile(wholeRig(), nowhere);
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().code(), MessageCode::FileUnwritable);
+}
+
+// Catches a shipped camera written out in full, which would then never get a corrected profile.
+TEST_F(RigFile, NamesAShippedThermalCamera) {
+    for (const ThermalProfile& profile : shippedThermalProfiles()) {
+        RigSpec rig;
+        rig.thermalCamera = ThermalCameraSpec{"/dev/video2", profile, {}, {}};
+        ASSERT_TRUE(writeRigFile(rig, path));
+        EXPECT_NE(text().find("\"profile\": \"" + profile.name + '"'), std::string::npos) << text();
+        EXPECT_EQ(readRigFile(path).value(), rig);
+        rig.thermalCamera->profile.name = "mine"; // written in full, and read back to the last digit
+        ASSERT_TRUE(writeRigFile(rig, path));
+        EXPECT_EQ(readRigFile(path).value(), rig);
+    }
+}
+
+TEST_F(RigFile, RefusesAThermalCameraThatIsNone) {
+    const auto refused = [&](const std::string& camera) {
+        write(R"({"format": "bask-rig", "version": 1, "rig": {"thermal_camera": )" + camera + "}}");
+        return refusal();
+    };
+    EXPECT_EQ(refused(R"({"device": "0"})"), MessageCode::JsonMissingKey);
+    EXPECT_EQ(refused(R"({"profile": "p2-pro"})"), MessageCode::JsonMissingKey);
+    EXPECT_EQ(refused(R"({"device": "0", "profile": "p3-pro"})"), MessageCode::ValueUnknown);
+    EXPECT_EQ(refused(R"({"device": "0", "profile": {"name": "x"}})"), MessageCode::JsonMissingKey);
+    EXPECT_EQ(refused(R"({"device": "0", "profile": "p2-pro", "rate": 1})"), MessageCode::JsonUnknownKey);
 }
 
 } // namespace bask

@@ -23,7 +23,9 @@ bool sameObject(const ObjectSample& a, const ObjectSample& b) {
     return same(a.measured_K, b.measured_K) && same(a.estimated_K, b.estimated_K) &&
            same(a.rate_K_s, b.rate_K_s) && same(a.target_K, b.target_K) && same(a.viewFactor, b.viewFactor) &&
            same(a.unshadedViewFactor, b.unshadedViewFactor) && same(a.lambda1, b.lambda1) &&
-           same(a.lambda2, b.lambda2) && same(a.true_K, b.true_K) && a.valid == b.valid;
+           same(a.lambda2, b.lambda2) && same(a.true_K, b.true_K) && a.valid == b.valid &&
+           same(a.camera.T_K, b.camera.T_K) && same(a.camera.uncertainty_K, b.camera.uncertainty_K) &&
+           same(a.camera.spread_K, b.camera.spread_K) && same(a.camera.pixels, b.camera.pixels);
 }
 
 } // namespace
@@ -57,6 +59,9 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
         o.lambda2 = 1e-11 / (1.0 + x);
         o.true_K = o.measured_K - 0.01;
         o.valid = k % 7 != 0;
+        if (thermalProfile(experiment, true) && k % 5 != 0)
+            o.camera = {o.measured_K + 0.1, 0.2 + 0.01 * x, k % 3 == 0 ? kNotMeasured : 1.0 / (2.0 + x),
+                        50.0 + k};
         s.objects.push_back(o);
     }
     s.coordinates << 0.1 * std::sin(0.7 * k), -0.07, 0.15 + 1e-4 * k, 0.6 * std::sin(0.3 * k), -0.2,

@@ -58,7 +58,7 @@ TEST(CameraThermometer, ReadsTheRoomFirstAndThenWarmObjectsWithinWhatItStates) {
             const std::vector<Reading> readings = bench.read();
             const std::vector<double> true_K = bench.rig.trueTemperatures_K();
             for (std::size_t i = 0; i < readings.size(); ++i) {
-                ASSERT_TRUE(readings[i].valid) << describe(bench.thermometer->reason(i));
+                ASSERT_TRUE(readings[i].valid) << describe(readings[i].reason);
                 EXPECT_GT(readings[i].standardUncertainty_K, 0.0);
                 EXPECT_LT(std::abs(readings[i].value_K - true_K[i]),
                           4.0 * readings[i].standardUncertainty_K + 0.1);
@@ -95,7 +95,7 @@ TEST(CameraThermometer, KnowsWhereTheObjectsWereWhenTheFrameWasTaken) {
         bench.rig.advance(1.0);
         const std::vector<Reading> readings = bench.read();
         for (std::size_t i = 0; i < readings.size(); ++i) {
-            ASSERT_TRUE(readings[i].valid) << describe(bench.thermometer->reason(i));
+            ASSERT_TRUE(readings[i].valid) << describe(readings[i].reason);
             EXPECT_GT(readings[i].value_K, experiment.environment_K + 10.0);
             EXPECT_NEAR(readings[i].value_K, bench.rig.trueTemperatures_K()[i], 1.0); // they cool meanwhile
         }
@@ -118,7 +118,7 @@ TEST(CameraThermometer, TakesTheReflectionOffAFaceThatIsSeenFromBelow) {
     const std::vector<Reading> readings = bench.read();
     const Eigen::VectorXd F = rigGeometry(experiment)->viewFactors(experiment.start).F;
     for (std::size_t i = 0; i < readings.size(); ++i) {
-        ASSERT_TRUE(readings[i].valid) << describe(bench.thermometer->reason(i));
+        ASSERT_TRUE(readings[i].valid) << describe(readings[i].reason);
         EXPECT_GT(F[static_cast<Eigen::Index>(i)], 0.08);
         EXPECT_LT(readings[i].standardUncertainty_K, 1.5);
         EXPECT_NEAR(readings[i].value_K, bench.rig.trueTemperatures_K()[i],
@@ -137,7 +137,7 @@ TEST(CameraThermometer, DoesNotReadWhatStandsBeforeAnObject) {
     Bench bench(experiment);
     const std::vector<Reading> readings = bench.read();
     EXPECT_FALSE(readings[0].valid);
-    EXPECT_EQ(bench.thermometer->reason(0).code, MessageCode::ThermalFaceHidden);
+    EXPECT_EQ(readings[0].reason.code, MessageCode::ThermalFaceHidden);
     EXPECT_TRUE(readings[1].valid); // one that is not seen takes nothing from the others
     EXPECT_TRUE(readings[2].valid);
 }
@@ -164,9 +164,10 @@ TEST(CameraThermometer, SeesAllObjectsFromEveryCornerOfTheWorkspace) {
         }
         experiment.start[2] = std::max(experiment.start[2], 0.08); // with the tilt above the clearance
         Bench bench(experiment);
-        for (std::size_t i = 0; i < bench.read().size(); ++i)
-            EXPECT_TRUE(bench.read()[i].valid)
-                << "corner " << corner << ", object " << i << ": " << describe(bench.thermometer->reason(i));
+        const std::vector<Reading> readings = bench.read();
+        for (std::size_t i = 0; i < readings.size(); ++i)
+            EXPECT_TRUE(readings[i].valid)
+                << "corner " << corner << ", object " << i << ": " << describe(readings[i].reason);
     }
 }
 
@@ -175,9 +176,10 @@ TEST(CameraThermometer, GivesNoNumberOfAnObjectThatItDoesNotSee) {
     // Looks past the rig.
     experiment.simulation.thermalCamera->pose = Vector6d{{0.0, 0.0, 1.0, 0.0, 0.0, 0.0}};
     Bench bench(experiment);
-    for (const Reading& reading : bench.read())
+    for (const Reading& reading : bench.read()) {
         EXPECT_FALSE(reading.valid);
-    EXPECT_EQ(bench.thermometer->reason(0).code, MessageCode::ThermalFaceOutside);
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalFaceOutside);
+    }
 }
 
 TEST(CameraThermometer, GivesNoNumberBeforeItIsZeroed) {
@@ -186,8 +188,134 @@ TEST(CameraThermometer, GivesNoNumberBeforeItIsZeroed) {
         ASSERT_TRUE(bench.rig.heatSource().keepHeating(473.15, 10.0));
         bench.rig.advance(0.5);
     }
-    for (const Reading& reading : bench.read())
+    for (const Reading& reading : bench.read()) {
         EXPECT_FALSE(reading.valid);
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalNotZeroed);
+    }
+}
+
+// Catches a camera that is zeroed on an object that is warm although nothing was heated yet: all later
+// readings of it were too low.
+TEST(CameraThermometer, IsNotZeroedOnAWarmObjectAmongColdOnes) {
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    bench.rig.setHot(1, true);
+    bench.rig.advance(3.0);
+    bench.rig.setHot(1, false);
+    const std::vector<Reading> readings = bench.read();
+    EXPECT_TRUE(readings[0].valid);
+    EXPECT_FALSE(readings[1].valid);
+    EXPECT_EQ(readings[1].reason.code, MessageCode::ThermalNotZeroed);
+    EXPECT_TRUE(readings[2].valid);
+}
+
+TEST(CameraThermometer, ShowsWhatItReads) {
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    const std::vector<Reading> readings = bench.read();
+    const auto view = bench.thermometer->view();
+    ASSERT_TRUE(view->picture);
+    EXPECT_EQ(view->picture->width, 256);
+    EXPECT_NEAR(view->age_s, 0.1, 0.15);
+    EXPECT_EQ(view->problem.code, MessageCode::None);
+    ASSERT_EQ(view->objects.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ThermalObjectView& object = view->objects[i];
+        EXPECT_EQ(object.T_K, readings[i].value_K);
+        EXPECT_EQ(object.uncertainty_K, readings[i].standardUncertainty_K);
+        EXPECT_EQ(static_cast<double>(object.pixels.size()), bench.thermometer->sample(i).pixels);
+        Eigen::AlignedBox2d outline;
+        for (const Eigen::Vector2d& point : object.outline_px)
+            outline.extend(point);
+        for (const int pixel : object.pixels)
+            EXPECT_TRUE(outline.contains(Eigen::Vector2d(pixel % 256, pixel / 256)));
+    }
+    bench.rig.simulatedThermalCamera()->setUnplugged(true);
+    bench.rig.advance(3.0);
+    const auto lost = bench.thermometer->view();
+    EXPECT_NE(lost->problem.code, MessageCode::None);
+    EXPECT_EQ(lost->picture, view->picture); // with its age
+    EXPECT_GT(lost->age_s, 2.0);
+}
+
+// Catches the channel of one object taken for another's where a sensor is left out, and a camera asked for
+// what it does not read.
+TEST(ObjectThermometer, TakesEachObjectFromWhatItIsReadBy) {
+    struct Contact final : Thermometer {
+        int channels() const override { return 2; }
+        Result<std::vector<Reading>> read() override {
+            return std::vector<Reading>{{1.0, 301.0, true}, {1.0, 302.0, true}};
+        }
+    } contact;
+    Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    ObjectThermometer thermometer({ReadBy::Both, ReadBy::Camera, ReadBy::Contact}, 298.15, contact,
+                                  cameraThermometer(experiment, bench.rig));
+    const std::vector<Reading> readings = thermometer.read().value();
+    EXPECT_EQ(readings[0].value_K, 301.0);
+    EXPECT_NEAR(readings[1].value_K, experiment.environment_K, 0.1);
+    EXPECT_GT(readings[1].standardUncertainty_K, 0.0);
+    EXPECT_EQ(readings[2].value_K, 302.0);
+    EXPECT_NEAR(thermometer.camera().sample(0).T_K, experiment.environment_K, 0.1);
+
+    bench.rig.simulatedThermalCamera()->setUnplugged(true);
+    bench.rig.advance(3.0);
+    const std::vector<Reading> without = thermometer.read().value();
+    EXPECT_EQ(without[0].value_K, 301.0); // the sensors go on telling
+    EXPECT_FALSE(without[1].valid);
+    EXPECT_EQ(without[1].reason.code, thermometer.cameraProblem().code);
+    EXPECT_NE(thermometer.cameraProblem().code, MessageCode::None);
+    EXPECT_TRUE(std::isnan(thermometer.camera().sample(0).T_K)); // not the last that it saw
+}
+
+// Catches a room that is not the experiment's: sensors and camera differed by it for ever.
+TEST(ObjectThermometer, ZeroesTheCameraToTheRoomThatTheSensorsTell) {
+    struct Contact final : Thermometer {
+        int channels() const override { return 3; }
+        Result<std::vector<Reading>> read() override {
+            return std::vector<Reading>{{1.0, 295.0, true}, {1.0, 296.0, true}, {1.0, 297.0, true}};
+        }
+    } contact;
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    ObjectThermometer thermometer(std::vector(3, ReadBy::Both), 298.15, contact,
+                                  cameraThermometer(experiment, bench.rig));
+    for (int k = 0; k < 10; ++k) {
+        ASSERT_TRUE(thermometer.read());
+        bench.rig.advance(0.5);
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_NEAR(thermometer.camera().sample(i).T_K, 296.0, 0.1);
+}
+
+TEST(CameraThermometer, TellsNothingOfAFrameThatIsOld) {
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    ASSERT_TRUE(bench.read()[0].valid);
+    bench.rig.simulatedThermalCamera()->setUnplugged(true);
+    bench.rig.advance(0.5);
+    bench.rig.advance(3.0);
+    EXPECT_FALSE(bench.thermometer->read());
+    EXPECT_TRUE(std::isnan(bench.thermometer->sample(0).T_K));
+    EXPECT_NE(bench.thermometer->reason(0).code, MessageCode::None);
+}
+
+// Catches zeros that are lost by an edit, and a warm object taken for cold after it.
+TEST(CameraThermometer, RemembersItsZerosAndTheHeat) {
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    (void)bench.read();
+    bench.heat(30.0);
+    (void)bench.read();
+    auto other = cameraThermometer(experiment, bench.rig);
+    other->use(bench.thermometer->memory());
+    EXPECT_FALSE(other->isCold());
+    const std::vector<Reading> readings = other->read().value();
+    for (std::size_t i = 0; i < 3; ++i) {
+        ASSERT_TRUE(readings[i].valid) << describe(readings[i].reason);
+        EXPECT_NEAR(readings[i].value_K, bench.rig.trueTemperatures_K()[i],
+                    4.0 * readings[i].standardUncertainty_K + 0.1);
+    }
 }
 
 } // namespace

@@ -494,7 +494,7 @@ TEST(Safety, WhatIsNotSetUpIsNoAlarmAndNotReady) {
     const Experiment experiment = fastDisks();
     SimulatedRig rig(simulatedRigConfig(experiment));
     MissingRobot noRobot;
-    MissingThermometer noThermometer;
+    MissingThermometer noThermometer("thermometer");
     MissingHeatSource noSource;
     const auto isMissing = [](const Message& reason) { return reason.code == MessageCode::RigIncomplete; };
     ServoLoop empty(experiment, {noRobot, noThermometer, noSource, {}, nullptr, true}, rig.clock());

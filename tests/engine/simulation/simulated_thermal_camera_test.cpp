@@ -6,6 +6,8 @@
 #include "engine/base/units.h"
 #include "engine/simulation/simulated_camera.h"
 #include "engine/thermography/face_thermometer.h"
+#include "engine/thermography/frame_picture_file.h"
+#include "engine/thermography/usual_lens.h"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +69,29 @@ ThermalPicture meanPicture(SimulatedThermalCamera& camera, ThermalMoment moment,
 
 double hottest(const ThermalPicture& picture) {
     return *std::ranges::max_element(picture.T_K);
+}
+
+// Number of the issue: below 60 % of 16 bits a pixel, without loss, as PNG and as TIFF.
+TEST(SimulatedThermalCamera, ItsPicturesAreStoredWithoutLossInLittleRoom) {
+    for (const ThermalProfile& profile : shippedThermalProfiles()) {
+        SimulatedThermalCameraConfig config = oneDisk();
+        config.profile = profile;
+        config.camera = usualThermalLens(profile);
+        config.source = {{Disk{0.1}, Pose::Identity(), 0.25}};
+        SimulatedThermalCamera camera(config);
+        ThermalMoment moment = momentOf(1.0, 320.0, face(0.9, 0.3, 473.15));
+        camera.observe(moment);
+        moment.time_s = 2.0;
+        camera.observe(moment);
+        const ThermalPicture picture = camera.newest().value()->frame.picture;
+        const CountPicture counts = countsOfPicture(picture, profile);
+        const std::string png = pngOfCounts(counts);
+        EXPECT_LT(static_cast<double>(png.size()),
+                  0.6 * 2.0 * static_cast<double>(profile.width) * profile.height)
+            << profile.name;
+        for (const std::string& bytes : {png, tiffOfCounts(counts)})
+            EXPECT_EQ(frameOfImage(bytes, profile, "stored").value().picture, picture) << profile.name;
+    }
 }
 
 TEST(SimulatedThermalCamera, TellsItsBytesAsEveryProfileReadsThem) {

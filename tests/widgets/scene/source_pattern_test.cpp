@@ -5,10 +5,10 @@
 namespace bask {
 namespace {
 
-constexpr int kCells = 41; // the middle one is at the origin
+constexpr int kPatternCells = 41; // the middle one is at the origin
 
 double atCell(const std::vector<double>& pattern, std::size_t column, std::size_t row) {
-    return pattern.at(row * kCells + column);
+    return pattern.at(row * kPatternCells + column);
 }
 
 Experiment plate() {
@@ -17,7 +17,7 @@ Experiment plate() {
     return e;
 }
 
-const Eigen::AlignedBox2d kBox(Eigen::Vector2d(-0.1, -0.1), Eigen::Vector2d(0.1, 0.1));
+const Eigen::AlignedBox2d kPatternBox(Eigen::Vector2d(-0.1, -0.1), Eigen::Vector2d(0.1, 0.1));
 
 } // namespace
 
@@ -28,7 +28,7 @@ TEST(SourcePattern, PartsAreWhereTheyLie) {
     part.pose[kX] = 0.05;
     part.emittance = 0.5 * e.source.emittance;
     e.source.uneven.parts = {part};
-    const std::vector<double> pattern = sourcePattern(e, kBox, kCells);
+    const std::vector<double> pattern = sourcePattern(e, kPatternBox, kPatternCells);
     EXPECT_NEAR(atCell(pattern, 30, 20), 0.5, 1e-12);
     EXPECT_EQ(atCell(pattern, 20, 20), 0.0);
     EXPECT_EQ(atCell(pattern, 10, 20), 0.0);
@@ -38,7 +38,7 @@ TEST(SourcePattern, PartsAreWhereTheyLie) {
 TEST(SourcePattern, AProfileFallsAlongTheRadius) {
     Experiment e = plate();
     e.source.uneven.profile = {{0.02, 1.0}, {0.08, 0.5}};
-    const std::vector<double> pattern = sourcePattern(e, kBox, kCells);
+    const std::vector<double> pattern = sourcePattern(e, kPatternBox, kPatternCells);
     EXPECT_DOUBLE_EQ(atCell(pattern, 20, 20), 1.0);
     EXPECT_DOUBLE_EQ(atCell(pattern, 22, 20), 1.0);
     double before = 1.0;

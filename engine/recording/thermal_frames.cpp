@@ -1,0 +1,67 @@
+// Recorded pictures of the thermal camera: reading and exporting.
+
+#include "engine/base/message_code.h"
+#include "engine/recording/session_facts.h"
+#include "engine/recording/session_file.h"
+#include "engine/recording/session_store.h"
+#include "engine/recording/staged_files.h"
+#include "engine/thermography/frame_picture_file.h"
+
+#include <algorithm>
+
+namespace bask {
+
+Result<void> readThermalFrames(const std::string& path,
+                               const std::function<void(double time_s, const std::string& png)>& take) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    const auto columns = (*store)->columns("thermal_frame");
+    if (!columns || columns->empty())
+        return columns ? Result<void>() : Result<void>(columns.error());
+    return (*store)->select("SELECT time_s, png FROM thermal_frame ORDER BY rowid",
+                            [&](SessionStore::Row row) {
+                                if (const auto* png = std::get_if<SqlBlob>(&row[1]))
+                                    take(numberOf(row[0]), png->bytes);
+                            });
+}
+
+Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    const auto facts = readFacts(**store, path);
+    if (!facts)
+        return facts.error();
+    const auto profile = thermalProfile(facts->experiment, facts->simulated);
+    if (!profile)
+        return Error(MessageCode::NoThermalFrames, path);
+    auto files = StagedFiles::into(folder);
+    if (!files)
+        return files.error();
+    Result<void> done;
+    std::string times = "file,time_s\n";
+    int number = 0;
+    const auto read = readThermalFrames(path, [&](double time_s, const std::string& png) {
+        const std::string digits = std::to_string(++number);
+        const std::string name =
+            "frame_" + std::string(7 - std::min<std::size_t>(7, digits.size()), '0') + digits + ".tif";
+        const auto frame = frameOfImage(png, *profile, path);
+        if (done && !frame)
+            done = frame.error();
+        if (done)
+            done = files->write(name, tiffOfCounts(countsOfPicture(frame->picture, *profile)));
+        times += name + ',' + formatNumber(time_s, 12) + '\n';
+    });
+    if (!read)
+        return read.error();
+    if (number == 0)
+        return Error(MessageCode::NoThermalFrames, path);
+    if (done)
+        done = files->write("times.csv", times);
+    if (!done)
+        return done.error();
+    return files->commit();
+}
+
+} // namespace bask

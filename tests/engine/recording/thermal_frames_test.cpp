@@ -1,0 +1,109 @@
+// Pictures of the thermal camera in a session: stored without loss, exported, and not there where there is no
+// camera.
+
+#include "engine/base/message_code.h"
+#include "engine/recording/session_file.h"
+#include "engine/thermography/frame_file.h"
+#include "tests/engine/recording/recording.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace bask {
+namespace {
+
+Experiment withCamera() {
+    Experiment experiment = test::twoDisks();
+    experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
+    return experiment;
+}
+
+/// A picture of temperatures that the camera can tell, with a saturated pixel.
+ThermalPicture pictureOf(const ThermalProfile& profile, int k) {
+    ThermalPicture picture{profile.width, profile.height, {}};
+    for (int i = 0; i < profile.width * profile.height; ++i)
+        picture.T_K.push_back(profile.temperature_K(29000 + (i * 7 + k * 13) % 5000));
+    picture.T_K[5] = std::numeric_limits<double>::infinity();
+    return picture;
+}
+
+struct ThermalFramesOfASession : testing::Test {
+    QTemporaryDir folder;
+    std::string path = folder.filePath("run.bask").toStdString();
+    std::string frames = folder.filePath("frames").toStdString();
+    ThermalProfile profile = findThermalProfile("lepton-3.5").value();
+
+    void record(const Experiment& experiment, int count) {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        for (int k = 0; k < count; ++k) {
+            ASSERT_TRUE((*writer)->add(test::madeUpSample(experiment, k)));
+            ASSERT_TRUE(
+                (*writer)->add(TraceFrame{0.5 + k, std::make_shared<ThermalPicture>(pictureOf(profile, k))}));
+        }
+        ASSERT_TRUE((*writer)->finish("settled"));
+    }
+};
+
+} // namespace
+
+TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlays) {
+    record(withCamera(), 12);
+    int k = 0;
+    ASSERT_TRUE(readThermalFrames(path, [&](double time_s, const std::string& png) {
+        EXPECT_EQ(time_s, 0.5 + k);
+        EXPECT_EQ(frameOfImage(png, profile, "png").value().picture, pictureOf(profile, k)) << k;
+        ++k;
+    }));
+    EXPECT_EQ(k, 12);
+    const auto files = exportThermalFrames(path, frames);
+    ASSERT_TRUE(files) << describe(files.error());
+    EXPECT_EQ(files->size(), 13U);
+    const auto read = readFrame(frames + "/frame_0000012.tif", profile);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->picture, pictureOf(profile, 11));
+    std::ifstream times(frames + "/times.csv");
+    const std::string text{std::istreambuf_iterator<char>(times), {}};
+    EXPECT_EQ(framesOfFolder(frames, profile).value().size(), 12U);
+    EXPECT_EQ(text.find("file,time_s\nframe_0000001.tif,0.5\n"), 0U) << text;
+    // The CSV export leaves them out: they are no table.
+    const auto tables = exportSessionCsv(path, folder.filePath("csv").toStdString());
+    ASSERT_TRUE(tables);
+    for (const std::string& file : *tables)
+        EXPECT_EQ(file.find("thermal_frame"), std::string::npos);
+}
+
+TEST_F(ThermalFramesOfASession, OfTheCamerasReadingsNothingIsLost) {
+    const Experiment experiment = withCamera();
+    record(experiment, 12);
+    const auto session = readSession(path);
+    ASSERT_TRUE(session);
+    for (int k = 0; k < 12; ++k)
+        EXPECT_TRUE(test::sameSample(session->samples[static_cast<std::size_t>(k)],
+                                     test::madeUpSample(experiment, k)))
+            << k;
+}
+
+TEST_F(ThermalFramesOfASession, AreNotThereWithoutACamera) {
+    const Experiment experiment = test::twoDisks();
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE(writer);
+        ASSERT_TRUE((*writer)->add(test::madeUpSample(experiment, 0)));
+        EXPECT_THROW(
+            (void)(*writer)->add(TraceFrame{0.5, std::make_shared<ThermalPicture>(pictureOf(profile, 0))}),
+            std::invalid_argument);
+    }
+    ASSERT_TRUE(readThermalFrames(path, [](double, const std::string&) { ADD_FAILURE(); }));
+    const auto files = exportThermalFrames(path, frames);
+    ASSERT_FALSE(files);
+    EXPECT_EQ(files.error().code(), MessageCode::NoThermalFrames);
+}
+
+} // namespace bask
