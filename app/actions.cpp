@@ -100,6 +100,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     m_editMenu->setToolTipsVisible(true);
     m_runMenu->setToolTipsVisible(true);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+    m_fileMenu->setObjectName(QStringLiteral("fileMenu"));
     m_editMenu->setObjectName(QStringLiteral("editMenu"));
     m_toolsMenu->setObjectName(QStringLiteral("toolsMenu"));
     for (const QString& name : exampleNames())

@@ -26,7 +26,8 @@ constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSl
                                                     {Page::Run, "alarmButton"},
                                                     {Page::Run, "holdButton"},
                                                     {Page::Run, "stopRunButton"},
-                                                    {Page::Review, "sessionTree"}}};
+                                                    {Page::Review, "sessionTree"},
+                                                    {Page::Run, "fileMenu"}}};
 
 /// Of a run that is on; the last one ends it.
 bool isInRun(Coach::Step step) {
@@ -86,7 +87,7 @@ void Coach::skip() {
 void Coach::done(Step step) {
     if (m_step != step)
         return;
-    if (step == Step::Review) {
+    if (step == Step::Thermal) {
         m_step.reset();
         m_bar.say(MessageBar::Kind::Note, tr("That was all. F1 opens the manual, which has the rest."));
         return;
@@ -148,6 +149,10 @@ void Coach::seeReview() {
     done(Step::Review);
 }
 
+void Coach::seeThermalPicture() {
+    done(Step::Thermal);
+}
+
 void Coach::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
     retranslate();
@@ -161,7 +166,7 @@ void Coach::retranslate() {
 void Coach::say() {
     if (m_isOffer)
         return m_bar.ask(
-            tr("New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn."),
+            tr("New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn."),
             tr("Show me"), tr("Not now"));
     //: number of the step, of so many, what to do
     m_bar.ask(tr("%1 of %2: %3").arg(static_cast<int>(*m_step) + 1).arg(kSteps).arg(words()),
@@ -211,6 +216,10 @@ QString Coach::words() const {
         return tr("Stop (F8): heat off, the robot retreats, the recording is closed.");
     case Step::Review:
         return tr("On the Review page, open the recording of this run.");
+    case Step::Thermal:
+        return tr(
+            "File > Examples > thermal-camera: three objects that only a thermal camera reads. On the Run "
+            "page, look at the tab Thermal picture.");
     }
     return {};
 }

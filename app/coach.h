@@ -32,9 +32,10 @@ public:
         Acknowledge,
         Resume,
         Stop,
-        Review
+        Review,
+        Thermal
     };
-    static constexpr int kSteps = 13;
+    static constexpr int kSteps = 14;
 
     explicit Coach(MessageBar& bar, QObject* parent = nullptr);
 
@@ -50,6 +51,7 @@ public:
     void seeVerdict(bool isFeasible);
     void see(const Snapshot& snapshot);
     void seeReview();
+    void seeThermalPicture();
 
     void setTemperatureUnit(TemperatureUnit unit);
     void retranslate();

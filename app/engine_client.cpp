@@ -50,6 +50,7 @@ void EngineClient::start(const QString& alarmFile, const QString& deviceFile) {
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     connect(m_worker, &EngineWorker::published, this, &EngineClient::take);
     connect(m_worker, &EngineWorker::looked, this, &EngineClient::looked);
+    connect(m_worker, &EngineWorker::sawHeat, this, &EngineClient::sawHeat);
     m_thread->start();
     m_silence.start();
 }

@@ -4,6 +4,7 @@
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/thermography/thermal_view.h"
 #include "engine/vision/vision_view.h"
 
 #include <QObject>
@@ -54,6 +55,8 @@ signals:
     void snapshot(const bask::Snapshot& snapshot);
     /// A new view of the watched camera (WatchCamera).
     void looked(const std::shared_ptr<const bask::VisionView>& view);
+    /// A new picture of the thermal camera (WatchThermalCamera).
+    void sawHeat(const std::shared_ptr<const bask::ThermalView>& view);
     /// False if no snapshot has come for kSilence; true with the next one.
     void answeringChanged(bool answering);
 

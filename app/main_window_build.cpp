@@ -129,6 +129,8 @@ void MainWindow::connectParts() {
     connect(&m_engine, &EngineClient::snapshot, this, &MainWindow::apply);
     connect(&m_engine, &EngineClient::looked, m_pages,
             [this](const std::shared_ptr<const VisionView>& view) { m_pages->show(*view); });
+    connect(&m_engine, &EngineClient::sawHeat, m_pages,
+            [this](const std::shared_ptr<const ThermalView>& view) { m_pages->show(*view); });
     connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, &m_horn, &Horn::setAnswering);
@@ -213,6 +215,7 @@ void MainWindow::connectCoach() {
     });
     connect(this, &MainWindow::snapshotApplied, m_coach, qOverload<const Snapshot&>(&Coach::see));
     connect(&m_files, &SessionActions::sessionOpened, m_coach, &Coach::seeReview);
+    connect(&m_engine, &EngineClient::sawHeat, m_coach, &Coach::seeThermalPicture);
     connect(m_coach, &Coach::showWanted, this, &MainWindow::showControl);
     connect(m_coach, &Coach::answered, this, [this] { m_settings.setCoachAnswered(); });
 }

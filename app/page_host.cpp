@@ -73,6 +73,8 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connect(m_run, &RunPage::sensorConfirmed, this, &PageHost::askConfirm);
     connect(m_run, &RunPage::noteAdded, this,
             [this](const QString& text) { emit commandIssued(AddNote{text.toStdString()}); });
+    connect(m_run, &RunPage::thermalPictureWatched, this,
+            [this](bool isWatched) { emit commandIssued(WatchThermalCamera{isWatched}); });
     connect(m_run, &RunPage::simulationSpeedChosen, this,
             [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
     connect(&m_document, &Document::changed, this, [this] { m_messages.dropOfEdit(); });
@@ -291,6 +293,10 @@ Page PageHost::page() const {
 
 void PageHost::show(const VisionView& view) {
     m_calibrate->setView(view);
+}
+
+void PageHost::show(const ThermalView& view) {
+    m_run->setThermalView(view);
 }
 
 void PageHost::apply(const Snapshot& snapshot) {

@@ -9,6 +9,7 @@
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/thermography/thermal_view.h"
 #include "engine/vision/vision_view.h"
 
 #include <QWidget>
@@ -44,6 +45,7 @@ public:
     Page page() const;
     void apply(const Snapshot& snapshot);
     void show(const VisionView& view);
+    void show(const ThermalView& view);
     void setTemperatureUnit(TemperatureUnit unit);
     void showMoment(double time_s);
     /// Shows the page of an undone or redone edit, unless a run is on: then the page does not change.

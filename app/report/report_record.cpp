@@ -302,6 +302,40 @@ QString shadeTable(const SessionRecord& session) {
            table.text();
 }
 
+QString readByWords(ReadBy readBy) {
+    switch (readBy) {
+    case ReadBy::Contact:
+        break;
+    case ReadBy::Camera:
+        return RecordText::tr("thermal camera");
+    case ReadBy::Both:
+        return RecordText::tr("sensor, checked by the thermal camera");
+    }
+    return RecordText::tr("sensor on the object");
+}
+
+/// Nothing for a rig without a thermal camera.
+QString cameraTable(const SessionRecord& session, const TraceSample& last, TemperatureUnit unit) {
+    if (!session.rig().hasThermalCamera || last.objects.empty())
+        return {};
+    html::Table table({RecordText::tr("Object"), RecordText::tr("Temperature by"), RecordText::tr("Measured"),
+                       RecordText::tr("By the camera, ± 2 standard uncertainties"),
+                       RecordText::tr("Largest difference across the face"), RecordText::tr("Pixels")},
+                      {2, 3, 4, 5});
+    for (std::size_t i = 0; i < last.objects.size(); ++i) {
+        const ObjectSpec& object = session.experiment.objects[i];
+        const CameraSample& camera = last.objects[i].camera;
+        const bool isRead = std::isfinite(camera.T_K);
+        table.add(
+            {QString::fromStdString(object.name), readByWords(object.readBy),
+             formatTemperature(last.objects[i].measured_K, unit),
+             isRead ? formatReading(camera.T_K, camera.uncertainty_K, unit) : RecordText::tr("not read"),
+             formatDifference(camera.spread_K, unit, 2),
+             isRead ? QLocale().toString(camera.pixels, 'f', 0) : QString()});
+    }
+    return subheading(RecordText::tr("The thermal camera at the last sample until Stop")) + table.text();
+}
+
 } // namespace
 
 QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
@@ -327,7 +361,7 @@ QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
         run << std::pair(metricName(metric), metricText(metric, metrics));
         definitions << std::pair(metricName(metric), metricDefinition(metric));
     }
-    return text + table.text() + facts(run) + shadeTable(session) +
+    return text + table.text() + facts(run) + shadeTable(session) + cameraTable(session, metrics.last, unit) +
            subheading(RecordText::tr("Definitions")) + facts(definitions);
 }
 

@@ -87,6 +87,7 @@ std::vector<Eigen::Vector2d> ringInPicture(const Lens& lens, const Eigen::Aligne
                                            const Pose& X_CO, const std::vector<Eigen::Vector2d>& ring_O,
                                            double maxPiece_px) {
     std::vector<Eigen::Vector3d> points;
+    points.reserve(ring_O.size());
     for (const Eigen::Vector2d& p : ring_O)
         points.push_back(X_CO * Eigen::Vector3d(p.x(), p.y(), 0.0));
     cutRing(points, {0, 0, 1}, kNearestShown_m);

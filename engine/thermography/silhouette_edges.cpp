@@ -22,11 +22,11 @@ struct EdgePixel {
     double distance_px = 0.0, value_K = 0.0;
 };
 
-double phi(double z) {
+double normalDensity(double z) {
     return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi);
 }
 
-double Phi(double z) {
+double normalShare(double z) {
     return 0.5 * std::erfc(-z / std::numbers::sqrt2);
 }
 
@@ -127,9 +127,9 @@ EdgeProfile fitProfile(const std::vector<EdgePixel>& pixels, double curvature, d
         for (Eigen::Index i = 0; i < n; ++i) {
             const EdgePixel& pixel = pixels[static_cast<std::size_t>(i)];
             const double z = (x[2] - shrink - pixel.distance_px) / spread_px;
-            J.row(i) << 1.0, Phi(z), x[1] * phi(z) / spread_px;
-            miss[i] = pixel.value_K - x[0] - x[1] * Phi(z);
-            byBlur[i] = -x[1] * phi(z) * z / spread_px;
+            J.row(i) << 1.0, normalShare(z), x[1] * normalDensity(z) / spread_px;
+            miss[i] = pixel.value_K - x[0] - x[1] * normalShare(z);
+            byBlur[i] = -x[1] * normalDensity(z) * z / spread_px;
         }
     };
     for (int step = 0; step < 6; ++step) {

@@ -14,6 +14,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
+#include <QTabWidget>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -170,11 +171,23 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     QTest::keyClick(position, Qt::Key_Home);
     click("replayPlay");
     EXPECT_TRUE(waitFor([&] { return position->value() > position->minimum(); }));
-    keepPicture(QStringLiteral("five-minutes-14"));
+    keepPicture(QStringLiteral("five-minutes-13b"));
     const QTemporaryDir folder;
     window->files().setFileChooser([&](const FileQuestion&) { return folder.path(); });
     emit window->pages().review()->exportRequested(SessionForm::Csv);
     EXPECT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath(QStringLiteral("pose.csv"))); }));
+    step(Step::Thermal, [this] {
+        window->files().openExample(QStringLiteral("thermal-camera"), false);
+        auto* tabs = find<QTabWidget>("plotTabs");
+        QWidget* picture = nullptr;
+        ASSERT_TRUE(waitFor([&] {
+            picture = tabs->findChild<QWidget*>(QStringLiteral("thermalPictureView"));
+            return picture != nullptr && tabs->indexOf(picture) >= 0;
+        }));
+        window->pages().show(Page::Run);
+        tabs->setCurrentWidget(picture);
+    });
+    EXPECT_EQ(coach().step(), std::nullopt);
 }
 
 // Catches an offer that comes again, and one that takes a person's answer for another.
@@ -193,7 +206,7 @@ TEST_F(FiveMinutesTest, AreOfferedOnce) {
     ASSERT_NO_FATAL_FAILURE(pressIn("messageOther"));
     EXPECT_EQ(coach().step(), Coach::Step::Undo);
     window->setLanguage(QStringLiteral("fr"));
-    EXPECT_TRUE(waitFor([this] { return bar->sentence().startsWith(QStringLiteral("2 sur 13")); }));
+    EXPECT_TRUE(waitFor([this] { return bar->sentence().startsWith(QStringLiteral("2 sur 14")); }));
     ASSERT_NO_FATAL_FAILURE(pressIn("messageClose"));
     EXPECT_EQ(coach().step(), std::nullopt);
     EXPECT_FALSE(bar->isVisible());
@@ -211,7 +224,7 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
     snapshot.state = RunState::Holding;
     snapshot.alarms.emplace_back();
     coach.begin();
-    while (coach.step() != Coach::Step::Review) { // read through, without a run
+    while (coach.step() != Coach::Step::Thermal) { // read through, without a run
         coach.see(Snapshot());
         EXPECT_FALSE(bar.sentence().contains(QStringLiteral("has ended"))) << qPrintable(bar.sentence());
         emit bar.otherClicked();

@@ -29,14 +29,15 @@ protected:
         ASSERT_TRUE(experiment);
         SimulatedThermalCameraConfig config = *simulatedRigConfig(*experiment).thermalCamera;
         profile = config.profile.name;
-        X_RC = config.X_RC;
+        trueCameraPose = config.X_RC;
         SimulatedThermalCamera camera(config);
         CameraModel lens = config.camera;
         lens.distortion.assign(5, 0.0);
         write("camera.yml", openCvYaml(lens));
         Json list{{"camera_pose", {{"z_cm", 112.0}, {"theta_x_deg", 178.0}, {"x_cm", 2.0}}}};
         for (int k = 0; k < 5; ++k) {
-            const double x_cm = 4.0 * (k % 2), y_cm = 3.0 * (k / 2) - 3.0, z_cm = 10.0 + 5.0 * k,
+            const int column = k % 2, row = k / 2;
+            const double x_cm = 4.0 * column, y_cm = 3.0 * row - 3.0, z_cm = 10.0 + 5.0 * k,
                          turn_deg = 4.0 * k;
             ThermalMoment moment;
             moment.X_RE = poseFromCoordinates(
@@ -70,7 +71,7 @@ protected:
 
     QTemporaryDir folder;
     std::string profile;
-    Pose X_RC = Pose::Identity();
+    Pose trueCameraPose = Pose::Identity();
 };
 
 } // namespace
@@ -84,8 +85,8 @@ TEST_F(ThermalPoseCommand, tellsThePoseAsJson) {
     EXPECT_LT(told["rms_px"].get<double>(), 0.05);
     EXPECT_EQ(told["covariance"].size(), 6U);
     EXPECT_EQ(told["points"].size(), 5U);
-    EXPECT_NEAR(told["camera_pose"]["x_cm"].get<double>(), 100.0 * X_RC.translation().x(), 0.1);
-    EXPECT_NEAR(told["camera_pose"]["z_cm"].get<double>(), 100.0 * X_RC.translation().z(), 0.1);
+    EXPECT_NEAR(told["camera_pose"]["x_cm"].get<double>(), 100.0 * trueCameraPose.translation().x(), 0.1);
+    EXPECT_NEAR(told["camera_pose"]["z_cm"].get<double>(), 100.0 * trueCameraPose.translation().z(), 0.1);
 }
 
 TEST_F(ThermalPoseCommand, refusesAListThatDoesNotFit) {

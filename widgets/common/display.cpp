@@ -46,6 +46,13 @@ QString formatTemperature(double t_K, TemperatureUnit unit, int decimals) {
     return formatTemperatureNumber(t_K, unit, decimals) + kNarrowSpace + temperatureUnitSymbol(unit);
 }
 
+QString formatReading(double t_K, double standardUncertainty_K, TemperatureUnit unit) {
+    const double expanded = displayDifference(2.0 * standardUncertainty_K, unit);
+    const int decimals = expanded < 0.095 ? 2 : 1;
+    return formatTemperature(t_K, unit, decimals) + QStringLiteral(" \u00b1 ") +
+           QLocale().toString(expanded, 'f', decimals) + QChar(0x00a0) + differenceUnitSymbol(unit);
+}
+
 QString formatDifference(double d_K, TemperatureUnit unit, int decimals) {
     if (!std::isfinite(d_K))
         return kNoValue;

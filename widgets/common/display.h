@@ -21,6 +21,8 @@ inline const QString kNoValue = QStringLiteral("\u2014");
 
 /// Returns "40.0 °C"; a dash if it is not finite.
 QString formatTemperature(double t_K, TemperatureUnit unit, int decimals = 1);
+/// Returns "40.2 °C ± 0.6 K", with the expanded uncertainty (two standard deviations).
+QString formatReading(double t_K, double standardUncertainty_K, TemperatureUnit unit);
 /// Returns "40.0", without the unit.
 QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals = 1);
 /// Returns "+0.3 K" (a difference, with its sign); a dash if it is not finite.

@@ -278,10 +278,18 @@ void ObjectTile::showTemperature() {
         shown.setColor(QPalette::WindowText, secondaryText(isDark(this)));
     if (m_temperature->palette() != shown)
         m_temperature->setPalette(shown);
-    m_age->setText(isOld && !isDoubted && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s)
-                                                                        : QString());
+    m_age->setText(footText());
     m_age->setVisible(!isDoubted);
     m_confirm->setVisible(isDoubted);
+}
+
+/// The age of a reading that is not known; else what the thermal camera sees.
+QString ObjectTile::footText() const {
+    if (isUnknown(m_activity))
+        return std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s) : QString();
+    if (std::isfinite(m_sample.camera.T_K))
+        return tr("Camera %1").arg(formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit));
+    return {};
 }
 
 void ObjectTile::retranslateUi() {
@@ -292,7 +300,9 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(tr("Object %1").arg(m_name));
     m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
-    m_age->setToolTip(tr("Age of the newest reading that was believed"));
+    m_age->setToolTip(
+        tr("Age of the newest reading that was believed, or what the thermal camera sees of the "
+           "object, with twice its standard uncertainty"));
     m_confirm->setText(tr("Confirm"));
     m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
     m_confirm->setToolTip(

@@ -74,6 +74,7 @@ private:
     void restyle();
     void showValues();
     void showTemperature();
+    QString footText() const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
     double rate_K_s() const; ///< NaN if there is none

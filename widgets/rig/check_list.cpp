@@ -75,6 +75,8 @@ void CheckList::put(Line& line, Kind kind, const QString& text) {
 
 void CheckList::setExperiment(const Experiment& experiment) {
     m_period_s = experiment.sampling.period_s;
+    m_hasSensors = contactSensors(experiment.objects) > 0;
+    m_isReadByCamera = readsByCamera(experiment);
     m_setPoint_K = sourceSetPoint_K(experiment.source, 0.0);
     m_rig = experiment.rig;
     refresh();
@@ -113,17 +115,27 @@ void CheckList::refresh() {
     }
 }
 
+bool CheckList::isDeviceNeeded(DeviceRole role) const {
+    if (role == DeviceRole::Thermometer)
+        return m_hasSensors;
+    if (role == DeviceRole::ThermalCamera)
+        return m_isReadByCamera;
+    return role != DeviceRole::Camera;
+}
+
 void CheckList::showDevices() {
     if (!m_rig)
         return put(m_devices, Kind::Done, tr("Devices: simulated"));
     QStringList missing, silent;
     for (const DeviceRole role : kDeviceRoles) {
-        const bool isNeeded = role != DeviceRole::Camera;
+        const bool isNeeded = isDeviceNeeded(role);
         if (!hasDevice(*m_rig, role)) {
             if (isNeeded)
                 missing << roleWord(role);
             continue;
         }
+        if (role == DeviceRole::Camera)
+            continue; // its pictures tell on the Calibrate page
         const auto it = std::ranges::find(m_last.devices, role, &RigDeviceState::role);
         if (it == m_last.devices.end() || it->status.link != LinkState::Live)
             silent << roleWord(role);

@@ -42,6 +42,7 @@ private:
     void put(Line& line, Kind kind, const QString& text);
     void refresh();
     void showDevices();
+    bool isDeviceNeeded(DeviceRole role) const;
     void showPlace();
     void showSensors();
     void showSource();
@@ -49,6 +50,7 @@ private:
 
     Snapshot m_last;
     double m_period_s = 1.0;
+    bool m_hasSensors = true, m_isReadByCamera = false;
     double m_setPoint_K = 0.0;
     std::optional<RigSpec> m_rig;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;

@@ -8,6 +8,7 @@
 #include "widgets/rig/axis_table.h"
 #include "widgets/rig/coordinate_words.h"
 #include "widgets/rig/serial_form.h"
+#include "widgets/rig/thermal_camera_form.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -76,8 +77,8 @@ DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vecto
       m_refresh(new QPushButton(this)), m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)),
       m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
       m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
-      m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_probe(new QCheckBox(this)),
-      m_unattended(new QCheckBox(this)), m_message(new MessageBar(this)) {
+      m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_thermal(new ThermalCameraForm(this)),
+      m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)), m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
     build();
@@ -158,6 +159,8 @@ void DeviceDialog::buildDevice() {
     m_deviceStep = addStep();
     m_form->addRow(m_driverLabel, m_driver);
     m_form->addRow(m_profileLabel, m_profilePart);
+    m_form->addRow(m_thermal);
+    connect(m_thermal, &ThermalCameraForm::failed, this, &DeviceDialog::showError);
 }
 
 void DeviceDialog::buildConnection() {
@@ -257,6 +260,8 @@ void DeviceDialog::fill(const RigSpec& rig) {
             addProfile(source.profile);
         m_probe->setChecked(source.isProbeUsed);
         m_unattended->setChecked(source.mayHeatUnattended);
+    } else if (rig.thermalCamera) {
+        m_thermal->setCamera(*rig.thermalCamera);
     }
     for (const auto& [facts, si] : m_values)
         m_parameters->setValue(*facts, si);
@@ -325,7 +330,7 @@ const DriverFacts& DeviceDialog::driver() const {
 }
 
 bool DeviceDialog::hasPort() const {
-    return m_role == DeviceRole::Camera || driver().link != DriverLink::None;
+    return isCamera() || driver().link != DriverLink::None;
 }
 
 bool DeviceDialog::hasLine() const {
@@ -376,6 +381,10 @@ RigSpec DeviceDialog::device() const {
     case DeviceRole::Camera:
         rig.camera = port;
         break;
+    case DeviceRole::ThermalCamera:
+        rig.thermalCamera = m_thermal->camera();
+        rig.thermalCamera->device = port;
+        break;
     }
     return rig;
 }
@@ -422,6 +431,10 @@ QString DeviceDialog::triedText(const TriedDevice& tried) const {
                 formatTemperature(tried.temperatures_K[i], m_unit));
         if (!channels.isEmpty())
             lines << tr("Channels %1").arg(channels.join(QStringLiteral(", ")));
+    } else if (m_role == DeviceRole::ThermalCamera && tried.temperatures_K.size() == 2) {
+        lines << tr("Picture from %1 to %2")
+                     .arg(formatTemperature(tried.temperatures_K[0], m_unit),
+                          formatTemperature(tried.temperatures_K[1], m_unit));
     } else if (!tried.temperatures_K.empty()) {
         lines << tr("Temperature %1").arg(formatTemperature(tried.temperatures_K.front(), m_unit));
     }
@@ -468,7 +481,8 @@ void DeviceDialog::showParts() {
     const int profile = m_profile->currentIndex();
     const bool isWatched = isModbus() && m_role == DeviceRole::HeatSource && profile >= 0 &&
                            m_profiles[static_cast<std::size_t>(profile)].watchdog;
-    showRow(m_driver, m_role != DeviceRole::Camera);
+    showRow(m_driver, !isCamera());
+    m_thermal->setVisible(m_role == DeviceRole::ThermalCamera);
     showRow(m_portPart, hasPort());
     m_refresh->setVisible(hasLine());
     showRow(m_line, hasLine());
@@ -483,7 +497,7 @@ void DeviceDialog::showParts() {
     m_connectionStep->setVisible(mayTry);
     m_trialStep->setVisible(mayTry);
     showRow(m_trialPart, mayTry);
-    m_useStep->setVisible(mayTry && (m_role != DeviceRole::HeatSource || hasPort()));
+    m_useStep->setVisible(mayTry && !isCamera() && (m_role != DeviceRole::HeatSource || hasPort()));
     sayNotTried();
     if (rig.thermometer) {
         const int channels = !isModbus()    ? driverOf(*rig.thermometer).maxChannels
@@ -498,7 +512,11 @@ void DeviceDialog::showParts() {
 }
 
 void DeviceDialog::retranslateParts() {
-    if (m_role == DeviceRole::Camera) {
+    if (m_role == DeviceRole::ThermalCamera) {
+        m_portLabel->setText(tr("Device"));
+        m_port->setToolTip(
+            tr("A number (0), a device (/dev/video0), a recorded frame or a folder of frames"));
+    } else if (m_role == DeviceRole::Camera) {
         m_portLabel->setText(tr("Camera"));
         m_port->setToolTip(
             tr("A number (0), a device (/dev/video0), a video file, a folder of pictures or an address "

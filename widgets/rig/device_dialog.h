@@ -24,10 +24,12 @@ class AxisTable;
 class MessageBar;
 class ParameterForm;
 class SerialForm;
+class ThermalCameraForm;
 
 /// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
-/// AxisTable, "homing", "profile", "profileFile", "channel.0" ..., "probe", "tryDevice", "tryResult",
-/// "useDevice", "cancelDevice", "deviceMessage"; and those of the drivers' parameters: "unit", "watchdog" ...
+/// AxisTable and ThermalCameraForm, "homing", "profile", "profileFile", "channel.0" ..., "probe",
+/// "tryDevice", "tryResult", "useDevice", "cancelDevice", "deviceMessage"; and those of the drivers'
+/// parameters: "unit", "watchdog" ...
 class DeviceDialog : public QDialog {
     Q_OBJECT
 
@@ -72,6 +74,7 @@ private:
     void tryDevice();
     /// Facts of the chosen driver; a camera has one without a link.
     const DriverFacts& driver() const;
+    bool isCamera() const { return m_role == DeviceRole::Camera || m_role == DeviceRole::ThermalCamera; }
     bool isModbus() const { return driver().isModbus; }
     bool hasLine() const; ///< whether the device is on a serial line
     bool hasPort() const;
@@ -100,6 +103,7 @@ private:
     QWidget *m_portPart, *m_profilePart, *m_channelsPart, *m_trialPart;
     SerialForm* m_line;
     AxisTable* m_axes;
+    ThermalCameraForm* m_thermal;
     QCheckBox *m_probe, *m_unattended;
     ParameterForm* m_parameters = nullptr;
     std::vector<QSpinBox*> m_channels;

@@ -84,6 +84,11 @@ void RigDevices::setStates(const std::vector<RigDeviceState>& states) {
     }
 }
 
+void RigDevices::showRole(DeviceRole role, bool show) {
+    const auto at = std::ranges::find(kDeviceRoles, role) - kDeviceRoles.begin();
+    m_cards[static_cast<std::size_t>(at)]->setVisible(show);
+}
+
 void RigDevices::setEditable(bool editable) {
     if (editable == m_editable)
         return;

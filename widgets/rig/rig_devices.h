@@ -26,6 +26,8 @@ public:
     void setRig(const std::optional<RigSpec>& rig);
     /// Sets the devices' states reported by the engine, by role.
     void setStates(const std::vector<RigDeviceState>& states);
+    /// Hides the card of a device that the simulated rig does not have.
+    void showRole(DeviceRole role, bool show);
     void setEditable(bool editable);
 
 signals:

@@ -10,6 +10,7 @@
 #include "widgets/rig/heat_panel.h"
 #include "widgets/rig/jog_panel.h"
 #include "widgets/rig/limits_panel.h"
+#include "widgets/rig/reading_panel.h"
 #include "widgets/rig/rig_devices.h"
 #include "widgets/rig/safety_panel.h"
 #include "widgets/rig/way_up_question.h"
@@ -21,6 +22,7 @@
 #include <QScrollArea>
 #include <QTabWidget>
 
+#include <algorithm>
 #include <utility>
 
 namespace bask {
@@ -36,7 +38,7 @@ RigPage::RigPage(QWidget* parent)
       m_checks(new CheckList(this)), m_tabs(new QTabWidget(this)), m_reason(new QLabel(this)),
       m_robotTitle(boldLabel(this)), m_heatTitle(boldLabel(this)), m_jog(new JogPanel(this)),
       m_heat(new HeatPanel(this)), m_limits(new LimitsPanel(this)), m_safety(new SafetyPanel(this)),
-      m_zero(new ZeroPanel(this)) {
+      m_zero(new ZeroPanel(this)), m_readings(new ReadingPanel(this)) {
     m_message->setObjectName("rigMessage");
     m_tabs->setObjectName("rigTabs");
     m_tabs->setDocumentMode(true);
@@ -79,6 +81,7 @@ QWidget* RigPage::buildLeft() {
     column->setSpacing(14);
     column->addWidget(m_devices);
     column->addWidget(m_checks);
+    column->addWidget(m_readings);
     column->addWidget(m_zero);
     return part;
 }
@@ -127,6 +130,7 @@ void RigPage::connectAll() {
     });
     connect(m_limits, &LimitsPanel::edited, this, &RigPage::editLimits);
     connect(m_safety, &SafetyPanel::edited, this, &RigPage::editLimits);
+    connect(m_readings, &ReadingPanel::chosen, this, &RigPage::readObject);
     connect(m_zero, &ZeroPanel::zeroWanted, this, [this] { emit commandIssued(ZeroSensors{}); });
     connect(m_jog, &JogPanel::commandWanted, this, &RigPage::commandIssued);
     connect(m_heat, &HeatPanel::commandWanted, this, &RigPage::commandIssued);
@@ -165,17 +169,17 @@ void RigPage::useSimulated() {
 void RigPage::useRig(const RigSpec& rig) {
     Experiment changed = m_experiment;
     changed.rig = rig;
-    const std::size_t objects = changed.objects.size();
-    const std::size_t channels = rig.thermometer ? rig.thermometer->channels.size() : objects;
+    const std::size_t sensors = contactSensors(changed.objects);
+    const std::size_t channels = rig.thermometer ? rig.thermometer->channels.size() : sensors;
     if (rig.thermometer)
-        changed.rig->thermometer->channels = channelsFor(rig.thermometer->channels, objects);
-    const auto use = [this, changed, channels, objects] {
-        if (edit(changed) && channels != objects)
+        changed.rig->thermometer->channels = channelsFor(rig.thermometer->channels, sensors);
+    const auto use = [this, changed, channels, sensors] {
+        if (edit(changed) && channels != sensors)
             m_message->say(MessageBar::Kind::Note,
                            tr("The rig was set up for %1 objects, and there are %2: check the thermometer's "
                               "channels.")
                                .arg(channels)
-                               .arg(objects));
+                               .arg(sensors));
     };
     dropQuestion(this, kQuestion);
     QStringList lines;
@@ -196,10 +200,8 @@ void RigPage::setUp(DeviceRole role) {
         return m_dialog->activateWindow();
     }
     closeDialog();
-    std::vector<std::string> objects;
-    for (const ObjectSpec& object : m_experiment.objects)
-        objects.push_back(object.name);
-    m_dialog = new DeviceDialog(role, m_experiment.rig.value_or(RigSpec()), objects, this);
+    m_dialog =
+        new DeviceDialog(role, m_experiment.rig.value_or(RigSpec()), withSensors(m_experiment.objects), this);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
     m_dialog->setTemperatureUnit(m_unit);
     connect(m_dialog, &DeviceDialog::portsWanted, this, [this] { emit commandIssued(ListPorts{}); });
@@ -243,6 +245,30 @@ void RigPage::remove(DeviceRole role) {
     edit(changed);
 }
 
+void RigPage::readObject(std::size_t object, ReadBy readBy) {
+    Experiment changed = m_experiment;
+    changed.objects.at(object).readBy = readBy;
+    if (!changed.rig && readsByCamera(changed) && !changed.simulation.thermalCamera)
+        changed.simulation.thermalCamera.emplace();
+    if (changed.rig && changed.rig->thermometer)
+        changed.rig->thermometer->channels = channelsAsBefore(changed.objects);
+    edit(changed);
+}
+
+/// A sensor that is used again is where it was.
+std::vector<int> RigPage::channelsAsBefore(const std::vector<ObjectSpec>& objects) {
+    const std::vector<std::string> old = withSensors(m_experiment.objects), now = withSensors(objects);
+    std::vector<int> channels = m_experiment.rig->thermometer->channels;
+    for (std::size_t i = 0; i < std::min(old.size(), channels.size()); ++i)
+        m_channels[old[i]] = channels[i];
+    keepChannels(m_experiment.objects, objects, channels);
+    for (std::size_t i = 0; i < now.size(); ++i)
+        if (const auto known = m_channels.find(now[i]);
+            known != m_channels.end() && std::ranges::find(channels, known->second) == channels.end())
+            channels[i] = known->second;
+    return channels;
+}
+
 void RigPage::setExperiment(const Experiment& experiment) {
     if (m_experiment.rig && !experiment.rig) {
         m_kept = m_experiment.rig;
@@ -255,6 +281,8 @@ void RigPage::setExperiment(const Experiment& experiment) {
     m_experiment = experiment;
     if (isRigNew)
         m_devices->setRig(experiment.rig);
+    m_devices->showRole(DeviceRole::ThermalCamera,
+                        experiment.rig.has_value() || thermalProfile(experiment, true).has_value());
     m_checks->setExperiment(experiment);
     if (areLimitsNew)
         m_jog->setLimits(experiment.robot);
@@ -262,6 +290,7 @@ void RigPage::setExperiment(const Experiment& experiment) {
     m_limits->setExperiment(experiment);
     m_safety->setExperiment(experiment);
     m_zero->setObjects(experiment.objects);
+    m_readings->setExperiment(experiment);
 }
 
 void RigPage::apply(const Snapshot& snapshot, bool editable) {
@@ -272,6 +301,7 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
         m_devices->setEditable(editable);
         m_limits->setEditable(editable);
         m_safety->setEditable(editable);
+        m_readings->setEditable(editable);
         if (!editable)
             dropQuestion(this, kQuestion);
         showManual();

@@ -10,7 +10,10 @@
 #include <QPointer>
 #include <QWidget>
 
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 class QLabel;
 class QScrollArea;
@@ -24,6 +27,7 @@ class HeatPanel;
 class JogPanel;
 class LimitsPanel;
 class MessageBar;
+class ReadingPanel;
 class RigDevices;
 class SafetyPanel;
 class ZeroPanel;
@@ -32,7 +36,8 @@ class ZeroPanel;
 /// refused one with showError before it returns, else with setExperiment.
 ///
 /// Object names: "rigMessage" (MessageBar), "rigTabs", "manualReason", "limitQuestion", and those of
-/// RigDevices, ZeroPanel, CheckList, JogPanel, HeatPanel, LimitsPanel, SafetyPanel and DeviceDialog.
+/// RigDevices, ZeroPanel, ReadingPanel, CheckList, JogPanel, HeatPanel, LimitsPanel, SafetyPanel and
+/// DeviceDialog.
 class RigPage : public QWidget {
     Q_OBJECT
 
@@ -45,7 +50,7 @@ public:
     void setTemperatureUnit(TemperatureUnit unit);
     /// Sets why the current edit is refused.
     void showError(const QString& sentence) { m_refusal = sentence; }
-    /// Uses the devices of a rig file, with as many channels as there are objects.
+    /// Uses the devices of a rig file, with as many channels as there are sensors.
     void useRig(const RigSpec& rig);
 
 signals:
@@ -71,12 +76,15 @@ private:
     void closeDialog();
     void take(DeviceRole role, const RigSpec& device);
     void remove(DeviceRole role);
+    void readObject(std::size_t object, ReadBy readBy);
+    std::vector<int> channelsAsBefore(const std::vector<ObjectSpec>& objects);
     void showManual();
     void retranslate();
 
     Experiment m_experiment;
     std::optional<RigSpec> m_kept;            ///< the real rig, while the simulated one is in use
     std::optional<RobotLimits> m_keptRobot{}; ///< robot limits of the kept rig
+    std::map<std::string, int> m_channels;    ///< of sensors that are or were used, by their objects
     RunState m_state = RunState::Idle;
     bool m_editable = true;
     QString m_refusal;       ///< refusal of the newest edit; empty if it was accepted
@@ -93,6 +101,7 @@ private:
     LimitsPanel* m_limits;
     SafetyPanel* m_safety;
     ZeroPanel* m_zero;
+    ReadingPanel* m_readings;
     QPointer<DeviceDialog> m_dialog;
 };
 

@@ -50,10 +50,6 @@ QString limitWords(const ActiveLimits& limits) {
     return words.join(QStringLiteral(", "));
 }
 
-bool hasThermalCamera(const Experiment& experiment) {
-    return experiment.simulation.thermalCamera.has_value();
-}
-
 } // namespace
 
 void RunPage::setExperiment(const Experiment& experiment) {
@@ -76,7 +72,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
     m_scene->setExperiment(experiment);
     m_thermal->setNames(m_names);
     m_thermal->setView({});
-    showThermalTab(hasThermalCamera(experiment));
+    showThermalTab(thermalProfile(experiment, !experiment.rig).has_value());
     m_controller->setSettings(experiment.controller);
     m_runId.reset();
     beginTrace();
@@ -198,6 +194,12 @@ void RunPage::showThermalTab(bool hasCamera) {
         m_tabs->addTab(m_thermal, tr("Thermal picture"));
     else if (!hasCamera && tab >= 0)
         m_tabs->removeTab(tab);
+}
+
+bool RunPage::eventFilter(QObject* watched, QEvent* event) {
+    if (watched == m_thermal && (event->type() == QEvent::Show || event->type() == QEvent::Hide))
+        emit thermalPictureWatched(event->type() == QEvent::Show);
+    return QWidget::eventFilter(watched, event);
 }
 
 void RunPage::setThermalView(const ThermalView& view) {

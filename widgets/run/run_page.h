@@ -61,9 +61,12 @@ signals:
     /// A person confirms that the sensor of an object is correct.
     void sensorConfirmed(std::size_t object);
     void simulationSpeedChosen(double factor);
+    /// The thermal picture is seen, or no longer.
+    void thermalPictureWatched(bool isWatched);
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     QWidget* makePlots();

@@ -118,6 +118,7 @@ QWidget* RunPage::makePlots() {
     for (const Quantity quantity : furtherQuantities())
         m_tabs->addTab(makePlot(quantity), QString());
     m_thermal = new ThermalPictureView(m_tabs);
+    m_thermal->installEventFilter(this);
     m_thermal->hide();
     stack->addWidget(m_tabs);
     stack->setSizes({330, 230});

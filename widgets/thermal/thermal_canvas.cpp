@@ -179,7 +179,7 @@ QString ThermalCanvas::labelOf(std::size_t object, bool isShort) const {
     const ThermalObjectView& view = m_view.objects[object];
     const QString value = !view.T_K ? QString(kNoValue)
                           : isShort ? formatTemperature(*view.T_K, m_unit)
-                                    : thermalReadingText(*view.T_K, view.uncertainty_K, m_unit);
+                                    : formatReading(*view.T_K, view.uncertainty_K, m_unit);
     return nameOf(object) + QStringLiteral("  ") + value;
 }
 

@@ -142,7 +142,7 @@ void ThermalObjectList::showReading(int row, const ThermalObjectView& object, bo
     }
     const bool isShown = isCurrent && object.T_K;
     setCell(row, kThermalReading,
-            isShown ? thermalReadingText(*object.T_K, object.uncertainty_K, unit) : QString(kNoValue));
+            isShown ? formatReading(*object.T_K, object.uncertainty_K, unit) : QString(kNoValue));
     setCell(row, kThermalSpread, isShown ? spreadText(object.spread_K, unit) : QString(kNoValue));
 }
 

@@ -88,7 +88,7 @@ struct CheckedRun {
 
 // A part of the 200 healthy runs; all of them are in no test, for they take ten minutes.
 TEST(CheckedSensors, NothingIsSaidOfGoodOnes) {
-    for (unsigned seed = 1; seed <= 5; ++seed) {
+    for (unsigned seed = 1; seed <= 3; ++seed) {
         CheckedRun run(checkedExperiment(seed));
         ASSERT_TRUE(run.begun) << describe(run.begun.error());
         run.run(200.0);

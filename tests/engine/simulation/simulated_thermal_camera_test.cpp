@@ -77,7 +77,6 @@ TEST(SimulatedThermalCamera, ItsPicturesAreStoredWithoutLossInLittleRoom) {
         SimulatedThermalCameraConfig config = oneDisk();
         config.profile = profile;
         config.camera = usualThermalLens(profile);
-        config.source = {{Disk{0.1}, Pose::Identity(), 0.25}};
         SimulatedThermalCamera camera(config);
         ThermalMoment moment = momentOf(1.0, 320.0, face(0.9, 0.3, 473.15));
         camera.observe(moment);

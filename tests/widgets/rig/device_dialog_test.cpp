@@ -68,10 +68,48 @@ TEST_F(DeviceDialogTest, WhatIsSetUpComesBackUnchanged) {
     rig.source->isProbeUsed = true;
     rig.source->watchdog_s = 45.0;
     rig.camera = "/dev/video3";
+    ThermalCameraSpec& camera = rig.thermalCamera.emplace();
+    camera.device = "/dev/video2";
+    camera.profile = findThermalProfile("tc001").value();
+    camera.profile.name = "ours";
+    camera.lens.emplace().fx = 211.123456;
+    camera.pose = Vector6d{{0.123456789, -0.05, 1.1, 3.0, 0.1, -0.2}};
     for (const DeviceRole role : kDeviceRoles) {
         open(role, rig);
         EXPECT_EQ(dialog->device(), withDevice({}, role, rig)) << roleName(role);
     }
+}
+
+// Catches a camera of another kind with the old one's lens, and a pose that is taken though it is not known.
+TEST_F(DeviceDialogTest, AThermalCameraIsItsKindItsDeviceAndItsPose) {
+    RigSpec rig;
+    ThermalCameraSpec& camera = rig.thermalCamera.emplace();
+    camera.device = "0";
+    camera.profile = findThermalProfile("lepton-3.5").value();
+    camera.lens.emplace().fx = 150.0;
+    open(DeviceRole::ThermalCamera, rig);
+    EXPECT_FALSE(dialog->device().thermalCamera->pose);
+    EXPECT_FALSE(child<QDoubleSpinBox>("thermalPose.z")->isEnabled());
+    child<QCheckBox>("poseKnown")->click();
+    child<QDoubleSpinBox>("thermalPose.z")->setValue(900.0);
+    EXPECT_NEAR((*dialog->device().thermalCamera->pose)[kZ], 0.9, 1e-9);
+    EXPECT_TRUE(dialog->device().thermalCamera->lens);
+    auto* kinds = child<QComboBox>("thermalProfile");
+    EXPECT_EQ(kinds->count(), static_cast<int>(shippedThermalProfiles().size()));
+    kinds->setCurrentIndex(kinds->currentIndex() == 0 ? 1 : 0);
+    EXPECT_NE(dialog->device().thermalCamera->profile.name, "lepton-3.5");
+    EXPECT_FALSE(dialog->device().thermalCamera->lens);
+    click("tryDevice");
+    ASSERT_EQ(tried.size(), 1U);
+    EXPECT_TRUE(tried[0].thermalCamera);
+    EXPECT_FALSE(tried[0].robot);
+    TriedDevice answer;
+    answer.state.role = DeviceRole::ThermalCamera;
+    answer.state.status.link = LinkState::Live;
+    answer.temperatures_K = {295.15, 353.15};
+    dialog->setTried(answer);
+    EXPECT_TRUE(child<QLabel>("tryResult")->text().contains("22.0"));
+    EXPECT_TRUE(child<QLabel>("tryResult")->text().contains("80.0"));
 }
 
 // Catches line settings that are not what a driver's devices leave the factory with.

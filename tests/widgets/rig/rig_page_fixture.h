@@ -56,7 +56,10 @@ struct RigPageFixture : testing::Test {
     }
     QString text(const char* name) { return child<QLabel>(name)->text(); }
     QString message() { return child<MessageBar>("rigMessage")->sentence(); }
-    void click(const char* name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
+    void click(const char* name) {
+        QCoreApplication::processEvents(); // what was shown or hidden has its place then
+        QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton);
+    }
     template <class T> const T* last() { return sent.empty() ? nullptr : std::get_if<T>(&sent.back()); }
 };
 

@@ -69,6 +69,34 @@ TEST_F(RigPageTest, ARigOfOtherObjectsIsMadeToFitAndSaid) {
     EXPECT_TRUE(child<MessageBar>("rigMessage")->sentence().contains("3 objects"));
 }
 
+// Catches a choice that is shown and not made, or made where no camera is, and the channel of another sensor.
+TEST_F(RigPageTest, WhatReadsAnObjectIsChosen) {
+    const auto choose = [this](const char* name, ReadBy readBy) {
+        auto* box = child<QComboBox>(name);
+        box->setCurrentIndex(static_cast<int>(readBy));
+        emit box->activated(static_cast<int>(readBy));
+    };
+    choose("readBy.1", ReadBy::Both);
+    EXPECT_EQ(experiment.objects[1].readBy, ReadBy::Both);
+    EXPECT_TRUE(experiment.simulation.thermalCamera); // the simulated rig gets one
+    EXPECT_FALSE(child<QLabel>("readByNote")->isVisible());
+    useReal();
+    experiment.rig->thermometer->channels = {5, 2};
+    page.setExperiment(experiment);
+    choose("readBy.0", ReadBy::Camera);
+    EXPECT_EQ(experiment.rig->thermometer->channels, std::vector{2});
+    EXPECT_TRUE(text("check.devices").contains("Thermal camera")) << qPrintable(text("check.devices"));
+    choose("readBy.0", ReadBy::Contact);
+    EXPECT_EQ(experiment.rig->thermometer->channels, (std::vector{5, 2}));
+    experiment.rig->thermalCamera.emplace().device = "0";
+    experiment.rig->thermalCamera->profile = findThermalProfile("p2-pro").value();
+    page.setExperiment(experiment);
+    EXPECT_TRUE(child<QLabel>("readByNote")->isVisible()); // its pose is not known
+    refusal = "a run is on";
+    choose("readBy.0", ReadBy::Camera);
+    EXPECT_EQ(child<QComboBox>("readBy.0")->currentIndex(), 0); // as it still is
+}
+
 // Catches a state, an age or a problem that the page keeps to itself, and a state told by colour alone.
 TEST_F(RigPageTest, TheCardsTellHowTheDevicesAre) {
     useReal();

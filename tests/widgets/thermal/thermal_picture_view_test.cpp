@@ -3,6 +3,7 @@
 #include "widgets/thermal/thermal_picture_view.h"
 
 #include "tests/widgets/thermal/thermal_scene.h"
+#include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_canvas.h"
@@ -242,7 +243,7 @@ TEST(ThermalPictureView, TheListTellsReadingsAndReasons) {
 
 // Catches an uncertainty that is rounded to nothing.
 TEST(ThermalPictureView, SmallUncertaintiesHaveADigitMore) {
-    EXPECT_EQ(thermalReadingText(300.0, 0.02, TemperatureUnit::Kelvin),
+    EXPECT_EQ(formatReading(300.0, 0.02, TemperatureUnit::Kelvin),
               QStringLiteral("300.00\u00a0K ± 0.04\u00a0K"));
 }
 

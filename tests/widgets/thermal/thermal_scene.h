@@ -8,6 +8,7 @@
 #include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/thermal_view.h"
+#include "engine/thermography/usual_lens.h"
 
 #include <QString>
 

@@ -1,0 +1,153 @@
+#include "widgets/rig/thermal_camera_form.h"
+
+#include "widgets/common/display.h"
+#include "widgets/rig/coordinate_words.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bask {
+namespace {
+
+constexpr double kFarthest_mm = 5000.0; // as experiments allow
+constexpr double kLargest_deg = 360.0;
+/// One that looks down on the source from above, as a start.
+const Vector6d kOverSource{{0.0, 0.0, 1.1, std::numbers::pi, 0.0, 0.0}};
+
+} // namespace
+
+ThermalCameraForm::ThermalCameraForm(QWidget* parent)
+    : QWidget(parent), m_profile(new QComboBox(this)), m_file(new QPushButton(this)),
+      m_isPoseKnown(new QCheckBox(this)), m_profileLabel(new QLabel(this)), m_hint(new QLabel(this)) {
+    m_profile->setObjectName("thermalProfile");
+    m_file->setObjectName("thermalProfileFile");
+    m_file->setAutoDefault(false);
+    m_isPoseKnown->setObjectName("poseKnown");
+    m_hint->setWordWrap(true);
+    auto* profile = new QHBoxLayout;
+    profile->addWidget(m_profileLabel);
+    profile->addWidget(m_profile, 1);
+    profile->addWidget(m_file);
+    auto* pose = new QGridLayout;
+    for (int k = 0; k < 6; ++k) {
+        const auto index = static_cast<std::size_t>(k);
+        auto* field = new QDoubleSpinBox(this);
+        field->setObjectName(coordinateObjectName("thermalPose", k));
+        field->setDecimals(1);
+        const double largest = k < 3 ? kFarthest_mm : kLargest_deg;
+        field->setRange(-largest, largest);
+        field->setSuffix(coordinateSymbol(k));
+        m_names[index] = new QLabel(coordinateWord(k), this);
+        m_pose[index] = field;
+        const int column = 2 * (k % 3);
+        pose->addWidget(m_names[index], k / 3, column, Qt::AlignRight);
+        pose->addWidget(field, k / 3, column + 1);
+        pose->setColumnStretch(column + 1, 1);
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(profile);
+    layout->addWidget(m_isPoseKnown);
+    layout->addLayout(pose);
+    layout->addWidget(m_hint);
+    connect(m_file, &QPushButton::clicked, this, [this] {
+        const QString path =
+            QFileDialog::getOpenFileName(this, tr("Take a profile from a file"), {}, tr("Profiles (*.json)"));
+        if (path.isEmpty())
+            return;
+        if (const QString problem = useProfileFile(path); !problem.isEmpty())
+            emit failed(problem);
+    });
+    connect(m_isPoseKnown, &QCheckBox::toggled, this, [this](bool isKnown) {
+        for (QDoubleSpinBox* field : m_pose)
+            field->setEnabled(isKnown);
+    });
+    for (const ThermalProfile& each : shippedThermalProfiles())
+        addProfile(each);
+    ThermalCameraSpec usual;
+    usual.profile = m_profiles.front();
+    setCamera(usual);
+    retranslate();
+}
+
+void ThermalCameraForm::setCamera(const ThermalCameraSpec& camera) {
+    m_camera = camera;
+    addProfile(camera.profile);
+    m_isPoseKnown->setChecked(camera.pose.has_value());
+    const Vector6d pose = camera.pose.value_or(kOverSource);
+    for (int k = 0; k < 6; ++k) {
+        QDoubleSpinBox* field = m_pose[static_cast<std::size_t>(k)];
+        field->setValue(shownCoordinate(k, pose[k]));
+        field->setEnabled(camera.pose.has_value());
+    }
+}
+
+ThermalCameraSpec ThermalCameraForm::camera() const {
+    ThermalCameraSpec out = m_camera;
+    out.profile = m_profiles.at(static_cast<std::size_t>(m_profile->currentIndex()));
+    if (out.profile != m_camera.profile)
+        out.lens.reset();
+    if (!m_isPoseKnown->isChecked()) {
+        out.pose.reset();
+        return out;
+    }
+    Vector6d pose = m_camera.pose.value_or(Vector6d::Zero());
+    for (int k = 0; k < 6; ++k) // what nobody changed keeps its digits
+        if (const double shown = m_pose[static_cast<std::size_t>(k)]->value();
+            !m_camera.pose || std::abs(shown - shownCoordinate(k, pose[k])) > 0.051)
+            pose[k] = coordinateFromShown(k, shown);
+    out.pose = pose;
+    return out;
+}
+
+/// Listed and chosen.
+void ThermalCameraForm::addProfile(const ThermalProfile& profile) {
+    const auto it = std::ranges::find(m_profiles, profile);
+    const auto index = static_cast<int>(it - m_profiles.begin());
+    if (it == m_profiles.end()) {
+        m_profiles.push_back(profile);
+        m_profile->addItem(QString::fromStdString(profile.title.empty() ? profile.name : profile.title));
+        m_profile->setItemData(index, QString::fromStdString(profile.source), Qt::ToolTipRole);
+    }
+    m_profile->setCurrentIndex(index);
+}
+
+QString ThermalCameraForm::useProfileFile(const QString& path) {
+    const auto profile = findThermalProfile(path.toStdString());
+    if (!profile)
+        return path + QStringLiteral(": ") + messageText(profile.error().message);
+    addProfile(*profile);
+    return {};
+}
+
+void ThermalCameraForm::retranslate() {
+    m_profileLabel->setText(tr("Camera"));
+    m_profile->setAccessibleName(tr("Kind of thermal camera"));
+    m_file->setText(tr("From file…"));
+    m_file->setToolTip(tr("Take what the camera's numbers mean from a file"));
+    m_isPoseKnown->setText(tr("Its pose in the robot's base is known"));
+    m_hint->setText(
+        tr("The camera's axes: x right, y down, z along its view. Without its pose it shows pictures "
+           "and reads no object."));
+    for (int k = 0; k < 6; ++k)
+        m_pose[static_cast<std::size_t>(k)]->setAccessibleName(
+            tr("Pose of the camera, %1").arg(coordinateWord(k)));
+}
+
+void ThermalCameraForm::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask
