@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
+#include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
@@ -202,13 +203,9 @@ int thermalFrameCommand(const QStringList& arguments) {
     addOptions(parser);
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
-    std::optional<ThermalProfile> profile;
-    if (parser.isSet("profile")) {
-        auto found = findThermalProfile(parser.value("profile").toStdString());
-        if (!found)
-            return refuse(kName, found.error());
-        profile = std::move(*found);
-    }
+    const auto profile = profileOption(parser);
+    if (!profile)
+        return refuse(kName, profile.error());
     std::vector<Region> asked;
     if (parser.isSet("regions")) {
         auto read = readRegions(parser.value("regions").toStdString());
@@ -217,14 +214,13 @@ int thermalFrameCommand(const QStringList& arguments) {
         asked = std::move(*read);
     }
     const std::string path = parser.positionalArguments().front().toStdString();
-    const auto frame = readFrame(path, profile);
+    const auto frame = readFrame(path, *profile);
     if (!frame)
         return refuse(kName, frame.error());
     const auto range = pictureRange(frame->picture);
     if (!range && asked.empty())
         return refuse(kName, located(range.error(), path));
-    for (const Message& warning : frame->warnings)
-        std::fprintf(stderr, "bask %s: %s: %s\n", kName, path.c_str(), describe(warning).c_str());
+    tellWarnings(kName, path, *frame);
     std::vector<MeasuredRegion> regions;
     bool areAllKnown = true;
     for (const Region& region : asked) {

@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
+#include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
@@ -73,8 +74,7 @@ Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
-        for (const Message& warning : frame->warnings)
-            std::fprintf(stderr, "bask %s: %s: %s\n", kName, path.c_str(), describe(warning).c_str());
+        tellWarnings(kName, path, *frame);
         views.push_back({std::move(frame->picture), poseFromCoordinates(listed.pose)});
     }
     return views;
@@ -195,14 +195,10 @@ int thermalPoseCommand(const QStringList& arguments) {
     const auto camera = readCamera(parser.value("camera").toStdString());
     if (!camera)
         return refuse(kName, camera.error());
-    std::optional<ThermalProfile> profile;
-    if (parser.isSet("profile")) {
-        auto found = findThermalProfile(parser.value("profile").toStdString());
-        if (!found)
-            return refuse(kName, found.error());
-        profile = std::move(*found);
-    }
-    const auto views = readViews(listPath, *list, profile);
+    const auto profile = profileOption(parser);
+    if (!profile)
+        return refuse(kName, profile.error());
+    const auto views = readViews(listPath, *list, *profile);
     if (!views)
         return refuse(kName, views.error());
     CameraModel lens = *camera;

@@ -163,13 +163,18 @@ template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
     return std::string(column.csv) + " (" + (isTemperature ? "degC" : siUnit(column.unit)) + ')';
 }
 
-bool isInTraces(const ObjectColumn& column, const SessionRecord& facts) {
-    return column.csv != nullptr && facts.rig().has(column.needs);
+std::vector<const ObjectColumn*> columnsInTraces(const RecordedRig& rig) {
+    std::vector<const ObjectColumn*> out;
+    for (const ObjectColumn& column : kObjectColumns)
+        if (column.csv != nullptr && rig.has(column.needs))
+            out.push_back(&column);
+    return out;
 }
 
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
 /// export of one that is damaged.
 Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
+    const std::vector<const ObjectColumn*> ofObjects = columnsInTraces(facts.rig());
     std::vector<SqlValue> row{std::string("time (s)")};
     for (const RunColumn& column : kRunColumns)
         if (column.csv != nullptr)
@@ -177,9 +182,8 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
     for (std::size_t k = 0; k < kCoordinateNames.size(); ++k)
         row.emplace_back(std::string(kCoordinateNames[k]) + (k < 3 ? " (m)" : " (rad)"));
     for (const ObjectSpec& object : facts.experiment.objects)
-        for (const ObjectColumn& column : kObjectColumns)
-            if (isInTraces(column, facts))
-                row.emplace_back(object.name + ' ' + headerOf(column));
+        for (const ObjectColumn* column : ofObjects)
+            row.emplace_back(object.name + ' ' + headerOf(*column));
     file.add(row);
     const auto read = readSamples(facts.path, [&](const TraceSample& sample) {
         row = {sqlNumber(sample.time_s)};
@@ -189,9 +193,8 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
         for (int k = 0; k < 6; ++k)
             row.push_back(sqlNumber(sample.coordinates[k]));
         for (const ObjectSample& object : sample.objects)
-            for (const ObjectColumn& column : kObjectColumns)
-                if (isInTraces(column, facts))
-                    row.push_back(cellOf(column, object));
+            for (const ObjectColumn* column : ofObjects)
+                row.push_back(cellOf(*column, object));
         file.add(row);
     });
     return read ? file.end() : read;

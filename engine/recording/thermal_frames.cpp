@@ -10,20 +10,25 @@
 #include <algorithm>
 
 namespace bask {
+namespace {
 
-Result<void> readThermalFrames(const std::string& path,
-                               const std::function<void(double time_s, const std::string& png)>& take) {
-    const auto store = SessionStore::open(path);
-    if (!store)
-        return store.error();
-    const auto columns = (*store)->columns("thermal_frame");
+using TakeFrame = std::function<void(double time_s, const std::string& png)>;
+
+Result<void> eachFrame(const SessionStore& store, const TakeFrame& take) {
+    const auto columns = store.columns("thermal_frame");
     if (!columns || columns->empty())
         return columns ? Result<void>() : Result<void>(columns.error());
-    return (*store)->select("SELECT time_s, png FROM thermal_frame ORDER BY rowid",
-                            [&](SessionStore::Row row) {
-                                if (const auto* png = std::get_if<SqlBlob>(&row[1]))
-                                    take(numberOf(row[0]), png->bytes);
-                            });
+    return store.select("SELECT time_s, png FROM thermal_frame ORDER BY rowid", [&](SessionStore::Row row) {
+        if (const auto* png = std::get_if<SqlBlob>(&row[1]))
+            take(numberOf(row[0]), png->bytes);
+    });
+}
+
+} // namespace
+
+Result<void> readThermalFrames(const std::string& path, const TakeFrame& take) {
+    const auto store = SessionStore::open(path);
+    return store ? eachFrame(**store, take) : store.error();
 }
 
 Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder) {
@@ -42,7 +47,7 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
     Result<void> done;
     std::string times = "file,time_s\n";
     int number = 0;
-    const auto read = readThermalFrames(path, [&](double time_s, const std::string& png) {
+    const auto read = eachFrame(**store, [&](double time_s, const std::string& png) {
         const std::string digits = std::to_string(++number);
         const std::string name =
             "frame_" + std::string(7 - std::min<std::size_t>(7, digits.size()), '0') + digits + ".tif";

@@ -104,9 +104,9 @@ namespace {
 /// A rig without one gets one where objects are read by a camera: an experiment for real devices runs
 /// simulated, too.
 std::optional<SimulatedThermalCameraSpec> simulatedThermalCamera(const Experiment& experiment) {
-    if (experiment.simulation.thermalCamera || !readsByCamera(experiment))
-        return experiment.simulation.thermalCamera;
-    return SimulatedThermalCameraSpec();
+    if (!thermalProfile(experiment, true))
+        return std::nullopt;
+    return experiment.simulation.thermalCamera.value_or(SimulatedThermalCameraSpec());
 }
 
 SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {

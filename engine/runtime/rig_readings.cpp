@@ -219,9 +219,10 @@ Result<void> RigReadings::requireFreshSensor(std::size_t object) const {
         const Message why = distrust(object);
         return Error(why.code, {}, why.args);
     }
-    if (!m_sensors.fresh(object, m_clock.now_s()))
-        return Error(noReading(object).code, {}, noReading(object).args);
-    return {};
+    if (m_sensors.fresh(object, m_clock.now_s()))
+        return {};
+    Message why = noReading(object);
+    return Error(why.code, {}, std::move(why.args));
 }
 
 Result<void> RigReadings::requireFreshSensors() const {

@@ -7,6 +7,7 @@
 #include "widgets/common/parameter_form.h"
 #include "widgets/rig/axis_table.h"
 #include "widgets/rig/coordinate_words.h"
+#include "widgets/rig/profile_choice.h"
 #include "widgets/rig/serial_form.h"
 #include "widgets/rig/thermal_camera_form.h"
 
@@ -246,7 +247,7 @@ void DeviceDialog::fill(const RigSpec& rig) {
         m_line->setLine(rig.thermometer ? thermometer.serial : driver().serial);
         offerProfiles();
         if (rig.thermometer && isModbus())
-            addProfile(thermometer.profile);
+            listAndChoose(*m_profile, m_profiles, thermometer.profile);
         const std::vector<int> channels = channelsFor(thermometer.channels, m_objects.size());
         for (std::size_t i = 0; i < m_channels.size(); ++i)
             m_channels[i]->setValue(channels[i]);
@@ -257,7 +258,7 @@ void DeviceDialog::fill(const RigSpec& rig) {
         m_line->setLine(rig.source && hasPort() ? source.serial : driver().serial);
         offerProfiles();
         if (rig.source && isModbus())
-            addProfile(source.profile);
+            listAndChoose(*m_profile, m_profiles, source.profile);
         m_probe->setChecked(source.isProbeUsed);
         m_unattended->setChecked(source.mayHeatUnattended);
     } else if (rig.thermalCamera) {
@@ -274,21 +275,9 @@ void DeviceDialog::offerProfiles() {
         const bool isThermometer = profile.channel.has_value();
         const bool isController = profile.processValue && profile.setPoint;
         if (m_role == DeviceRole::Thermometer ? isThermometer : isController)
-            addProfile(profile);
+            listAndChoose(*m_profile, m_profiles, profile);
     }
     m_profile->setCurrentIndex(m_profiles.empty() ? -1 : 0);
-}
-
-/// Listed and chosen.
-void DeviceDialog::addProfile(const ModbusProfile& profile) {
-    const auto it = std::ranges::find(m_profiles, profile);
-    const auto index = static_cast<int>(it - m_profiles.begin());
-    if (it == m_profiles.end()) {
-        m_profiles.push_back(profile);
-        m_profile->addItem(QString::fromStdString(profile.title.empty() ? profile.name : profile.title));
-        m_profile->setItemData(index, QString::fromStdString(profile.source), Qt::ToolTipRole);
-    }
-    m_profile->setCurrentIndex(index);
 }
 
 void DeviceDialog::chooseProfileFile() {
@@ -312,7 +301,7 @@ void DeviceDialog::useProfileFile(const QString& path) {
         return showError(path + QStringLiteral(": ") + QString::fromStdString(profile.error().where) +
                          QStringLiteral(": ") + messageText(profile.error().message));
     m_message->clear();
-    addProfile(*profile);
+    listAndChoose(*m_profile, m_profiles, *profile);
 }
 
 void DeviceDialog::takeDriver() {

@@ -68,7 +68,6 @@ private:
     void addParameters(SetupStep step);
     void fill(const RigSpec& rig);
     void offerProfiles();
-    void addProfile(const ModbusProfile& profile);
     void chooseProfileFile();
     void takeDriver();
     void tryDevice();

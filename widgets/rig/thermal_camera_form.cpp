@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/rig/coordinate_words.h"
+#include "widgets/rig/profile_choice.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -73,7 +74,7 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
             field->setEnabled(isKnown);
     });
     for (const ThermalProfile& each : shippedThermalProfiles())
-        addProfile(each);
+        listAndChoose(*m_profile, m_profiles, each);
     ThermalCameraSpec usual;
     usual.profile = m_profiles.front();
     setCamera(usual);
@@ -82,7 +83,7 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
 
 void ThermalCameraForm::setCamera(const ThermalCameraSpec& camera) {
     m_camera = camera;
-    addProfile(camera.profile);
+    listAndChoose(*m_profile, m_profiles, camera.profile);
     m_isPoseKnown->setChecked(camera.pose.has_value());
     const Vector6d pose = camera.pose.value_or(kOverSource);
     for (int k = 0; k < 6; ++k) {
@@ -110,23 +111,11 @@ ThermalCameraSpec ThermalCameraForm::camera() const {
     return out;
 }
 
-/// Listed and chosen.
-void ThermalCameraForm::addProfile(const ThermalProfile& profile) {
-    const auto it = std::ranges::find(m_profiles, profile);
-    const auto index = static_cast<int>(it - m_profiles.begin());
-    if (it == m_profiles.end()) {
-        m_profiles.push_back(profile);
-        m_profile->addItem(QString::fromStdString(profile.title.empty() ? profile.name : profile.title));
-        m_profile->setItemData(index, QString::fromStdString(profile.source), Qt::ToolTipRole);
-    }
-    m_profile->setCurrentIndex(index);
-}
-
 QString ThermalCameraForm::useProfileFile(const QString& path) {
     const auto profile = findThermalProfile(path.toStdString());
     if (!profile)
         return path + QStringLiteral(": ") + messageText(profile.error().message);
-    addProfile(*profile);
+    listAndChoose(*m_profile, m_profiles, *profile);
     return {};
 }
 

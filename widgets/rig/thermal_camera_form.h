@@ -36,7 +36,6 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void addProfile(const ThermalProfile& profile);
     void retranslate();
 
     ThermalCameraSpec m_camera; ///< as it was set up
