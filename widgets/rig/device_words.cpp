@@ -21,8 +21,9 @@ constexpr double kLongestAge_s = 1e6; ///< more stands for never
 } // namespace
 
 const char* roleName(DeviceRole role) {
-    constexpr std::array names{"robot", "thermometer", "source", "camera"};
-    return names[static_cast<std::size_t>(role)];
+    constexpr std::array names{"robot", "thermometer", "source", "camera", "thermalCamera"};
+    static_assert(names.size() == kDeviceRoles.size());
+    return names.at(static_cast<std::size_t>(role));
 }
 
 QString roleWord(DeviceRole role) {

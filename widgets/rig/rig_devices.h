@@ -52,7 +52,7 @@ private:
     QRadioButton *m_simulated, *m_real;
     QLineEdit* m_name;
     QPushButton *m_open, *m_save;
-    std::array<DeviceCard*, 4> m_cards{};
+    std::array<DeviceCard*, kDeviceRoles.size()> m_cards{};
 };
 
 } // namespace bask

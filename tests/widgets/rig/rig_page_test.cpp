@@ -79,8 +79,13 @@ TEST_F(RigPageTest, WhatReadsAnObjectIsChosen) {
     choose("readBy.1", ReadBy::Both);
     EXPECT_EQ(experiment.objects[1].readBy, ReadBy::Both);
     EXPECT_TRUE(experiment.simulation.thermalCamera); // the simulated rig gets one
+    EXPECT_TRUE(child<QWidget>("setUp.thermalCamera")->parentWidget()->isVisible());
     EXPECT_FALSE(child<QLabel>("readByNote")->isVisible());
     useReal();
+    click("setUp.thermalCamera"); // catches a card that the page forgets
+    ASSERT_TRUE(dialog());
+    EXPECT_EQ(dialog()->role(), DeviceRole::ThermalCamera);
+    click("cancelDevice");
     experiment.rig->thermometer->channels = {5, 2};
     page.setExperiment(experiment);
     choose("readBy.0", ReadBy::Camera);
