@@ -2191,6 +2191,21 @@
     </message>
 </context>
 <context>
+    <name>PoseWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
+        <translation>x %1, y %2, z %3 ; tournée de %4, %5, %6 autour de x, y, z</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Idle</source>
@@ -2964,6 +2979,10 @@
         <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
         <translation>Ou tapez un numéro (0), un périphérique (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…), puis Entrée</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>Caméra thermique</translation>
+    </message>
 </context>
 <context>
     <name>bask::CalibrationAge</name>
@@ -3023,6 +3042,26 @@
             <numerusform>il y a %n jour</numerusform>
             <numerusform>il y a %n jours</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens calibrated %1.</source>
+        <translation>Objectif de la caméra thermique étalonné %1.</translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens not calibrated.</source>
+        <translation>Objectif de la caméra thermique non étalonné.</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is not known.</source>
+        <translation>La place de la caméra thermique n’est pas connue.</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is as typed, not measured.</source>
+        <translation>La place de la caméra thermique est telle que saisie, non mesurée.</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place was measured %1.</source>
+        <translation>La place de la caméra thermique a été mesurée %1.</translation>
     </message>
 </context>
 <context>
@@ -6754,6 +6793,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Take %1 away</source>
         <translation>Retirer %1</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>Image thermique</translation>
+    </message>
 </context>
 <context>
     <name>bask::ResidualPlot</name>
@@ -7068,18 +7111,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
 <context>
     <name>bask::RigPanel</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1, in use</source>
-        <translation>%1, utilisée</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>Follow the source &amp;during runs</source>
         <translation>Suivre la source &amp;pendant les essais</translation>
     </message>
@@ -7116,20 +7147,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Étalonnez d’abord la caméra.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Chec&amp;k</source>
         <translation>Vé&amp;rifier</translation>
     </message>
     <message>
         <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
         <translation>Vérifiée à une autre pose : écart de %1 et %2 ; jusqu’à %3 et %4 étaient à attendre.</translation>
-    </message>
-    <message>
-        <source>Computing…</source>
-        <translation>Calcul…</translation>
     </message>
     <message>
         <source>Fr&amp;om here</source>
@@ -7142,10 +7165,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>List the markers on the end-effector first.</source>
         <translation>Listez d’abord les marqueurs de l’effecteur.</translation>
-    </message>
-    <message>
-        <source>Looking, picture %1 of %2. Nothing may move.</source>
-        <translation>Observation, image %1 sur %2. Rien ne doit bouger.</translation>
     </message>
     <message>
         <source>Markers on the rig</source>
@@ -7162,10 +7181,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Not measured</source>
         <translation>Non mesurée</translation>
-    </message>
-    <message>
-        <source>Pictures looked at</source>
-        <translation>Images observées</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -7194,10 +7209,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>The robot did not move: nothing was checked.</source>
         <translation>Le robot n’a pas bougé : rien n’a été vérifié.</translation>
-    </message>
-    <message>
-        <source>The robot moves to pose %1 of %2.</source>
-        <translation>Le robot va à la pose %1 sur %2.</translation>
     </message>
     <message>
         <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
@@ -7238,10 +7249,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Where the source is</source>
         <translation>Place de la source</translation>
-    </message>
-    <message>
-        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
-        <translation>x %1, y %2, z %3 ; tournée de %4, %5, %6 autour de x, y, z</translation>
     </message>
 </context>
 <context>
@@ -8847,6 +8854,29 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
 </context>
 <context>
+    <name>bask::SurveyBar</name>
+    <message>
+        <source>The robot moves to pose %1 of %2.</source>
+        <translation>Le robot va à la pose %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Looking, picture %1 of %2. Nothing may move.</source>
+        <translation>Observation, image %1 sur %2. Rien ne doit bouger.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Pictures looked at</source>
+        <translation>Images observées</translation>
+    </message>
+</context>
+<context>
     <name>bask::TargetScene</name>
     <message>
         <source>Picked</source>
@@ -9267,6 +9297,73 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
 </context>
 <context>
+    <name>bask::ThermalPanel</name>
+    <message>
+        <source>Not measured</source>
+        <translation>Non mesurée</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Telle que saisie</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Utilisée</translation>
+    </message>
+    <message>
+        <source>The camera is at %1.</source>
+        <translation>La caméra est à %1.</translation>
+    </message>
+    <message>
+        <source>The camera is at %1, measured %2.</source>
+        <translation>La caméra est à %1, mesurée %2.</translation>
+    </message>
+    <message>
+        <source>That is %1 and %2 from where the experiment has it.</source>
+        <translation>C’est à %1 et %2 de la place que lui donne l’expérience.</translation>
+    </message>
+    <message>
+        <source>Of the outlines %1 % were found, %2 px from where they should be.</source>
+        <translation>%1 % des contours ont été trouvés, à %2 px de leur place.</translation>
+    </message>
+    <message>
+        <source>Say on the Rig page where the thermal camera is, to 5 cm and 5 degrees.</source>
+        <translation>Dites sur la page Banc où est la caméra thermique, à 5 cm et 5 degrés près.</translation>
+    </message>
+    <message>
+        <source>No picture from the thermal camera.</source>
+        <translation>Aucune image de la caméra thermique.</translation>
+    </message>
+    <message>
+        <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
+        <translation>Un essai est armé ou en cours, ou un arrêt n’est pas réinitialisé. Mesurez après.</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Place</translation>
+    </message>
+    <message>
+        <source>Where the thermal camera is</source>
+        <translation>Où est la caméra thermique</translation>
+    </message>
+    <message>
+        <source>By the outlines of the objects at several poses of the robot. The camera has to see them, and they have to be 5 K or more warmer or colder than what is behind them.</source>
+        <translation>Par les contours des objets à plusieurs poses du robot. La caméra doit les voir, et ils doivent être plus chauds ou plus froids d’au moins 5 K que ce qui est derrière eux.</translation>
+    </message>
+    <message>
+        <source>&amp;Several poses</source>
+        <translation>Plu&amp;sieurs poses</translation>
+    </message>
+    <message>
+        <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
+        <translation>Le robot va à quelques poses de son espace de travail, jamais plus près de la source, et revient. Tenez-vous à l’écart.</translation>
+    </message>
+    <message>
+        <source>Use this p&amp;lace</source>
+        <translation>Utiliser cette p&amp;lace</translation>
+    </message>
+</context>
+<context>
     <name>bask::ThermalPictureView</name>
     <message>
         <source>The thermal camera has not given a picture yet.</source>
@@ -9287,6 +9384,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>age %1 s</source>
         <translation>âge %1 s</translation>
+    </message>
+    <message>
+        <source>No picture was recorded.</source>
+        <translation>Aucune image n’a été enregistrée.</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <translation>prise à %1</translation>
     </message>
 </context>
 <context>
@@ -9434,6 +9539,13 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>bask::VerdictBox</name>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1, utilisé</translation>
     </message>
 </context>
 <context>

@@ -2191,6 +2191,21 @@
     </message>
 </context>
 <context>
+    <name>PoseWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
+        <translation>x %1，y %2，z %3；绕 x、y、z 转动 %4、%5、%6</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Idle</source>
@@ -2963,6 +2978,10 @@
         <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
         <translation>或输入编号（0）、设备（/dev/video0）、视频文件、图片文件夹或地址（rtsp://…），再按回车</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>热像仪</translation>
+    </message>
 </context>
 <context>
     <name>bask::CalibrationAge</name>
@@ -3019,6 +3038,26 @@
         <translation>
             <numerusform>%n 天前</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens calibrated %1.</source>
+        <translation>热像仪的镜头标定于：%1。</translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens not calibrated.</source>
+        <translation>热像仪的镜头未标定。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is not known.</source>
+        <translation>热像仪的位置未知。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is as typed, not measured.</source>
+        <translation>热像仪的位置按输入值，未测量。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place was measured %1.</source>
+        <translation>热像仪的位置测量于：%1。</translation>
     </message>
 </context>
 <context>
@@ -6747,6 +6786,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Take %1 away</source>
         <translation>移除 %1</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>热像图</translation>
+    </message>
 </context>
 <context>
     <name>bask::ResidualPlot</name>
@@ -7060,18 +7103,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 <context>
     <name>bask::RigPanel</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1, in use</source>
-        <translation>%1，正在使用</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>Follow the source &amp;during runs</source>
         <translation>运行期间跟踪热源(&amp;D)</translation>
     </message>
@@ -7108,20 +7139,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>请先标定相机。</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Chec&amp;k</source>
         <translation>校验(&amp;K)</translation>
     </message>
     <message>
         <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
         <translation>在另一位姿校验：偏离 %1 和 %2；预期最多 %3 和 %4。</translation>
-    </message>
-    <message>
-        <source>Computing…</source>
-        <translation>正在计算…</translation>
     </message>
     <message>
         <source>Fr&amp;om here</source>
@@ -7134,10 +7157,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>List the markers on the end-effector first.</source>
         <translation>请先列出末端执行器上的标记。</translation>
-    </message>
-    <message>
-        <source>Looking, picture %1 of %2. Nothing may move.</source>
-        <translation>正在观测，图像 %1 / %2。任何东西都不得移动。</translation>
     </message>
     <message>
         <source>Markers on the rig</source>
@@ -7154,10 +7173,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Not measured</source>
         <translation>未测量</translation>
-    </message>
-    <message>
-        <source>Pictures looked at</source>
-        <translation>已观测的图像</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -7186,10 +7201,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The robot did not move: nothing was checked.</source>
         <translation>机器人没有运动：未作任何校验。</translation>
-    </message>
-    <message>
-        <source>The robot moves to pose %1 of %2.</source>
-        <translation>机器人正运动到位姿 %1 / %2。</translation>
     </message>
     <message>
         <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
@@ -7230,10 +7241,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Where the source is</source>
         <translation>热源的位置</translation>
-    </message>
-    <message>
-        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
-        <translation>x %1，y %2，z %3；绕 x、y、z 转动 %4、%5、%6</translation>
     </message>
 </context>
 <context>
@@ -8829,6 +8836,29 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::SurveyBar</name>
+    <message>
+        <source>The robot moves to pose %1 of %2.</source>
+        <translation>机器人正运动到位姿 %1 / %2。</translation>
+    </message>
+    <message>
+        <source>Looking, picture %1 of %2. Nothing may move.</source>
+        <translation>正在观测，图像 %1 / %2。任何东西都不得移动。</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>正在计算…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Pictures looked at</source>
+        <translation>已观测的图像</translation>
+    </message>
+</context>
+<context>
     <name>bask::TargetScene</name>
     <message>
         <source>Picked</source>
@@ -9248,6 +9278,73 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::ThermalPanel</name>
+    <message>
+        <source>Not measured</source>
+        <translation>未测量</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>按输入值</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>正在使用</translation>
+    </message>
+    <message>
+        <source>The camera is at %1.</source>
+        <translation>相机位于 %1。</translation>
+    </message>
+    <message>
+        <source>The camera is at %1, measured %2.</source>
+        <translation>相机位于 %1，测量于：%2。</translation>
+    </message>
+    <message>
+        <source>That is %1 and %2 from where the experiment has it.</source>
+        <translation>与实验中的位置相差 %1 和 %2。</translation>
+    </message>
+    <message>
+        <source>Of the outlines %1 % were found, %2 px from where they should be.</source>
+        <translation>找到了 %1 % 的轮廓，与应在的位置相差 %2 px。</translation>
+    </message>
+    <message>
+        <source>Say on the Rig page where the thermal camera is, to 5 cm and 5 degrees.</source>
+        <translation>请在“装置”页说明热像仪的位置，精确到 5 cm 和 5 度。</translation>
+    </message>
+    <message>
+        <source>No picture from the thermal camera.</source>
+        <translation>没有来自热像仪的图像。</translation>
+    </message>
+    <message>
+        <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
+        <translation>已待命、正在运行，或停止尚未复位。请在此之后测量。</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Where the thermal camera is</source>
+        <translation>热像仪的位置</translation>
+    </message>
+    <message>
+        <source>By the outlines of the objects at several poses of the robot. The camera has to see them, and they have to be 5 K or more warmer or colder than what is behind them.</source>
+        <translation>根据机器人在多个位姿下各物体的轮廓求出。相机须能看到物体，且物体须比其背后之物热或冷 5 K 以上。</translation>
+    </message>
+    <message>
+        <source>&amp;Several poses</source>
+        <translation>多个位姿(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
+        <translation>机器人将运动到其工作空间内的若干位姿，绝不更靠近热源，然后返回。请保持距离。</translation>
+    </message>
+    <message>
+        <source>Use this p&amp;lace</source>
+        <translation>使用此位置(&amp;L)</translation>
+    </message>
+</context>
+<context>
     <name>bask::ThermalPictureView</name>
     <message>
         <source>The thermal camera has not given a picture yet.</source>
@@ -9268,6 +9365,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>age %1 s</source>
         <translation>时龄 %1 s</translation>
+    </message>
+    <message>
+        <source>No picture was recorded.</source>
+        <translation>没有录制图像。</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <translation>拍摄于 %1</translation>
     </message>
 </context>
 <context>
@@ -9415,6 +9520,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>这将允许装置超出现在的范围。机器人、热源、物体和传感器能承受吗？</translation>
+    </message>
+</context>
+<context>
+    <name>bask::VerdictBox</name>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1，正在使用</translation>
     </message>
 </context>
 <context>

@@ -2191,6 +2191,21 @@
     </message>
 </context>
 <context>
+    <name>PoseWords</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
+        <translation>x %1，y %2，z %3；繞 x、y、z 轉動 %4、%5、%6</translation>
+    </message>
+</context>
+<context>
     <name>State</name>
     <message>
         <source>Idle</source>
@@ -2963,6 +2978,10 @@
         <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
         <translation>或輸入編號（0）、裝置（/dev/video0）、影片檔、圖片資料夾或位址（rtsp://…），再按 Enter</translation>
     </message>
+    <message>
+        <source>Thermal camera</source>
+        <translation>熱像儀</translation>
+    </message>
 </context>
 <context>
     <name>bask::CalibrationAge</name>
@@ -3019,6 +3038,26 @@
         <translation>
             <numerusform>%n 天前</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens calibrated %1.</source>
+        <translation>熱像儀的鏡頭校正於：%1。</translation>
+    </message>
+    <message>
+        <source>Thermal camera&apos;s lens not calibrated.</source>
+        <translation>熱像儀的鏡頭未校正。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is not known.</source>
+        <translation>熱像儀的位置未知。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place is as typed, not measured.</source>
+        <translation>熱像儀的位置按輸入值，未測量。</translation>
+    </message>
+    <message>
+        <source>The thermal camera&apos;s place was measured %1.</source>
+        <translation>熱像儀的位置測量於：%1。</translation>
     </message>
 </context>
 <context>
@@ -6747,6 +6786,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Take %1 away</source>
         <translation>移除 %1</translation>
     </message>
+    <message>
+        <source>Thermal picture</source>
+        <translation>熱像圖</translation>
+    </message>
 </context>
 <context>
     <name>bask::ResidualPlot</name>
@@ -7060,18 +7103,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 <context>
     <name>bask::RigPanel</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>%1, in use</source>
-        <translation>%1，正在使用</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <translation>%1°</translation>
-    </message>
-    <message>
         <source>Follow the source &amp;during runs</source>
         <translation>運轉期間追蹤熱源(&amp;D)</translation>
     </message>
@@ -7108,20 +7139,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>請先校正相機。</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Chec&amp;k</source>
         <translation>驗證(&amp;K)</translation>
     </message>
     <message>
         <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
         <translation>在另一位姿驗證：偏離 %1 和 %2；預期最多 %3 和 %4。</translation>
-    </message>
-    <message>
-        <source>Computing…</source>
-        <translation>正在計算…</translation>
     </message>
     <message>
         <source>Fr&amp;om here</source>
@@ -7134,10 +7157,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>List the markers on the end-effector first.</source>
         <translation>請先列出末端執行器上的標記。</translation>
-    </message>
-    <message>
-        <source>Looking, picture %1 of %2. Nothing may move.</source>
-        <translation>正在觀測，影像 %1 / %2。任何東西都不得移動。</translation>
     </message>
     <message>
         <source>Markers on the rig</source>
@@ -7154,10 +7173,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Not measured</source>
         <translation>未測量</translation>
-    </message>
-    <message>
-        <source>Pictures looked at</source>
-        <translation>已觀測的影像</translation>
     </message>
     <message>
         <source>Rig</source>
@@ -7186,10 +7201,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The robot did not move: nothing was checked.</source>
         <translation>機器人沒有運動：未作任何驗證。</translation>
-    </message>
-    <message>
-        <source>The robot moves to pose %1 of %2.</source>
-        <translation>機器人正運動到位姿 %1 / %2。</translation>
     </message>
     <message>
         <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
@@ -7230,10 +7241,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Where the source is</source>
         <translation>熱源的位置</translation>
-    </message>
-    <message>
-        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
-        <translation>x %1，y %2，z %3；繞 x、y、z 轉動 %4、%5、%6</translation>
     </message>
 </context>
 <context>
@@ -8829,6 +8836,29 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::SurveyBar</name>
+    <message>
+        <source>The robot moves to pose %1 of %2.</source>
+        <translation>機器人正運動到位姿 %1 / %2。</translation>
+    </message>
+    <message>
+        <source>Looking, picture %1 of %2. Nothing may move.</source>
+        <translation>正在觀測，影像 %1 / %2。任何東西都不得移動。</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>正在計算…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Pictures looked at</source>
+        <translation>已觀測的影像</translation>
+    </message>
+</context>
+<context>
     <name>bask::TargetScene</name>
     <message>
         <source>Picked</source>
@@ -9248,6 +9278,73 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::ThermalPanel</name>
+    <message>
+        <source>Not measured</source>
+        <translation>未測量</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>按輸入值</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>正在使用</translation>
+    </message>
+    <message>
+        <source>The camera is at %1.</source>
+        <translation>相機位於 %1。</translation>
+    </message>
+    <message>
+        <source>The camera is at %1, measured %2.</source>
+        <translation>相機位於 %1，測量於：%2。</translation>
+    </message>
+    <message>
+        <source>That is %1 and %2 from where the experiment has it.</source>
+        <translation>與實驗中的位置相差 %1 和 %2。</translation>
+    </message>
+    <message>
+        <source>Of the outlines %1 % were found, %2 px from where they should be.</source>
+        <translation>找到了 %1 % 的輪廓，與應在的位置相差 %2 px。</translation>
+    </message>
+    <message>
+        <source>Say on the Rig page where the thermal camera is, to 5 cm and 5 degrees.</source>
+        <translation>請在「實驗台」頁說明熱像儀的位置，精確到 5 cm 和 5 度。</translation>
+    </message>
+    <message>
+        <source>No picture from the thermal camera.</source>
+        <translation>沒有來自熱像儀的影像。</translation>
+    </message>
+    <message>
+        <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
+        <translation>已待命、正在運轉，或停止尚未復歸。請在此之後測量。</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Where the thermal camera is</source>
+        <translation>熱像儀的位置</translation>
+    </message>
+    <message>
+        <source>By the outlines of the objects at several poses of the robot. The camera has to see them, and they have to be 5 K or more warmer or colder than what is behind them.</source>
+        <translation>根據機器人在多個位姿下各物體的輪廓求出。相機須能看到物體，且物體須比其背後之物熱或冷 5 K 以上。</translation>
+    </message>
+    <message>
+        <source>&amp;Several poses</source>
+        <translation>多個位姿(&amp;S)</translation>
+    </message>
+    <message>
+        <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
+        <translation>機器人將運動到其工作空間內的若干位姿，絕不更靠近熱源，然後返回。請保持距離。</translation>
+    </message>
+    <message>
+        <source>Use this p&amp;lace</source>
+        <translation>使用此位置(&amp;L)</translation>
+    </message>
+</context>
+<context>
     <name>bask::ThermalPictureView</name>
     <message>
         <source>The thermal camera has not given a picture yet.</source>
@@ -9268,6 +9365,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>age %1 s</source>
         <translation>時齡 %1 s</translation>
+    </message>
+    <message>
+        <source>No picture was recorded.</source>
+        <translation>沒有錄製影像。</translation>
+    </message>
+    <message>
+        <source>taken at %1</source>
+        <translation>拍攝於 %1</translation>
     </message>
 </context>
 <context>
@@ -9415,6 +9520,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>這將允許實驗台超出現在的範圍。機器人、熱源、物體和感測器能承受嗎？</translation>
+    </message>
+</context>
+<context>
+    <name>bask::VerdictBox</name>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1，正在使用</translation>
     </message>
 </context>
 <context>

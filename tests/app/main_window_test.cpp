@@ -474,14 +474,15 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     click("placeTour");
     EXPECT_TRUE(waitFor([&] { return window->lastSnapshot().isMoving; }));
     auto* use = find<QAbstractButton>("placeUse");
-    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); })) << find<QLabel>("rigStatus")->text().toStdString();
+    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); }))
+        << find<QWidget>("rigPanel")->findChild<QLabel*>("surveyStatus")->text().toStdString();
     const auto before = window->document().experiment().vision.cameraPose;
     use->click();
     EXPECT_NE(window->document().experiment().vision.cameraPose, before);
     click("sourceMeasure");
     auto* useSource = find<QAbstractButton>("sourceUse");
     ASSERT_TRUE(waitFor([&] { return useSource->isEnabled(); }))
-        << find<QLabel>("rigStatus")->text().toStdString();
+        << find<QWidget>("rigPanel")->findChild<QLabel*>("surveyStatus")->text().toStdString();
     keepPicture(QStringLiteral("calibrate-rig"));
     const auto loadId = window->lastSnapshot().loadId;
     useSource->click();
@@ -492,7 +493,9 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().loadId != loadId; })); // with the source there
     ASSERT_NO_FATAL_FAILURE(arm());
     window->pages().show(Page::Calibrate);
-    EXPECT_TRUE(waitFor([&] { return find<QLabel>("rigStatus")->text().contains("armed"); }));
+    EXPECT_TRUE(waitFor([&] {
+        return find<QWidget>("rigPanel")->findChild<QLabel*>("surveyStatus")->text().contains("armed");
+    }));
     EXPECT_FALSE(find<QAbstractButton>("placeTour")->isEnabled());
 }
 

@@ -1,6 +1,7 @@
 #include "widgets/calibrate/camera_result.h"
 
 #include "engine/calibration/camera_file.h"
+#include "widgets/calibrate/pose_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
@@ -29,7 +30,7 @@ QString valueText(double value, double deviation, bool isLength) {
     const int digits = deviation > 0.0
                            ? std::clamp(1 - static_cast<int>(std::floor(std::log10(deviation))), 0, 6)
                            : (isLength ? 2 : 5);
-    return formatSigned(value, digits).remove(QLatin1Char('+'));
+    return plainNumber(value, digits);
 }
 
 // But for the residuals of its views, which an experiment does not keep.
@@ -131,16 +132,15 @@ std::optional<Verdict> CameraResult::verdict() const {
 }
 
 QString CameraResult::factsText() const {
-    const auto number = [](double value, int decimals) { return QLocale().toString(value, 'f', decimals); };
     QStringList facts;
     if (m_calibration)
         facts << tr("%1 views").arg(m_camera->views.size());
     if (m_camera->width > 0)
         facts << tr("%1 \u00d7 %2 pixels").arg(m_camera->width).arg(m_camera->height);
     if (m_camera->rms_px)
-        facts << tr("residual %1 px").arg(number(*m_camera->rms_px, 2));
+        facts << tr("residual %1 px").arg(plainNumber(*m_camera->rms_px, 2));
     if (m_calibration && m_calibration->heldOut_px)
-        facts << tr("held-out views %1 px").arg(number(*m_calibration->heldOut_px, 2));
+        facts << tr("held-out views %1 px").arg(plainNumber(*m_calibration->heldOut_px, 2));
     return facts.join(QStringLiteral(", "));
 }
 

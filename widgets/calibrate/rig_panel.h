@@ -6,7 +6,6 @@
 #include "engine/calibration/relative_pose.h"
 #include "engine/model/experiment.h"
 #include "engine/vision/vision_view.h"
-#include "widgets/calibrate/rig_survey.h"
 #include "widgets/common/latest_job.h"
 
 #include <QWidget>
@@ -15,16 +14,16 @@
 
 class QCheckBox;
 class QLabel;
-class QProgressBar;
 class QPushButton;
 
 namespace bask {
 
 class MarkerEditor;
+class SurveyBar;
+class VerdictBox;
 
-/// Object names: those of MarkerEditor; "placeHere", "placeTour", "placeCheck", "placeUse", "placeVerdict",
-/// "placeText"; "sourceMeasure", "sourceUse", "sourceFollow", "sourceVerdict", "sourceText";
-/// "surveyProgress", "surveyCancel", "rigStatus".
+/// Object names: those of MarkerEditor and SurveyBar; "placeHere", "placeTour", "placeCheck", those of a
+/// VerdictBox "place"; "sourceMeasure", "sourceFollow", those of a VerdictBox "source".
 class RigPanel : public QWidget {
     Q_OBJECT
 
@@ -66,19 +65,15 @@ private:
     };
 
     QWidget* buildPlace();
-    QWidget* buildBusy();
     QWidget* buildSource();
     void begin(Task task);
-    void cancel();
     void forget(); ///< forgets measurements with another camera or other markers
-    void advance();
     void solve();
     void take(Task task, Outcome outcome);
     void usePlace();
     void useSource();
     bool isPlaceUsed() const;  ///< whether m_place is in use
     bool isSourceUsed() const; ///< whether m_source is in use
-    void showProgress();
     void showPlace();
     void showSource();
     void showEnabled();
@@ -95,7 +90,6 @@ private:
     bool m_isReason = false; ///< the status says why nothing can be measured
 
     Task m_task = Task::None;
-    RigSurvey m_survey;
     LatestJob<Outcome> m_solving;
     std::optional<HandEye> m_place;      ///< the last measurement
     PoseSpread m_placeSpread;            ///< spread of m_place at the source
@@ -106,14 +100,12 @@ private:
     MarkerEditor* m_markers;
     QLabel *m_markersTitle, *m_placeTitle, *m_sourceTitle;
     QLabel *m_placeHint, *m_sourceHint;
-    QPushButton *m_here, *m_tour, *m_checkButton, *m_usePlace;
-    QLabel *m_placeIcon, *m_placeVerdict, *m_placeText;
-    QPushButton *m_measure, *m_useSource;
+    QPushButton *m_here, *m_tour, *m_checkButton;
+    VerdictBox* m_placeBox;
+    QPushButton* m_measure;
+    VerdictBox* m_sourceBox;
     QCheckBox* m_follow;
-    QLabel *m_sourceIcon, *m_sourceVerdict, *m_sourceText;
-    QLabel* m_status;
-    QProgressBar* m_progress;
-    QPushButton* m_cancel;
+    SurveyBar* m_bar;
 };
 
 } // namespace bask

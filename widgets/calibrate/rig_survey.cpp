@@ -76,26 +76,27 @@ bool RigSurvey::isThere() const {
     return m_goalTold && !m_isMoving && (m_goals[m_goal] - m_robot).cwiseAbs().maxCoeff() < kThere;
 }
 
-void RigSurvey::addFrame(double time_s, const MarkerFrame& frame) {
+bool RigSurvey::addFrame(double time_s, const MarkerFrame& frame) {
     if (!isOn() || m_isMoving)
-        return;
+        return false;
     if (m_state == State::Travelling) {
         if (!m_sent_s)
             m_sent_s = time_s;
         if (!isThere() && time_s - *m_sent_s < kNoMove_s)
-            return;
+            return false;
         m_state = State::Standing;
         m_still_s.reset();
     }
     if (!m_still_s)
         m_still_s = time_s;
     if (time_s - *m_still_s < kStill_s)
-        return;
+        return false;
     if (m_views.size() <= m_goal)
         m_views.push_back({poseFromCoordinates(m_robot), {}});
     m_views.back().frames.push_back(frame);
     if (std::ssize(m_views.back().frames) >= m_frames)
         next();
+    return true;
 }
 
 void RigSurvey::next() {

@@ -28,7 +28,8 @@ public:
 
     /// If the robot stops before its goal, it was paused: the survey ends, so that it does not continue.
     void setRobot(const Vector6d& coordinates, bool isMoving);
-    void addFrame(double time_s, const MarkerFrame& frame);
+    /// Returns whether the frame counts: then it is of the pose of the last view.
+    bool addFrame(double time_s, const MarkerFrame& frame);
     /// Returns the next goal for the robot; each goal is returned once.
     std::optional<Vector6d> takeGoal();
 

@@ -54,7 +54,7 @@ struct CameraPanelTest : testing::Test {
         QApplication::processEvents();
     }
     template <class T> T* child(const char* name) {
-        auto* found = page.findChild<CameraPanel*>()->findChild<T*>(name); // the sheets have a board, too
+        auto* found = page.cameraPanel()->findChild<T*>(name); // the sheets have a board, too
         if (!found)
             found = page.findChild<T*>(name);
         EXPECT_NE(found, nullptr) << name;
@@ -184,7 +184,8 @@ TEST_F(CameraPanelTest, AnotherBoardIsToldAndCanBeTaken) {
         page.setView(next);
     }
     EXPECT_TRUE(message().contains("8x6")) << message().toStdString();
-    auto* action = page.findChild<MessageBar*>("cameraMessage")->findChild<QPushButton*>("messageAction");
+    auto* action =
+        page.cameraPanel()->findChild<MessageBar*>("cameraMessage")->findChild<QPushButton*>("messageAction");
     action->click();
     EXPECT_TRUE(message().isEmpty());
     EXPECT_EQ(wanted.back(), other);

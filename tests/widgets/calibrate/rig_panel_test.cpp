@@ -78,12 +78,14 @@ struct RigPanelTest : testing::Test {
                          [this](bool follow) { follows.push_back(follow); });
     }
     template <class T> T* child(const char* name) {
-        auto* found = page.findChild<T*>(name);
+        auto* found = panel.findChild<T*>(name); // the thermal camera has a survey, too
+        if (!found)
+            found = page.findChild<T*>(name);
         EXPECT_NE(found, nullptr) << name;
         return found;
     }
     QString text(const char* name) { return child<QLabel>(name)->text(); }
-    QString status() { return text("rigStatus"); }
+    QString status() { return text("surveyStatus"); }
     QPushButton* button(const char* name) { return child<QPushButton>(name); }
     bool isBusy() { return child<QProgressBar>("surveyProgress")->isVisible(); }
     void looks(int count) {
