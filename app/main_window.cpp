@@ -351,7 +351,7 @@ void MainWindow::showTitle() {
 }
 
 void MainWindow::takeAges() {
-    m_ages = calibrationAges(m_document.experiment().vision);
+    m_ages = calibrationAges(m_document.experiment());
     showNotes();
 }
 

@@ -73,8 +73,10 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connect(m_run, &RunPage::sensorConfirmed, this, &PageHost::askConfirm);
     connect(m_run, &RunPage::noteAdded, this,
             [this](const QString& text) { emit commandIssued(AddNote{text.toStdString()}); });
-    connect(m_run, &RunPage::thermalPictureWatched, this,
-            [this](bool isWatched) { emit commandIssued(WatchThermalCamera{isWatched}); });
+    connect(m_run, &RunPage::thermalPictureWatched, this, [this](bool isWatched) {
+        m_isThermalOnRun = isWatched;
+        watchThermal();
+    });
     connect(m_run, &RunPage::simulationSpeedChosen, this,
             [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
     connect(&m_document, &Document::changed, this, [this] { m_messages.dropOfEdit(); });
@@ -132,6 +134,11 @@ void PageHost::connectCalibrate() {
         m_messages.dropRefusal();
         emit commandIssued(MoveTo{goal});
     });
+    connect(m_calibrate, &CalibratePage::thermalWatchWanted, this,
+            [this](bool show, const std::optional<Board>& board) {
+                m_thermalOnCalibrate = {show, board};
+                watchThermal();
+            });
     connect(m_calibrate, &CalibratePage::holdWanted, this, [this] { emit commandIssued(Hold{}); });
     const auto edit = [this](const Experiment& changed) {
         if (const auto edited = m_document.edit(changed, Page::Calibrate); !edited)
@@ -153,6 +160,12 @@ void PageHost::connectCalibrate() {
             m_calibrate->setExperiment(m_document.experiment());
         }
     });
+    connect(m_calibrate, &CalibratePage::thermalCalibrated, this,
+            [this, edit](const ThermalCalibration& calibration) {
+                Experiment changed = m_document.experiment();
+                calibrateThermalCamera(changed, calibration);
+                edit(changed);
+            });
     connect(m_calibrate, &CalibratePage::sourceMeasured, this,
             [this, edit](const VisionSpec& vision, const Vector6d& pose) {
                 Experiment changed = m_document.experiment();
@@ -297,6 +310,12 @@ void PageHost::show(const VisionView& view) {
 
 void PageHost::show(const ThermalView& view) {
     m_run->setThermalView(view);
+    m_calibrate->setThermalView(view);
+}
+
+void PageHost::watchThermal() {
+    emit commandIssued(m_thermalOnCalibrate.show ? m_thermalOnCalibrate
+                                                 : WatchThermalCamera{m_isThermalOnRun});
 }
 
 void PageHost::apply(const Snapshot& snapshot) {
@@ -323,6 +342,7 @@ void PageHost::setTemperatureUnit(TemperatureUnit unit) {
     m_rig->setTemperatureUnit(unit);
     m_objects->setTemperatureUnit(unit);
     m_targets->setTemperatureUnit(unit);
+    m_calibrate->setTemperatureUnit(unit);
     m_run->setTemperatureUnit(unit);
     m_review->setTemperatureUnit(unit);
     m_reviewDesk.retranslate(); // its events speak of temperatures

@@ -87,6 +87,7 @@ private:
     void reportInfeasible();
     void showDocument();
     void showEditable();
+    void watchThermal();
     void askConfirm(std::size_t object);
     void showStep(const EditStep& step, const QString& words);
 
@@ -107,6 +108,8 @@ private:
 
     std::vector<double> m_told_K; ///< newest reading of each sensor, trusted or not
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    bool m_isThermalOnRun = false; ///< that page shows its pictures
+    WatchThermalCamera m_thermalOnCalibrate;
     bool m_editable = true;
     bool m_targetsEditable = true;
     bool m_verdictUntold = false; ///< the engine has targets whose verdict it has not been sent

@@ -10,6 +10,7 @@
 #include "engine/base/units.h"
 #include "engine/calibration/camera_file.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment_rig.h"
 #include "engine/thermography/frame_file.h"
 #include "engine/thermography/silhouette_pose.h"
 
@@ -78,21 +79,6 @@ Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const
         views.push_back({std::move(frame->picture), poseFromCoordinates(listed.pose)});
     }
     return views;
-}
-
-SilhouetteScene sceneOf(const Experiment& experiment) {
-    SilhouetteScene scene;
-    for (const ObjectSpec& object : experiment.objects)
-        scene.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
-    for (const PlateSpec& fixture : experiment.fixtures)
-        scene.fixtures.push_back({fixture.shape, poseFromCoordinates(fixture.pose)});
-    const Pose X_RS = poseFromCoordinates(experiment.source.pose);
-    scene.fixed.push_back({experiment.source.shape, X_RS});
-    for (const SourcePartSpec& part : experiment.source.uneven.parts)
-        scene.fixed.push_back({part.shape, X_RS * poseFromCoordinates(part.pose)});
-    for (const PlateSpec& shield : experiment.shields)
-        scene.fixed.push_back({shield.shape, poseFromCoordinates(shield.pose)});
-    return scene;
 }
 
 const char* wordFor(Verdict verdict) {
@@ -209,7 +195,7 @@ int thermalPoseCommand(const QStringList& arguments) {
     if (experiment->objects.empty())
         return refuse(kName, QStringLiteral("the experiment has no objects"));
     const auto found =
-        silhouettePose(lens, *views, sceneOf(*experiment), poseFromCoordinates(list->cameraPose));
+        silhouettePose(lens, *views, silhouetteScene(*experiment), poseFromCoordinates(list->cameraPose));
     if (!found) {
         const int code = refuse(kName, found.error());
         return isOfThePictures(found.error().code()) ? kExitNegative : code;

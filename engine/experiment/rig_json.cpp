@@ -159,12 +159,7 @@ void readThermalCamera(const json& j, const std::string& path, Failure& failure,
     Fields fields(j, path, failure);
     fields.read("device", out.device, true);
     readProfile(fields, true, shippedThermalProfiles(), thermalProfileFromJson, out.profile);
-    readPart(fields, "lens", false, [&](const json& part, const std::string& where) {
-        readCalibratedCamera(part, where, failure, out.lens.emplace());
-    });
-    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
-        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
-    });
+    readThermalCalibration(fields, failure, out.calibration);
     fields.close();
 }
 
@@ -253,10 +248,7 @@ Json sourceJson(const HeatSourceDeviceSpec& source) {
 Json thermalCameraJson(const ThermalCameraSpec& camera) {
     Json j{{"device", camera.device}};
     j["profile"] = profileJson(camera.profile, shippedThermalProfiles(), thermalProfileToJson);
-    if (camera.lens)
-        j["lens"] = calibratedCameraJson(*camera.lens);
-    if (camera.pose)
-        j["pose"] = coordinatesJson(*camera.pose);
+    putThermalCalibration(j, camera.calibration);
     return j;
 }
 

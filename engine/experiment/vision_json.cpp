@@ -129,7 +129,34 @@ void readSimulatedThermalCamera(const json& j, const std::string& path, Failure&
         readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
     });
     readParameters(fields, simulatedThermalCameraParameters(), out);
+    readPart(fields, "calibration", false, [&](const json& part, const std::string& where) {
+        Fields calibration(part, where, failure);
+        readThermalCalibration(calibration, failure, out.calibration);
+        calibration.close();
+    });
     fields.close();
+}
+
+void readThermalCalibration(Fields& fields, Failure& failure, ThermalCalibration& out) {
+    readPart(fields, "lens", false, [&](const json& part, const std::string& where) {
+        readCalibratedCamera(part, where, failure, out.lens.emplace());
+    });
+    fields.read("lens_date", out.lensDate);
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
+    });
+    fields.read("pose_date", out.poseDate);
+}
+
+void putThermalCalibration(Json& j, const ThermalCalibration& calibration) {
+    if (calibration.lens)
+        j["lens"] = calibratedCameraJson(*calibration.lens);
+    if (!calibration.lensDate.empty())
+        j["lens_date"] = calibration.lensDate;
+    if (calibration.pose)
+        j["pose"] = coordinatesJson(*calibration.pose);
+    if (!calibration.poseDate.empty())
+        j["pose_date"] = calibration.poseDate;
 }
 
 Json visionJson(const VisionSpec& vision) {
@@ -165,6 +192,8 @@ Json simulatedThermalCameraJson(const SimulatedThermalCameraSpec& camera) {
     if (camera.pose)
         j["pose"] = coordinatesJson(*camera.pose);
     putParameters(j, simulatedThermalCameraParameters(), camera);
+    if (camera.calibration != ThermalCalibration())
+        putThermalCalibration(j["calibration"], camera.calibration);
     return j;
 }
 

@@ -2,6 +2,7 @@
 // The camera, its calibration and its markers in an experiment's file.
 
 #include "engine/base/json_fields.h"
+#include "engine/model/thermal_camera_spec.h"
 #include "engine/model/vision_spec.h"
 
 namespace bask {
@@ -14,6 +15,10 @@ void readSimulatedCamera(const nlohmann::json& j, const std::string& path, Failu
 void readCalibratedCamera(const nlohmann::json& j, const std::string& path, Failure& failure,
                           CameraModel& out);
 nlohmann::ordered_json calibratedCameraJson(const CameraModel& camera);
+
+/// Members of a part of a file: lens, pose and their dates.
+void readThermalCalibration(Fields& fields, Failure& failure, ThermalCalibration& out);
+void putThermalCalibration(nlohmann::ordered_json& j, const ThermalCalibration& calibration);
 
 nlohmann::ordered_json visionJson(const VisionSpec& vision);
 void readSimulatedThermalCamera(const nlohmann::json& j, const std::string& path, Failure& failure,

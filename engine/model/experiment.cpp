@@ -328,6 +328,14 @@ void checkThermalLens(Checker& check, const std::string& path, const CameraModel
         check.fail(MessageCode::LensNotInvertible, path + "distortion");
 }
 
+void checkThermalCalibration(Checker& check, const std::string& path, const ThermalCalibration& calibration,
+                             const ThermalProfile& profile) {
+    if (calibration.lens)
+        checkThermalLens(check, path + "lens.", *calibration.lens, profile);
+    if (calibration.pose)
+        checkCoordinates(check, path + "pose.", *calibration.pose, kMaxPlace_cm, false);
+}
+
 void checkReadings(Checker& check, const Experiment& e) {
     constexpr double kOldest_s = 0.8; // of a frame: behind a closed shutter and under way
     for (std::size_t i = 0; i < e.objects.size(); ++i) {
@@ -340,23 +348,23 @@ void checkReadings(Checker& check, const Experiment& e) {
     }
     if (!e.rig || !e.rig->thermalCamera)
         return;
-    const ThermalCameraSpec& camera = *e.rig->thermalCamera;
-    if (camera.lens)
-        checkThermalLens(check, "rig.thermal_camera.lens.", *camera.lens, camera.profile);
-    if (camera.pose)
-        checkCoordinates(check, "rig.thermal_camera.pose.", *camera.pose, kMaxPlace_cm, false);
+    checkThermalCalibration(check, "rig.thermal_camera.", e.rig->thermalCamera->calibration,
+                            e.rig->thermalCamera->profile);
 }
 
 void checkSimulatedThermalCamera(Checker& check, const SimulatedThermalCameraSpec& camera) {
     const std::string path = "simulation.thermal_camera.";
     std::string names;
-    bool isKnown = false;
+    const ThermalProfile* known = nullptr;
     for (const ThermalProfile& profile : shippedThermalProfiles()) {
         names += (names.empty() ? "" : ", ") + profile.name;
-        isKnown = isKnown || (profile.name == camera.profile && profile.frameRate_Hz);
+        if (profile.name == camera.profile && profile.frameRate_Hz)
+            known = &profile;
     }
-    if (!isKnown)
+    if (known == nullptr)
         check.fail(MessageCode::ValueUnknown, path + "profile", {plainWords(camera.profile), names});
+    else
+        checkThermalCalibration(check, path + "calibration.", camera.calibration, *known);
     if (camera.pose)
         checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
     check.parameters(path, simulatedThermalCameraParameters(), camera);
@@ -492,6 +500,23 @@ std::optional<ThermalProfile> thermalProfile(const Experiment& experiment, bool 
     return findThermalProfile(
                experiment.simulation.thermalCamera.value_or(SimulatedThermalCameraSpec()).profile)
         .value();
+}
+
+ThermalCalibration thermalCalibration(const Experiment& experiment, bool simulated) {
+    if (simulated)
+        return experiment.simulation.thermalCamera.value_or(SimulatedThermalCameraSpec()).calibration;
+    return experiment.rig && experiment.rig->thermalCamera ? experiment.rig->thermalCamera->calibration
+                                                           : ThermalCalibration();
+}
+
+void calibrateThermalCamera(Experiment& experiment, const ThermalCalibration& calibration) {
+    if (!experiment.rig) {
+        auto& camera = experiment.simulation.thermalCamera;
+        camera = camera.value_or(SimulatedThermalCameraSpec());
+        camera->calibration = calibration;
+    } else if (experiment.rig->thermalCamera) {
+        experiment.rig->thermalCamera->calibration = calibration;
+    }
 }
 
 bool readsByCamera(const Experiment& experiment) {

@@ -7,6 +7,7 @@
 #include "engine/control/robot_limits.h"
 #include "engine/model/rig_spec.h"
 #include "engine/model/safety_spec.h"
+#include "engine/model/thermal_camera_spec.h"
 #include "engine/model/vision_spec.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/shape.h"
@@ -197,6 +198,10 @@ inline constexpr std::size_t kMaxCorners = 5000;
 
 /// Returns the profile of the thermal camera of the simulated or the real rig; empty if it has none.
 std::optional<ThermalProfile> thermalProfile(const Experiment& experiment, bool simulated);
+/// Returns how that camera was calibrated; empty values without one.
+ThermalCalibration thermalCalibration(const Experiment& experiment, bool simulated);
+/// Calibrates the camera of the real rig, or of the simulated one if the experiment has no rig.
+void calibrateThermalCamera(Experiment& experiment, const ThermalCalibration& calibration);
 /// Returns whether an object is read by a thermal camera.
 bool readsByCamera(const Experiment& experiment);
 /// Returns the number of objects with a sensor on them.

@@ -1,6 +1,7 @@
 #include "engine/model/experiment_rig.h"
 
 #include "engine/model/uneven_source.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 namespace bask {
 
@@ -29,6 +30,39 @@ std::vector<std::string> takerNames(const Experiment& experiment) {
     for (const PlateSpec& shield : experiment.shields)
         names.push_back(shield.name);
     return names;
+}
+
+SilhouetteScene silhouetteScene(const Experiment& experiment) {
+    SilhouetteScene scene;
+    for (const ObjectSpec& object : experiment.objects)
+        scene.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
+    for (const PlateSpec& fixture : experiment.fixtures)
+        scene.fixtures.push_back({fixture.shape, poseFromCoordinates(fixture.pose)});
+    const Pose X_RS = poseFromCoordinates(experiment.source.pose);
+    scene.fixed.push_back({experiment.source.shape, X_RS});
+    for (const SourcePartSpec& part : experiment.source.uneven.parts)
+        scene.fixed.push_back({part.shape, X_RS * poseFromCoordinates(part.pose)});
+    for (const PlateSpec& shield : experiment.shields)
+        scene.fixed.push_back({shield.shape, poseFromCoordinates(shield.pose)});
+    return scene;
+}
+
+std::optional<PlacedThermalCamera> believedThermalCamera(const Experiment& experiment, bool simulated) {
+    const auto profile = thermalProfile(experiment, simulated);
+    if (!profile)
+        return std::nullopt;
+    const ThermalCalibration calibration = thermalCalibration(experiment, simulated);
+    PlacedThermalCamera camera{calibration.lens.value_or(usualThermalLens(*profile)), {}};
+    if (calibration.pose)
+        camera.X_RC = poseFromCoordinates(*calibration.pose);
+    else if (simulated)
+        camera.X_RC = trueThermalPose(experiment);
+    return camera;
+}
+
+Pose trueThermalPose(const Experiment& experiment) {
+    const auto& camera = experiment.simulation.thermalCamera;
+    return camera && camera->pose ? poseFromCoordinates(*camera->pose) : usualThermalPose();
 }
 
 namespace {

@@ -3,6 +3,7 @@
 
 #include "engine/control/rig_geometry.h"
 #include "engine/model/experiment.h"
+#include "engine/thermography/silhouette_outline.h"
 
 #include <memory>
 #include <string>
@@ -17,6 +18,19 @@ std::vector<MountedContour> mountedContours(const Experiment& experiment);
 Screens screensOf(const Experiment& experiment);
 /// Returns the names of all that takes light, as TakenLight counts them: objects, fixtures, shields.
 std::vector<std::string> takerNames(const Experiment& experiment);
+
+/// Returns what a thermal camera sees of the rig.
+SilhouetteScene silhouetteScene(const Experiment& experiment);
+
+/// Without a pose the camera shows pictures only.
+struct PlacedThermalCamera {
+    CameraModel lens;
+    std::optional<Pose> X_RC;
+};
+/// Returns what is believed of the thermal camera of the simulated or the real rig; empty if it has none.
+std::optional<PlacedThermalCamera> believedThermalCamera(const Experiment& experiment, bool simulated);
+/// Returns X_RC of the simulated one as it truly is.
+Pose trueThermalPose(const Experiment& experiment);
 
 /// Returns the geometry of an experiment that validates.
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);

@@ -11,13 +11,14 @@
 namespace bask {
 namespace {
 
-constexpr double kCold_K = 5.0;     // above the room: a source that warms nothing noticeably
-constexpr double kAsCold_K = 10.0;  // how far a camera that is not yet zeroed may be off
-constexpr double kTogether_K = 2.0; // how far cold objects may look different from one another
-constexpr double kKnown_K = 0.1;    // how well the objects' temperature is known when they are cold
-constexpr double kCooled_s = 600.0; // since the source was not cold last: objects that were warm are cold
-constexpr int kZeroFrames = 20;     // over which a zero is the mean
-constexpr double kKept_s = 5.0;     // of moments, longer than any frame is under way
+constexpr double kCold_K = 5.0;       // above the room: a source that warms nothing noticeably
+constexpr double kAsCold_K = 10.0;    // how far a camera that is not yet zeroed may be off
+constexpr double kTogether_K = 2.0;   // how far cold objects may look different from one another
+constexpr double kKnown_K = 0.1;      // how well the objects' temperature is known when they are cold
+constexpr double kCooled_s = 600.0;   // since the source was not cold last: objects that were warm are cold
+constexpr double kBoardGone_s = 10.0; // after it is looked for no more: a person takes it away
+constexpr int kZeroFrames = 20;       // over which a zero is the mean
+constexpr double kKept_s = 5.0;       // of moments, longer than any frame is under way
 constexpr double kSinceShutter_s = 90.0; // when a shutter closed last is not told: half of a usual period
 
 /// Small objects a metre away have few pixels; that is part of the uncertainty.
@@ -153,6 +154,8 @@ void CameraThermometer::readFrame() {
         return invalidate({MessageCode::ThermalPoseUnknown, {}});
     if (m_moments.empty() || !nearest(m_frame->time_s).isPlaceSure)
         return invalidate({MessageCode::ThermalPlaceUnsure, {}});
+    if (m_isBoardShown || m_frame->time_s < m_board_s + kBoardGone_s)
+        return invalidate({MessageCode::ThermalFaceHidden, {"0", std::to_string(fewPixels().minPixels)}});
     invalidate({});
     const Moment& then = nearest(m_frame->time_s);
     const Vector6d q = placeAt(m_frame->time_s);
@@ -167,6 +170,12 @@ void CameraThermometer::readFrame() {
         read = readAll();
     for (std::size_t i = 0; i < read.size(); ++i)
         take(i, then, objects[i], std::move(read[i]));
+}
+
+void CameraThermometer::setBoardShown(bool isShown) {
+    if (m_isBoardShown && !isShown)
+        m_board_s = m_clock.now_s();
+    m_isBoardShown = isShown;
 }
 
 bool CameraThermometer::findZeros(const std::vector<ReadObject>& objects,
@@ -254,7 +263,7 @@ std::shared_ptr<const ThermalView> CameraThermometer::view() {
     if (m_frame && !m_view)
         m_view = viewOfFrame();
     auto view = std::make_shared<ThermalView>(m_view.value_or(ThermalView{}));
-    view->cameraName = m_camera.profile().title;
+    view->cameraName = cameraName(m_camera.profile());
     view->age_s = m_frame ? m_clock.now_s() - m_frame->time_s : 0.0;
     if (!read)
         view->problem = read.error().message;
@@ -278,7 +287,7 @@ ThermalView CameraThermometer::viewOfFrame() const {
         if (seen.reading.valid)
             object.T_K = seen.reading.value_K;
         object.uncertainty_K = seen.reading.standardUncertainty_K;
-        object.spread_K = std::isfinite(seen.sample.spread_K) ? seen.sample.spread_K : 0.0;
+        object.spread_K = seen.sample.spread_K;
         object.reason = seen.reading.reason;
         view.objects.push_back(std::move(object));
     }

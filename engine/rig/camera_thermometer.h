@@ -75,6 +75,9 @@ public:
     /// Returns why an object could not be read; code None if it could.
     const Message& reason(std::size_t object) const { return m_seen.at(object).reading.reason; }
 
+    /// While a calibration board is held before the camera, and for some seconds after, nothing is read: its
+    /// pixels lie where the objects are.
+    void setBoardShown(bool isShown);
     /// Sets the temperature of the room, as other thermometers tell it while everything is cold.
     void setRoom(double environment_K);
     /// Whether frames may be used for zeroing: the source is cold, and has been for some minutes.
@@ -123,6 +126,8 @@ private:
     std::shared_ptr<const ThermalCameraFrame> m_frame; ///< the last one; null before the first
     bool m_isSourceCold = false;                       ///< known to be
     double m_hot_s = -1e300;                           ///< when the source was not cold last
+    bool m_isBoardShown = false;
+    double m_board_s = -1e300; ///< when it was shown last
     std::vector<std::optional<CameraZero>> m_zeros;
     std::vector<int> m_zeroFrames; ///< that went into a zero
     std::vector<Seen> m_seen;

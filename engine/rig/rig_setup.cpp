@@ -1,7 +1,7 @@
 #include "engine/rig/rig_setup.h"
 
 #include "engine/model/uneven_source.h"
-#include "engine/thermography/usual_lens.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +134,7 @@ SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& expe
     SimulatedThermalCameraConfig config;
     config.profile = findThermalProfile(spec.profile).value();
     config.camera = usualThermalLens(config.profile);
-    config.X_RC = thermalCameraPose(experiment);
+    config.X_RC = trueThermalPose(experiment);
     config.source = {{experiment.source.shape, Pose::Identity(), trueSourceEmittance(experiment)}};
     for (const ObjectSpec& object : experiment.objects)
         config.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
@@ -151,11 +151,6 @@ SimulatedThermalCameraConfig simulatedThermalCameraConfig(const Experiment& expe
 }
 
 } // namespace
-
-Pose thermalCameraPose(const Experiment& experiment) {
-    const auto pose = simulatedThermalCamera(experiment).value().pose;
-    return pose ? poseFromCoordinates(*pose) : usualThermalPose();
-}
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     const SimulationSpec& simulation = experiment.simulation;
@@ -205,11 +200,12 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
 
 namespace {
 
-CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, CameraModel lens,
-                                              const std::optional<Pose>& X_RC) {
+CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, bool simulated) {
+    const PlacedThermalCamera believed = believedThermalCamera(experiment, simulated).value();
     CameraThermometerSetup setup;
-    setup.camera = std::move(lens);
-    setup.X_RC = X_RC;
+    setup.camera = believed.lens;
+    setup.X_RC = believed.X_RC;
+    setup.hasShutter = simulated;
     setup.objects = experiment.objects;
     setup.fixtures = experiment.fixtures;
     setup.shields = experiment.shields;
@@ -235,11 +231,8 @@ std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experimen
 std::unique_ptr<CameraThermometer> cameraThermometer(const Experiment& experiment, SimulatedRig& rig) {
     if (rig.thermalCamera() == nullptr)
         return nullptr;
-    CameraThermometerSetup setup = cameraThermometerSetup(
-        experiment, usualThermalLens(rig.thermalCamera()->profile()), thermalCameraPose(experiment));
-    setup.hasShutter = true;
-    return std::make_unique<CameraThermometer>(std::move(setup), *rig.thermalCamera(), rig.robot(),
-                                               rig.heatSource(), rig.clock());
+    return std::make_unique<CameraThermometer>(cameraThermometerSetup(experiment, true), *rig.thermalCamera(),
+                                               rig.robot(), rig.heatSource(), rig.clock());
 }
 
 std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experiment, SimulatedRig& rig) {
@@ -251,13 +244,10 @@ std::unique_ptr<ObjectThermometer> objectThermometer(const Experiment& experimen
                                                      const Clock& clock) {
     if (rig.thermalCamera() == nullptr)
         return nullptr;
-    const ThermalCameraSpec& spec = *experiment.rig->thermalCamera;
-    CameraThermometerSetup setup =
-        cameraThermometerSetup(experiment, spec.lens.value_or(usualThermalLens(spec.profile)),
-                               spec.pose ? std::optional(poseFromCoordinates(*spec.pose)) : std::nullopt);
     return objectThermometer(experiment, rig.thermometer(),
-                             std::make_unique<CameraThermometer>(std::move(setup), *rig.thermalCamera(),
-                                                                 rig.robot(), rig.heatSource(), clock));
+                             std::make_unique<CameraThermometer>(cameraThermometerSetup(experiment, false),
+                                                                 *rig.thermalCamera(), rig.robot(),
+                                                                 rig.heatSource(), clock));
 }
 
 } // namespace bask

@@ -42,8 +42,6 @@ FeasibilityRequest feasibilityRequest(const Experiment& experiment);
 /// Returns its verdict; takes about 50 to 100 ms.
 JointVerdict jointVerdict(const Experiment& experiment);
 
-/// Returns X_RC of the simulated thermal camera, which the experiment has.
-Pose thermalCameraPose(const Experiment& experiment);
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
 
 /// Returns the thermal camera of a simulated rig as thermometer; null for one without. The rig must outlive

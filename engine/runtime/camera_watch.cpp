@@ -24,8 +24,23 @@ void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
     setTask(session);
 }
 
+void CameraWatch::watch(EngineSession& session, const WatchThermalCamera& wanted) {
+    m_thermalWanted = wanted;
+    m_isBoardOut = !session.loop.isArmedOrOn();
+    const auto board = wanted.show && m_isBoardOut ? wanted.board : std::nullopt;
+    if (auto* camera = session.simulated ? session.simulated->simulatedThermalCamera() : nullptr)
+        camera->setBoard(board);
+    if (session.thermometer)
+        session.thermometer->camera().setBoardShown(board.has_value());
+}
+
+void CameraWatch::watchOn(EngineSession& session) {
+    watch(session, m_wanted);
+    watch(session, m_thermalWanted);
+}
+
 void CameraWatch::followRun(EngineSession& session) {
-    if (m_wanted.board && m_isBoardOut == session.loop.isArmedOrOn())
+    if ((m_wanted.board || m_thermalWanted.board) && m_isBoardOut == session.loop.isArmedOrOn())
         watchOn(session);
 }
 

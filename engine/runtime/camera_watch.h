@@ -20,10 +20,11 @@ public:
 
     /// Sets what a person wants to see from now on.
     void watch(EngineSession& session, const WatchCamera& wanted);
+    void watch(EngineSession& session, const WatchThermalCamera& wanted);
     /// Applies the same to another session, or after the task of the session has changed.
-    void watchOn(EngineSession& session) { watch(session, m_wanted); }
-    /// Removes the calibration board when a run begins and restores it after the run: the search for it takes
-    /// long, and a simulated board hides the source.
+    void watchOn(EngineSession& session);
+    /// Removes the calibration boards when a run begins and restores them after the run: the search for one
+    /// takes long, and a simulated board hides the rig.
     void followRun(EngineSession& session);
     /// Uses another camera, by its name, instead of the simulated one; an empty name uses none. It is only
     /// watched and does not follow the source, since it does not see the simulated rig.
@@ -31,6 +32,7 @@ public:
     void setTask(EngineSession& session);
     void close(); ///< closes the chosen camera
 
+    bool isThermalWatched() const { return m_thermalWanted.show; }
     /// Returns the newest finished view of the watched camera; null if there is none. `session` may be null.
     std::shared_ptr<const VisionView> newest(const EngineSession* session) const;
 
@@ -38,6 +40,7 @@ private:
     struct Chosen;
     BackgroundThread& m_closer;
     WatchCamera m_wanted;
+    WatchThermalCamera m_thermalWanted;
     bool m_isBoardOut = true;
     std::unique_ptr<Chosen> m_chosen;
 };

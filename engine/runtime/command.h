@@ -88,9 +88,11 @@ struct WatchCamera {
     bool show = false;
     std::optional<Board> board;
 };
-/// Shows the pictures of the rig's thermal camera.
+/// Shows the pictures of the rig's thermal camera. The board is as in WatchCamera, but the pictures' receiver
+/// searches for it.
 struct WatchThermalCamera {
     bool show = false;
+    std::optional<Board> board{};
 };
 /// Selects the camera that is watched: a device, file, folder or address as VideoCamera takes it. An empty
 /// name selects the simulated one, which also follows the source. Refused while a run is armed or on.

@@ -347,7 +347,7 @@ void EngineWorker::forwardView() {
 
 void EngineWorker::showThermal(double wall_s) {
     m_sinceThermal_s += wall_s;
-    if (!m_isThermalWatched || !m_session->thermometer || m_sinceThermal_s < kThermal_s ||
+    if (!m_cameras.isThermalWatched() || !m_session->thermometer || m_sinceThermal_s < kThermal_s ||
         m_thermalViews.isFull())
         return;
     m_sinceThermal_s = 0.0;
@@ -447,7 +447,7 @@ Result<void> EngineWorker::apply(const Command& command) {
             [](const UnshelveAlarm&) { return Result<void>(); },
             [&](const WatchCamera& wanted) { return m_cameras.watch(*m_session, wanted), Result<void>(); },
             [&](const WatchThermalCamera& wanted) {
-                return m_isThermalWatched = wanted.show, Result<void>();
+                return m_cameras.watch(*m_session, wanted), Result<void>();
             },
             [&](const ChooseCamera& camera) { return choose(camera.name); },
             [&](const SetVision& set) { return setVision(set.vision); },

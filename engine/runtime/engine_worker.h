@@ -162,7 +162,6 @@ private:
     RunState m_publishedState = RunState::Idle;
     Snapshot m_pending; ///< samples, events and notes since the last snapshot
     Underway m_snapshots, m_views, m_thermalViews;
-    bool m_isThermalWatched = false;
     double m_sinceThermal_s = 0.0;
     std::uint64_t m_sequence = 0;
     BackgroundThread m_system; ///< reads the free disk space and the list of ports

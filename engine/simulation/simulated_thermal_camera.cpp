@@ -2,8 +2,8 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/simulation/board_script.h"
 #include "engine/simulation/rig_faces.h"
-#include "engine/simulation/simulated_camera.h"
 #include "engine/thermography/frame_picture_file.h"
 
 #include <algorithm>
@@ -45,10 +45,6 @@ std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& pr
     return bytes + std::string(static_cast<std::size_t>(profile.skipBottom) * rowBytes, '\0');
 }
 
-Pose usualThermalPose() {
-    return lookingAt({0.0, 0.0, 1.1}, Eigen::Vector3d::Zero());
-}
-
 SimulatedThermalCamera::SimulatedThermalCamera(SimulatedThermalCameraConfig config)
     : m_config(usable(std::move(config))), m_sensor(thermalBand(), m_config.errors, m_config.camera.width,
                                                     m_config.camera.height, m_config.environment_K),
@@ -85,12 +81,20 @@ void SimulatedThermalCamera::observe(const ThermalMoment& moment) {
         m_moments.pop_front();
 }
 
+void SimulatedThermalCamera::setBoard(std::optional<Board> board) {
+    const std::scoped_lock lock(m_mutex);
+    m_board.reset();
+    if (board)
+        m_board = ShownBoard{*board, m_moments.empty() ? 0.0 : m_moments.back().time_s};
+}
+
 void SimulatedThermalCamera::setUnplugged(bool unplugged) {
     const std::scoped_lock lock(m_mutex);
     m_isUnplugged = unplugged;
 }
 
-const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment) {
+const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment,
+                                                  const std::optional<ShownBoard>& shown) {
     const Pose X_CR = m_config.X_RC.inverse();
     const double room = thermalBand().radiance(m_config.environment_K);
     std::vector<PlacedFace> placed;
@@ -116,11 +120,23 @@ const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment) {
         place(moment.X_RE * fixture.X_EO, room, room);
     for (const auto& shield : m_config.shields)
         place(shield.X_RB, room, room);
-    return m_painter.paint(placed);
+    SceneFace sheet;
+    std::vector<PlacedFace> onTop;
+    if (shown) {
+        constexpr double kSheet = 0.95, kFoil = 0.3; // emittance
+        const double warm = thermalBand().radiance(m_config.environment_K + 10.0);
+        sheet = boardFace(shown->board);
+        sheet.front = sheet.behind = static_cast<float>(kSheet * warm + (1.0 - kSheet) * room);
+        sheet.markGrey = static_cast<float>(kFoil * warm + (1.0 - kFoil) * room);
+        onTop.push_back({&sheet, boardPoseAt(shown->board, m_config.camera, moment.time_s - shown->since_s) *
+                                     Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX())});
+    }
+    return m_painter.paint(placed, onTop);
 }
 
 Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest() {
     ThermalMoment seen;
+    std::optional<ShownBoard> board;
     {
         const std::scoped_lock lock(m_mutex);
         if (m_isUnplugged)
@@ -128,6 +144,7 @@ Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest
         if (m_moments.empty())
             return noPicture("not started");
         seen = m_moments.front();
+        board = m_board;
     }
     const double time_s = seen.time_s, period_s = 1.0 / *m_config.profile.frameRate_Hz;
     const double passed_s = m_frame ? time_s - m_frame->time_s : period_s;
@@ -136,7 +153,7 @@ Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest
     if (m_frame && m_sensor.isShut(time_s))
         return m_frame;
     const std::uint64_t number = m_frame ? m_frame->number + 1 : 1;
-    const ThermalPicture picture = m_sensor.caught(painted(seen), time_s, number);
+    const ThermalPicture picture = m_sensor.caught(painted(seen, board), time_s, number);
     auto decoded = frameOfBytes(bytesOfFrame(picture, m_config.profile), m_config.profile, "simulated");
     if (!decoded)
         return decoded.error();

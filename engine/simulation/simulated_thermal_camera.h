@@ -2,15 +2,18 @@
 // A simulated thermal camera: renders the radiance of the true rig, with the source's reflections by the true
 // view factors, and hands out frames through the decoder of a real camera.
 
+#include "engine/calibration/board.h"
 #include "engine/calibration/camera_model.h"
 #include "engine/devices/thermal_camera.h"
 #include "engine/shape/shape.h"
 #include "engine/simulation/scene_painter.h"
 #include "engine/simulation/thermal_sensor.h"
 #include "engine/thermography/face_temperature.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include <deque>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,10 +22,6 @@ namespace bask {
 /// Returns the camera's numbers for a picture as its bytes: the inverse of frameOfBytes. What is colder or
 /// hotter than it can tell is its least or largest number.
 std::string bytesOfFrame(const ThermalPicture& picture, const ThermalProfile& profile);
-
-/// Returns X_RC of a camera 1.1 m above a source at R's origin, which sees the backs of objects within 20 cm
-/// of it and up to 30 cm high.
-Pose usualThermalPose();
 
 struct SimulatedThermalCameraConfig {
     ThermalProfile profile;
@@ -79,18 +78,26 @@ public:
 
     /// Shows the rig. Throws std::invalid_argument for another number of objects or hot plates.
     void observe(const ThermalMoment& moment);
+    /// Shows a warm board in front of the camera, whose dark fields reflect the room; it moves as that of
+    /// SimulatedCamera. Empty: none.
+    void setBoard(std::optional<Board> board);
     void setUnplugged(bool unplugged);
 
 private:
     GreyCanvas room() const;
-    const GreyCanvas& painted(const ThermalMoment& moment);
+    struct ShownBoard {
+        Board board;
+        double since_s = 0.0;
+    };
+    const GreyCanvas& painted(const ThermalMoment& moment, const std::optional<ShownBoard>& shown);
 
     const SimulatedThermalCameraConfig m_config;
     ThermalSensor m_sensor;
     ScenePainter m_painter;
 
-    std::mutex m_mutex;                  // protects the next two members
+    std::mutex m_mutex;                  // protects the next three members
     std::deque<ThermalMoment> m_moments; ///< the first is the one that is delivered
+    std::optional<ShownBoard> m_board;
     bool m_isUnplugged = false;
 
     // Used by the thread of newest().

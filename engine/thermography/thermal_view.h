@@ -3,10 +3,12 @@
 // camera.
 
 #include "engine/base/message.h"
+#include "engine/thermography/camera_profile.h"
 #include "engine/thermography/thermal_picture.h"
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -22,13 +24,18 @@ struct ThermalObjectView {
     std::vector<int> pixels;    ///< those that were read, ascending, row by row
     std::optional<double> T_K;  ///< empty: it could not be read
     double uncertainty_K = 0.0; ///< standard uncertainty of T_K
-    double spread_K = 0.0;      ///< largest difference across its face
-    Message reason;             ///< why it could not be read; code None if it could
+    double spread_K = std::numeric_limits<double>::quiet_NaN(); ///< across its face; NaN: not known
+    Message reason; ///< why it could not be read; code None if it could
 };
+
+/// Returns what stands in a profile's title before the first comma; without a title, its name.
+inline std::string cameraName(const ThermalProfile& profile) {
+    return profile.title.empty() ? profile.name : profile.title.substr(0, profile.title.find(','));
+}
 
 /// The result for one picture.
 struct ThermalView {
-    std::string cameraName;                        ///< of its profile
+    std::string cameraName;                        ///< as cameraName()
     std::shared_ptr<const ThermalPicture> picture; ///< null before the first
     double time_s = 0.0;                           ///< when it was taken, on the engine's clock
     double age_s = 0.0;                            ///< when the view was made

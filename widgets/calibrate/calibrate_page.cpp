@@ -1,10 +1,14 @@
 #include "widgets/calibrate/calibrate_page.h"
 
+#include "engine/model/experiment_rig.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/calibrate/camera_panel.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/calibrate/rig_panel.h"
 #include "widgets/calibrate/sheet_panel.h"
+#include "widgets/calibrate/thermal_board_watch.h"
+#include "widgets/calibrate/thermal_panel.h"
+#include "widgets/thermal/thermal_picture_view.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -12,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
+#include <QStackedWidget>
 #include <QTabWidget>
 
 #include <algorithm>
@@ -22,19 +27,34 @@ namespace {
 constexpr int kPanelWidth = 420;
 constexpr double kUsualDistance_m = 0.6;
 
+// The tabs; which of them are shown depends on the camera.
+constexpr int kThermalTabs = 2, kSheetTab = 4;
+constexpr int kThermalItem = 1; ///< of the choice
+
 /// From the camera to the source, as far as the experiment tells.
 double distanceOf(const Experiment& experiment) {
     const auto& camera = experiment.vision.cameraPose;
     return camera ? (camera->head<3>() - experiment.source.pose.head<3>()).norm() : kUsualDistance_m;
 }
 
+double thermalDistanceOf(const Experiment& experiment) {
+    const auto camera = believedThermalCamera(experiment, !experiment.rig);
+    return camera && camera->X_RC ? (camera->X_RC->translation() - experiment.source.pose.head<3>()).norm()
+                                  : kUsualDistance_m;
+}
+
 } // namespace
 
 CalibratePage::CalibratePage(QWidget* parent)
     : QWidget(parent), m_choiceLabel(new QLabel(this)), m_choice(new QComboBox(this)),
-      m_picture(new LivePicture(this)), m_tabs(new QTabWidget(this)), m_cameraPanel(new CameraPanel),
-      m_rigPanel(new RigPanel), m_sheetPanel(new SheetPanel) {
+      m_pictures(new QStackedWidget(this)), m_picture(new LivePicture),
+      m_thermalPicture(new ThermalPictureView), m_boardPicture(new LivePicture),
+      m_boardWatch(new ThermalBoardWatch(this)), m_tabs(new QTabWidget(this)), m_cameraPanel(new CameraPanel),
+      m_rigPanel(new RigPanel), m_lensPanel(new CameraPanel), m_thermalPanel(new ThermalPanel),
+      m_sheetPanel(new SheetPanel) {
     m_picture->setObjectName("livePicture");
+    for (QWidget* picture : std::initializer_list<QWidget*>{m_picture, m_thermalPicture, m_boardPicture})
+        m_pictures->addWidget(picture);
     m_choice->setObjectName("cameraChoice");
     m_choice->setEditable(true);
     m_choice->setInsertPolicy(QComboBox::NoInsert);
@@ -52,6 +72,8 @@ CalibratePage::CalibratePage(QWidget* parent)
     };
     scrollFrom(m_cameraPanel, addPanel(m_cameraPanel, "cameraPanel"));
     scrollFrom(m_rigPanel, addPanel(m_rigPanel, "rigPanel"));
+    scrollFrom(m_lensPanel, addPanel(m_lensPanel, "thermalLensPanel"));
+    scrollFrom(m_thermalPanel, addPanel(m_thermalPanel, "thermalPanel"));
     addPanel(m_sheetPanel, "sheetPanel");
 
     auto* choice = new QHBoxLayout;
@@ -60,13 +82,14 @@ CalibratePage::CalibratePage(QWidget* parent)
     auto* left = new QVBoxLayout;
     left->setSpacing(8);
     left->addLayout(choice);
-    left->addWidget(m_picture, 1);
+    left->addWidget(m_pictures, 1);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(12);
     layout->addLayout(left, 1);
     layout->addWidget(m_tabs);
     connectAll();
+    chooseThermal(false);
     retranslate();
 }
 
@@ -76,7 +99,7 @@ void CalibratePage::connectAll() {
     connect(m_cameraPanel, &CameraPanel::boardWanted, this, [this](const std::optional<Board>& board) {
         m_board = board;
         m_picture->setBoard(board);
-        watch();
+        watch(isVisible());
     });
     connect(m_cameraPanel, &CameraPanel::heatMapChanged, m_picture, &LivePicture::setHeatMap);
     connect(m_cameraPanel, &CameraPanel::cameraChosen, this, [this](const CameraModel& camera) {
@@ -91,7 +114,28 @@ void CalibratePage::connectAll() {
     connect(m_rigPanel, &RigPanel::followWanted, this, &CalibratePage::followWanted);
     connect(m_rigPanel, &RigPanel::moveWanted, this, &CalibratePage::moveWanted);
     connect(m_rigPanel, &RigPanel::holdWanted, this, &CalibratePage::holdWanted);
-    connect(m_sheetPanel, &SheetPanel::boardMeasured, m_cameraPanel, &CameraPanel::setBoard);
+    connect(m_lensPanel, &CameraPanel::boardWanted, this, [this](const std::optional<Board>& board) {
+        m_thermalBoard = board;
+        m_boardWatch->setBoard(board);
+        m_boardPicture->setBoard(board);
+        showPicture();
+        watch(isVisible());
+    });
+    connect(m_boardWatch, &ThermalBoardWatch::looked, m_boardPicture, &LivePicture::setView);
+    connect(m_boardWatch, &ThermalBoardWatch::looked, m_lensPanel, &CameraPanel::setView);
+    connect(m_lensPanel, &CameraPanel::heatMapChanged, m_boardPicture, &LivePicture::setHeatMap);
+    connect(m_lensPanel, &CameraPanel::cameraChosen, this, [this](const CameraModel& camera) {
+        ThermalCalibration calibration = thermalCalibration(m_experiment, !m_experiment.rig);
+        calibration.lens = camera;
+        calibration.lens->views.clear();
+        calibration.lensDate = calibrationDate();
+        emit thermalCalibrated(calibration);
+    });
+    connect(m_thermalPanel, &ThermalPanel::calibrated, this, &CalibratePage::thermalCalibrated);
+    connect(m_thermalPanel, &ThermalPanel::moveWanted, this, &CalibratePage::moveWanted);
+    connect(m_thermalPanel, &ThermalPanel::holdWanted, this, &CalibratePage::holdWanted);
+    connect(m_sheetPanel, &SheetPanel::boardMeasured, this,
+            [this](const Board& board) { (m_isThermal ? m_lensPanel : m_cameraPanel)->setBoard(board); });
     connect(m_sheetPanel, &SheetPanel::markersMeasured, this,
             [this](const std::string& dictionary, const std::vector<int>& ids, double side_m) {
                 VisionSpec vision = m_experiment.vision;
@@ -129,6 +173,14 @@ void CalibratePage::setExperiment(const Experiment& experiment) {
     m_cameraPanel->setCamera(experiment.vision.camera);
     m_cameraPanel->setDistance(distanceOf(experiment));
     m_rigPanel->setExperiment(experiment);
+    std::vector<QString> names;
+    for (const ObjectSpec& object : experiment.objects)
+        names.push_back(QString::fromStdString(object.name));
+    m_thermalPicture->setNames(names);
+    m_lensPanel->setCamera(thermalCalibration(experiment, !experiment.rig).lens);
+    m_lensPanel->setDistance(thermalDistanceOf(experiment));
+    m_thermalPanel->setExperiment(experiment);
+    offerThermalCamera();
     if (areMarkersNew)
         offerMarkers();
 }
@@ -149,26 +201,75 @@ void CalibratePage::setView(const VisionView& view) {
     m_rigPanel->setView(view);
 }
 
+void CalibratePage::setThermalView(const ThermalView& view) {
+    if (!m_isThermal)
+        return;
+    m_thermalPicture->setView(view);
+    m_boardWatch->setView(view);
+    m_thermalPanel->setView(view);
+}
+
+void CalibratePage::setTemperatureUnit(TemperatureUnit unit) {
+    m_thermalPicture->setTemperatureUnit(unit);
+}
+
 void CalibratePage::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove) {
     m_rigPanel->setRobot(coordinates, isMoving, mayMove);
+    m_thermalPanel->setRobot(coordinates, isMoving, mayMove);
 }
 
 void CalibratePage::choose() {
     const QString text = m_choice->currentText().trimmed();
-    const QString name = text == m_choice->itemText(0) ? QString() : text;
+    const bool isThermal = m_choice->count() > kThermalItem && text == m_choice->itemText(kThermalItem);
+    chooseThermal(isThermal);
+    const QString name = isThermal || text == m_choice->itemText(0) ? QString() : text;
     if (name == m_camera)
         return;
     m_camera = name;
     emit cameraWanted(name);
 }
 
-void CalibratePage::watch() {
-    emit watchWanted(isVisible(), m_board);
+void CalibratePage::offerThermalCamera() {
+    const bool hasOne = thermalProfile(m_experiment, !m_experiment.rig).has_value();
+    if (hasOne == (m_choice->count() > kThermalItem))
+        return;
+    if (hasOne) {
+        m_choice->addItem(tr("Thermal camera"));
+        return;
+    }
+    m_choice->removeItem(kThermalItem);
+    if (m_isThermal) {
+        m_choice->setCurrentIndex(0);
+        chooseThermal(false);
+    }
+}
+
+void CalibratePage::chooseThermal(bool isThermal) {
+    m_isThermal = isThermal;
+    if (m_tabs->currentIndex() != kSheetTab)
+        m_tabs->setCurrentIndex(isThermal ? kThermalTabs : 0);
+    for (int tab = 0; tab < kSheetTab; ++tab)
+        m_tabs->setTabVisible(tab, (tab >= kThermalTabs) == isThermal);
+    showPicture();
+    watch(isVisible());
+}
+
+void CalibratePage::showPicture() {
+    m_pictures->setCurrentWidget(!m_isThermal     ? static_cast<QWidget*>(m_picture)
+                                 : m_thermalBoard ? static_cast<QWidget*>(m_boardPicture)
+                                                  : m_thermalPicture);
+}
+
+void CalibratePage::watch(bool isVisible) {
+    emit watchWanted(isVisible && !m_isThermal, m_board);
+    emit thermalWatchWanted(isVisible && m_isThermal, m_thermalBoard);
 }
 
 void CalibratePage::retranslate() {
     m_choiceLabel->setText(tr("Camera"));
     m_choice->setItemText(0, tr("Simulated camera"));
+    if (m_choice->count() > kThermalItem)
+        m_choice->setItemText(kThermalItem, tr("Thermal camera"));
     m_choice->setToolTip(
         tr("Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or "
            "an address (rtsp://\u2026), and Enter"));
@@ -185,12 +286,12 @@ void CalibratePage::changeEvent(QEvent* event) {
 
 void CalibratePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    emit watchWanted(true, m_board);
+    watch(true);
 }
 
 void CalibratePage::hideEvent(QHideEvent* event) {
     QWidget::hideEvent(event);
-    emit watchWanted(false, m_board);
+    watch(false);
 }
 
 } // namespace bask

@@ -32,7 +32,9 @@ QString ageText(const std::string& date, const QDateTime& now) {
     return CalibrationAge::tr("%n day(s) ago", nullptr, minutes / (24 * 60));
 }
 
-QStringList calibrationAges(const VisionSpec& vision, const QDateTime& now) {
+namespace {
+
+QStringList agesOf(const VisionSpec& vision, const QDateTime& now) {
     if (vision.markers.empty() && !vision.camera)
         return {};
     return {vision.camera ? CalibrationAge::tr("Camera calibrated %1.").arg(ageText(vision.cameraDate, now))
@@ -44,6 +46,30 @@ QStringList calibrationAges(const VisionSpec& vision, const QDateTime& now) {
                 ? CalibrationAge::tr("The source's place is as typed, not measured by the camera.")
                 : CalibrationAge::tr("The source's place was measured %1.")
                       .arg(ageText(vision.sourcePoseDate, now))};
+}
+
+QStringList agesOf(const ThermalCalibration& thermal, const QDateTime& now) {
+    return {
+        thermal.lens
+            ? CalibrationAge::tr("Thermal camera's lens calibrated %1.").arg(ageText(thermal.lensDate, now))
+            : CalibrationAge::tr("Thermal camera's lens not calibrated."),
+        !thermal.pose ? CalibrationAge::tr("The thermal camera's place is not known.")
+        : thermal.poseDate.empty()
+            ? CalibrationAge::tr("The thermal camera's place is as typed, not measured.")
+            : CalibrationAge::tr("The thermal camera's place was measured %1.")
+                  .arg(ageText(thermal.poseDate, now))};
+}
+
+} // namespace
+
+QStringList calibrationAges(const Experiment& experiment, const QDateTime& now) {
+    QStringList ages = agesOf(experiment.vision, now);
+    const bool isSimulated = !experiment.rig;
+    const ThermalCalibration thermal = thermalCalibration(experiment, isSimulated);
+    const bool isKnownAsItIs = isSimulated && thermal == ThermalCalibration();
+    if (thermalProfile(experiment, isSimulated) && !isKnownAsItIs)
+        ages += agesOf(thermal, now);
+    return ages;
 }
 
 } // namespace bask

@@ -35,7 +35,7 @@ void ReadingPanel::setExperiment(const Experiment& experiment) {
         m_readBy.push_back(object.readBy);
     }
     m_isPoseUnknown = readsByCamera(experiment) && experiment.rig && experiment.rig->thermalCamera &&
-                      !experiment.rig->thermalCamera->pose;
+                      !experiment.rig->thermalCamera->calibration.pose;
     refresh();
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/rig/thermal_camera_form.h"
 
+#include "engine/thermography/usual_thermal_camera.h"
 #include "widgets/common/display.h"
 #include "widgets/rig/coordinate_words.h"
 #include "widgets/rig/profile_choice.h"
@@ -15,15 +16,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace bask {
 namespace {
 
 constexpr double kFarthest_mm = 5000.0; // as experiments allow
 constexpr double kLargest_deg = 360.0;
-/// One that looks down on the source from above, as a start.
-const Vector6d kOverSource{{0.0, 0.0, 1.1, std::numbers::pi, 0.0, 0.0}};
 
 } // namespace
 
@@ -84,30 +82,35 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
 void ThermalCameraForm::setCamera(const ThermalCameraSpec& camera) {
     m_camera = camera;
     listAndChoose(*m_profile, m_profiles, camera.profile);
-    m_isPoseKnown->setChecked(camera.pose.has_value());
-    const Vector6d pose = camera.pose.value_or(kOverSource);
+    const auto& known = camera.calibration.pose;
+    m_isPoseKnown->setChecked(known.has_value());
+    const Vector6d pose = known.value_or(coordinatesFromPose(usualThermalPose()));
     for (int k = 0; k < 6; ++k) {
         QDoubleSpinBox* field = m_pose[static_cast<std::size_t>(k)];
         field->setValue(shownCoordinate(k, pose[k]));
-        field->setEnabled(camera.pose.has_value());
+        field->setEnabled(known.has_value());
     }
 }
 
 ThermalCameraSpec ThermalCameraForm::camera() const {
     ThermalCameraSpec out = m_camera;
     out.profile = m_profiles.at(static_cast<std::size_t>(m_profile->currentIndex()));
-    if (out.profile != m_camera.profile)
-        out.lens.reset();
-    if (!m_isPoseKnown->isChecked()) {
-        out.pose.reset();
-        return out;
+    auto& [lens, lensDate, pose, poseDate] = out.calibration;
+    const auto before = pose;
+    if (out.profile != m_camera.profile) {
+        lens.reset();
+        lensDate.clear();
     }
-    Vector6d pose = m_camera.pose.value_or(Vector6d::Zero());
-    for (int k = 0; k < 6; ++k) // what nobody changed keeps its digits
-        if (const double shown = m_pose[static_cast<std::size_t>(k)]->value();
-            !m_camera.pose || std::abs(shown - shownCoordinate(k, pose[k])) > 0.051)
-            pose[k] = coordinateFromShown(k, shown);
-    out.pose = pose;
+    pose.reset();
+    if (m_isPoseKnown->isChecked()) {
+        pose = before.value_or(Vector6d::Zero());
+        for (int k = 0; k < 6; ++k) // what nobody changed keeps its digits
+            if (const double shown = m_pose[static_cast<std::size_t>(k)]->value();
+                !before || std::abs(shown - shownCoordinate(k, (*pose)[k])) > 0.051)
+                (*pose)[k] = coordinateFromShown(k, shown);
+    }
+    if (pose != before)
+        poseDate.clear(); // typed, not measured
     return out;
 }
 

@@ -446,6 +446,9 @@ TEST(ThermalCameraOfAnExperiment, IsRefusedWhereItDoesNotFit) {
     j["objects"][1]["read_by"] = "contact";
     EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
 
+    j["simulation"]["thermal_camera"]["calibration"] = {{"pose", {{"z_cm", 1e4}}}};
+    EXPECT_EQ(refuse().where, "e.json: simulation.thermal_camera.calibration.pose.z_cm");
+
     j = base();
     json& camera = j["rig"]["thermal_camera"];
     camera =

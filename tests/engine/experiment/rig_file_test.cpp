@@ -35,7 +35,7 @@ RigSpec wholeRig() {
     camera.device = "frames/of run 3";
     camera.profile = findThermalProfile("p2-pro").value();
     camera.profile.scale = 0.015625123; // one of nobody's
-    CameraModel& lens = camera.lens.emplace();
+    CameraModel& lens = camera.calibration.lens.emplace();
     lens.width = 256;
     lens.height = 192;
     lens.fx = 211.5;
@@ -44,7 +44,9 @@ RigSpec wholeRig() {
     lens.cy = 95.125;
     lens.distortion = {-0.2, 0.03, 0.001, 0.0};
     lens.rms_px = 0.123;
-    camera.pose = Vector6d{{0.1, -0.2, 1.1, 3.0, 0.1, -0.2}};
+    camera.calibration.lensDate = "2026-11-20T10:00:00Z";
+    camera.calibration.pose = Vector6d{{0.1, -0.2, 1.1, 3.0, 0.1, -0.2}};
+    camera.calibration.poseDate = "2026-11-21T22:45:00Z";
     return rig;
 }
 
@@ -163,7 +165,7 @@ TEST_F(RigFile, AFileThatCannotBeWrittenIsTold) {
 TEST_F(RigFile, NamesAShippedThermalCamera) {
     for (const ThermalProfile& profile : shippedThermalProfiles()) {
         RigSpec rig;
-        rig.thermalCamera = ThermalCameraSpec{"/dev/video2", profile, {}, {}};
+        rig.thermalCamera = ThermalCameraSpec{"/dev/video2", profile, {}};
         ASSERT_TRUE(writeRigFile(rig, path));
         EXPECT_NE(text().find("\"profile\": \"" + profile.name + '"'), std::string::npos) << text();
         EXPECT_EQ(readRigFile(path).value(), rig);

@@ -182,6 +182,45 @@ TEST(CameraThermometer, GivesNoNumberOfAnObjectThatItDoesNotSee) {
     }
 }
 
+// Catches a zero that takes a warm board for the cold objects behind it: all later readings were too low.
+TEST(CameraThermometer, ReadsNothingBehindACalibrationBoard) {
+    Bench bench(cameraExperiment());
+    for (const Reading& reading : bench.read())
+        ASSERT_TRUE(reading.valid);
+    SimulatedThermalCamera& camera = *bench.rig.simulatedThermalCamera();
+    camera.setBoard(parseBoard("chessboard:9x6:0.025").value());
+    bench.thermometer->setBoardShown(true);
+    const auto advance = [&](double time_s) {
+        for (double t_s = 0.0; t_s < time_s; t_s += 0.5) {
+            bench.rig.advance(0.5);
+            (void)bench.read();
+        }
+    };
+    advance(30.0);
+    for (const Reading& reading : bench.read()) {
+        EXPECT_FALSE(reading.valid);
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalFaceHidden);
+    }
+    bench.thermometer->setBoardShown(false); // the person is slower
+    advance(5.0);
+    camera.setBoard({});
+    advance(10.0);
+    for (const Reading& reading : bench.read()) {
+        ASSERT_TRUE(reading.valid) << describe(reading.reason);
+        EXPECT_NEAR(reading.value_K, 298.15, 0.3);
+    }
+}
+
+TEST(CameraThermometer, GoesByWhatIsBelievedOfItsPlace) {
+    Experiment experiment = cameraExperiment();
+    ThermalCalibration believed;
+    believed.pose = Vector6d{{0.0, 0.0, 1.0, 0.0, 0.0, 0.0}}; // looks past the rig
+    calibrateThermalCamera(experiment, believed);
+    Bench bench(experiment);
+    for (const Reading& reading : bench.read())
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalFaceOutside);
+}
+
 TEST(CameraThermometer, GivesNoNumberBeforeItIsZeroed) {
     Bench bench(cameraExperiment());
     for (int k = 0; k < 40; ++k) { // heated before the first picture was looked at

@@ -7,7 +7,7 @@
 #include "engine/calibration/projection.h"
 #include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_thermal_camera.h"
-#include "engine/thermography/usual_lens.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include <gtest/gtest.h>
 

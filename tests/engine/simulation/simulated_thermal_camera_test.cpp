@@ -7,7 +7,7 @@
 #include "engine/simulation/simulated_camera.h"
 #include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/frame_picture_file.h"
-#include "engine/thermography/usual_lens.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include <gtest/gtest.h>
 

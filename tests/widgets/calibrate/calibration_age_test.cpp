@@ -35,10 +35,11 @@ TEST(CalibrationAge, IsToldInTheUnitThatFits) {
 
 // Catches: a rig without a camera that is told to lack calibrations, and one of three that goes unsaid.
 TEST(CalibrationAge, OfTheCameraItsPlaceAndTheSource) {
-    VisionSpec vision;
-    EXPECT_TRUE(calibrationAges(vision, kNow).isEmpty());
+    Experiment experiment;
+    VisionSpec& vision = experiment.vision;
+    EXPECT_TRUE(calibrationAges(experiment, kNow).isEmpty());
     vision.markers.emplace_back();
-    QStringList ages = calibrationAges(vision, kNow);
+    QStringList ages = calibrationAges(experiment, kNow);
     ASSERT_EQ(ages.size(), 3);
     EXPECT_EQ(ages[0], "Camera not calibrated.");
     EXPECT_TRUE(ages[1].contains("not measured"));
@@ -47,10 +48,29 @@ TEST(CalibrationAge, OfTheCameraItsPlaceAndTheSource) {
     vision.cameraPose = Vector6d::Zero();
     vision.cameraPoseDate = before(7200);
     vision.sourcePoseDate = before(300);
-    ages = calibrationAges(vision, kNow);
+    ages = calibrationAges(experiment, kNow);
     EXPECT_TRUE(ages[0].contains("at an unknown time"));
     EXPECT_TRUE(ages[1].contains("2 hour"));
     EXPECT_TRUE(ages[2].contains("5 minute"));
+    experiment.simulation.thermalCamera.emplace(); // known as it is
+    EXPECT_EQ(calibrationAges(experiment, kNow), ages);
+}
+
+TEST(CalibrationAge, OfTheThermalCamera) {
+    Experiment experiment;
+    ThermalCameraSpec& camera = experiment.rig.emplace().thermalCamera.emplace();
+    QStringList ages = calibrationAges(experiment, kNow);
+    ASSERT_EQ(ages.size(), 2);
+    EXPECT_TRUE(ages[0].contains("not calibrated"));
+    EXPECT_TRUE(ages[1].contains("not known"));
+    camera.calibration.pose = Vector6d::Zero();
+    EXPECT_TRUE(calibrationAges(experiment, kNow)[1].contains("as typed"));
+    camera.calibration.poseDate = before(300);
+    camera.calibration.lens.emplace();
+    camera.calibration.lensDate = before(7200);
+    ages = calibrationAges(experiment, kNow);
+    EXPECT_TRUE(ages[0].contains("2 hour"));
+    EXPECT_TRUE(ages[1].contains("5 minute"));
 }
 
 } // namespace bask

@@ -72,8 +72,8 @@ TEST_F(DeviceDialogTest, WhatIsSetUpComesBackUnchanged) {
     camera.device = "/dev/video2";
     camera.profile = findThermalProfile("tc001").value();
     camera.profile.name = "ours";
-    camera.lens.emplace().fx = 211.123456;
-    camera.pose = Vector6d{{0.123456789, -0.05, 1.1, 3.0, 0.1, -0.2}};
+    camera.calibration.lens.emplace().fx = 211.123456;
+    camera.calibration.pose = Vector6d{{0.123456789, -0.05, 1.1, 3.0, 0.1, -0.2}};
     for (const DeviceRole role : kDeviceRoles) {
         open(role, rig);
         EXPECT_EQ(dialog->device(), withDevice({}, role, rig)) << roleName(role);
@@ -86,19 +86,19 @@ TEST_F(DeviceDialogTest, AThermalCameraIsItsKindItsDeviceAndItsPose) {
     ThermalCameraSpec& camera = rig.thermalCamera.emplace();
     camera.device = "0";
     camera.profile = findThermalProfile("lepton-3.5").value();
-    camera.lens.emplace().fx = 150.0;
+    camera.calibration.lens.emplace().fx = 150.0;
     open(DeviceRole::ThermalCamera, rig);
-    EXPECT_FALSE(dialog->device().thermalCamera->pose);
+    EXPECT_FALSE(dialog->device().thermalCamera->calibration.pose);
     EXPECT_FALSE(child<QDoubleSpinBox>("thermalPose.z")->isEnabled());
     child<QCheckBox>("poseKnown")->click();
     child<QDoubleSpinBox>("thermalPose.z")->setValue(900.0);
-    EXPECT_NEAR((*dialog->device().thermalCamera->pose)[kZ], 0.9, 1e-9);
-    EXPECT_TRUE(dialog->device().thermalCamera->lens);
+    EXPECT_NEAR((*dialog->device().thermalCamera->calibration.pose)[kZ], 0.9, 1e-9);
+    EXPECT_TRUE(dialog->device().thermalCamera->calibration.lens);
     auto* kinds = child<QComboBox>("thermalProfile");
     EXPECT_EQ(kinds->count(), static_cast<int>(shippedThermalProfiles().size()));
     kinds->setCurrentIndex(kinds->currentIndex() == 0 ? 1 : 0);
     EXPECT_NE(dialog->device().thermalCamera->profile.name, "lepton-3.5");
-    EXPECT_FALSE(dialog->device().thermalCamera->lens);
+    EXPECT_FALSE(dialog->device().thermalCamera->calibration.lens);
     click("tryDevice");
     ASSERT_EQ(tried.size(), 1U);
     EXPECT_TRUE(tried[0].thermalCamera);

@@ -8,7 +8,7 @@
 #include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/thermal_view.h"
-#include "engine/thermography/usual_lens.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include <QString>
 
@@ -87,7 +87,8 @@ inline ThermalView thermalScene(double height_m = 0.5, const char* profile = "p2
             object.pixels = readings[i]->seen.pixels;
             object.T_K = readings[i]->face.T_K;
             object.uncertainty_K = readings[i]->face.standardUncertainty_K;
-            object.spread_K = readings[i]->region.difference ? readings[i]->region.difference->value_K : 0.0;
+            if (const auto& difference = readings[i]->region.difference)
+                object.spread_K = difference->value_K;
         } else {
             object.reason = readings[i].error().message;
         }

@@ -1,4 +1,4 @@
-#include "engine/thermography/usual_lens.h"
+#include "engine/thermography/usual_thermal_camera.h"
 
 #include "engine/base/units.h"
 
@@ -15,6 +15,13 @@ CameraModel usualThermalLens(const ThermalProfile& profile) {
     camera.cx = 0.5 * (profile.width - 1);
     camera.cy = 0.5 * (profile.height - 1);
     return camera;
+}
+
+Pose usualThermalPose() {
+    Pose X_RC = Pose::Identity();
+    X_RC.linear() = Eigen::Vector3d(1.0, -1.0, -1.0).asDiagonal();
+    X_RC.translation().z() = 1.1;
+    return X_RC;
 }
 
 } // namespace bask

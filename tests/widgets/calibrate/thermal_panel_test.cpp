@@ -1,0 +1,255 @@
+// The operator finds where the thermal camera is, by the pictures of a true rig and a robot that goes where
+// it is sent, and calibrates its lens.
+
+#include "widgets/calibrate/thermal_panel.h"
+
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/experiment_rig.h"
+#include "engine/rig/rig_setup.h"
+#include "engine/simulation/simulated_thermal_camera.h"
+#include "tests/engine/calibration/calibration_samples.h"
+#include "tests/support/wait_for.h"
+#include "widgets/calibrate/calibrate_page.h"
+#include "widgets/calibrate/camera_panel.h"
+#include "widgets/thermal/thermal_picture_view.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+Experiment exampleWithCamera() {
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/thermal-camera.json").value();
+    ThermalCalibration believed; // as somebody measured it with a tape
+    believed.pose = coordinatesFromPose(trueThermalPose(experiment));
+    *believed.pose += Vector6d{{0.02, -0.015, 0.03, 0.03, -0.02, 0.04}};
+    calibrateThermalCamera(experiment, believed);
+    return experiment;
+}
+
+struct ThermalPanelTest : testing::Test {
+    Experiment experiment = exampleWithCamera();
+    SimulatedThermalCamera camera{*simulatedRigConfig(experiment).thermalCamera};
+    double object_K = 333.15;
+    Vector6d robot = experiment.start;
+    std::optional<Vector6d> goal;
+    bool mayMove = true;
+    int holds = 0, calibrations = 0;
+    std::vector<bool> watched, lightWatched;
+    CalibratePage page;
+    QWidget& panel = *page.findChild<QWidget*>("thermalPanel");
+
+    ThermalPanelTest() {
+        QObject::connect(&page, &CalibratePage::thermalCalibrated, &page,
+                         [this](const ThermalCalibration& calibration) {
+                             ++calibrations;
+                             calibrateThermalCamera(experiment, calibration);
+                             page.setExperiment(experiment);
+                         });
+        QObject::connect(&page, &CalibratePage::moveWanted, &page, [this](const Vector6d& q) { goal = q; });
+        QObject::connect(&page, &CalibratePage::holdWanted, &page, [this] {
+            ++holds;
+            goal.reset();
+        });
+        QObject::connect(&page, &CalibratePage::thermalWatchWanted, &page,
+                         [this](bool isWatched) { watched.push_back(isWatched); });
+        QObject::connect(&page, &CalibratePage::watchWanted, &page,
+                         [this](bool isWatched) { lightWatched.push_back(isWatched); });
+        page.setExperiment(experiment);
+        page.resize(1280, 800);
+        page.show();
+        QApplication::processEvents();
+        choose(1);
+        page.findChild<QTabWidget*>("calibrateTabs")->setCurrentIndex(3);
+        QApplication::processEvents();
+    }
+
+    void choose(int camera_) {
+        auto* choice = page.findChild<QComboBox*>("cameraChoice");
+        choice->setCurrentIndex(camera_);
+        emit choice->activated(camera_);
+        QApplication::processEvents();
+    }
+    template <class T> T* child(const char* name) {
+        T* found = panel.findChild<T*>(name);
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    QString text(const char* name) { return child<QLabel>(name)->text(); }
+    bool isBusy() { return child<QProgressBar>("surveyProgress")->isVisible(); }
+
+    /// A fifth of a second later.
+    void look() {
+        if (goal) {
+            const Vector6d way = *goal - robot;
+            const double far = way.cwiseAbs().maxCoeff();
+            robot += far > 0.02 ? Vector6d(way * (0.02 / far)) : way;
+            if (far <= 0.02)
+                goal.reset();
+        }
+        m_time_s += 0.2;
+        ThermalMoment moment;
+        moment.time_s = m_time_s;
+        moment.X_RE = poseFromCoordinates(robot);
+        moment.source_K = {298.15};
+        for (const ObjectSpec& object : experiment.objects) {
+            const FaceSurroundings face{object.material.emittance, {}, 298.15};
+            moment.objects.push_back({object_K, face, face});
+        }
+        camera.observe(moment);
+        ThermalView view;
+        view.cameraName = "p2-pro";
+        const auto frame = camera.newest().value();
+        view.picture = std::make_shared<ThermalPicture>(frame->frame.picture);
+        view.time_s = frame->time_s;
+        page.setRobot(robot, goal.has_value(), mayMove);
+        page.setThermalView(view);
+        QApplication::processEvents();
+    }
+    void survey() {
+        look();
+        ASSERT_TRUE(child<QPushButton>("thermalTour")->isEnabled()) << text("surveyStatus").toStdString();
+        child<QPushButton>("thermalTour")->click();
+        for (int k = 0; k < 400 && isBusy() && !text("surveyStatus").startsWith("Computing"); ++k)
+            look();
+        ASSERT_TRUE(test::waitFor([&] { return !isBusy(); }));
+    }
+    double offAtObjects_m(const Vector6d& pose) const {
+        const Pose X_RC = trueThermalPose(experiment);
+        const Eigen::Vector3d p_R(0.0, 0.0, 0.15);
+        return (poseFromCoordinates(pose) * (X_RC.inverse() * p_R) - p_R).norm();
+    }
+
+private:
+    double m_time_s = 0.0;
+};
+
+} // namespace
+
+// Catches: pictures of another moment than their pose, a pose used before anybody says so, one in other axes.
+TEST_F(ThermalPanelTest, FindsWhereItIs) {
+    EXPECT_EQ(text("thermalVerdict"), "As typed");
+    EXPECT_FALSE(child<QPushButton>("thermalUse")->isEnabled());
+    survey();
+    EXPECT_EQ(text("surveyStatus"), "");
+    EXPECT_TRUE(text("thermalVerdict") == "Good" || text("thermalVerdict") == "Usable")
+        << text("thermalText").toStdString();
+    EXPECT_TRUE(text("thermalText").contains("from where the experiment has it"));
+    EXPECT_EQ(calibrations, 0);
+    EXPECT_GT(offAtObjects_m(*thermalCalibration(experiment, true).pose), 0.02);
+    EXPECT_LT((robot - experiment.start).cwiseAbs().maxCoeff(), 2e-3) << "it is back";
+    child<QPushButton>("thermalUse")->click();
+    ASSERT_EQ(calibrations, 1);
+    const ThermalCalibration used = thermalCalibration(experiment, true);
+    EXPECT_LT(offAtObjects_m(*used.pose), 1e-3);
+    EXPECT_FALSE(used.poseDate.empty());
+    EXPECT_TRUE(text("thermalVerdict").contains("in use"));
+    EXPECT_FALSE(child<QPushButton>("thermalUse")->isEnabled());
+}
+
+TEST_F(ThermalPanelTest, SaysWhyItCannot) {
+    object_K = 298.15;
+    survey();
+    EXPECT_TRUE(text("surveyStatus").contains("warmer or colder")) << text("surveyStatus").toStdString();
+    EXPECT_EQ(text("thermalVerdict"), "As typed");
+    mayMove = false;
+    look();
+    EXPECT_FALSE(child<QPushButton>("thermalTour")->isEnabled());
+    EXPECT_TRUE(text("surveyStatus").contains("armed"));
+}
+
+// Catches a robot that goes on, or is held, when a run has taken it.
+TEST_F(ThermalPanelTest, EndsWhenARunBeginsOrItIsCancelled) {
+    look();
+    child<QPushButton>("thermalTour")->click();
+    look();
+    ASSERT_TRUE(isBusy());
+    mayMove = false;
+    look();
+    EXPECT_FALSE(isBusy());
+    EXPECT_EQ(holds, 0);
+    mayMove = true;
+    goal.reset();
+    look();
+    child<QPushButton>("thermalTour")->click();
+    look();
+    child<QPushButton>("surveyCancel")->click();
+    EXPECT_FALSE(isBusy());
+    EXPECT_EQ(holds, 1);
+}
+
+// Catches two cameras that are watched at once, and panels of one with the other's pictures.
+TEST_F(ThermalPanelTest, IsThereForTheThermalCameraOnly) {
+    auto* tabs = page.findChild<QTabWidget*>("calibrateTabs");
+    auto* picture = page.findChild<ThermalPictureView*>();
+    EXPECT_TRUE(watched.back());
+    EXPECT_FALSE(lightWatched.back());
+    EXPECT_TRUE(picture->isVisible());
+    EXPECT_FALSE(tabs->isTabVisible(0));
+    EXPECT_TRUE(tabs->isTabVisible(3));
+    choose(0);
+    EXPECT_FALSE(watched.back());
+    EXPECT_TRUE(lightWatched.back());
+    EXPECT_FALSE(picture->isVisible());
+    EXPECT_TRUE(tabs->isTabVisible(0));
+    EXPECT_FALSE(tabs->isTabVisible(3));
+    choose(1);
+    page.hide();
+    EXPECT_FALSE(watched.back());
+    page.show();
+    EXPECT_TRUE(watched.back());
+    experiment.simulation.thermalCamera.reset();
+    for (ObjectSpec& object : experiment.objects)
+        object.readBy = ReadBy::Contact;
+    page.setExperiment(experiment);
+    EXPECT_FALSE(watched.back());
+    EXPECT_EQ(page.findChild<QComboBox*>("cameraChoice")->count(), 1);
+}
+
+// Catches views of a lens that are never taken from thermal pictures, or in another size.
+TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
+    auto& lens = *page.findChild<CameraPanel*>("thermalLensPanel");
+    lens.setBoard(parseBoard("chessboard:9x6:0.025").value());
+    lens.findChild<QPushButton*>("captureStart")->click();
+    double time_s = 0.0;
+    auto* list = lens.findChild<QTreeWidget*>();
+    ASSERT_NE(list, nullptr);
+    for (const std::string& path : test::chessboardViews()) {
+        const GreyPicture photo = test::greyOf(path);
+        ThermalView view;
+        auto picture = std::make_shared<ThermalPicture>();
+        picture->width = photo.width;
+        picture->height = photo.height;
+        for (const std::uint8_t value : photo.values)
+            picture->T_K.push_back(300.0 + 0.02 * (255 - value));
+        view.picture = picture;
+        const int before = list->topLevelItemCount();
+        for (int k = 0; k < 40 && list->topLevelItemCount() == before; ++k) {
+            view.time_s = time_s += 0.2;
+            page.setThermalView(view);
+            QTest::qWait(20);
+        }
+    }
+    EXPECT_GE(list->topLevelItemCount(), 10);
+    lens.findChild<QPushButton*>("solve")->click();
+    auto* use = lens.findChild<QPushButton*>("cameraUse");
+    ASSERT_TRUE(test::waitFor([&] { return use->isEnabled(); }));
+    use->click();
+    ASSERT_EQ(calibrations, 1);
+    const ThermalCalibration used = thermalCalibration(experiment, true);
+    ASSERT_TRUE(used.lens);
+    EXPECT_EQ(used.lens->width, 640);
+    EXPECT_NEAR(used.lens->fx, 535.0, 10.0); // OpenCV's own for these pictures: 536
+    EXPECT_FALSE(used.lensDate.empty());
+}
+
+} // namespace bask
