@@ -69,6 +69,8 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
     auto done = session->readOverview(**store);
     if (done)
         done = session->readTargets(**store);
+    if (done)
+        done = session->countFrames(**store);
     if (!done)
         return done.error();
     return session;
@@ -105,6 +107,16 @@ Result<void> RecordedSession::readTargets(const SessionStore& store) {
                                 m_targets[static_cast<std::size_t>(object) - 1].emplace_back(
                                     numberOf(row[0]), numberOf(row[2]));
                         });
+}
+
+Result<void> RecordedSession::countFrames(const SessionStore& store) {
+    const auto columns = store.columns("thermal_frame");
+    if (!columns || columns->empty())
+        return columns ? Result<void>() : Result<void>(columns.error());
+    return store.select("SELECT max(rowid) FROM thermal_frame", [this](SessionStore::Row row) {
+        if (const auto* last = std::get_if<std::int64_t>(&row[0]))
+            m_lastFrame = *last;
+    });
 }
 
 /// All samples of a file of version 1.
@@ -154,16 +166,20 @@ const std::vector<TraceSample>* RecordedSession::block(std::size_t k) {
     return &found->samples;
 }
 
-Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
+Result<SessionStore*> RecordedSession::store() {
     if (!m_reader)
         m_reader = std::make_unique<Reader>();
-    const auto store = m_reader->open(m_facts.path);
-    if (!store)
-        return store.error();
+    return m_reader->open(m_facts.path);
+}
+
+Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
+    const auto opened = store();
+    if (!opened)
+        return opened.error();
     const std::size_t first = k * kBlock, last = std::min(first + kBlock, size());
     std::vector<TraceSample> samples;
     samples.reserve(last - first);
-    const auto done = readSteps(**store, *m_tables, m_facts.path, first + 1, last,
+    const auto done = readSteps(**opened, *m_tables, m_facts.path, first + 1, last,
                                 [&](const TraceSample& sample) { samples.push_back(sample); });
     if (!done)
         return done.error();
@@ -223,6 +239,44 @@ Result<std::vector<TraceSample>> RecordedSession::samples(double from_s, double 
         out.push_back((*samples)[i % kBlock]);
     }
     return out;
+}
+
+// By halving: a table of a day has too many pictures to be looked through, and no index of times.
+Result<RecordedFrame> RecordedSession::thermalFrameAt(double time_s) {
+    const Error missing(MessageCode::SessionDamaged, m_facts.path, {"a picture is missing"});
+    const auto opened = store();
+    if (!opened)
+        return opened.error();
+    RecordedFrame frame;
+    const auto read = [&](std::int64_t number, const char* what,
+                          const std::function<void(SessionStore::Row)>& take) {
+        return (*opened)->select("SELECT rowid, time_s, " + std::string(what) +
+                                     " FROM thermal_frame WHERE rowid >= " + std::to_string(number) +
+                                     " ORDER BY rowid LIMIT 1",
+                                 take);
+    };
+    std::int64_t low = 1, high = m_lastFrame; // the wanted one is among these
+    while (low < high) {
+        const std::int64_t middle = low + (high - low + 1) / 2;
+        bool isLater = true;
+        const auto done =
+            read(middle, "0", [&](SessionStore::Row row) { isLater = numberOf(row[1]) > time_s; });
+        if (!done)
+            return done.error();
+        if (isLater)
+            high = middle - 1;
+        else
+            low = middle;
+    }
+    const auto done = read(low, "png", [&](SessionStore::Row row) {
+        const auto* number = std::get_if<std::int64_t>(&row[0]);
+        const auto* png = std::get_if<SqlBlob>(&row[2]);
+        if (number != nullptr && png != nullptr)
+            frame = {*number, numberOf(row[1]), png->bytes};
+    });
+    if (!done)
+        return done.error();
+    return frame.number > 0 ? Result<RecordedFrame>(std::move(frame)) : Result<RecordedFrame>(missing);
 }
 
 } // namespace bask

@@ -24,6 +24,13 @@ namespace bask {
 class SessionStore;
 class SessionTables;
 
+/// A recorded picture of the thermal camera.
+struct RecordedFrame {
+    std::int64_t number = 0; ///< of the pictures of a session, ascending
+    double time_s = 0.0;
+    std::string png; ///< frameOfImage() reads it
+};
+
 class RecordedSession {
 public:
     /// Number of samples that are read together; the last kMaxBlocks used blocks stay in memory. The file is
@@ -62,6 +69,12 @@ public:
     const std::vector<TraceSample>* block(std::size_t k);
     bool holds(std::size_t k) const; ///< whether block k is in memory
 
+    /// Whether there were pictures of the thermal camera at the time of opening.
+    bool hasThermalFrames() const { return m_lastFrame > 0; }
+    /// Returns the newest picture of the thermal camera at or before a time, else the first. Errors: a
+    /// damaged file, a run without pictures.
+    Result<RecordedFrame> thermalFrameAt(double time_s);
+
 private:
     struct Block {
         std::size_t index = 0;
@@ -72,13 +85,16 @@ private:
     RecordedSession() = default;
     Result<void> readOverview(const SessionStore& store);
     Result<void> readTargets(const SessionStore& store);
+    Result<void> countFrames(const SessionStore& store);
     void adopt(std::vector<TraceSample> samples);
     Result<std::vector<TraceSample>> readBlock(std::size_t k);
+    Result<SessionStore*> store();
 
     SessionRecord m_facts;
     std::unique_ptr<SessionTables> m_tables; ///< null if everything is in memory
     TraceOverview m_overview;
     std::vector<std::vector<std::pair<double, double>>> m_targets;
+    std::int64_t m_lastFrame = 0;
     bool m_isWhole = false; ///< whether all blocks are in memory
     std::vector<Block> m_blocks;
     std::uint64_t m_uses = 0;

@@ -6,8 +6,10 @@
 #include "widgets/common/tile_grid.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
+#include "widgets/review/recorded_pictures.h"
 #include "widgets/review/transport_bar.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/thermal/thermal_picture_view.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -85,6 +87,10 @@ ReplayView::ReplayView(QWidget* parent)
     m_sceneTab = new QWidget(m_tabs);
     (new QVBoxLayout(m_sceneTab))->setContentsMargins(0, 0, 0, 0);
     m_tabs->addTab(m_sceneTab, QString());
+    m_picture = new ThermalPictureView(m_tabs);
+    m_picture->setObjectName(QStringLiteral("reviewPicture"));
+    m_picture->setRecorded();
+    m_picture->hide();
     stack->addWidget(m_tabs);
     stack->setSizes({300, 240});
     stack->setStretchFactor(0, 3);
@@ -153,6 +159,7 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
         each.plot->setSpeedLimits({robot.maxSpeed_m_s, robot.maxRotation_rad_s});
         each.plot->setPosition(std::nullopt);
     }
+    showPictureTab();
     fillScene();
     fill(m_plots.front());
     fillShown();
@@ -166,6 +173,7 @@ void ReplayView::clear() {
     m_run.reset();
     m_way.clear();
     m_sample.reset();
+    showPictureTab();
     for (Plot& each : m_plots) {
         each.plot->clear();
         each.plot->clearOverlays();
@@ -241,13 +249,16 @@ void ReplayView::showTiles(double time_s) {
     const auto past = samplesUntil(*m_run, time_s);
     if (!past) {
         clearTiles();
-        if (!std::exchange(m_isFailureTold, true))
-            emit readFailed(past.error());
-        return;
+        return tellFailure(past.error());
     }
     m_sample = past->back();
     for (std::size_t i = 0; i < m_tiles->tiles().size(); ++i)
         m_tiles->tiles()[i]->setMoment(*past, past->size() - 1, i);
+}
+
+void ReplayView::tellFailure(const Error& error) {
+    if (!std::exchange(m_isFailureTold, true))
+        emit readFailed(error);
 }
 
 void ReplayView::showMoment(double time_s) {
@@ -264,6 +275,35 @@ void ReplayView::showMoment(double time_s) {
             each.plot->setTimeRange(from_s, from_s + width_s);
     }
     showScene();
+    showPicture(time_s);
+}
+
+void ReplayView::showPictureTab() {
+    const int tab = m_tabs->indexOf(m_picture);
+    if (!m_run || !m_run->hasThermalFrames()) {
+        m_pictures.reset();
+        if (tab >= 0)
+            m_tabs->removeTab(tab);
+        return;
+    }
+    m_pictures = std::make_unique<RecordedPictures>(m_run);
+    m_picture->setView({});
+    m_picture->setNames({m_names.begin(), m_names.end()});
+    if (tab < 0)
+        m_tabs->addTab(m_picture, tr("Thermal picture"));
+}
+
+void ReplayView::showPicture(double time_s) {
+    if (!m_pictures || m_tabs->currentWidget() != m_picture)
+        return;
+    auto view = m_pictures->at(time_s);
+    if (!view) {
+        ThermalView failed;
+        failed.problem = view.error().message;
+        m_picture->setView(failed);
+        return tellFailure(view.error());
+    }
+    m_picture->setView(*view);
 }
 
 bool ReplayView::isSceneShown() const {
@@ -357,14 +397,17 @@ void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
     m_tiles->setTemperatureUnit(unit);
     for (const Plot& each : m_plots)
         each.plot->setTemperatureUnit(unit);
+    m_picture->setTemperatureUnit(unit);
     if (m_scene != nullptr)
         m_scene->setTemperatureUnit(unit);
 }
 
 void ReplayView::retranslate() {
-    for (int i = 0; i + 1 < m_tabs->count(); ++i)
-        m_tabs->setTabText(i, quantityTitle(m_plots[static_cast<std::size_t>(i) + 1].plot->quantity()));
-    m_tabs->setTabText(m_tabs->count() - 1, tr("Scene"));
+    for (std::size_t i = 1; i < m_plots.size(); ++i)
+        m_tabs->setTabText(static_cast<int>(i) - 1, quantityTitle(m_plots[i].plot->quantity()));
+    m_tabs->setTabText(m_tabs->indexOf(m_sceneTab), tr("Scene"));
+    if (const int tab = m_tabs->indexOf(m_picture); tab >= 0)
+        m_tabs->setTabText(tab, tr("Thermal picture"));
     m_tabs->setAccessibleName(tr("Further traces and the scene"));
     if (m_scene != nullptr)
         m_scene->setAccessibleName(tr("3-D scene of the run: source, objects and their paths"));

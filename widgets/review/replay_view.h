@@ -19,12 +19,15 @@ class QTabWidget;
 namespace bask {
 
 class TileGrid;
+class RecordedPictures;
 class SceneView;
+class ThermalPictureView;
 class TracePlot;
 class TransportBar;
 
 /// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "review." and the key of their column
-/// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at; a button
+/// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at;
+/// "reviewPicture" of a run with thermal pictures; a button
 /// to take an overlay away "overlay.<letter>".
 class ReplayView : public QWidget {
     Q_OBJECT
@@ -77,6 +80,9 @@ private:
     void fillScene();
     void showMoment(double time_s);
     void showScene();
+    void showPictureTab();
+    void showPicture(double time_s);
+    void tellFailure(const Error& error);
     void showOverlays();
     void clearTiles();
     void addMarkers(TracePlot& plot) const;
@@ -103,6 +109,8 @@ private:
     QTabWidget* m_tabs = nullptr;
     QWidget* m_sceneTab;
     SceneView* m_scene = nullptr;
+    ThermalPictureView* m_picture; ///< in no tab without thermal pictures
+    std::unique_ptr<RecordedPictures> m_pictures;
 };
 
 } // namespace bask

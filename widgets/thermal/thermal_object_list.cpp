@@ -9,6 +9,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -17,6 +18,8 @@ constexpr int kCellPad = 14;
 enum ThermalColumn { kThermalName, kThermalReading, kThermalSpread, kThermalColumns };
 
 QString spreadText(double spread_K, TemperatureUnit unit) {
+    if (!std::isfinite(spread_K))
+        return kNoValue;
     return QLocale().toString(displayDifference(spread_K, unit), 'f', 1) + QChar(0x00a0) +
            differenceUnitSymbol(unit);
 }

@@ -18,6 +18,7 @@ namespace bask {
 namespace {
 
 constexpr int kThermalGap = 8;
+const QString kBetween = QStringLiteral("  \u00b7  ");
 constexpr int kFirst = 1000; // stretch of what has the room before others have it
 
 } // namespace
@@ -84,6 +85,11 @@ void ThermalPictureView::setTemperatureUnit(TemperatureUnit unit) {
     refresh();
 }
 
+void ThermalPictureView::setRecorded() {
+    m_isRecorded = true;
+    refresh();
+}
+
 double ThermalPictureView::age_s() const {
     return m_view.age_s + (m_since.isValid() ? 1e-3 * static_cast<double>(m_since.elapsed()) : 0.0);
 }
@@ -92,21 +98,27 @@ QString ThermalPictureView::sentence() const {
     if (m_view.problem.code != MessageCode::None)
         return sentenceText(m_view.problem, m_unit);
     if (!hasPicture(m_view))
-        return tr("The thermal camera has not given a picture yet.");
-    return age_s() > kOldAfter_s ? tr("This picture is %1.").arg(formatAge(age_s())) : QString();
+        return m_isRecorded ? tr("No picture was recorded.")
+                            : tr("The thermal camera has not given a picture yet.");
+    return !m_isRecorded && age_s() > kOldAfter_s ? tr("This picture is %1.").arg(formatAge(age_s()))
+                                                  : QString();
 }
 
 QString ThermalPictureView::statusText() const {
     if (!hasPicture(m_view))
         return {};
     QStringList words;
+    if (m_isRecorded)
+        words << tr("taken at %1").arg(formatDuration(m_view.time_s));
     if (!m_view.cameraName.empty())
         words << QString::fromStdString(m_view.cameraName);
     words << tr("%1 \u00d7 %2").arg(m_view.picture->width).arg(m_view.picture->height);
+    if (m_isRecorded)
+        return words.join(kBetween);
     if (m_period_s > 0.0 && sentence().isEmpty())
         words << tr("%1 pictures/s").arg(QLocale().toString(1.0 / m_period_s, 'f', 1));
     words << tr("age %1 s").arg(QLocale().toString(age_s(), 'f', age_s() < 1.0 ? 2 : 1));
-    return words.join(QStringLiteral("  \u00b7  "));
+    return words.join(kBetween);
 }
 
 void ThermalPictureView::refresh() {
@@ -137,7 +149,7 @@ void ThermalPictureView::refreshNotice() {
     m_canvas->setNotice(sentence(), hasPicture(m_view) || m_view.problem.code != MessageCode::None);
     m_canvas->setStatus(statusText());
     m_list->showView(m_view, m_whole, sentence().isEmpty(), m_unit);
-    if (hasPicture(m_view) && isVisible())
+    if (!m_isRecorded && hasPicture(m_view) && isVisible())
         m_age->start(); // again from now: nothing to do if another picture comes before
     else
         m_age->stop();

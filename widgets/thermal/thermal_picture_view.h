@@ -23,9 +23,9 @@ class ThermalHistogramPlot;
 class ThermalObjectList;
 
 /// A problem, or a picture older than kOldAfter_s, is told over the last picture, which is dimmed and
-/// hatched. Object names: "thermalCanvas", "thermalObjects", "thermalHistogram"; "thermalPalette",
-/// "thermalLimits", "thermalMin", "thermalMax", "thermalIsotherm", "thermalIsothermAt", "thermalZoom",
-/// "thermalSmooth".
+/// hatched; a recorded one is as old as it is. Object names: "thermalCanvas", "thermalObjects",
+/// "thermalHistogram"; "thermalPalette", "thermalLimits", "thermalMin", "thermalMax", "thermalIsotherm",
+/// "thermalIsothermAt", "thermalZoom", "thermalSmooth".
 class ThermalPictureView : public QWidget {
     Q_OBJECT
 public:
@@ -36,6 +36,8 @@ public:
     /// Sets the objects' names, in the experiment's order, which is that of their colours in traces.
     void setNames(const std::vector<QString>& names);
     void setTemperatureUnit(TemperatureUnit unit);
+    /// Shows pictures of a record: they have a time in the run instead of an age.
+    void setRecorded();
 
     ThermalRange limits() const { return m_shown.value_or(ThermalRange{}); } ///< of the colours
     QString sentence() const;   ///< text over the picture; empty while the camera answers
@@ -66,6 +68,7 @@ private:
     std::optional<ThermalRange> m_whole; ///< of the picture
     std::optional<ThermalRange> m_shown; ///< by the colours
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    bool m_isRecorded = false;
 
     ThermalControls* m_controls;
     ThermalCanvas* m_canvas;

@@ -2,6 +2,7 @@
 // camera.
 
 #include "engine/base/message_code.h"
+#include "engine/recording/recorded_session.h"
 #include "engine/recording/session_file.h"
 #include "engine/thermography/frame_file.h"
 #include "tests/engine/recording/recording.h"
@@ -10,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -77,6 +80,30 @@ TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlay
     ASSERT_TRUE(tables);
     for (const std::string& file : *tables)
         EXPECT_EQ(file.find("thermal_frame"), std::string::npos);
+}
+
+// Catches a moment that gets a later picture, or one of another place in the table.
+TEST_F(ThermalFramesOfASession, AreFoundByTheirMoment) {
+    for (const int count : {1, 2, 7, 12}) {
+        record(withCamera(), count);
+        const auto session = RecordedSession::open(path);
+        ASSERT_TRUE(session);
+        EXPECT_TRUE((*session)->hasThermalFrames());
+        for (double time_s = -1.0; time_s < 15.0; time_s += 0.25) {
+            const auto frame = (*session)->thermalFrameAt(time_s);
+            ASSERT_TRUE(frame) << describe(frame.error());
+            const int expected = std::clamp(static_cast<int>(std::floor(time_s - 0.5)), 0, count - 1);
+            EXPECT_EQ(frame->time_s, 0.5 + expected) << time_s;
+            EXPECT_EQ(frame->number, expected + 1);
+            EXPECT_EQ(frameOfImage(frame->png, profile, "png").value().picture, pictureOf(profile, expected));
+        }
+        std::filesystem::remove(path);
+    }
+    record(withCamera(), 0);
+    const auto session = RecordedSession::open(path);
+    ASSERT_TRUE(session);
+    EXPECT_FALSE((*session)->hasThermalFrames());
+    EXPECT_FALSE((*session)->thermalFrameAt(1.0));
 }
 
 TEST_F(ThermalFramesOfASession, OfTheCamerasReadingsNothingIsLost) {

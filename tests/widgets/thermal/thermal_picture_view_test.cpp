@@ -237,6 +237,7 @@ TEST(ThermalPictureView, TheListTellsReadingsAndReasons) {
     scene.objects[1].T_K = 300.0;
     scene.objects[1].uncertainty_K = 0.3;
     shown.view.setView(scene);
+    EXPECT_EQ(shown.list.item(2, 2)->text(), QStringLiteral("\u2014")) << "too few pixels to tell";
     EXPECT_TRUE(shown.list.item(2, 1)->text().startsWith(QStringLiteral("80.3\u00a0°F")));
     EXPECT_EQ(shown.list.columnSpan(2, 1), 1);
 }
@@ -332,6 +333,18 @@ TEST(ThermalPictureView, AProblemOrAnOldPictureIsToldOverIt) {
 }
 
 // Catches a line below the picture that leaves out what it is to tell.
+// Catches a replay that is hatched as if its camera had stopped.
+TEST(ThermalPictureView, ARecordedPictureDoesNotGrowOld) {
+    ThermalPictureView widget;
+    widget.setRecorded();
+    EXPECT_FALSE(widget.sentence().isEmpty());
+    ThermalView view = test::thermalScene();
+    view.age_s = 1000.0;
+    widget.setView(view);
+    EXPECT_EQ(widget.sentence(), QString());
+    EXPECT_TRUE(widget.statusText().startsWith("taken at 0:12")) << widget.statusText().toStdString();
+}
+
 TEST(ThermalPictureView, TheStatusTellsCameraSizeRateAndAge) {
     Shown shown;
     ThermalView next = squareScene();

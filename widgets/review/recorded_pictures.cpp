@@ -1,0 +1,72 @@
+#include "widgets/review/recorded_pictures.h"
+
+#include "engine/calibration/picture_outline.h"
+#include "engine/model/experiment_rig.h"
+#include "engine/thermography/frame_picture_file.h"
+
+#include <cmath>
+
+namespace bask {
+
+RecordedPictures::RecordedPictures(std::shared_ptr<RecordedSession> run)
+    : m_run(std::move(run)),
+      m_profile(thermalProfile(m_run->facts().experiment, m_run->facts().simulated).value()),
+      m_X_RC(believedThermalCamera(m_run->facts().experiment, m_run->facts().simulated)->X_RC),
+      m_rays(believedThermalCamera(m_run->facts().experiment, m_run->facts().simulated)->lens) {}
+
+Result<ThermalView> RecordedPictures::at(double time_s) {
+    const auto recorded = m_run->thermalFrameAt(time_s);
+    if (!recorded)
+        return recorded.error();
+    if (recorded->number == m_number)
+        return m_view;
+    auto frame = frameOfImage(recorded->png, m_profile, m_run->facts().path);
+    if (!frame)
+        return frame.error();
+    const auto sample = m_run->sampleAt(recorded->time_s);
+    if (!sample)
+        return sample.error();
+    m_number = recorded->number;
+    m_view = {};
+    m_view.cameraName = cameraName(m_profile);
+    m_view.picture = std::make_shared<ThermalPicture>(std::move(frame->picture));
+    m_view.time_s = recorded->time_s;
+    addObjects(m_view, *sample);
+    return m_view;
+}
+
+void RecordedPictures::addObjects(ThermalView& view, const TraceSample& sample) const {
+    const SilhouetteScene scene = silhouetteScene(m_run->facts().experiment);
+    const Pose X_RE = poseFromCoordinates(sample.coordinates);
+    const auto placed = [&](const std::vector<MountedPlate>& plates) {
+        std::vector<PlacedPlate> out;
+        for (const MountedPlate& plate : plates)
+            out.push_back({plate.shape, X_RE * plate.X_EO});
+        return out;
+    };
+    const std::vector<PlacedPlate> objects = placed(scene.objects);
+    std::vector<PlacedPlate> screens = placed(scene.fixtures);
+    screens.insert(screens.end(), scene.fixed.begin(), scene.fixed.end());
+    std::vector<Result<FacePixels>> pixels;
+    if (m_X_RC)
+        pixels = facePixels(m_rays, *m_X_RC, objects, screens);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        ThermalObjectView object;
+        if (m_X_RC)
+            object.outline_px =
+                outlineInPicture(m_rays.camera(), m_X_RC->inverse() * objects[i].X_WO, objects[i].shape);
+        const CameraSample& told = sample.objects[i].camera;
+        if (std::isfinite(told.T_K)) {
+            object.T_K = told.T_K;
+            object.uncertainty_K = told.uncertainty_K;
+            object.spread_K = told.spread_K;
+            if (m_X_RC && pixels[i])
+                object.pixels = pixels[i]->pixels;
+        } else if (m_X_RC && !pixels[i]) {
+            object.reason = pixels[i].error().message;
+        }
+        view.objects.push_back(std::move(object));
+    }
+}
+
+} // namespace bask

@@ -1,0 +1,34 @@
+#pragma once
+// The recorded pictures of a run's thermal camera with the objects in them.
+
+#include "engine/recording/recorded_session.h"
+#include "engine/thermography/face_pixels.h"
+#include "engine/thermography/thermal_view.h"
+
+#include <memory>
+#include <optional>
+
+namespace bask {
+
+/// Of a run that has pictures. Outlines and pixels are worked out again, for the recorded place of the
+/// objects and the camera as the experiment has it; temperatures are the recorded ones.
+class RecordedPictures {
+public:
+    explicit RecordedPictures(std::shared_ptr<RecordedSession> run);
+
+    /// Returns the picture of a moment, and the same view again until there is another picture. Errors: those
+    /// of RecordedSession, and a picture that cannot be read.
+    Result<ThermalView> at(double time_s);
+
+private:
+    void addObjects(ThermalView& view, const TraceSample& sample) const;
+
+    std::shared_ptr<RecordedSession> m_run;
+    ThermalProfile m_profile;
+    std::optional<Pose> m_X_RC;
+    PixelRays m_rays;
+    std::int64_t m_number = 0; ///< of the picture in m_view
+    ThermalView m_view;
+};
+
+} // namespace bask
