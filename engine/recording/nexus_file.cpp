@@ -217,6 +217,12 @@ private:
         m_file.text(sensor + "/name", "sensor of " + object.name);
         m_file.text(sensor + "/attached_to", object.name);
         m_file.text(sensor + "/measurement", "temperature");
+        if (m_session.rig().hasThermalCamera) {
+            const std::string camera = group + "/thermal_camera";
+            m_file.group(camera, "NXsensor");
+            m_file.text(camera + "/name", "thermal camera, read on " + object.name);
+            m_file.text(camera + "/measurement", "temperature");
+        }
         for (const ObjectColumn& column : kObjectColumns) {
             if (!column.nexus || !m_session.rig().has(column.needs))
                 continue;

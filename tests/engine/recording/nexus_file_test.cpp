@@ -128,6 +128,24 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     EXPECT_EQ(estimate[10], session.samples[10].objects[1].estimated_K);
 }
 
+// Catches columns in a group that is not there: then no session of a rig with a thermal camera is exported.
+TEST_F(NexusFile, GivesBackWhatTheThermalCameraReads) {
+    SessionRecord session = record(0);
+    session.experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
+    for (int k = 0; k < 20; ++k)
+        session.samples.push_back(madeUpSample(session.experiment, k));
+    const Read read(exported(session));
+    const std::string camera = "/entry/sample_2/thermal_camera";
+    EXPECT_EQ(read.attribute(camera, "NX_class"), "NXsensor");
+    EXPECT_EQ(read.attribute(camera + "/uncertainty_log/value", "units"), "K");
+    const auto T_K = read.numbers(camera + "/value_log/value"),
+               pixels = read.numbers(camera + "/pixels_log/value");
+    ASSERT_EQ(T_K.size(), 20u);
+    EXPECT_TRUE(std::isnan(T_K[5]));
+    EXPECT_EQ(T_K[6], session.samples[6].objects[1].camera.T_K);
+    EXPECT_EQ(pixels[6], session.samples[6].objects[1].camera.pixels);
+}
+
 // Catches air that the file leaves out, or states where the experiment does not.
 TEST_F(NexusFile, TheAirIsStatedWhereItIsKnown) {
     SessionRecord session = record(2);
