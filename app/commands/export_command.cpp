@@ -53,7 +53,7 @@ int exportCommand(const QStringList& arguments) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions(
         {{"csv", "Tables with units in their headers, all digits; an empty field is not known.", "DIR"},
-         {"nexus", "One HDF5 file in NeXus layout, *.nxs.", "DIR"},
+         {"nexus", "One HDF5 file in NeXus layout, *.nxs, with recorded thermal pictures.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
          {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
          {"frames", "Recorded pictures of the thermal camera: TIFF of 16 bits, and times.csv.", "DIR"},

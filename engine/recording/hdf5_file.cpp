@@ -6,7 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <mutex>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 namespace bask {
 namespace {
@@ -37,6 +44,21 @@ private:
     hid_t m_id;
     herr_t (*m_close)(hid_t);
 };
+
+void beQuiet() {
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // the library would print
+}
+
+void pack(hid_t how) {
+    if (H5Zfilter_avail(H5Z_FILTER_DEFLATE) <= 0)
+        return;
+    H5Pset_shuffle(how);
+    H5Pset_deflate(how, kPacking);
+}
+
+Error unwritable(const std::string& where, const std::string& refused) {
+    return {MessageCode::FileUnwritable, where, {"HDF5 refuses " + refused}};
+}
 
 /// UTF-8; a size of 0: each as long as it is.
 hid_t textType(std::size_t size) {
@@ -73,8 +95,7 @@ struct Hdf5File::Impl {
         if (count >= kWorthPacking && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) {
             const hsize_t chunk = std::min(count, kChunk);
             H5Pset_chunk(how, 1, &chunk);
-            H5Pset_shuffle(how);
-            H5Pset_deflate(how, kPacking);
+            pack(how);
         }
         const Handle set(H5Dcreate2(file, path.c_str(), type, space, H5P_DEFAULT, how, H5P_DEFAULT),
                          H5Dclose);
@@ -92,7 +113,7 @@ struct Hdf5File::Impl {
 };
 
 Hdf5File::Hdf5File() : m_impl(std::make_unique<Impl>()) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // it would print
+    beQuiet();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_core(access, kGrowth, false);
     m_impl->file = H5Fcreate("bask-export-in-memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
@@ -148,6 +169,21 @@ void Hdf5File::wholeNumbers(const std::string& path, std::span<const int> values
     attribute(path, "units", units);
 }
 
+void Hdf5File::pictures(const std::string& path, std::size_t count, int rows, int columns) {
+    const std::array<hsize_t, 3> size{count, static_cast<hsize_t>(rows), static_cast<hsize_t>(columns)};
+    const std::array<hsize_t, 3> chunk{1, size[1], size[2]};
+    const Handle space(H5Screate_simple(3, size.data(), nullptr), H5Sclose);
+    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(how, false);
+    H5Pset_chunk(how, 3, chunk.data());
+    pack(how);
+    const Handle set(
+        H5Dcreate2(m_impl->file, path.c_str(), H5T_STD_U16LE, space, H5P_DEFAULT, how, H5P_DEFAULT),
+        H5Dclose);
+    m_impl->check(set >= 0, path);
+    attribute(path, "units", "1");
+}
+
 void Hdf5File::link(const std::string& there, const std::string& path) {
     m_impl->check(H5Lcreate_hard(m_impl->file, there.c_str(), H5L_SAME_LOC, path.c_str(), H5P_DEFAULT,
                                  H5P_DEFAULT) >= 0,
@@ -163,8 +199,87 @@ Result<std::string> Hdf5File::image(const std::string& where) {
         m_impl->check(size > 0 && H5Fget_file_image(m_impl->file, bytes.data(), bytes.size()) == size, "/");
     }
     if (!m_impl->refused.empty())
-        return Error(MessageCode::FileUnwritable, where, {"HDF5 refuses " + m_impl->refused});
+        return unwritable(where, m_impl->refused);
     return bytes;
+}
+
+struct Hdf5Pictures::Impl {
+    std::unique_lock<std::mutex> lock{library()};
+    hid_t file = -1, set = -1;
+    std::string path;
+    hsize_t next = 0;
+    std::string refused; ///< what failed first
+
+    void check(bool done) {
+        if (done || !refused.empty())
+            return;
+        refused = path + (errno == 0 ? "" : std::string(": ") + std::strerror(errno));
+        giveUp();
+    }
+
+    /// HDF5 cannot close a file that it cannot write, and crashes when the program ends. So the rest goes to
+    /// memory that nobody sees, or nowhere where a limit on the size of files holds in memory too.
+    void giveUp() const {
+        void* descriptor = nullptr;
+        if (file < 0 || H5Fget_vfd_handle(file, H5P_DEFAULT, &descriptor) < 0)
+            return;
+        const int sink = errno == EFBIG ? ::open("/dev/null", O_RDWR | O_CLOEXEC)
+                                        : ::memfd_create("bask-export-given-up", MFD_CLOEXEC);
+        if (sink < 0)
+            return;
+        ::dup2(sink, *static_cast<int*>(descriptor));
+        ::close(sink);
+    }
+
+    void close() {
+        if (set >= 0)
+            H5Dclose(std::exchange(set, -1));
+        if (file >= 0)
+            check(H5Fclose(std::exchange(file, -1)) >= 0);
+    }
+};
+
+Hdf5Pictures::Hdf5Pictures(const std::string& file, const std::string& path)
+    : m_impl(std::make_unique<Impl>()) {
+    beQuiet();
+    m_impl->path = path;
+    errno = 0;
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose),
+        reading(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
+    H5Pset_file_locking(access, false, true); // not every file system has locks
+    H5Pset_chunk_cache(reading, 0, 0, 1.0);   // each picture is written at once
+    m_impl->file = H5Fopen(file.c_str(), H5F_ACC_RDWR, access);
+    m_impl->set = H5Dopen2(m_impl->file, path.c_str(), reading);
+    m_impl->check(m_impl->set >= 0);
+}
+
+Hdf5Pictures::~Hdf5Pictures() {
+    if (m_impl->file >= 0)
+        m_impl->giveUp();
+    m_impl->close();
+}
+
+void Hdf5Pictures::add(std::span<const unsigned short> values) {
+    if (!m_impl->refused.empty())
+        return;
+    const Handle there(H5Dget_space(m_impl->set), H5Sclose);
+    std::array<hsize_t, 3> size{};
+    H5Sget_simple_extent_dims(there, size.data(), nullptr);
+    const std::array<hsize_t, 3> first{m_impl->next++, 0, 0}, one{1, size[1], size[2]};
+    const Handle here(H5Screate_simple(3, one.data(), nullptr), H5Sclose);
+    errno = 0;
+    m_impl->check(values.size() == size[1] * size[2] &&
+                  H5Sselect_hyperslab(there, H5S_SELECT_SET, first.data(), nullptr, one.data(), nullptr) >=
+                      0 &&
+                  H5Dwrite(m_impl->set, H5T_NATIVE_USHORT, here, there, H5P_DEFAULT, values.data()) >= 0);
+}
+
+Result<void> Hdf5Pictures::close(const std::string& where) {
+    errno = 0;
+    if (m_impl->refused.empty()) // before closing, which cannot fail well
+        m_impl->check(H5Dflush(m_impl->set) >= 0 && H5Fflush(m_impl->file, H5F_SCOPE_LOCAL) >= 0);
+    m_impl->close();
+    return m_impl->refused.empty() ? Result<void>() : unwritable(where, m_impl->refused);
 }
 
 } // namespace bask

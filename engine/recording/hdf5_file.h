@@ -1,6 +1,6 @@
 #pragma once
 // Builds an HDF5 file: groups, numbers with units, texts, attributes, links. It is built in memory, so that a
-// full disk never leaves an incomplete file.
+// full disk never leaves an incomplete file; pictures are filled in on the disk.
 
 #include "engine/base/result.h"
 
@@ -30,6 +30,9 @@ public:
     void number(const std::string& path, double value, const std::string& units);
     void numbers(const std::string& path, std::span<const double> values, const std::string& units);
     void wholeNumbers(const std::string& path, std::span<const int> values, const std::string& units);
+    /// Adds room for `count` pictures of 16 bits: [count, rows, columns], each a chunk of its own, compressed
+    /// without loss. Hdf5Pictures fills it.
+    void pictures(const std::string& path, std::size_t count, int rows, int columns);
     /// Adds another name for something that exists.
     void link(const std::string& there, const std::string& path);
 
@@ -39,6 +42,28 @@ public:
 
     Hdf5File(const Hdf5File&) = delete;
     Hdf5File& operator=(const Hdf5File&) = delete;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Fills the pictures of a finished file, one after another, so that memory holds one at a time. Shares the
+/// library with Hdf5File: they wait for each other.
+class Hdf5Pictures {
+public:
+    /// Opens the pictures at `path` of the file `file`. A failure is stored and returned by close().
+    Hdf5Pictures(const std::string& file, const std::string& path);
+    /// A file that was not closed is unusable.
+    ~Hdf5Pictures();
+
+    /// Writes the next picture, row by row; no effect after a failure.
+    void add(std::span<const unsigned short> values);
+    /// Writes what is left. Error: FileUnwritable at `where`; the file is then unusable.
+    Result<void> close(const std::string& where);
+
+    Hdf5Pictures(const Hdf5Pictures&) = delete;
+    Hdf5Pictures& operator=(const Hdf5Pictures&) = delete;
 
 private:
     struct Impl;

@@ -8,6 +8,8 @@
 #include "engine/model/uneven_source.h"
 #include "engine/recording/hdf5_file.h"
 #include "engine/recording/staged_files.h"
+#include "engine/recording/thermal_frames.h"
+#include "engine/thermography/frame_picture_file.h"
 
 #include <cmath>
 #include <filesystem>
@@ -18,6 +20,8 @@ namespace bask {
 namespace {
 
 constexpr const char* kTime = "/entry/temperatures/time";
+constexpr const char* kCamera = "/entry/instrument/thermal_camera";
+constexpr const char* kPictures = "/entry/instrument/thermal_camera/data";
 constexpr const char* kMaker = "Bask " BASK_VERSION;
 constexpr std::size_t kMarkWithin = 8192; // bytes from the start: the root's attributes are written first
 
@@ -25,9 +29,16 @@ std::string numbered(const char* stem, std::size_t i) {
     return stem + std::to_string(i + 1);
 }
 
+/// The recorded pictures of a session, but for their pixels.
+struct ThermalPictures {
+    ThermalProfile profile;
+    std::vector<double> times_s;
+};
+
 class NexusWriter {
 public:
-    NexusWriter(Hdf5File& file, const SessionRecord& session) : m_file(file), m_session(session) {}
+    NexusWriter(Hdf5File& file, const SessionRecord& session, const std::optional<ThermalPictures>& pictures)
+        : m_file(file), m_session(session), m_pictures(pictures) {}
 
     void write() {
         m_file.attribute("/", "creator", kMaker);
@@ -42,6 +53,8 @@ public:
         for (std::size_t i = 0; i < m_session.experiment.objects.size(); ++i)
             controller(i);
         records();
+        if (m_pictures)
+            thermalPictures(*m_pictures);
     }
 
 private:
@@ -302,8 +315,44 @@ private:
         m_file.text("/entry/experiment/data", experimentToJson(m_session.experiment));
     }
 
+    void thermalPictures(const ThermalPictures& pictures) {
+        describeCamera(pictures.profile);
+        m_file.pictures(kPictures, pictures.times_s.size(), pictures.profile.height, pictures.profile.width);
+        m_file.attribute(kPictures, "interpretation", "image");
+        m_file.attribute(kPictures, "long_name", "numbers of the thermal camera");
+        m_file.attribute(kPictures, "meaning", "apparent temperature in K = data * scaling_factor + offset");
+        const std::string camera = kCamera, plot = "/entry/thermal_pictures";
+        m_file.numbers(camera + "/time", pictures.times_s, "s");
+        m_file.attribute(camera + "/time", "long_name", "time since Start (s)");
+        m_file.attribute(camera + "/time", "start", m_session.created);
+        m_file.group(plot, "NXdata");
+        for (const char* name : {"/data", "/time", "/scaling_factor", "/offset"}) {
+            m_file.attribute(camera + name, "target", camera + name);
+            m_file.link(camera + name, plot + name);
+        }
+        m_file.attribute(plot, "signal", "data");
+        m_file.attribute(plot, "axes", std::vector<std::string>{"time", ".", "."});
+    }
+
+    void describeCamera(const ThermalProfile& profile) {
+        const std::string camera = kCamera;
+        m_file.group(camera, "NXdetector");
+        m_file.text(camera + "/local_name", profile.name);
+        m_file.text(camera + "/description", profile.title);
+        m_file.number(camera + "/bit_depth_readout", profile.bits, "1");
+        m_file.number(camera + "/saturation_value", (1 << profile.bits) - 1, "1");
+        m_file.number(camera + "/scaling_factor",
+                      profile.scale * (profile.unit == CountUnit::Fahrenheit ? 5.0 / 9.0 : 1.0), "K");
+        m_file.number(camera + "/offset", profile.temperature_K(0.0), "K");
+        m_file.group(camera + "/profile", "NXnote");
+        m_file.text(camera + "/profile/type", "application/json");
+        m_file.text(camera + "/profile/description", "the camera's profile: what its numbers mean");
+        m_file.text(camera + "/profile/data", thermalProfileToJson(profile));
+    }
+
     Hdf5File& m_file;
     const SessionRecord& m_session;
+    const std::optional<ThermalPictures>& m_pictures;
 };
 
 /// Refuses a file that is there, not empty and not of exportNexus.
@@ -319,6 +368,39 @@ Result<void> checkOwn(const std::string& path) {
     return {};
 }
 
+/// Empty where none was recorded.
+Result<std::optional<ThermalPictures>> recordedPictures(const SessionRecord& session) {
+    const auto profile = thermalProfile(session.experiment, session.simulated);
+    if (!profile)
+        return std::optional<ThermalPictures>();
+    auto times_s = thermalFrameTimes(session.path);
+    if (!times_s)
+        return times_s.error();
+    return times_s->empty() ? std::optional<ThermalPictures>()
+                            : std::optional(ThermalPictures{*profile, std::move(*times_s)});
+}
+
+/// Fills the pictures of the file at `path`, which will be `target`.
+Result<void> fillPictures(const std::string& session, const ThermalPictures& pictures,
+                          const std::string& path, const std::string& target) {
+    Hdf5Pictures file(path, kPictures);
+    std::size_t count = 0;
+    Result<void> done;
+    const auto read = readThermalFrames(session, [&](double, const std::string& png) {
+        if (!done || count == pictures.times_s.size()) // later ones of a session that is being recorded
+            return;
+        ++count;
+        const auto counts = countsOfImage(png, pictures.profile, session);
+        if (counts)
+            file.add(counts->counts);
+        else
+            done = counts.error();
+    });
+    if (done)
+        done = read;
+    return done ? file.close(target) : done;
+}
+
 } // namespace
 
 Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder) {
@@ -326,18 +408,25 @@ Result<std::string> exportNexus(const SessionRecord& session, const std::string&
     if (!files)
         return files.error();
     const std::string name = std::filesystem::path(session.path).stem().string() + ".nxs";
-    if (auto place = checkOwn(files->target(name)); !place)
+    const std::string target = files->target(name);
+    if (auto place = checkOwn(target); !place)
         return place.error();
+    const auto pictures = recordedPictures(session);
+    if (!pictures)
+        return pictures.error();
     std::string bytes;
     {
         Hdf5File file;
-        NexusWriter(file, session).write();
-        auto image = file.image(files->target(name));
+        NexusWriter(file, session, *pictures).write();
+        auto image = file.image(target);
         if (!image)
             return image.error();
         bytes = std::move(*image);
     }
-    if (auto written = files->write(name, bytes); !written)
+    auto written = files->write(name, bytes);
+    if (written && *pictures)
+        written = fillPictures(session.path, **pictures, files->staged(name), target);
+    if (!written)
         return written.error();
     auto done = files->commit();
     return done ? Result<std::string>(done->front()) : done.error();

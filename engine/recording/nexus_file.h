@@ -8,8 +8,9 @@
 namespace bask {
 
 /// Writes the whole record or nothing to `folder`, under the session's name with the ending ".nxs"; returns
-/// the path. Unknown values are NaN. Errors: FileUnwritable; OutputForeign if a file of another program has
-/// that name.
+/// the path. Unknown values are NaN. Recorded pictures of the thermal camera are read from the session's file
+/// one by one and written with it. Errors: FileUnwritable; OutputForeign if a file of another program has
+/// that name; those of the session's file and of its pictures.
 Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder);
 
 } // namespace bask

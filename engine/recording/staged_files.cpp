@@ -85,6 +85,10 @@ Result<void> StagedFiles::write(const std::string& name, const std::string& cont
     return file ? Result<void>() : unwritable(target(name), std::strerror(errno));
 }
 
+std::string StagedFiles::staged(const std::string& name) const {
+    return (fs::path(m_stage) / name).string();
+}
+
 std::string StagedFiles::target(const std::string& name) const {
     return (fs::path(m_folder) / name).string();
 }

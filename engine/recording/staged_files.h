@@ -23,6 +23,8 @@ public:
     Result<std::string> place(const std::string& name);
     /// Writes a file with these contents.
     Result<void> write(const std::string& name, const std::string& contents);
+    /// Returns the path of a file that was written, until commit().
+    std::string staged(const std::string& name) const;
     /// Returns the final path of a file.
     std::string target(const std::string& name) const;
     /// Moves all files and returns their paths. Error: FileUnwritable; then nothing has changed.

@@ -1,4 +1,4 @@
-// Recorded pictures of the thermal camera: reading and exporting.
+#include "engine/recording/thermal_frames.h"
 
 #include "engine/base/message_code.h"
 #include "engine/recording/session_facts.h"
@@ -31,6 +31,21 @@ Result<void> readThermalFrames(const std::string& path, const TakeFrame& take) {
     return store ? eachFrame(**store, take) : store.error();
 }
 
+Result<std::vector<double>> thermalFrameTimes(const std::string& path) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    const auto columns = (*store)->columns("thermal_frame");
+    if (!columns)
+        return columns.error();
+    std::vector<double> times_s;
+    Result<void> read;
+    if (!columns->empty())
+        read = (*store)->select("SELECT time_s FROM thermal_frame WHERE typeof(png) = 'blob' ORDER BY rowid",
+                                [&](SessionStore::Row row) { times_s.push_back(numberOf(row[0])); });
+    return read ? Result<std::vector<double>>(std::move(times_s)) : read.error();
+}
+
 Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder) {
     const auto store = SessionStore::open(path);
     if (!store)
@@ -51,11 +66,11 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
         const std::string digits = std::to_string(++number);
         const std::string name =
             "frame_" + std::string(7 - std::min<std::size_t>(7, digits.size()), '0') + digits + ".tif";
-        const auto frame = frameOfImage(png, *profile, path);
-        if (done && !frame)
-            done = frame.error();
+        const auto counts = countsOfImage(png, *profile, path);
+        if (done && !counts)
+            done = counts.error();
         if (done)
-            done = files->write(name, tiffOfCounts(countsOfPicture(frame->picture, *profile)));
+            done = files->write(name, tiffOfCounts(*counts));
         times += name + ',' + formatNumber(time_s, 12) + '\n';
     });
     if (!read)

@@ -1,7 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/calibration/camera_model.h"
 #include "engine/shape/image_header.h"
-#include "engine/thermography/frame_decoder.h"
+#include "engine/thermography/frame_picture_file.h"
 
 #include <opencv2/imgcodecs.hpp>
 
@@ -46,8 +46,8 @@ Result<int> rowsAbove(std::string_view bytes, const ThermalProfile& profile, con
 
 } // namespace
 
-Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
-                                  const std::string& where) {
+Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                   const std::string& where) {
     if (bytes.empty())
         return Error{MessageCode::FileEmpty, where};
     const auto above = rowsAbove(bytes, profile, where);
@@ -63,10 +63,16 @@ Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& 
             const auto* first = image.ptr<unsigned short>(*above + row);
             counts.counts.insert(counts.counts.end(), first, first + profile.width);
         }
-        return frameOfCounts(counts, profile, where);
+        return counts;
     } catch (const std::exception&) {
         return Error{MessageCode::ImageUnreadable, where};
     }
+}
+
+Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                  const std::string& where) {
+    const auto counts = countsOfImage(bytes, profile, where);
+    return counts ? frameOfCounts(*counts, profile, where) : counts.error();
 }
 
 } // namespace bask

@@ -6,6 +6,7 @@
 #include "engine/thermography/thermal_picture.h"
 
 #include <string>
+#include <string_view>
 
 namespace bask {
 
@@ -13,6 +14,11 @@ namespace bask {
 /// temperatures of the camera. What is colder or hotter than it can tell is its least or largest number.
 /// Throws std::invalid_argument for a picture of another size than the profile's.
 CountPicture countsOfPicture(const ThermalPicture& picture, const ThermalProfile& profile);
+
+/// Reads the numbers of a PNG or a TIFF without making temperatures of them. Errors: as frameOfImage
+/// (frame_decoder.h), without those of the numbers.
+Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                   const std::string& where);
 
 /// Returns the bytes of a PNG or a TIFF (LZW) of one channel of 16 bits, without loss: frameOfImage reads
 /// both.

@@ -1,6 +1,7 @@
 #include "engine/recording/nexus_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/thermography/frame_picture_file.h"
 #include "tests/engine/recording/recording.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +13,10 @@
 #include <QTemporaryDir>
 
 #include <cmath>
+#include <csignal>
 
 #include <hdf5.h>
+#include <sys/resource.h>
 
 namespace bask {
 namespace {
@@ -128,12 +131,26 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     EXPECT_EQ(estimate[10], session.samples[10].objects[1].estimated_K);
 }
 
+/// A session in a file, with pictures of its thermal camera.
+SessionRecord withPictures(const std::string& path, int pictures) {
+    Experiment experiment = twoDisks();
+    experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
+    const ThermalProfile profile = findThermalProfile("lepton-3.5").value();
+    auto writer = SessionWriter::create(path, experiment, true);
+    EXPECT_TRUE(writer) << describe(writer.error());
+    for (int k = 0; k < 20; ++k)
+        EXPECT_TRUE((*writer)->add(madeUpSample(experiment, k)));
+    for (int k = 0; k < pictures; ++k)
+        EXPECT_TRUE((*writer)->add(
+            TraceFrame{0.5 + k, std::make_shared<ThermalPicture>(test::madeUpPicture(profile, k))}));
+    EXPECT_TRUE((*writer)->finish("settled"));
+    return readSession(path).value();
+}
+
 // Catches columns in a group that is not there: then no session of a rig with a thermal camera is exported.
 TEST_F(NexusFile, GivesBackWhatTheThermalCameraReads) {
-    SessionRecord session = record(0);
-    session.experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
-    for (int k = 0; k < 20; ++k)
-        session.samples.push_back(madeUpSample(session.experiment, k));
+    const QTemporaryDir folder;
+    const SessionRecord session = withPictures(folder.filePath("run.bask").toStdString(), 0);
     const Read read(exported(session));
     const std::string camera = "/entry/sample_2/thermal_camera";
     EXPECT_EQ(read.attribute(camera, "NX_class"), "NXsensor");
@@ -144,6 +161,72 @@ TEST_F(NexusFile, GivesBackWhatTheThermalCameraReads) {
     EXPECT_TRUE(std::isnan(T_K[5]));
     EXPECT_EQ(T_K[6], session.samples[6].objects[1].camera.T_K);
     EXPECT_EQ(pixels[6], session.samples[6].objects[1].camera.pixels);
+}
+
+TEST_F(NexusFile, GivesBackThermalPicturesWithTheirTimesAndTheirMeaning) {
+    const QTemporaryDir folder;
+    const Read read(exported(withPictures(folder.filePath("run.bask").toStdString(), 12)));
+    const ThermalProfile profile = findThermalProfile("lepton-3.5").value();
+    const std::string camera = "/entry/instrument/thermal_camera";
+    EXPECT_EQ(read.attribute(camera, "NX_class"), "NXdetector");
+    EXPECT_EQ(read.text(camera + "/local_name"), "lepton-3.5");
+    EXPECT_EQ(thermalProfileFromJson(read.text(camera + "/profile/data"), "").value(), profile);
+    EXPECT_EQ(read.numbers(camera + "/time").at(11), 11.5);
+    EXPECT_EQ(read.attribute(camera + "/time", "units"), "s");
+    EXPECT_EQ(read.attribute("/entry/thermal_pictures", "signal"), "data");
+    const auto numbers = read.numbers("/entry/thermal_pictures/data");
+    const double scale_K = read.numbers(camera + "/scaling_factor").at(0),
+                 offset_K = read.numbers(camera + "/offset").at(0);
+    const std::size_t pixels = 160 * 120;
+    ASSERT_EQ(numbers.size(), 12 * pixels);
+    for (int k = 0; k < 12; ++k) {
+        const ThermalPicture picture = test::madeUpPicture(profile, k);
+        const CountPicture counts = countsOfPicture(picture, profile);
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const double number = numbers[static_cast<std::size_t>(k) * pixels + i];
+            ASSERT_EQ(number, counts.counts[i]) << k << ' ' << i;
+            if (std::isfinite(picture.T_K[i])) {
+                ASSERT_NEAR(number * scale_K + offset_K, picture.T_K[i], 1e-9);
+            }
+        }
+    }
+}
+
+// Catches a camera's group that promises pictures where none was recorded.
+TEST_F(NexusFile, HasNoPicturesWhereNoneWasRecorded) {
+    const QTemporaryDir folder;
+    const Read read(exported(withPictures(folder.filePath("run.bask").toStdString(), 0)));
+    EXPECT_TRUE(read.has("/entry/sample_1/thermal_camera"));
+    EXPECT_FALSE(read.has("/entry/instrument/thermal_camera"));
+    EXPECT_FALSE(read.has("/entry/thermal_pictures"));
+}
+
+// A limit on the size of files is what a full disk looks like to HDF5. Catches an incomplete file, and a
+// library that stays broken after it (it would crash at the program's end).
+TEST_F(NexusFile, OfAFullDiskNothingIsLeftAndTheNextExportIsWhole) {
+    const QTemporaryDir folder;
+    const SessionRecord session = withPictures(folder.filePath("run.bask").toStdString(), 12);
+    QFile whole(QString::fromStdString(exported(session)));
+    const auto size = static_cast<rlim_t>(whole.size());
+    ASSERT_TRUE(whole.remove());
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto oldHandler = std::signal(SIGXFSZ, SIG_IGN);
+    for (const rlim_t limit : {rlim_t{0}, size / 100, size / 2}) {
+        rlimit small = before;
+        small.rlim_cur = limit;
+        ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+        const auto refused = exportNexus(session, m_folder.path().toStdString());
+        setrlimit(RLIMIT_FSIZE, &before);
+        ASSERT_FALSE(refused) << limit;
+        EXPECT_EQ(refused.error().code(), MessageCode::FileUnwritable);
+        EXPECT_NE(describe(refused.error()).find("File too large"), std::string::npos)
+            << describe(refused.error());
+        EXPECT_EQ(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL), 0) << limit;
+        EXPECT_TRUE(QDir(m_folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+    }
+    std::signal(SIGXFSZ, oldHandler);
+    EXPECT_EQ(Read(exported(session)).numbers("/entry/instrument/thermal_camera/time").size(), 12u);
 }
 
 // Catches air that the file leaves out, or states where the experiment does not.

@@ -76,6 +76,14 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
     return s;
 }
 
+ThermalPicture madeUpPicture(const ThermalProfile& profile, int k) {
+    ThermalPicture picture{profile.width, profile.height, {}};
+    for (int i = 0; i < profile.width * profile.height; ++i)
+        picture.T_K.push_back(profile.temperature_K(29000 + (i * 7 + k * 13) % 5000));
+    picture.T_K[5] = std::numeric_limits<double>::infinity();
+    return picture;
+}
+
 TraceSample asVersionOne(TraceSample sample) {
     for (ObjectSample& object : sample.objects)
         for (const ObjectColumn& column : kObjectColumns)

@@ -2,6 +2,7 @@
 // Made-up runs to record, and a second process that records until it is killed.
 
 #include "engine/recording/session_file.h"
+#include "engine/thermography/camera_profile.h"
 
 #include <string>
 
@@ -13,7 +14,10 @@ Experiment twoDisks();
 /// Sample number k of a run at 1 Hz: every column differs and none is round; some are NaN.
 TraceSample madeUpSample(const Experiment& experiment, int k);
 
-/// The same without the values that came after version 1 of the files.
+/// Picture number k of a camera with this profile: temperatures that it can tell, and one saturated pixel.
+ThermalPicture madeUpPicture(const ThermalProfile& profile, int k);
+
+/// A sample without the values that came after version 1 of the files.
 TraceSample asVersionOne(TraceSample sample);
 
 /// True when the two samples are the same but for the coordinates' last digits (they are stored as a

@@ -16,7 +16,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <limits>
 
 namespace bask {
 namespace {
@@ -25,15 +24,6 @@ Experiment withCamera() {
     Experiment experiment = test::twoDisks();
     experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
     return experiment;
-}
-
-/// A picture of temperatures that the camera can tell, with a saturated pixel.
-ThermalPicture pictureOf(const ThermalProfile& profile, int k) {
-    ThermalPicture picture{profile.width, profile.height, {}};
-    for (int i = 0; i < profile.width * profile.height; ++i)
-        picture.T_K.push_back(profile.temperature_K(29000 + (i * 7 + k * 13) % 5000));
-    picture.T_K[5] = std::numeric_limits<double>::infinity();
-    return picture;
 }
 
 struct ThermalFramesOfASession : testing::Test {
@@ -47,8 +37,8 @@ struct ThermalFramesOfASession : testing::Test {
         ASSERT_TRUE(writer) << describe(writer.error());
         for (int k = 0; k < count; ++k) {
             ASSERT_TRUE((*writer)->add(test::madeUpSample(experiment, k)));
-            ASSERT_TRUE(
-                (*writer)->add(TraceFrame{0.5 + k, std::make_shared<ThermalPicture>(pictureOf(profile, k))}));
+            ASSERT_TRUE((*writer)->add(
+                TraceFrame{0.5 + k, std::make_shared<ThermalPicture>(test::madeUpPicture(profile, k))}));
         }
         ASSERT_TRUE((*writer)->finish("settled"));
     }
@@ -61,7 +51,7 @@ TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlay
     int k = 0;
     ASSERT_TRUE(readThermalFrames(path, [&](double time_s, const std::string& png) {
         EXPECT_EQ(time_s, 0.5 + k);
-        EXPECT_EQ(frameOfImage(png, profile, "png").value().picture, pictureOf(profile, k)) << k;
+        EXPECT_EQ(frameOfImage(png, profile, "png").value().picture, test::madeUpPicture(profile, k)) << k;
         ++k;
     }));
     EXPECT_EQ(k, 12);
@@ -70,7 +60,7 @@ TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlay
     EXPECT_EQ(files->size(), 13U);
     const auto read = readFrame(frames + "/frame_0000012.tif", profile);
     ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->picture, pictureOf(profile, 11));
+    EXPECT_EQ(read->picture, test::madeUpPicture(profile, 11));
     std::ifstream times(frames + "/times.csv");
     const std::string text{std::istreambuf_iterator<char>(times), {}};
     EXPECT_EQ(framesOfFolder(frames, profile).value().size(), 12U);
@@ -95,7 +85,8 @@ TEST_F(ThermalFramesOfASession, AreFoundByTheirMoment) {
             const int expected = std::clamp(static_cast<int>(std::floor(time_s - 0.5)), 0, count - 1);
             EXPECT_EQ(frame->time_s, 0.5 + expected) << time_s;
             EXPECT_EQ(frame->number, expected + 1);
-            EXPECT_EQ(frameOfImage(frame->png, profile, "png").value().picture, pictureOf(profile, expected));
+            EXPECT_EQ(frameOfImage(frame->png, profile, "png").value().picture,
+                      test::madeUpPicture(profile, expected));
         }
         std::filesystem::remove(path);
     }
@@ -123,9 +114,9 @@ TEST_F(ThermalFramesOfASession, AreNotThereWithoutACamera) {
         auto writer = SessionWriter::create(path, experiment, true);
         ASSERT_TRUE(writer);
         ASSERT_TRUE((*writer)->add(test::madeUpSample(experiment, 0)));
-        EXPECT_THROW(
-            (void)(*writer)->add(TraceFrame{0.5, std::make_shared<ThermalPicture>(pictureOf(profile, 0))}),
-            std::invalid_argument);
+        EXPECT_THROW((void)(*writer)->add(
+                         TraceFrame{0.5, std::make_shared<ThermalPicture>(test::madeUpPicture(profile, 0))}),
+                     std::invalid_argument);
     }
     ASSERT_TRUE(readThermalFrames(path, [](double, const std::string&) { ADD_FAILURE(); }));
     const auto files = exportThermalFrames(path, frames);
