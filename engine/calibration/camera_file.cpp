@@ -48,6 +48,13 @@ std::string matrix(const char* name, int rows, int columns, const std::vector<do
            "\n   data: " + list(values) + "\n";
 }
 
+/// A lens without distortion has coefficients of 0: other programs refuse an empty matrix.
+std::string distortion(const CameraModel& camera, bool tagged) {
+    const std::vector<double> values =
+        camera.distortion.empty() ? std::vector<double>(5, 0.0) : camera.distortion;
+    return matrix("distortion_coefficients", 1, static_cast<int>(values.size()), values, tagged);
+}
+
 Result<void> readMatrix(const PlainYaml& yaml, const std::string& where, CameraModel& camera) {
     const auto values = yaml.numbers("camera_matrix/data", where);
     if (!values)
@@ -124,10 +131,9 @@ Result<CameraModel> readCamera(const std::string& path) {
 }
 
 std::string openCvYaml(const CameraModel& camera) {
-    const int coefficients = static_cast<int>(camera.distortion.size());
     std::string text = "%YAML:1.0\n---\n";
     text += matrix(kCameraFirstKey, 3, 3, matrixOf(camera));
-    text += matrix("distortion_coefficients", 1, coefficients, camera.distortion);
+    text += distortion(camera, true);
     if (camera.rms_px)
         text += "rms: " + number(*camera.rms_px) + "\n";
     if (camera.width > 0 && camera.height > 0)
@@ -156,8 +162,7 @@ std::string rosYaml(const CameraModel& camera, const std::string& name) {
            "\nimage_height: " + std::to_string(camera.height) + "\ncamera_name: " + name + "\n" +
            matrix("camera_matrix", 3, 3, matrixOf(camera), false) +
            "distortion_model: " + (isRational ? "rational_polynomial" : "plumb_bob") + "\n" +
-           matrix("distortion_coefficients", 1, static_cast<int>(camera.distortion.size()), camera.distortion,
-                  false) +
+           distortion(camera, false) +
            matrix("rectification_matrix", 3, 3, {1, 0, 0, 0, 1, 0, 0, 0, 1}, false) +
            matrix("projection_matrix", 3, 4,
                   {camera.fx, 0, camera.cx, 0, 0, camera.fy, camera.cy, 0, 0, 0, 1, 0}, false);

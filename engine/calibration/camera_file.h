@@ -19,7 +19,8 @@ Result<CameraModel> cameraFromYaml(const std::string& text, const std::string& w
 /// The first key of openCvYaml.
 inline constexpr const char* kCameraFirstKey = "camera_matrix";
 /// Returns the camera as cv::FileStorage reads it: camera_matrix, distortion_coefficients, rms, image_width,
-/// image_height, standard_deviations, per_view_reprojection_errors, views, board.
+/// image_height, standard_deviations, per_view_reprojection_errors, views, board. A lens without distortion
+/// gets five coefficients of 0, here and below.
 std::string openCvYaml(const CameraModel& camera);
 /// Returns the camera as camera_info_manager reads it; the size must be known. `name` may have letters,
 /// digits, - and _.

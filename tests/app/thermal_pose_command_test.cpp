@@ -31,9 +31,7 @@ protected:
         profile = config.profile.name;
         trueCameraPose = config.X_RC;
         SimulatedThermalCamera camera(config);
-        CameraModel lens = config.camera;
-        lens.distortion.assign(5, 0.0);
-        write("camera.yml", openCvYaml(lens));
+        write("camera.yml", openCvYaml(config.camera));
         Json list{{"camera_pose", {{"z_cm", 112.0}, {"theta_x_deg", 178.0}, {"x_cm", 2.0}}}};
         for (int k = 0; k < 5; ++k) {
             const int column = k % 2, row = k / 2;

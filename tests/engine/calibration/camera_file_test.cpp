@@ -81,6 +81,20 @@ TEST(CameraFile, ComesBackAsItWasWritten) {
     }
 }
 
+// Catches: an empty matrix, which neither Bask nor ROS reads, of a lens without distortion
+// (usualThermalLens).
+TEST(CameraFile, ALensWithoutDistortionComesBackWithCoefficientsOfZero) {
+    CameraModel camera = calibrated(5);
+    camera.distortion.clear();
+    camera.deviations.clear();
+    for (const std::string& text : {openCvYaml(camera), rosYaml(camera, "bask")}) {
+        const auto back = cameraFromYaml(text, "");
+        ASSERT_TRUE(back) << describe(back.error()) << text;
+        EXPECT_EQ(back->fx, camera.fx);
+        EXPECT_EQ(back->distortion, std::vector<double>(5, 0.0));
+    }
+}
+
 // Catches: YAML that OpenCV itself does not read.
 TEST(CameraFile, IsReadByOpenCv) {
     const CameraModel camera = calibrated(8);
