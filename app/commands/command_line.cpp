@@ -35,6 +35,8 @@ std::span<const Subcommand> subcommands() {
                    thermalFrameCommand},
         Subcommand{"thermal-pose", "where a thermal camera is, from silhouettes of the held objects",
                    thermalPoseCommand},
+        Subcommand{"plate-profile", "the temperature of a source over its radius, from thermal frames",
+                   plateProfileCommand},
         Subcommand{"simulate-device", "a robot, thermometer or heater that is not there, on a serial port",
                    simulateDeviceCommand},
     };

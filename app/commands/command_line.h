@@ -36,6 +36,7 @@ int detectMarkersCommand(const QStringList& arguments);
 int calibrateCameraCommand(const QStringList& arguments);
 int thermalFrameCommand(const QStringList& arguments);
 int thermalPoseCommand(const QStringList& arguments);
+int plateProfileCommand(const QStringList& arguments);
 int makeBoardCommand(const QStringList& arguments);
 int simulateDeviceCommand(const QStringList& arguments);
 int simulateRigCommand(const QStringList& arguments);
