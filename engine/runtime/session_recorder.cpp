@@ -24,6 +24,10 @@ Result<std::unique_ptr<SessionWriter>> makeFile(const std::string& path, const E
     return SessionWriter::create(path, experiment, simulated);
 }
 
+std::size_t bytesOf(const TraceFrame& frame) {
+    return frame.picture->T_K.size() * sizeof(double);
+}
+
 Error stuck(const std::string& path) {
     return {MessageCode::FileUnwritable, path, {"the disk has taken nothing for 10 s"}};
 }
@@ -48,6 +52,7 @@ struct SessionRecorder::Shared {
     std::mutex mutex; ///< protects all members below
     std::condition_variable wake;
     std::vector<LoopRecord> waiting;
+    std::size_t pictures = 0; ///< bytes of the pictures in them
     Steady::time_point waits; ///< since when the first of them waits
     std::optional<std::string> outcome;
     std::optional<Result<void>> made, finished;
@@ -77,6 +82,7 @@ Result<void> SessionRecorder::Shared::writeAll(SessionWriter& writer) {
         const bool isLast = isOver;
         const auto last = outcome; // belongs to the rows taken here
         const auto taken = std::exchange(waiting, {});
+        pictures = 0;
         lock.unlock();
         Result<void> done;
         for (const LoopRecord& each : taken)
@@ -110,6 +116,11 @@ Result<void> SessionRecorder::add(LoopRecord rows) {
         m_shared->waits = now;
     else if (now - m_shared->waits > kStuck)
         return stuck(m_path);
+    std::erase_if(rows.frames, [&](const TraceFrame& frame) {
+        const bool isRoom = m_shared->pictures + bytesOf(frame) <= kMaxPictures;
+        m_shared->pictures += isRoom ? bytesOf(frame) : 0;
+        return !isRoom;
+    });
     m_shared->waiting.push_back(std::move(rows));
     return {};
 }

@@ -16,6 +16,8 @@ public:
     static constexpr std::chrono::milliseconds kCommit{500};
     static constexpr std::chrono::seconds kStuck{
         10}; ///< a disk that has taken nothing for so long has failed
+    /// How much memory thermal pictures take that wait, bytes; later ones are left out until there is room.
+    static constexpr std::size_t kMaxPictures = 128 << 20;
 
     /// Starts to create the file. It is not created if less than `minFree_MB` of disk space is left.
     SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
@@ -29,8 +31,8 @@ public:
     /// Returns the result of creating the file; empty until then. Errors: those of SessionWriter::create,
     /// SafetyDiskLow, and FileUnwritable after kStuck.
     std::optional<Result<void>> made() const;
-    /// Adds rows, also before the file exists. Errors: the failure that ended the writing, and FileUnwritable
-    /// after kStuck.
+    /// Adds rows, also before the file exists; pictures only within kMaxPictures. Errors: the failure that
+    /// ended the writing, and FileUnwritable after kStuck.
     Result<void> add(LoopRecord rows);
     /// Marks the run as complete, as SessionWriter::finish does, after all added rows are written.
     void finish(const std::string& outcome);

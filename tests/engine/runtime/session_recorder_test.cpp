@@ -38,6 +38,30 @@ protected:
 
 } // namespace
 
+// Catches pictures that fill the memory while the disk takes nothing, and samples that are lost for them.
+TEST_F(SessionRecorderTest, picturesThatWaitAreBounded) {
+    m_experiment.simulation.thermalCamera.emplace().profile = "p2-pro";
+    const auto picture = std::make_shared<ThermalPicture>(
+        ThermalPicture{256, 192, std::vector<double>(std::size_t{256} * 192, 300.0)});
+    const std::size_t most = SessionRecorder::kMaxPictures / (picture->T_K.size() * sizeof(double));
+    auto recording = std::make_unique<SessionRecorder>(m_path, m_experiment, true);
+    ASSERT_TRUE(test::waitFor([&] { return recording->made().has_value(); }) && *recording->made());
+    const auto other = SessionStore::create(m_path);
+    ASSERT_TRUE(other && (*other)->execute("BEGIN IMMEDIATE"));
+    for (int k = 0; k < 1000; ++k) {
+        LoopRecord rows = sampleAt(k);
+        rows.frames.push_back({static_cast<double>(k), picture});
+        ASSERT_TRUE(recording->add(std::move(rows)));
+    }
+    ASSERT_TRUE((*other)->execute("ROLLBACK"));
+    ASSERT_TRUE(isFinished(*recording));
+    std::size_t pictures = 0;
+    ASSERT_TRUE(readThermalFrames(m_path, [&](double, const std::string&) { ++pictures; }));
+    EXPECT_GE(pictures, most);
+    EXPECT_LE(pictures, 2 * most) << "those being written, and those that wait";
+    EXPECT_EQ(recording->rows(), 1000U);
+}
+
 // Catches an engine that is held up by its disk, and rows that are lost on the way.
 TEST_F(SessionRecorderTest, aFileThatCannotBeWrittenForAWhileHoldsNobodyUp) {
     const auto recording = recorder();
