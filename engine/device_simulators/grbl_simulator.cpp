@@ -69,12 +69,16 @@ std::string GrblSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> GrblSimulator::faults() const {
-    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage"};
+    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage", "inches"};
 }
 
 Result<void> GrblSimulator::setFault(const std::string& name) {
     if (const auto known = checkFault(name, faults()); !known)
         return known;
+    if (name == "inches" || m_fault == "inches") {
+        m_config.tellsInches = name == "inches";
+        m_settings[13] = m_config.tellsInches ? "1" : "0";
+    }
     m_fault = name;
     m_isDoorOpen = name == "door";
     if (name == "restart")

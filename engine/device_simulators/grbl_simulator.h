@@ -43,7 +43,8 @@ public:
     void receive(std::string_view bytes, double now_s) override;
     std::string transmit(double now_s) override;
     /// Returns "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an
-    /// encoder reports that the motors stand), "garbage".
+    /// encoder reports that the motors stand), "garbage", "inches" (it begins to report its place in them,
+    /// and says nothing about that).
     std::vector<std::string> faults() const override;
     Result<void> setFault(const std::string& name) override;
 

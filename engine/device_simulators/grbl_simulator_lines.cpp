@@ -129,6 +129,8 @@ int GrblSimulator::takeSetting(const std::string& line) {
     m_settings[setting->number] = setting->value;
     if (setting->number == 10)
         m_config.tellsWork = setting->value == "0";
+    if (setting->number == 13)
+        m_config.tellsInches = setting->value != "0";
     return 0;
 }
 

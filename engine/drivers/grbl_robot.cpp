@@ -190,7 +190,7 @@ void GrblRobot::act(double now_s) {
         send(next, next == Kind::Home ? "$H\n" : "$X\n", now_s);
         if (next == Kind::Home)
             m_spanFrom.clear();
-    } else if (!m_isSetUp || m_signature.empty()) {
+    } else if (!m_isSetUp || m_areUnitsDue || m_signature.empty()) {
         setUp(now_s);
     } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live &&
                keepsFromTwist().code == MessageCode::None) {
@@ -211,7 +211,7 @@ void GrblRobot::setUp(double now_s) {
     if (now_s < m_setUpFrom_s || m_lastReply_s < m_keeper.opened_s() || !isResting())
         return;
     m_setUpFrom_s = now_s + kSetUpPause_s;
-    if (!m_isSetUp)
+    if (!m_isSetUp || m_areUnitsDue)
         send(Kind::Settings, "$$\n", now_s);
     else
         send(Kind::Version, "$I\n", now_s);

@@ -91,7 +91,8 @@ private:
     void takeSetting(const GrblSetting& setting);
     /// Returns the positions of its axes in the map's order; empty if not all are reported.
     std::vector<double> positionsIn(const GrblStatus& status);
-    void checkPlace();
+    void checkPlace(bool wasIdle);
+    void takeForeign();
     void discard(const std::string& words, double now_s);
     // Output
     void act(double now_s);
@@ -158,6 +159,7 @@ private:
     double m_stopAgain_s = -1e300; ///< when the byte for either of them was last sent
     bool m_isIdleSeen = false;     ///< since the last line was acknowledged
     bool m_isSetUp = false, m_tellsInches = false;
+    bool m_areUnitsDue = false;    ///< somebody else may have changed its settings
     std::optional<bool> m_canHome; ///< as it reports
     double m_setUpFrom_s = 0.0;
 

@@ -54,6 +54,9 @@ void GrblRobot::take(const GrblLine& line, double now_s) {
     } else if (const auto* garbage = std::get_if<GrblGarbage>(&line)) {
         m_lastGarbage = garbage->text;
         discard(garbage->text, now_s);
+        const bool isOwn = garbage->text.starts_with('<') || (m_line && m_line->kind == Kind::Settings);
+        if (!isOwn) // it may have been a setting's
+            takeForeign();
     }
 }
 
@@ -74,14 +77,21 @@ void GrblRobot::takeAnswer(int error, double now_s) {
         takeAnswerTo(line, error, now_s);
     } else if (now_s >= m_linesFrom_s) { // before, it is the fence's own
         discard(words, now_s);
+        takeForeign();
     }
+}
+
+/// Somebody else gives it lines: its settings are asked for again before the next step.
+void GrblRobot::takeForeign() {
+    m_areUnitsDue = true;
 }
 
 void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
     switch (line.kind) {
     case Kind::Settings: // asked again where the line that matters was not read
-        m_isSetUp = line.hasUnits && !m_tellsInches;
-        if (m_isSetUp)
+        m_isSetUp = (m_isSetUp || line.hasUnits) && !m_tellsInches;
+        m_areUnitsDue = !line.hasUnits || m_tellsInches;
+        if (!m_areUnitsDue)
             m_setUpFrom_s = now_s;
         else if (!line.hasUnits)
             m_problem = {MessageCode::DeviceAnswersWrong, {m_link.name(), "it does not tell its $13"}};
@@ -157,6 +167,7 @@ std::vector<double> GrblRobot::positionsIn(const GrblStatus& status) {
 }
 
 void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
+    const bool wasIdle = m_status.state == GrblState::Idle;
     m_status = status;
     const std::vector<double> at = positionsIn(status);
     if (now_s > m_lastReply_s && m_lastReply_s > m_keeper.opened_s())
@@ -168,18 +179,23 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
     const double measured_s = m_asked_s ? *m_asked_s : std::max(m_at_s, m_keeper.opened_s());
     m_asked_s.reset();
     takeState(status);
-    if (at.empty() || m_tellsInches) {
-        m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
-        return;
+    const bool isPlaceTold = !at.empty() && !m_tellsInches;
+    if (isPlaceTold) {
+        m_at = at;
+        m_at_s = measured_s;
+        checkPlace(wasIdle);
     }
-    m_at = at;
-    m_at_s = measured_s;
-    checkPlace();
     if (status.state == GrblState::Idle && !m_line) {
         m_isHalting = false;
         m_isIdleSeen = true;
         m_step.reset();
-        m_spanFrom = m_spanTo = at;
+        if (isPlaceTold)
+            m_spanFrom = m_spanTo = at;
+    }
+    if (!isPlaceTold) {
+        m_isPlaceToCheck = m_wasLive; // when it is told again
+        m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
+        return;
     }
     if (isOther()) {
         m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
@@ -210,6 +226,11 @@ void GrblRobot::takeState(const GrblStatus& status) {
         return;
     }
     m_alarm.reset();
+    const bool isOfLine = m_line && (m_line->kind == Kind::Jog || m_line->kind == Kind::Home);
+    const bool isOwn = m_step || m_isHalting || isOfLine || m_homeStop_s;
+    if (status.state == GrblState::Run ||
+        (!isOwn && (status.state == GrblState::Jog || status.state == GrblState::Home)))
+        takeForeign();
     const bool isPaused = status.state == GrblState::Hold || status.state == GrblState::Door ||
                           status.state == GrblState::Check || status.state == GrblState::Sleep ||
                           status.state == GrblState::Tool;
@@ -221,18 +242,22 @@ void GrblRobot::takeState(const GrblStatus& status) {
     m_step.reset();
 }
 
-void GrblRobot::checkPlace() {
+void GrblRobot::checkPlace(bool wasIdle) {
     const bool isFound = std::exchange(m_isPlaceToCheck, false) && !m_hasRestarted;
-    const bool isEnded = m_step && m_step->isTaken && m_status.state == GrblState::Idle;
-    if (m_spanFrom.empty() || (!isFound && !m_step))
+    const bool isIdle = m_status.state == GrblState::Idle;
+    const bool isEnded = m_step && m_step->isTaken && isIdle;
+    const bool isAtRest = wasIdle && isIdle && !(m_line && m_line->kind == Kind::Jog);
+    if (m_spanFrom.empty() || (!isFound && !m_step && !isAtRest))
         return;
     const bool isDue = isEnded && !m_step->isCancelled; // at the very end of the step
     const double error = outside(m_at, isDue ? m_spanTo : m_spanFrom, m_spanTo);
     if (error <= kElsewhere)
         return;
     m_elsewhere = error;
+    takeForeign(); // in other units it is another place
     m_planner.forget();
-    stopJog();
+    if (m_step || m_status.state == GrblState::Jog)
+        stopJog();
 }
 
 void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
@@ -247,9 +272,11 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
         m_signature.clear();
         m_setUpFrom_s = now_s;
         m_hasRestarted = m_hasRestarted || m_wasLive;
-        m_alarm.reset(); // the next report tells
+        m_spanFrom.clear(); // it may tell zero now
+        m_alarm.reset();    // the next report tells
     }
     endHomeState();
+    takeForeign();
     m_heard_s = now_s;
     m_homeStop_s.reset();
     m_runStop_s.reset();
@@ -260,6 +287,8 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
 }
 
 void GrblRobot::takeReport(const std::string& text, double now_s) {
+    if (!m_line && !m_fence_s && now_s >= m_linesFrom_s)
+        takeForeign();
     if (text.starts_with("GC:") && m_fence_s) {
         m_fence_s.reset();
         if (m_line) { // it was done, or never will be
@@ -278,14 +307,17 @@ void GrblRobot::takeReport(const std::string& text, double now_s) {
 }
 
 void GrblRobot::takeSetting(const GrblSetting& setting) {
-    if (!m_line || m_line->kind != Kind::Settings)
-        return;
-    m_line->hasReport = true;
+    const bool isAsked = m_line && m_line->kind == Kind::Settings;
+    if (isAsked)
+        m_line->hasReport = true;
+    else
+        takeForeign();
     if (setting.number == 22 && !setting.value.empty())
         m_canHome = (setting.value.back() - '0') % 2 != 0; // grblHAL's other bits are how
     if (setting.number != 13)
         return;
-    m_line->hasUnits = true;
+    if (isAsked)
+        m_line->hasUnits = true;
     m_tellsInches = setting.value != "0";
     if (m_tellsInches)
         m_problem = {MessageCode::DeviceAnswersWrong,

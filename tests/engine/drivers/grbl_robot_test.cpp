@@ -541,6 +541,66 @@ TEST_F(GrblRobotTest, OtherWaysToTellThePlace) {
     EXPECT_EQ(m_robot->state().error().code(), MessageCode::DeviceAnswersWrong);
 }
 
+// Catches inches that somebody else sets while it is connected and that are taken for millimetres: its place
+// is 25.4 times wrong, sure, and its next step goes back by nearly all of it.
+TEST_F(GrblRobotTest, UnitsThatAreChangedByAnotherSenderAreSeen) {
+    for (const bool isTold : {false, true}) {
+        makeLive();
+        drive(m_right, 4.0);
+        run(1.0);
+        const double stood = x_mm();
+        ASSERT_GT(stood, 10.0);
+        m_link->takeSent();
+        if (isTold)
+            m_device->receive("$13=1\n", m_clock.now_s()); // and its ok comes here
+        else
+            ASSERT_TRUE(m_device->setFault("inches"));
+        EXPECT_FALSE(drive(m_right, 1.0));
+        EXPECT_NEAR(x_mm(), stood, isTold ? 0.01 : 0.8);
+        EXPECT_EQ(m_robot->state().error().code(), MessageCode::DeviceAnswersWrong);
+        EXPECT_EQ(m_robot->status().problem.args.at(1), "it tells its place in inches; set $13=0 in it");
+        if (isTold)
+            m_device->receive("$13=0\n", m_clock.now_s());
+        else
+            ASSERT_TRUE(m_device->setFault("none"));
+        run(2.0);
+        EXPECT_EQ(m_robot->status().link, LinkState::Live);
+        EXPECT_EQ(alarm(), isTold ? MessageCode::None : MessageCode::RobotElsewhere);
+        EXPECT_EQ(m_robot->state()->isPlaceSure, isTold) << "its place was never told wrong";
+        clear();
+        EXPECT_NEAR(1000.0 * m_robot->state()->coordinates[0], x_mm(), 0.01);
+        EXPECT_TRUE(drive(m_right, 1.0));
+    }
+}
+
+// Catches units that were asked for before somebody else gave it lines, or moved it, and not again.
+TEST_F(GrblRobotTest, UnitsAreAskedAgainAfterAnothersLines) {
+    makeLive();
+    for (const char* line : {"G21\n", "$G\n", "$100=250\n", "G91G1X1F600\n", "$J=G91X1F600\n"}) {
+        run(2.0);
+        m_link->takeSent();
+        m_device->receive(line, m_clock.now_s());
+        run(1.5);
+        EXPECT_GE(linesIn(m_link->takeSent(), "$$").size(), 1U) << line;
+        EXPECT_EQ(alarm(), MessageCode::None) << line << ": the place is as sure as before";
+    }
+    run(5.0);
+    EXPECT_TRUE(linesIn(m_link->takeSent(), "$$").empty());
+}
+
+// Catches a robot that was moved between two reports, and is moved on as if it were where it was.
+TEST_F(GrblRobotTest, AJumpAtRestIsElsewhere) {
+    makeLive();
+    run(1.0);
+    m_device->receive("$J=G91X2F6000\n", m_clock.now_s());
+    m_clock.advance(0.15); // over before it is asked again
+    run(1.0);
+    EXPECT_EQ(alarm(), MessageCode::RobotElsewhere);
+    EXPECT_FALSE(drive(m_right, 0.5));
+    clear();
+    EXPECT_TRUE(drive(m_right, 0.5));
+}
+
 // Catches noise that is used, that is not counted or told, or that ends the link.
 TEST_F(GrblRobotTest, GarbageIsDiscardedAndTold) {
     makeLive();
