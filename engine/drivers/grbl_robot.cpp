@@ -91,7 +91,7 @@ void GrblRobot::lose(const Message& why, double now_s) {
     m_problem = why;
     const bool isHoming = m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
     if (isHoming || m_homeStop_s) { // nobody could stop it any more
-        m_isPlaceInDoubt = true;
+        doubtPlace();
         m_link.write(std::string(1, grbl::kReset));
     }
     m_status = {};
@@ -188,8 +188,10 @@ void GrblRobot::act(double now_s) {
     if (m_next && (m_next == Kind::Unlock || isIdentified())) {
         const Kind next = *std::exchange(m_next, std::nullopt);
         send(next, next == Kind::Home ? "$H\n" : "$X\n", now_s);
-        if (next == Kind::Home)
+        if (next == Kind::Home) {
             m_spanFrom.clear();
+            m_isHomed = false; // until it has ended well
+        }
     } else if (!m_isSetUp || m_areUnitsDue || m_signature.empty()) {
         setUp(now_s);
     } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live &&
@@ -371,7 +373,7 @@ Result<void> GrblRobot::halt() {
 
 /// By a reset, since nothing else ends it; its place is lost.
 void GrblRobot::stopHoming(double now_s) {
-    m_isPlaceInDoubt = true;
+    doubtPlace();
     if (m_homeStop_s && now_s - m_stopAgain_s < kMinStopInterval_s)
         return;
     m_link.write(std::string(1, grbl::kReset));
@@ -495,11 +497,12 @@ bool GrblRobot::clearHold() {
 
 /// A person has confirmed its place.
 Result<void> GrblRobot::clearDoubt() {
-    m_hasRestarted = m_isPlaceInDoubt = false;
+    m_hasRestarted = false;
     m_elsewhere.reset();
     m_isConfirmed = true;
-    if (isHomingDue())
+    if (isHomingDue()) // the doubt stays: grblHAL may still tell that it was homed before
         return Error(MessageCode::RobotPlaceUnsure, m_link.name());
+    m_isPlaceInDoubt = false;
     return {};
 }
 

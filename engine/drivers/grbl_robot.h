@@ -86,6 +86,7 @@ private:
     void takeState(const GrblStatus& status);
     void takeHome();
     void endHomeState();
+    void doubtPlace();
     void takeBanner(const GrblBanner& banner, double now_s);
     void takeReport(const std::string& text, double now_s);
     void takeSetting(const GrblSetting& setting);

@@ -38,7 +38,8 @@ void GrblRobot::take(const GrblLine& line, double now_s) {
         takeAnswer(error->number, now_s);
     } else if (const auto* alarm = std::get_if<GrblAlarm>(&line)) {
         m_alarm = alarm->number;
-        m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(alarm->number);
+        if (!isPlaceKept(alarm->number))
+            doubtPlace();
         m_planner.forget();
         m_homeStop_s.reset();
         if (m_line && m_line->kind == Kind::Home)
@@ -135,6 +136,12 @@ void GrblRobot::endHomeState() {
         m_status.state = GrblState::Idle;
 }
 
+/// What was found by homing is lost: one that must be homed is to be homed anew.
+void GrblRobot::doubtPlace() {
+    m_isPlaceInDoubt = true;
+    m_isHomed = false;
+}
+
 void GrblRobot::takeHome() {
     m_isHomed = true;
     m_hasRestarted = m_isPlaceInDoubt = false;
@@ -213,13 +220,14 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
 
 void GrblRobot::takeState(const GrblStatus& status) {
     m_isIdleSeen = m_isIdleSeen && status.state == GrblState::Idle;
-    if (status.isHomed)
+    if (status.isHomed && !m_isPlaceInDoubt)
         m_isHomed = *status.isHomed;
     if (status.state == GrblState::Alarm) {
         m_homeStop_s.reset();
         if (!m_alarm)
             m_alarm = status.part.value_or(kNotTold);
-        m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(*m_alarm);
+        if (!isPlaceKept(*m_alarm))
+            doubtPlace();
         m_planner.forget();
         m_step.reset();
         m_isHalting = false;
@@ -237,7 +245,8 @@ void GrblRobot::takeState(const GrblStatus& status) {
     if (!isPaused || m_reset_s || m_runStop_s)
         return;
     m_pausedBy = status.word;
-    m_isPlaceInDoubt = m_isPlaceInDoubt || status.state == GrblState::Sleep; // its motors are off
+    if (status.state == GrblState::Sleep) // its motors are off
+        doubtPlace();
     m_planner.forget();
     m_step.reset();
 }

@@ -249,6 +249,46 @@ TEST_F(GrblRobotTest, WhatMustBeHomedIsNotSureBefore) {
     EXPECT_EQ(alarm(), MessageCode::None);
 }
 
+// Catches homing that is got round: what was found by an earlier one counts after one that was stopped, or after
+// the place was lost in an alarm; also with a grblHAL that tells on and on that it was homed.
+TEST_F(GrblRobotTest, APlaceThatWasLostMustBeHomedAnew) {
+    for (const bool isHal : {false, true})
+        for (const bool isStopped : {false, true}) {
+            GrblSimulatorConfig config;
+            config.isHal = isHal;
+            config.start = {100.0, 0.0, 0.0, 0.0};
+            makeLive(config, true);
+            ASSERT_TRUE(m_robot->home());
+            run(4.0);
+            ASSERT_EQ(alarm(), MessageCode::None);
+            EXPECT_TRUE(drive(m_right, 5.0));
+            run(1.0);
+            if (isStopped) {
+                ASSERT_TRUE(m_robot->home());
+                run(0.2);
+                EXPECT_TRUE(m_robot->halt());
+                run(0.5);
+            } else {
+                ASSERT_TRUE(m_device->setFault("alarm"));
+                run(0.5);
+                ASSERT_TRUE(m_device->setFault("none"));
+            }
+            ASSERT_EQ(alarm(), MessageCode::RobotAlarm);
+            clear();
+            run(5.0);
+            EXPECT_EQ(m_device->state(), "Idle");
+            for (int i = 0; i < 3; ++i) {
+                EXPECT_EQ(m_robot->clearAlarm().error().code(), MessageCode::RobotPlaceUnsure);
+                EXPECT_FALSE(drive(m_right, 3.0));
+                EXPECT_FALSE(m_robot->state()->isPlaceSure);
+            }
+            ASSERT_TRUE(m_robot->home());
+            run(4.0);
+            EXPECT_EQ(alarm(), MessageCode::None);
+            EXPECT_TRUE(drive(m_right, 0.5));
+        }
+}
+
 // Catches a controller that says zero wherever it was switched on, and is believed.
 TEST_F(GrblRobotTest, ThePlaceIsNotSureBeforeItIsConfirmed) {
     make({});
