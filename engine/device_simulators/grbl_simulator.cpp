@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kStep_s = 0.001;  // of the motion
 constexpr double kSwitch_mm = 1.0; // the switches are this far beyond the travel
+constexpr double kSearch_s = 5.0;
 
 std::string fixed(double value, int decimals = 3) {
     std::array<char, 64> text{};
@@ -69,7 +70,7 @@ std::string GrblSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> GrblSimulator::faults() const {
-    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage", "inches"};
+    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage", "inches", "homing-fails"};
 }
 
 Result<void> GrblSimulator::setFault(const std::string& name) {
@@ -150,6 +151,7 @@ void GrblSimulator::cancelJog() {
 void GrblSimulator::home() {
     m_state = State::Home;
     m_homing = m_config.home;
+    m_homingLeft_s = kSearch_s;
 }
 
 std::string GrblSimulator::state() const {
@@ -303,6 +305,14 @@ void GrblSimulator::stopped() {
 }
 
 void GrblSimulator::moveHome(double dt_s) {
+    m_homingLeft_s -= dt_s;
+    if (m_fault == "homing-fails") {
+        if (m_homingLeft_s > 0.0)
+            return;
+        m_homing.clear();
+        say("ALARM:9");
+        return startUp(true);
+    }
     const double left = distance(m_true, m_homing);
     const double way = m_config.homingRate_mm_min / 60.0 * dt_s;
     const double share = way < left ? way / left : 1.0;

@@ -44,7 +44,7 @@ public:
     std::string transmit(double now_s) override;
     /// Returns "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an
     /// encoder reports that the motors stand), "garbage", "inches" (it begins to report its place in them,
-    /// and says nothing about that).
+    /// and says nothing about that), "homing-fails" (it finds no switch).
     std::vector<std::string> faults() const override;
     Result<void> setFault(const std::string& name) override;
 
@@ -122,6 +122,7 @@ private:
     std::deque<Block> m_blocks;
     double m_speed = 0.0;         ///< along the first block, mm/s
     std::vector<double> m_homing; ///< target of homing; empty: it does not home
+    double m_homingLeft_s = 0.0;  ///< until it gives up searching
     double m_dwellUntil_s = -1.0;
     bool m_isDwelling = false;
     std::string m_partial;

@@ -173,6 +173,7 @@ private:
     bool m_isPlaceToCheck = false;
 
     std::optional<int> m_alarm;
+    double m_alarmed_s = -1e300; ///< when a line last reported an alarm
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
     std::string m_pausedBy;

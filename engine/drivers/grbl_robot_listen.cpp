@@ -38,6 +38,7 @@ void GrblRobot::take(const GrblLine& line, double now_s) {
         takeAnswer(error->number, now_s);
     } else if (const auto* alarm = std::get_if<GrblAlarm>(&line)) {
         m_alarm = alarm->number;
+        m_heard_s = m_alarmed_s = now_s; // after a homing that failed it is the first word for minutes
         if (!isPlaceKept(alarm->number))
             doubtPlace();
         m_planner.forget();
@@ -272,6 +273,7 @@ void GrblRobot::checkPlace(bool wasIdle) {
 void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     m_identity = banner.identity;
     const bool isOfStop = m_isPlaceInDoubt && now_s - m_stopAgain_s < kQuiet_s; // one that was sent twice
+    const bool isOfAlarm = m_alarm && now_s - m_alarmed_s < kQuiet_s; // some of them end in a start
     if (m_reset_s || isOfStop) {
         m_isPlaceToCheck = true;
         m_setUpFrom_s = now_s; // asked again at once where an alarm had kept the answer
@@ -280,9 +282,10 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
         m_isSetUp = m_isHomed = m_isConfirmed = false;
         m_signature.clear();
         m_setUpFrom_s = now_s;
-        m_hasRestarted = m_hasRestarted || m_wasLive;
+        m_hasRestarted = m_hasRestarted || (m_wasLive && !isOfAlarm);
         m_spanFrom.clear(); // it may tell zero now
-        m_alarm.reset();    // the next report tells
+        if (!isOfAlarm)
+            m_alarm.reset(); // the next report tells
     }
     endHomeState();
     takeForeign();

@@ -179,6 +179,37 @@ TEST_F(GrblRobotTest, ARestartIsSeen) {
     EXPECT_FALSE(linesIn(m_link->takeSent(), "$J=").empty());
 }
 
+// Catches a homing that failed, which Grbl tells after seconds of silence and then starts anew, told as a robot
+// that does not answer, as a restart or as an alarm without its number.
+TEST_F(GrblRobotTest, AHomingThatFailsIsToldByItsAlarm) {
+    for (const bool isHal : {false, true}) {
+        GrblSimulatorConfig config;
+        config.isHal = isHal;
+        makeLive(config, true);
+        ASSERT_TRUE(m_device->setFault("homing-fails"));
+        ASSERT_TRUE(m_robot->home());
+        run(4.0);
+        EXPECT_TRUE(m_robot->state()->moving);
+        for (int i = 0; i < 50; ++i) { // from its first word on
+            run(0.1);
+            ASSERT_EQ(m_robot->status().link, LinkState::Live) << describe(m_robot->status().problem);
+        }
+        EXPECT_EQ(m_robot->state()->alarm,
+                  (Message{MessageCode::RobotAlarm, {"9", "homing switch not found"}}));
+        EXPECT_FALSE(m_robot->state()->moving);
+        EXPECT_FALSE(m_robot->state()->isPlaceSure);
+        EXPECT_EQ(m_link->opened(), 1);
+        ASSERT_TRUE(m_device->setFault("none"));
+        clear();
+        run(1.0);
+        EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure) << "nothing has restarted it";
+        ASSERT_TRUE(m_robot->home());
+        run(2.0);
+        EXPECT_EQ(alarm(), MessageCode::None);
+        EXPECT_TRUE(drive(m_right, 0.5));
+    }
+}
+
 // Catches a robot that was found in an alarm in which it answers nothing, and cannot be homed before it has.
 TEST_F(GrblRobotTest, OneFoundInAnAlarmIsHomed) {
     GrblSimulatorConfig config;
