@@ -93,7 +93,8 @@ int GrblSimulator::takeDollar(const std::string& line) {
     if (line.starts_with("$J="))
         return takeJog(line.substr(3));
     if (line == "$G") {
-        say("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+        say("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F" + std::to_string(std::lround(60.0 * m_feed_mm_s)) +
+            " S0]");
         return 0;
     }
     if (!isAtRest)

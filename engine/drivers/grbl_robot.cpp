@@ -26,7 +26,8 @@ constexpr double kHoldTime_s = 1.0; // to slow down in
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
 constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
-constexpr double kNextTime_s = 5.0; // an order that cannot begin by then is dropped
+constexpr double kNextTime_s = 5.0;  // an order that cannot begin by then is dropped
+constexpr char kMarkLine[] = "F7\n"; // moves nothing, and what somebody moves by it later is slow
 
 std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
@@ -83,6 +84,9 @@ void GrblRobot::begin(double now_s) {
     m_signature.clear();
     m_setUpFrom_s = m_linesFrom_s = now_s + kSettle_s;
     m_isPlaceToCheck = m_wasLive;
+    m_isMarkToCheck = m_isMarked;
+    if (!m_isMarked) // nobody can tell whether it has restarted
+        m_isHomed = m_isConfirmed = false;
 }
 
 void GrblRobot::lose(const Message& why, double now_s) {
@@ -92,6 +96,7 @@ void GrblRobot::lose(const Message& why, double now_s) {
     const bool isHoming = m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
     if (isHoming || m_homeStop_s) { // nobody could stop it any more
         doubtPlace();
+        m_isMarked = false;
         m_link.write(std::string(1, grbl::kReset));
     }
     m_status = {};
@@ -192,12 +197,19 @@ void GrblRobot::act(double now_s) {
             m_spanFrom.clear();
             m_isHomed = false; // until it has ended well
         }
-    } else if (!m_isSetUp || m_areUnitsDue || m_signature.empty()) {
+    } else if (isSetUpDue()) {
         setUp(now_s);
-    } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live &&
-               keepsFromTwist().code == MessageCode::None) {
-        sendStep(now_s);
+    } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live) {
+        if (!m_isMarked && m_takesMark && isPlaceSure())
+            send(Kind::Mark, kMarkLine, now_s);
+        else if (keepsFromTwist().code == MessageCode::None)
+            sendStep(now_s);
     }
+}
+
+/// Another device is asked for nothing but its name.
+bool GrblRobot::isSetUpDue() const {
+    return !m_isSetUp || m_signature.empty() || (!isOther() && (m_areUnitsDue || m_isMarkToCheck));
 }
 
 /// A line may be lost on the way, or dropped by 0x85, and no ok come: the report of a `$G` behind it tells.
@@ -215,8 +227,10 @@ void GrblRobot::setUp(double now_s) {
     m_setUpFrom_s = now_s + kSetUpPause_s;
     if (!m_isSetUp || m_areUnitsDue)
         send(Kind::Settings, "$$\n", now_s);
-    else
+    else if (m_signature.empty())
         send(Kind::Version, "$I\n", now_s);
+    else
+        send(Kind::Modes, "$G\n", now_s);
 }
 
 void GrblRobot::sendStep(double now_s) {
@@ -274,7 +288,7 @@ bool GrblRobot::isMoving() const {
 }
 
 bool GrblRobot::isPlaceSure() const {
-    return m_isSetUp && (m_isHomed || m_isConfirmed) && !m_hasRestarted && !m_elsewhere &&
+    return m_isSetUp && !m_isMarkToCheck && (m_isHomed || m_isConfirmed) && !m_hasRestarted && !m_elsewhere &&
            !m_isPlaceInDoubt && !isHomingDue();
 }
 

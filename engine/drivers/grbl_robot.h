@@ -54,7 +54,7 @@ private:
     static constexpr double kSettle_s = 0.2;
     static constexpr int kNotTold = -1; ///< the alarm's number was not reported
 
-    enum class Kind { Settings, Version, Jog, Unlock, Home };
+    enum class Kind { Settings, Version, Modes, Mark, Jog, Unlock, Home };
     /// A line that is not acknowledged yet.
     struct Pending {
         Kind kind;
@@ -89,6 +89,7 @@ private:
     void doubtPlace();
     void takeBanner(const GrblBanner& banner, double now_s);
     void takeReport(const std::string& text, double now_s);
+    void takeModes(const std::string& text);
     void takeSetting(const GrblSetting& setting);
     /// Returns the positions of its axes in the map's order; empty if not all are reported.
     std::vector<double> positionsIn(const GrblStatus& status);
@@ -122,6 +123,7 @@ private:
     void note(const Message& message, double now_s);
     Error notLive() const;
     bool isOther() const { return m_expected && !m_signature.empty() && m_signature != *m_expected; }
+    bool isSetUpDue() const;
     bool isIdentified() const { return m_expected && m_signature == *m_expected; }
 
     ByteLink& m_link;
@@ -160,6 +162,8 @@ private:
     double m_stopAgain_s = -1e300; ///< when the byte for either of them was last sent
     bool m_isIdleSeen = false;     ///< since the last line was acknowledged
     bool m_isSetUp = false, m_tellsInches = false;
+    /// Its feed rate is one that a start would reset; whether it did is asked for after each opening.
+    bool m_isMarked = false, m_isMarkToCheck = false, m_takesMark = true;
     bool m_areUnitsDue = false;    ///< somebody else may have changed its settings
     std::optional<bool> m_canHome; ///< as it reports
     double m_setUpFrom_s = 0.0;

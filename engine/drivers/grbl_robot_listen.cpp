@@ -10,6 +10,7 @@ namespace bask {
 namespace {
 
 constexpr double kQuiet_s = 0.5;
+constexpr double kMark = 7.0; // mm/min, as its line sets it
 
 /// "1.1h" of "VER:1.1h.20190825:".
 std::string versionIn(const std::string& report) {
@@ -70,7 +71,8 @@ void GrblRobot::discard(const std::string& words, double now_s) {
 void GrblRobot::takeAnswer(int error, double now_s) {
     const std::string words = error == 0 ? "ok" : "error:" + std::to_string(error);
     // An ok that is left from before would acknowledge lines whose own report has not come.
-    const bool fits = m_line && (m_line->kind != Kind::Settings || m_line->hasReport || error != 0);
+    const bool awaitsReport = m_line && (m_line->kind == Kind::Settings || m_line->kind == Kind::Modes);
+    const bool fits = m_line && (!awaitsReport || m_line->hasReport || error != 0);
     if (fits) {
         const Pending line = *m_line;
         m_line.reset();
@@ -86,6 +88,7 @@ void GrblRobot::takeAnswer(int error, double now_s) {
 /// Somebody else gives it lines: its settings are asked for again before the next step.
 void GrblRobot::takeForeign() {
     m_areUnitsDue = true;
+    m_isMarked = m_isMarked && m_isMarkToCheck; // it is marked anew: another's feed is no restart
 }
 
 void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
@@ -106,6 +109,12 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
         m_signature = line.version.empty() ? "Grbl" : line.version;
         if (!m_expected)
             m_expected = m_signature;
+        m_setUpFrom_s = now_s;
+        break;
+    case Kind::Modes: // its report has told
+        break;
+    case Kind::Mark:
+        m_isMarked = m_takesMark = error == 0;
         break;
     case Kind::Jog:
         if (m_step && error == 0) {
@@ -211,7 +220,7 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
         return;
     }
     // In some alarms it refuses its settings, and is to be cleared first.
-    const bool isKnown = m_isSetUp && (!m_expected || !m_signature.empty());
+    const bool isKnown = m_isSetUp && !m_isMarkToCheck && (!m_expected || !m_signature.empty());
     if (isKnown || !isResting() || m_alarm) {
         m_linkState = LinkState::Live;
         m_wasLive = true;
@@ -273,7 +282,7 @@ void GrblRobot::checkPlace(bool wasIdle) {
 void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     m_identity = banner.identity;
     const bool isOfStop = m_isPlaceInDoubt && now_s - m_stopAgain_s < kQuiet_s; // one that was sent twice
-    const bool isOfAlarm = m_alarm && now_s - m_alarmed_s < kQuiet_s; // some of them end in a start
+    const bool isOfAlarm = m_alarm && now_s - m_alarmed_s < kQuiet_s;           // some of them end in a start
     if (m_reset_s || isOfStop) {
         m_isPlaceToCheck = true;
         m_setUpFrom_s = now_s; // asked again at once where an alarm had kept the answer
@@ -288,6 +297,7 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
             m_alarm.reset(); // the next report tells
     }
     endHomeState();
+    m_isMarked = m_isMarkToCheck = false;
     takeForeign();
     m_heard_s = now_s;
     m_homeStop_s.reset();
@@ -298,7 +308,24 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     dropMotion();
 }
 
+/// Its feed is zero after a start that nobody has heard, and another one where somebody else gave it lines.
+void GrblRobot::takeModes(const std::string& text) {
+    const auto feed = grblFeedIn(text);
+    if (m_line && m_line->kind == Kind::Modes)
+        m_line->hasReport = feed.has_value();
+    if (!feed || !m_isMarkToCheck)
+        return;
+    m_isMarkToCheck = false;
+    m_isMarked = *feed == kMark;
+    if (m_isMarked)
+        return;
+    m_isHomed = m_isConfirmed = false;
+    m_hasRestarted = m_hasRestarted || *feed == 0.0;
+}
+
 void GrblRobot::takeReport(const std::string& text, double now_s) {
+    if (text.starts_with("GC:"))
+        takeModes(text);
     if (!m_line && !m_fence_s && now_s >= m_linesFrom_s)
         takeForeign();
     if (text.starts_with("GC:") && m_fence_s) {

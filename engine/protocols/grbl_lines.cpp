@@ -289,6 +289,16 @@ bool isPlaceKept(int alarm) {
     return std::ranges::find(kKept, alarm) != kKept.end();
 }
 
+std::optional<double> grblFeedIn(std::string_view report) {
+    for (const std::string_view word : split(report, ' ')) {
+        if (!word.starts_with('F'))
+            continue;
+        const std::vector<double> feed = positions(word.substr(1));
+        return feed.size() == 1 ? std::optional(feed.front()) : std::nullopt;
+    }
+    return std::nullopt;
+}
+
 double grblRounded(double position) {
     return std::round(position * 1000.0) / 1000.0;
 }

@@ -108,6 +108,10 @@ struct GrblTarget {
     double to = 0.0;
 };
 
+/// Returns the feed rate of `$G`'s report, "GC:G0 G54 ... F500 S0": 0 from a start until a line sets it.
+/// Empty if the report has none.
+std::optional<double> grblFeedIn(std::string_view report);
+
 /// Returns the position as the jog line contains it: rounded to a thousandth.
 double grblRounded(double position);
 

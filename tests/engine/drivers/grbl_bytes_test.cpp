@@ -40,6 +40,9 @@ protected:
         ASSERT_EQ(m_robot.status().signature, "VER:1.1h.20190825:left");
         answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
         ASSERT_TRUE(m_robot.clearAlarm());
+        ASSERT_EQ(sentAfter(0.005), "F7\n");
+        answered("ok\r\n", 0.2);
+        answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
     }
     MessageCode alarm() { return m_robot.state()->alarm.code; }
 

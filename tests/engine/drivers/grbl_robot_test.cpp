@@ -179,8 +179,8 @@ TEST_F(GrblRobotTest, ARestartIsSeen) {
     EXPECT_FALSE(linesIn(m_link->takeSent(), "$J=").empty());
 }
 
-// Catches a homing that failed, which Grbl tells after seconds of silence and then starts anew, told as a robot
-// that does not answer, as a restart or as an alarm without its number.
+// Catches a homing that failed, which Grbl tells after seconds of silence and then starts anew, told as a
+// robot that does not answer, as a restart or as an alarm without its number.
 TEST_F(GrblRobotTest, AHomingThatFailsIsToldByItsAlarm) {
     for (const bool isHal : {false, true}) {
         GrblSimulatorConfig config;
@@ -280,8 +280,8 @@ TEST_F(GrblRobotTest, WhatMustBeHomedIsNotSureBefore) {
     EXPECT_EQ(alarm(), MessageCode::None);
 }
 
-// Catches homing that is got round: what was found by an earlier one counts after one that was stopped, or after
-// the place was lost in an alarm; also with a grblHAL that tells on and on that it was homed.
+// Catches homing that is got round: what was found by an earlier one counts after one that was stopped, or
+// after the place was lost in an alarm; also with a grblHAL that tells on and on that it was homed.
 TEST_F(GrblRobotTest, APlaceThatWasLostMustBeHomedAnew) {
     for (const bool isHal : {false, true})
         for (const bool isStopped : {false, true}) {
@@ -576,6 +576,59 @@ TEST_F(GrblRobotTest, ARobotFoundElsewhereIsNotSure) {
     m_device->restart(); // by the very opening of the port
     run(1.5);
     EXPECT_EQ(alarm(), MessageCode::RobotRestarted);
+}
+
+// Catches a restart that nobody heard because the port was closed for a moment: it stands where it tells to
+// be, so that only what a restart resets can tell.
+TEST_F(GrblRobotTest, ARestartBehindAClosedPortIsSeen) {
+    enum class Meanwhile { Nothing, Restart, AnothersFeed };
+    for (const Meanwhile meanwhile : {Meanwhile::Nothing, Meanwhile::Restart, Meanwhile::AnothersFeed}) {
+        makeLive();
+        run(1.0);
+        m_link->unplug();
+        run(0.3);
+        if (meanwhile == Meanwhile::Restart)
+            m_device->restart();
+        if (meanwhile == Meanwhile::AnothersFeed)
+            m_device->receive("F500\n", m_clock.now_s());
+        run(0.2);
+        m_link->plug();
+        for (int i = 0; i < 40 && m_robot->status().link != LinkState::Live; ++i)
+            run(0.05);
+        ASSERT_EQ(m_robot->status().link, LinkState::Live);
+        const MessageCode expected = meanwhile == Meanwhile::Nothing   ? MessageCode::None
+                                     : meanwhile == Meanwhile::Restart ? MessageCode::RobotRestarted
+                                                                       : MessageCode::RobotPlaceUnsure;
+        EXPECT_EQ(alarm(), expected) << "from the first state on";
+        run(2.0);
+        EXPECT_EQ(alarm(), expected);
+        EXPECT_EQ(drive(m_right, 1.0), meanwhile == Meanwhile::Nothing);
+        clear();
+        EXPECT_TRUE(drive(m_right, 1.0));
+        EXPECT_GT(x_mm(), 2.0);
+    }
+}
+
+// Catches a controller that is believed after its port was closed although it cannot tell whether it
+// restarted.
+TEST_F(GrblRobotTest, WhatCannotBeMarkedIsNotSureBehindAClosedPort) {
+    make({});
+    run(1.0);
+    clear(); // and no time to mark it
+    m_link->unplug();
+    run(0.5);
+    m_link->plug();
+    run(2.0);
+    EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
+    clear();
+    run(1.0);
+    m_device->receive("G1X1F600\n", m_clock.now_s()); // another's feed, seen: marked anew
+    run(3.0);
+    m_link->unplug();
+    run(0.5);
+    m_link->plug();
+    run(2.0);
+    EXPECT_EQ(alarm(), MessageCode::None);
 }
 
 // Catches an Arduino that is taken for dead while it starts, or for restarted when it had not been used yet.

@@ -41,6 +41,7 @@ protected:
         ASSERT_EQ(m_robot->status().link, LinkState::Live) << describe(m_robot->status().problem);
         if (alarm() == MessageCode::RobotPlaceUnsure)
             (void)m_robot->clearAlarm();
+        run(0.3); // and marked
         m_link->takeSent();
     }
     void run(double time_s) {

@@ -138,5 +138,14 @@ TEST(GrblLines, JogNumbersAreBounded) {
     EXPECT_LT(grblJogLine({far, far, far, far}, 1e-3)->size(), 70U); // Grbl takes 79
 }
 
+// Catches a feed that is read from a report that has none, or from a damaged one.
+TEST(GrblLines, TheFeedOfTheModesIsRead) {
+    EXPECT_EQ(grblFeedIn("GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0"), 0.0);
+    EXPECT_EQ(grblFeedIn("GC:G0 G54 G17 G21 G90 G94 G49 G98 G50 M5 M9 T0 F7.5 S0."), 7.5);
+    EXPECT_EQ(grblFeedIn("GC:G0 G54 T0 F S0"), std::nullopt);
+    EXPECT_EQ(grblFeedIn("GC:G0 G54 T0 F1#0 S0"), std::nullopt);
+    EXPECT_EQ(grblFeedIn("GC:G0 G54 T0"), std::nullopt);
+}
+
 } // namespace
 } // namespace bask
