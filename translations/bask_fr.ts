@@ -1887,6 +1887,14 @@
         <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
         <translation>La caméra thermique ne peut pas vérifier le capteur de «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
+    <message>
+        <source>A step of the robot took over twice its time and was stopped. Its controller&apos;s rates ($110 to $115) or accelerations ($120 to $125) are too small for the largest speed of the experiment, or it is blocked. Check both, then reset.</source>
+        <translation>Un pas du robot a pris plus de deux fois son temps et a été arrêté. Les vitesses ($110 à $115) ou les accélérations ($120 à $125) de son contrôleur sont trop petites pour la plus grande vitesse de l’expérience, ou il est bloqué. Vérifiez les deux, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
+        <translation>Le robot ne peut pas suivre la plus grande vitesse de l’expérience, car son contrôleur a %1&#xa0;: un pas prend %2 s au lieu de %3 s, et un retrait jusqu’à %4 s. Augmentez ce réglage, ou abaissez la vitesse maximale de l’expérience.</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>

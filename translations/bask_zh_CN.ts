@@ -1887,6 +1887,14 @@
         <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
         <translation>热像仪无法核对“%1”的传感器：%2。</translation>
     </message>
+    <message>
+        <source>A step of the robot took over twice its time and was stopped. Its controller&apos;s rates ($110 to $115) or accelerations ($120 to $125) are too small for the largest speed of the experiment, or it is blocked. Check both, then reset.</source>
+        <translation>机器人的某一步所用时间超过其两倍，已令其停止。其控制器的速率（$110 至 $115）或加速度（$120 至 $125）对实验的最大速度来说太小，或机器人受阻。请检查这两项，然后复位。</translation>
+    </message>
+    <message>
+        <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
+        <translation>机器人跟不上实验的最大速度，因为其控制器的设置为 %1：一步需要 %2 s 而不是 %3 s，撤离最长需要 %4 s。请增大该设置，或设定较小的最大速度。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>

@@ -1887,6 +1887,14 @@
         <source>The thermal camera cannot check the sensor of &quot;%1&quot;: %2.</source>
         <translation>熱像儀無法核對「%1」的感測器：%2。</translation>
     </message>
+    <message>
+        <source>A step of the robot took over twice its time and was stopped. Its controller&apos;s rates ($110 to $115) or accelerations ($120 to $125) are too small for the largest speed of the experiment, or it is blocked. Check both, then reset.</source>
+        <translation>機器人的某一步所用時間超過其兩倍，已令其停止。其控制器的速率（$110 至 $115）或加速度（$120 至 $125）對實驗的最大速度來說太小，或機器人受阻。請檢查這兩項，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
+        <translation>機器人跟不上實驗的最大速度，因為其控制器的設定為 %1：一步需要 %2 s 而不是 %3 s，撤離最長需要 %4 s。請增大該設定，或設定較小的最大速度。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>

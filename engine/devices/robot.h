@@ -4,6 +4,9 @@
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 
+#include <optional>
+#include <string>
+
 namespace bask {
 
 /// State at one time.
@@ -14,6 +17,14 @@ struct RobotState {
     /// False if the controller may not know its own position: restarted, stopped in motion, not homed.
     bool isPlaceSure = true;
     Message alarm = {}; ///< what prevents it from moving until a person has checked it; None if nothing does
+};
+
+/// How far a robot falls behind a speed, because of what its controller is set to.
+struct RobotLag {
+    std::string setting;    ///< the one that holds it up most: "$120=10"
+    double planned_s = 0.0; ///< of one of its steps
+    double taken_s = 0.0;
+    double mean_m_s = 0.0; ///< its speed on a long way
 };
 
 /// Use it only on the engine thread. A call returns an Error if the link is down; the robot then stands
@@ -29,6 +40,12 @@ public:
     virtual void setRetreating(bool isRetreating) { (void)isRetreating; }
     /// Sets the largest speed and rotation for any command, if its controller supports this.
     virtual void limitSpeed(double max_m_s, double max_rad_s) { (void)max_m_s, (void)max_rad_s; }
+    /// Returns how it falls behind a speed and a rotation that are commanded for validFor_s each time. Empty
+    /// if it follows well enough, or if its controller does not tell.
+    virtual std::optional<RobotLag> lagAt(double speed_m_s, double rotation_rad_s, double validFor_s) const {
+        (void)speed_m_s, (void)rotation_rad_s, (void)validFor_s;
+        return std::nullopt;
+    }
     /// Sets zero velocity at once.
     virtual Result<void> halt() = 0;
     /// Finds its position again by its switches; moves. Refused if it cannot.

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/translated.h"
+#include "engine/base/units.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/drivers/driver_make.h"
 
@@ -28,6 +29,14 @@ constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
 constexpr double kNextTime_s = 5.0;  // an order that cannot begin by then is dropped
 constexpr char kMarkLine[] = "F7\n"; // moves nothing, and what somebody moves by it later is slow
+
+constexpr double kFollows = 3.0; // a step may take so many times its own time
+
+/// From rest to rest.
+double timeOf(double way, double speed, double acceleration) {
+    const double ramps = speed * speed / acceleration;
+    return ramps < way ? way / speed + speed / acceleration : 2.0 * std::sqrt(way / acceleration);
+}
 
 std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
@@ -314,6 +323,8 @@ Message GrblRobot::alarm() const {
         return {MessageCode::RobotRestarted, {}};
     if (m_elsewhere)
         return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
+    if (m_isStepLate)
+        return {MessageCode::RobotStepLate, {}};
     if (!isPlaceSure())
         return {MessageCode::RobotPlaceUnsure, {}};
     return {};
@@ -366,6 +377,34 @@ Result<void> GrblRobot::setTwist(const Vector6d& twist, double validFor_s) {
         return halt();
     m_planner.setTwist(twist, validFor_s, m_clock.now_s());
     return {};
+}
+
+std::optional<RobotLag> GrblRobot::lagAt(double speed_m_s, double rotation_rad_s, double validFor_s) const {
+    RobotLag lag;
+    lag.mean_m_s = speed_m_s;
+    double worst = kFollows;
+    for (const AxisSpec& axis : m_planner.map().axes()) {
+        const std::size_t i = grbl::kLetters.find(axis.letter);
+        const bool turns = axis.coordinate >= kThetaX;
+        const double speed = turns ? degFromRad(rotation_rad_s) : 1000.0 * speed_m_s;
+        if (i >= grbl::kLetters.size() || !(speed > 0.0 && m_maxRate[i] > 0.0 && m_acceleration[i] > 0.0))
+            continue;
+        const double longest_s = turns ? StepPlanner::kMaxTurn_rad / rotation_rad_s : StepPlanner::kLongest_s;
+        const double planned_s = std::min({validFor_s, StepPlanner::kLongest_s, longest_s});
+        const double way = speed * planned_s, reached = std::min(speed, m_maxRate[i] / 60.0);
+        const double taken_s = std::max(timeOf(way, reached, m_acceleration[i]), planned_s);
+        if (!turns)
+            lag.mean_m_s = std::min(lag.mean_m_s, 1e-3 * way / taken_s);
+        if (taken_s <= worst * planned_s)
+            continue;
+        worst = taken_s / planned_s;
+        lag.planned_s = planned_s;
+        lag.taken_s = taken_s;
+        const bool isByRate = way / reached > 0.5 * taken_s;
+        lag.setting = '$' + std::to_string((isByRate ? 110 : 120) + i) + '=' +
+                      formatNumber(isByRate ? m_maxRate[i] : m_acceleration[i]);
+    }
+    return lag.setting.empty() ? std::nullopt : std::optional(lag);
 }
 
 Result<void> GrblRobot::halt() {
@@ -459,6 +498,7 @@ void GrblRobot::setRetreating(bool isRetreating) {
     if (!isRetreating)
         return;
     m_refused.reset();
+    m_isStepLate = false;
     m_isSlow = m_isSlow && (m_line || m_fence_s);
 }
 
@@ -482,6 +522,9 @@ Result<void> GrblRobot::clearAlarm() {
         return {};
     case MessageCode::RobotRefused:
         m_refused.reset();
+        return {};
+    case MessageCode::RobotStepLate:
+        m_isStepLate = false;
         return {};
     default:
         return clearDoubt();

@@ -13,6 +13,7 @@
 #include "engine/protocols/grbl_lines.h"
 #include "engine/protocols/line_splitter.h"
 
+#include <array>
 #include <optional>
 
 namespace bask {
@@ -40,6 +41,9 @@ public:
     /// numbers that are not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     void setRetreating(bool isRetreating) override;
+    /// By the rates and accelerations that its controller reports ($110, $120 ...), since each step begins
+    /// and ends at rest.
+    std::optional<RobotLag> lagAt(double speed_m_s, double rotation_rad_s, double validFor_s) const override;
     Result<void> halt() override;
     Result<void> home() override;
     /// Clears only the alarm that state() shows: after a limit switch, the first call clears the controller,
@@ -94,6 +98,7 @@ private:
     /// Returns the positions of its axes in the map's order; empty if not all are reported.
     std::vector<double> positionsIn(const GrblStatus& status);
     void checkPlace(bool wasIdle);
+    void checkStepTime();
     void takeForeign();
     void discard(const std::string& words, double now_s);
     // Output
@@ -166,6 +171,8 @@ private:
     bool m_isMarked = false, m_isMarkToCheck = false, m_takesMark = true;
     bool m_areUnitsDue = false;    ///< somebody else may have changed its settings
     std::optional<bool> m_canHome; ///< as it reports
+    /// Of its axes in grbl::kLetters, as it reports them, mm or degrees with min and s^2; 0: not reported.
+    std::array<double, grbl::kLetters.size()> m_maxRate{}, m_acceleration{};
     double m_setUpFrom_s = 0.0;
 
     std::optional<Step> m_step;
@@ -183,6 +190,7 @@ private:
     std::string m_pausedBy;
     bool m_isHomed = false, m_isConfirmed = false; ///< since it started
     bool m_isRetreating = false;
+    bool m_isStepLate = false;
     bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
 };
 

@@ -10,7 +10,8 @@ namespace bask {
 namespace {
 
 constexpr double kQuiet_s = 0.5;
-constexpr double kMark = 7.0; // mm/min, as its line sets it
+constexpr double kLateStep_s = 0.5; // beyond twice a step's time
+constexpr double kMark = 7.0;   // mm/min, as its line sets it
 
 /// "1.1h" of "VER:1.1h.20190825:".
 std::string versionIn(const std::string& report) {
@@ -201,6 +202,7 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
         m_at = at;
         m_at_s = measured_s;
         checkPlace(wasIdle);
+        checkStepTime();
     }
     if (status.state == GrblState::Idle && !m_line) {
         m_isHalting = false;
@@ -279,6 +281,18 @@ void GrblRobot::checkPlace(bool wasIdle) {
         stopJog();
 }
 
+/// By the time of the report: an engine that was held up is not the robot's delay. A retreat goes on
+/// nevertheless.
+void GrblRobot::checkStepTime() {
+    const bool isUnderWay = m_step && m_step->isTaken && !m_step->isCancelled && !m_isRetreating;
+    if (!isUnderWay || m_status.state != GrblState::Jog ||
+        m_at_s - m_step->end_s <= m_step->plan.time_s + kLateStep_s)
+        return;
+    m_isStepLate = true;
+    m_planner.forget();
+    stopJog();
+}
+
 void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     m_identity = banner.identity;
     const bool isOfStop = m_isPlaceInDoubt && now_s - m_stopAgain_s < kQuiet_s; // one that was sent twice
@@ -351,6 +365,10 @@ void GrblRobot::takeSetting(const GrblSetting& setting) {
         m_line->hasReport = true;
     else
         takeForeign();
+    const auto axis = static_cast<std::size_t>(setting.number % 10);
+    const int table = setting.number - setting.number % 10;
+    if ((table == 110 || table == 120) && axis < m_maxRate.size())
+        (table == 110 ? m_maxRate : m_acceleration)[axis] = grblNumber(setting.value).value_or(0.0);
     if (setting.number == 22 && !setting.value.empty())
         m_canHome = (setting.value.back() - '0') % 2 != 0; // grblHAL's other bits are how
     if (setting.number != 13)

@@ -289,12 +289,15 @@ bool isPlaceKept(int alarm) {
     return std::ranges::find(kKept, alarm) != kKept.end();
 }
 
+std::optional<double> grblNumber(std::string_view value) {
+    const std::vector<double> numbers = positions(value);
+    return numbers.size() == 1 ? std::optional(numbers.front()) : std::nullopt;
+}
+
 std::optional<double> grblFeedIn(std::string_view report) {
     for (const std::string_view word : split(report, ' ')) {
-        if (!word.starts_with('F'))
-            continue;
-        const std::vector<double> feed = positions(word.substr(1));
-        return feed.size() == 1 ? std::optional(feed.front()) : std::nullopt;
+        if (word.starts_with('F'))
+            return grblNumber(word.substr(1));
     }
     return std::nullopt;
 }

@@ -108,6 +108,9 @@ struct GrblTarget {
     double to = 0.0;
 };
 
+/// Returns a setting's value, "10.000"; empty if it is not a plain number.
+std::optional<double> grblNumber(std::string_view value);
+
 /// Returns the feed rate of `$G`'s report, "GC:G0 G54 ... F500 S0": 0 from a start until a line sets it.
 /// Empty if the report has none.
 std::optional<double> grblFeedIn(std::string_view report);

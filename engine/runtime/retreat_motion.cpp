@@ -81,6 +81,16 @@ bool RetreatMotion::isAway() const {
     return farthest(poseOffSource(*m_readings.geometry(), q), q) <= kNearlyAway;
 }
 
+double RetreatMotion::longest_m() const {
+    const RobotLimits& limits = m_experiment.robot;
+    const Eigen::Vector3d away = m_readings.geometry()->away();
+    Vector6d nearest = m_readings.coordinates();
+    for (int k = 0; k < 3; ++k)
+        if (limits.free[static_cast<std::size_t>(k)])
+            nearest[k] = away[k] > 0.0 ? limits.lower[k] : limits.upper[k];
+    return (poseOffSource(*m_readings.geometry(), nearest) - nearest).head<3>().norm();
+}
+
 bool RetreatMotion::announce(bool isWanted) {
     if (!isWanted) {
         m_at_s.reset();

@@ -28,6 +28,8 @@ public:
     double left_m() const { return m_left_m; }
     /// Returns whether the end-effector is as far off the source as a retreat moves it.
     bool isAway() const;
+    /// Returns the longest way off the source within the workspace, m.
+    double longest_m() const;
 
     /// Announces a retreat while it is wanted, and cancels it otherwise. Returns whether it is due.
     bool announce(bool isWanted);

@@ -106,6 +106,12 @@ Result<void> RobotMotion::clearAlarm() {
     return m_devices.robot.clearAlarm();
 }
 
+std::optional<RobotLag> RobotMotion::lag() const {
+    const RobotLimits& limits = m_experiment.robot;
+    return m_devices.robot.lagAt(limits.maxSpeed_m_s, limits.maxRotation_rad_s,
+                                 kVelocityPeriods * m_experiment.sampling.period_s);
+}
+
 Message RobotMotion::goOn() {
     if (!m_goal) { // a jog has ended by itself
         if (!m_rates.isZero(0.0) && !isMoving())

@@ -33,6 +33,9 @@ public:
     Result<void> jog(const Vector6d& twist);
     Result<void> home();
     Result<void> clearAlarm();
+    /// Returns how the robot falls behind the experiment's largest speed; empty if it follows, or is not
+    /// known.
+    std::optional<RobotLag> lag() const;
     /// Continues towards the goal of moveTo(). Returns why the robot does not come nearer; code None if it
     /// does.
     Message goOn();

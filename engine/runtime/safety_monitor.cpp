@@ -339,6 +339,11 @@ void SafetyMonitor::addRobot(const SafetyObservation& seen) {
         add(Condition::RobotAlarm, seen.robotAlarm);
     if (!seen.isPlaceSure)
         add(Condition::RobotPlaceUnsure, {MessageCode::RobotPlaceUnsure, {}});
+    if (const auto& lag = seen.robotLag)
+        add(Condition::RobotSluggish,
+            {MessageCode::SafetyRobotSluggish,
+             {lag->setting, formatNumber(lag->taken_s, 2), formatNumber(lag->planned_s, 2),
+              formatNumber(seen.longestRetreat_m / lag->mean_m_s, 2)}});
 }
 
 void SafetyMonitor::addSource(const SafetyObservation& seen) {

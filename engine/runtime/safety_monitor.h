@@ -2,6 +2,7 @@
 // What the engine watches in every state: the alarm table, and the monitor that detects its conditions.
 
 #include "engine/base/message.h"
+#include "engine/devices/robot.h"
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
 #include "engine/radiation/neighbours.h"
@@ -79,8 +80,10 @@ struct SafetyObservation {
     Message robotProblem;  ///< why it does not answer
     Message robotAlarm;
     bool isPlaceSure = true;
-    double robotAge_s = 0.0; ///< age of its state
-    Message sourceProblem;   ///< why it does not answer
+    std::optional<RobotLag> robotLag{}; ///< behind the experiment's largest speed
+    double longestRetreat_m = 0.0;      ///< way off the source from the nearest place in the workspace
+    double robotAge_s = 0.0;            ///< age of its state
+    Message sourceProblem;              ///< why it does not answer
     std::optional<double> source_K{};
     double sourceAge_s = 0.0; ///< age of the last valid reading
     double sourceStrength = 1.0;

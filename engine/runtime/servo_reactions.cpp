@@ -14,7 +14,7 @@ namespace {
 bool allowsRetreat(const Message& alarm) {
     return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
            alarm.code == MessageCode::RobotElsewhere || alarm.code == MessageCode::RobotRefused ||
-           alarm.code == MessageCode::RobotSlow;
+           alarm.code == MessageCode::RobotSlow || alarm.code == MessageCode::RobotStepLate;
 }
 
 /// Returns the problem; None for a device that is not set up.
@@ -71,6 +71,10 @@ SafetyObservation ServoLoop::observe() const {
     seen.robotProblem = wrong(m_readings.robotProblem());
     seen.robotAlarm = m_readings.robot().alarm;
     seen.isPlaceSure = m_readings.robot().isPlaceSure;
+    if (seen.robotProblem.code == MessageCode::None && m_readings.geometry()) {
+        seen.robotLag = m_motion.lag();
+        seen.longestRetreat_m = m_retreat.longest_m();
+    }
     const bool isTelling = m_readings.answers().hasRobot &&
                            m_readings.robotProblem().code == MessageCode::None &&
                            !m_motion.isHoming(); // Grbl is silent while homing

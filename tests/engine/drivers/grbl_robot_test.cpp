@@ -622,7 +622,7 @@ TEST_F(GrblRobotTest, WhatCannotBeMarkedIsNotSureBehindAClosedPort) {
     EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
     clear();
     run(1.0);
-    m_device->receive("G1X1F600\n", m_clock.now_s()); // another's feed, seen: marked anew
+    m_device->receive("G1X1F60\n", m_clock.now_s()); // another's feed, seen: marked anew
     run(3.0);
     m_link->unplug();
     run(0.5);
@@ -700,7 +700,7 @@ TEST_F(GrblRobotTest, UnitsThatAreChangedByAnotherSenderAreSeen) {
 // Catches units that were asked for before somebody else gave it lines, or moved it, and not again.
 TEST_F(GrblRobotTest, UnitsAreAskedAgainAfterAnothersLines) {
     makeLive();
-    for (const char* line : {"G21\n", "$G\n", "$100=250\n", "G91G1X1F600\n", "$J=G91X1F600\n"}) {
+    for (const char* line : {"G21\n", "$G\n", "$100=250\n", "G91G1X1F60\n", "$J=G91X1F60\n"}) {
         run(2.0);
         m_link->takeSent();
         m_device->receive(line, m_clock.now_s());
@@ -723,6 +723,60 @@ TEST_F(GrblRobotTest, AJumpAtRestIsElsewhere) {
     EXPECT_FALSE(drive(m_right, 0.5));
     clear();
     EXPECT_TRUE(drive(m_right, 0.5));
+}
+
+// Catches accelerations left as the factory sets them, in which steps of this speed are hardly begun: nobody
+// is told before, and the robot crawls without a word.
+TEST_F(GrblRobotTest, ARobotThatCannotFollowItsStepsIsTold) {
+    GrblSimulatorConfig config;
+    makeLive(config);
+    EXPECT_FALSE(m_robot->lagAt(0.025, 0.1, 0.5)) << "500 mm/s2 are enough";
+    config.acceleration_mm_s2 = 10.0;
+    makeLive(config);
+    const auto lag = m_robot->lagAt(0.025, 0.1, 0.5);
+    ASSERT_TRUE(lag);
+    EXPECT_EQ(lag->setting, "$120=10");
+    EXPECT_EQ(lag->planned_s, 0.5);
+    EXPECT_NEAR(lag->taken_s, 2.0 * std::sqrt(12.5 / 10.0), 1e-9);
+    EXPECT_NEAR(lag->mean_m_s, 0.0125 / lag->taken_s, 1e-9);
+    EXPECT_FALSE(m_robot->lagAt(0.001, 0.01, 0.5)) << "slow enough";
+    ASSERT_TRUE(m_robot->setTwist(5.0 * m_right, 0.5)); // 12.5 mm
+    run(1.4);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    run(0.4);
+    EXPECT_EQ(alarm(), MessageCode::RobotStepLate);
+    EXPECT_EQ(m_robot->setTwist(m_right, 0.15).error().code(), MessageCode::RobotStepLate);
+    run(2.0);
+    EXPECT_LT(x_mm(), 12.5);
+    EXPECT_FALSE(m_robot->state()->moving);
+    EXPECT_TRUE(m_robot->state()->isPlaceSure);
+    m_robot->setRetreating(true); // it goes on as it can
+    const double then_s = m_clock.now_s(), from = x_mm();
+    while (x_mm() - from < 50.0 && m_clock.now_s() - then_s < 60.0) {
+        (void)m_robot->setTwist(5.0 * m_right, 0.5);
+        run(0.1);
+    }
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_NEAR(m_clock.now_s() - then_s, 0.05 / lag->mean_m_s, 0.3 * 0.05 / lag->mean_m_s) << "as predicted";
+    m_robot->setRetreating(false);
+
+    config.acceleration_mm_s2 = 500.0;
+    config.maxRate_mm_min = 100.0;
+    makeLive(config);
+    ASSERT_TRUE(m_robot->lagAt(0.025, 0.1, 0.5));
+    EXPECT_EQ(m_robot->lagAt(0.025, 0.1, 0.5)->setting, "$110=100");
+}
+
+// Catches a slow robot in place of an engine that was held up while a step was under way.
+TEST_F(GrblRobotTest, AStallOfTheEngineIsNoLateStep) {
+    makeLive();
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_TRUE(m_robot->setTwist(m_right, 0.5));
+        run(0.06 + 0.01 * i);
+        m_clock.advance(2.0);
+        run(0.5);
+        ASSERT_EQ(alarm(), MessageCode::None) << i;
+    }
 }
 
 // Catches noise that is used, that is not counted or told, or that ends the link.

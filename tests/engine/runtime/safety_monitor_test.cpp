@@ -55,6 +55,7 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::SourceCold, MessageCode::SafetySourceCold),
           std::pair(SafetyCondition::SourceUnit, MessageCode::SafetySourceUnit),
           std::pair(SafetyCondition::NoWatchdog, MessageCode::SafetyNoWatchdog),
+          std::pair(SafetyCondition::RobotSluggish, MessageCode::SafetyRobotSluggish),
           std::pair(SafetyCondition::SetPointOther, MessageCode::SafetySetPointOther),
           std::pair(SafetyCondition::NotWarming, MessageCode::SafetyNotWarming),
           std::pair(SafetyCondition::SensorOpen, MessageCode::SafetySensorOpen),
@@ -126,6 +127,23 @@ TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
     const SafetyChanges changes = heated.after(1.0);
     ASSERT_EQ(changes.raised.size(), 1U);
     EXPECT_EQ(changes.raised[0].message, (Message{MessageCode::SafetySourceUnit, {"392", "200"}}));
+}
+
+// Catches a robot whose retreat takes far longer than the experiment says, and nobody knows before the run.
+TEST(SafetyMonitor, ARobotThatCannotFollowIsToldWithTheTimeOfARetreat) {
+    Monitor m;
+    m.seen.robotLag = RobotLag{"$120=10", 0.15, 1.1, 0.00274};
+    m.seen.longestRetreat_m = 0.1;
+    m.after(1.0);
+    const SafetyChanges changes = m.after(1.0);
+    ASSERT_EQ(changes.raised.size(), 1U);
+    EXPECT_EQ(changes.raised[0].message,
+              (Message{MessageCode::SafetyRobotSluggish, {"$120=10", "1.1", "0.15", "36"}}));
+    EXPECT_EQ(m.monitor.forbidsResume(), nullptr) << "told only";
+    m.seen.robotLag.reset();
+    m.after(1.0);
+    m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::RobotSluggish));
 }
 
 // Catches one line of two devices that is two alarms of priority 1.
