@@ -70,7 +70,8 @@ std::string GrblSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> GrblSimulator::faults() const {
-    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage", "inches", "homing-fails"};
+    return {"none",    "silent",     "restart", "alarm",  "door",
+            "slow-ok", "lost-steps", "garbage", "inches", "homing-fails"};
 }
 
 Result<void> GrblSimulator::setFault(const std::string& name) {
@@ -176,7 +177,8 @@ std::string GrblSimulator::status() {
                       "|Bf:" + std::to_string(kBlocks - m_blocks.size()) +
                       ",128|FS:" + fixed(60.0 * m_speed, 0) + ",0";
     if (m_reports++ % 10 == 0) {
-        out += "|WCO:" + joined(m_config.workOffset);
+        if (m_config.tellsOffset)
+            out += "|WCO:" + joined(m_config.workOffset);
         if (m_config.isHal)
             out += m_isHomed ? "|H:1,15" : "|H:0,0";
     }

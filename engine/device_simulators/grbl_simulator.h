@@ -29,6 +29,7 @@ struct GrblSimulatorConfig {
     bool resetsWhenOpened = false; ///< like an Arduino: the host's DTR resets it
     bool startsLocked = false;     ///< starts in an alarm until it is homed or unlocked
     bool tellsWork = false;        ///< reports WPos instead of MPos, $10
+    bool tellsOffset = true;       ///< reports WCO from time to time
     bool tellsInches = false;      ///< $13
     std::vector<double> workOffset{0.0, 0.0, 0.0, 0.0};
     std::string name = "";     ///< name that its `$I` reports

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 namespace bask {
 namespace {
@@ -129,7 +130,7 @@ int GrblSimulator::takeSetting(const std::string& line) {
         return 9;
     m_settings[setting->number] = setting->value;
     if (setting->number == 10)
-        m_config.tellsWork = setting->value == "0";
+        m_config.tellsWork = std::atoi(setting->value.c_str()) % 2 == 0;
     if (setting->number == 13)
         m_config.tellsInches = setting->value != "0";
     return 0;
@@ -186,8 +187,9 @@ int GrblSimulator::takeCode(const std::string& text) {
     const Words words = readWords(text);
     if (words.error != 0)
         return words.error;
-    bool isDwell = false;
+    bool isDwell = false, isOffset = false;
     for (const int g : words.g) {
+        isOffset = isOffset || g == 920;
         if (g == 0 || g == 10)
             m_motion = g / 10;
         else if (g == 200 || g == 210)
@@ -196,9 +198,14 @@ int GrblSimulator::takeCode(const std::string& text) {
             m_isRelative = g == 910;
         else if (g == 40)
             isDwell = true;
-        else if (g != 530)
+        else if (g != 530 && g != 920)
             return 20;
     }
+    for (std::size_t i = 0; isOffset && i < m_reads.size(); ++i)
+        if (const auto word = words.values.find(grbl::kLetters[i]); word != words.values.end())
+            m_config.workOffset[i] = m_reads[i] - word->second * (m_isInches ? kInch_mm : 1.0);
+    if (isOffset)
+        return 0;
     if (const auto feed = words.values.find('F'); feed != words.values.end())
         m_feed_mm_s = feed->second / 60.0 * (m_isInches ? kInch_mm : 1.0);
     if (isDwell) {

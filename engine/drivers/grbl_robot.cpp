@@ -88,7 +88,6 @@ void GrblRobot::begin(double now_s) {
         m_linkState = LinkState::Opening;
     m_splitter.clear();
     m_lastGarbage.clear();
-    m_offset.clear();
     m_isSetUp = false;
     m_signature.clear();
     m_setUpFrom_s = m_linesFrom_s = now_s + kSettle_s;

@@ -167,6 +167,7 @@ private:
     double m_stopAgain_s = -1e300; ///< when the byte for either of them was last sent
     bool m_isIdleSeen = false;     ///< since the last line was acknowledged
     bool m_isSetUp = false, m_tellsInches = false;
+    int m_reports = 0; ///< what its reports have, $10
     /// Its feed rate is one that a start would reset; whether it did is asked for after each opening.
     bool m_isMarked = false, m_isMarkToCheck = false, m_takesMark = true;
     bool m_areUnitsDue = false;    ///< somebody else may have changed its settings
@@ -177,8 +178,7 @@ private:
 
     std::optional<Step> m_step;
     GrblStatus m_status;
-    std::vector<double> m_offset; ///< WCO
-    std::vector<double> m_at;     ///< axes, as last reported
+    std::vector<double> m_at; ///< axes, as last reported
     double m_at_s = 0.0;
     std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
     bool m_isPlaceToCheck = false;

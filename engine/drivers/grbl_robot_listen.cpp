@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kQuiet_s = 0.5;
 constexpr double kLateStep_s = 0.5; // beyond twice a step's time
-constexpr double kMark = 7.0;   // mm/min, as its line sets it
+constexpr double kMark = 7.0;       // mm/min, as its line sets it
 
 /// "1.1h" of "VER:1.1h.20190825:".
 std::string versionIn(const std::string& report) {
@@ -161,16 +161,13 @@ void GrblRobot::takeHome() {
 }
 
 std::vector<double> GrblRobot::positionsIn(const GrblStatus& status) {
-    if (!status.offset.empty())
-        m_offset = status.offset;
-    std::vector<double> all = status.machine;
-    if (all.empty() && !status.work.empty() && m_offset.size() == status.work.size()) {
-        all = status.work;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] += m_offset[i];
-    }
-    if (all.empty())
+    const std::vector<double>& all = status.machine;
+    if (all.empty()) { // work positions are shifted by anybody's G92, and the offset is not in every report
+        m_problem = {MessageCode::DeviceAnswersWrong,
+                     {m_link.name(), "its reports have no machine position (MPos); set $10=" +
+                                         std::to_string(m_reports | 1) + " in it"}};
         return {};
+    }
     std::vector<double> out;
     for (const AxisSpec& axis : m_planner.map().axes()) {
         const std::size_t index = grbl::kLetters.find(axis.letter);
@@ -318,7 +315,6 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     m_runStop_s.reset();
     m_reset_s.reset();
     m_asked_s.reset();
-    m_offset.clear();
     dropMotion();
 }
 
@@ -369,6 +365,8 @@ void GrblRobot::takeSetting(const GrblSetting& setting) {
     const int table = setting.number - setting.number % 10;
     if ((table == 110 || table == 120) && axis < m_maxRate.size())
         (table == 110 ? m_maxRate : m_acceleration)[axis] = grblNumber(setting.value).value_or(0.0);
+    if (setting.number == 10)
+        m_reports = static_cast<int>(grblNumber(setting.value).value_or(0.0));
     if (setting.number == 22 && !setting.value.empty())
         m_canHome = (setting.value.back() - '0') % 2 != 0; // grblHAL's other bits are how
     if (setting.number != 13)

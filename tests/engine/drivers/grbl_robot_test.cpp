@@ -645,17 +645,42 @@ TEST_F(GrblRobotTest, AFirstStartIsWaitedFor) {
     EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
 }
 
-// Catches a place told in work coordinates, or in inches, or without an axis, that is used as if it were not.
+// Catches work positions that are used, which a G92 of anybody shifts unseen; and a remedy that does not
+// help.
+TEST_F(GrblRobotTest, WorkPositionsAreNotUsedAndTheRightReportIsNamed) {
+    GrblSimulatorConfig config;
+    config.isHal = true;
+    config.start = {20.0, 0.0, 0.0, 0.0};
+    config.workOffset = {5.0, -3.0, 0.0, 1.0};
+    for (const bool tellsOffset : {false, true}) {
+        config.tellsOffset = tellsOffset;
+        makeLive(config);
+        m_device->receive("G92X0\n", m_clock.now_s()); // of no effect on machine positions
+        EXPECT_TRUE(drive(m_right, 1.0));
+        EXPECT_NEAR(1000.0 * m_robot->state()->coordinates[0], x_mm(), 0.5);
+        EXPECT_TRUE(m_robot->state()->isPlaceSure);
+        run(1.0);
+        m_device->receive("$10=510\n", m_clock.now_s());
+        run(1.0);
+        m_device->receive("G92X100\n", m_clock.now_s());
+        run(5.0);
+        EXPECT_EQ(m_robot->state().error().code(), MessageCode::DeviceAnswersWrong);
+        EXPECT_EQ(m_robot->status().problem.args.at(1),
+                  "its reports have no machine position (MPos); set $10=511 in it");
+        const double stood = x_mm();
+        EXPECT_FALSE(drive(m_right, 1.0));
+        EXPECT_EQ(x_mm(), stood);
+        m_device->receive("$10=511\n", m_clock.now_s());
+        run(1.5);
+        EXPECT_EQ(m_robot->status().link, LinkState::Live);
+        EXPECT_EQ(alarm(), MessageCode::None);
+        EXPECT_NEAR(1000.0 * m_robot->state()->coordinates[0], x_mm(), 1e-3);
+    }
+}
+
+// Catches a place told in inches, or without an axis, that is used as if it were not.
 TEST_F(GrblRobotTest, OtherWaysToTellThePlace) {
     GrblSimulatorConfig config;
-    config.tellsWork = true;
-    config.workOffset = {5.0, -3.0, 0.0, 1.0};
-    config.start = {20.0, 0.0, 0.0, 0.0};
-    makeLive(config);
-    EXPECT_NEAR(m_robot->state()->coordinates[0], 0.02, 1e-9);
-    EXPECT_TRUE(drive(m_right, 1.0));
-    EXPECT_GT(x_mm(), 22.0);
-    config.tellsWork = false;
     config.tellsInches = true;
     make(config);
     run(1.0);
