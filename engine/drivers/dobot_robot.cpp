@@ -249,9 +249,9 @@ void DobotRobot::takeFeedback(const DobotFeedback& feedback, double now_s) {
     m_at = at;
     takeTime(feedback, now_s);
     checkPace();
-    takeFrames(feedback, now_s);
-    takeMode(now_s);
-    followStep(now_s);
+    takeFrames(feedback);
+    takeMode();
+    followStep();
     checkPlace();
     if (m_isSetUp || m_refused || m_mode != DobotMode::Idle) {
         m_linkState = LinkState::Live;
@@ -289,16 +289,17 @@ void DobotRobot::checkPace() {
 }
 
 /// What is told in another frame is another place, and so is where a move leads.
-void DobotRobot::takeFrames(const DobotFeedback& feedback, double now_s) {
+/// By the packet's own time, like what follows: one may have waited for an engine that was held up.
+void DobotRobot::takeFrames(const DobotFeedback& feedback) {
     if (feedback.user == 0 && feedback.tool == 0)
         return m_otherFrame_s.reset();
-    m_otherFrame_s = m_otherFrame_s.value_or(now_s);
-    if (m_isSetUp && now_s - std::max(m_setUp_s, *m_otherFrame_s) > kFrames_s && m_failure.empty())
+    m_otherFrame_s = m_otherFrame_s.value_or(m_at_s);
+    if (m_isSetUp && m_at_s - std::max(m_setUp_s, *m_otherFrame_s) > kFrames_s && m_failure.empty())
         failStep("it moves in another frame than user 0 and tool 0");
 }
 
-void DobotRobot::takeMode(double now_s) {
-    const bool isQuiet = m_isHalting || now_s < m_quietUntil_s;
+void DobotRobot::takeMode() {
+    const bool isQuiet = m_isHalting || m_at_s < m_quietUntil_s;
     if (m_mode == DobotMode::Error) {
         m_alarm = m_alarm.value_or(0);
         m_mustReset = m_mustContinue = true; // what it was told last still waits
@@ -319,20 +320,20 @@ void DobotRobot::takeMode(double now_s) {
 }
 
 /// A move is over when the arm is idle and has been running since it was taken, or is there.
-void DobotRobot::followStep(double now_s) {
+void DobotRobot::followStep() {
     m_isIdleSeen = m_isIdleSeen && m_mode == DobotMode::Idle;
     if (m_step && m_step->isTaken && m_mode == DobotMode::Running)
         m_step->wasRunning = true;
     const bool isOnItsWay = m_step && m_step->isTaken && !m_step->isCancelled;
     if (isOnItsWay && m_mode == DobotMode::Running &&
-        now_s - m_step->taken_s > 2.0 * m_step->plan.time_s + kLate_s)
+        m_at_s - m_step->taken_s > 2.0 * m_step->plan.time_s + kLate_s)
         return failStep("a step took over twice its time; compare its full speed with its settings");
     if (m_mode != DobotMode::Idle || m_move_s)
         return;
     if (m_step) {
         const bool isThere = outside(m_at, m_step->plan.to, m_step->plan.to) < kThere;
         if (!m_step->wasRunning && !isThere) {
-            if (now_s - m_step->taken_s < kNotBegun_s)
+            if (m_at_s - m_step->taken_s < kNotBegun_s)
                 return;
             if (isOnItsWay) {
                 m_mustContinue = true;

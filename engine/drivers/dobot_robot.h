@@ -74,9 +74,9 @@ private:
     void takeMoveReply(const std::string& text, double now_s);
     void takeFeedback(const DobotFeedback& feedback, double now_s);
     void takeTime(const DobotFeedback& feedback, double now_s);
-    void takeFrames(const DobotFeedback& feedback, double now_s);
-    void takeMode(double now_s);
-    void followStep(double now_s);
+    void takeFrames(const DobotFeedback& feedback);
+    void takeMode();
+    void followStep();
     void checkPlace();
     std::vector<double> axesOf(const DobotPosition& position);
     void discard(const std::string& words, double now_s);

@@ -274,6 +274,24 @@ TEST_F(DobotRobotTest, ItsSpeedIsKnown) {
     EXPECT_TRUE(drive(m_left, 1.0));
 }
 
+// Catches a slow arm, a step that was not carried out or another frame in place of an engine that was held
+// up: what it reads then had waited, and is of the time that the packets tell.
+TEST_F(DobotRobotTest, AStallOfTheEngineIsNoLateStep) {
+    makeLive();
+    for (int i = 0; i < 30; ++i) {
+        ASSERT_TRUE(m_robot->setTwist(m_left, 0.15));
+        run(0.005 + 0.005 * i);
+        for (int k = 0; k < 110; ++k) { // the links hold it all
+            m_clock.advance(0.01);
+            m_motion->work();
+            m_feedback->work();
+        }
+        run(0.3);
+        ASSERT_EQ(alarm(), MessageCode::None) << i << ' ' << describe(m_robot->state()->alarm);
+    }
+    EXPECT_GT(y(), 10.0);
+}
+
 // Catches an arm that is enabled by itself, or not when a person says so.
 TEST_F(DobotRobotTest, ADisabledArmIsEnabledByAPerson) {
     DobotSimulatorConfig config;
