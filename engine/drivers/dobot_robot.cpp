@@ -128,8 +128,7 @@ void DobotRobot::watch(double now_s) {
     const double silent_s = m_feedback.silence_s(std::max(m_lastPacket_s, m_opened_s), now_s);
     const double unanswered_s = m_asked ? m_dashboard.silence_s(m_asked->sent_s, now_s) : 0.0;
     if (silent_s > (isLive ? kPacketSilence_s : kFirstPacket_s))
-        return lose({MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}},
-                    now_s);
+        return lose(silent(silent_s), now_s);
     if (unanswered_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_dashboard.link().name(), formatNumber(unanswered_s, 2)}},
                     now_s);
@@ -159,7 +158,27 @@ void DobotRobot::listen(double now_s) {
     m_packets.add(m_feedback.link().read());
     while (const auto packet = m_packets.next())
         takeFeedback(*packet, now_s);
+    takeStrange(now_s);
     m_lastRead_s = now_s;
+}
+
+/// Packets of another firmware, or damaged ones.
+void DobotRobot::takeStrange(double now_s) {
+    const std::size_t bytes = m_packets.discarded() - std::exchange(m_strangeBytes, m_packets.discarded());
+    if (bytes == 0)
+        return;
+    m_discarded +=
+        static_cast<int>((bytes + DobotFeedbackReader::kPacketBytes - 1) / DobotFeedbackReader::kPacketBytes);
+    m_strange_s = now_s;
+    note({MessageCode::DeviceAnswersWrong, {m_feedback.link().name(), m_packets.strange()}}, now_s);
+}
+
+/// One that sends something else is not silent.
+Message DobotRobot::silent(double silent_s) const {
+    if (m_strange_s > std::max(m_lastPacket_s, m_opened_s))
+        return {MessageCode::DeviceOther,
+                {m_feedback.link().name(), m_packets.strange() + "; its firmware may be of another version"}};
+    return {MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}};
 }
 
 void DobotRobot::discard(const std::string& words, double now_s) {

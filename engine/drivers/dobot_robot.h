@@ -80,6 +80,8 @@ private:
     void checkPlace();
     std::vector<double> axesOf(const DobotPosition& position);
     void discard(const std::string& words, double now_s);
+    void takeStrange(double now_s);
+    Message silent(double silent_s) const;
     void act(double now_s);
     void setUp();
     void sendStep(double now_s);
@@ -110,6 +112,8 @@ private:
     int m_discarded = 0;
     LineSplitter m_dashboardReplies{";"}, m_motionReplies{";"};
     DobotFeedbackReader m_packets;
+    std::size_t m_strangeBytes = 0; ///< of the feedback port, counted so far
+    double m_strange_s = -1e300;    ///< when the last of them came
 
     std::deque<std::string> m_toAsk; ///< commands for the dashboard, one after the other
     std::optional<Asked> m_asked;

@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -28,9 +29,18 @@ void putWord(std::string& packet, std::size_t at, std::uint64_t word) {
         packet[at + i] = static_cast<char>(word & 0xFF);
 }
 
+std::size_t sizeOf(std::string_view packet) {
+    return static_cast<std::size_t>(wordAt(packet, 0) & 0xFFFF);
+}
+
 bool isPacket(std::string_view bytes) {
-    const auto size = static_cast<unsigned char>(bytes[0]) | static_cast<unsigned char>(bytes[1]) << 8;
-    return size == static_cast<int>(DobotFeedbackReader::kPacketBytes) && wordAt(bytes, kTestAt) == kTest;
+    return sizeOf(bytes) == DobotFeedbackReader::kPacketBytes && wordAt(bytes, kTestAt) == kTest;
+}
+
+std::string hex(std::uint64_t word) {
+    std::array<char, 16> text{};
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), word, 16);
+    return "0x" + std::string(text.data(), end.ptr);
 }
 
 bool readInt(std::string_view text, int& value) {
@@ -106,13 +116,26 @@ Result<std::string> dobotMove(const DobotPosition& to, int speed_percent, int ac
            ")";
 }
 
+void DobotFeedbackReader::clear() {
+    m_bytes.clear();
+    m_strange.clear();
+}
+
+/// The first of them begin like a packet where the sender has packets of another kind; later ones may be cut.
+void DobotFeedbackReader::discard(std::size_t count) {
+    if (count > 0 && (m_strange.empty() || std::exchange(m_isInStep, false)))
+        m_strange =
+            std::to_string(sizeOf(m_bytes)) + " bytes with test word " + hex(wordAt(m_bytes, kTestAt));
+    m_discarded += count;
+    m_bytes.erase(0, count);
+}
+
 std::optional<DobotFeedback> DobotFeedbackReader::next() {
     while (m_bytes.size() >= kPacketBytes) {
         std::size_t at = 0;
         while (at + kTestAt + 8 <= m_bytes.size() && !isPacket(std::string_view(m_bytes).substr(at)))
             ++at;
-        m_discarded += at;
-        m_bytes.erase(0, at);
+        discard(at);
         if (m_bytes.size() < kPacketBytes)
             break;
         DobotFeedback out;
@@ -122,10 +145,15 @@ std::optional<DobotFeedback> DobotFeedbackReader::next() {
         out.tool = static_cast<unsigned char>(m_bytes[kToolAt]);
         for (std::size_t i = 0; i < out.position.size(); ++i)
             out.position[i] = std::bit_cast<double>(wordAt(m_bytes, kPositionAt + 8 * i));
+        const bool isFinite = std::ranges::all_of(out.position, [](double p) { return std::isfinite(p); });
+        if (!isFinite) {
+            discard(kPacketBytes);
+            m_strange = "a position that is not a number";
+            continue;
+        }
+        m_isInStep = true;
         m_bytes.erase(0, kPacketBytes);
-        if (std::ranges::all_of(out.position, [](double p) { return std::isfinite(p); }))
-            return out;
-        m_discarded += kPacketBytes;
+        return out;
     }
     return std::nullopt;
 }

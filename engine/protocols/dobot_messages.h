@@ -72,12 +72,18 @@ public:
     /// Returns the next complete packet; empty if there is none yet. A packet with numbers that are not
     /// finite is skipped.
     std::optional<DobotFeedback> next();
-    void clear() { m_bytes.clear(); }
+    void clear();
     /// Returns the number of bytes that belonged to no packet.
     std::size_t discarded() const { return m_discarded; }
+    /// Returns what those bytes were, "1440 bytes with test word 0x0"; empty if there were none since
+    /// clear().
+    const std::string& strange() const { return m_strange; }
 
 private:
-    std::string m_bytes;
+    void discard(std::size_t count);
+
+    std::string m_bytes, m_strange;
+    bool m_isInStep = false; ///< the last packet was one
     std::size_t m_discarded = 0;
 };
 

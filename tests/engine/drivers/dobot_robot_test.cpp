@@ -459,6 +459,44 @@ TEST(DobotBytes, RefusalsAndMissingReplies) {
     EXPECT_EQ(feedback.opened(), 1);
 }
 
+// Catches packets of another firmware that are only called silence, or are neither counted nor told.
+TEST(DobotBytes, PacketsThatCannotBeReadAreTold) {
+    ManualClock clock;
+    ScriptedLink dashboard("dashboard"), motion("motion"), feedback("feedback");
+    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kArmAxes, Vector6d::Zero()),
+                     [](const Vector6d&) { return true; });
+    const auto run = [&](const std::string& packet, double time_s) {
+        for (const double end_s = clock.now_s() + time_s; clock.now_s() < end_s;) {
+            feedback.say(packet);
+            clock.advance(0.008);
+            robot.work();
+        }
+    };
+    const std::string right = dobotPacket({DobotMode::Paused, {200.0, 0.0, 0.0, 7.0}});
+    std::string other = right;
+    other.replace(48, 8, std::string("\x10\x32\x54\x76\x98\xba\xdc\xfe", 8));
+    run(other, 3.5);
+    EXPECT_EQ(robot.status().problem,
+              (Message{MessageCode::DeviceOther,
+                       {"feedback", "1440 bytes with test word 0xfedcba9876543210; its "
+                                    "firmware may be of another version"}}));
+    EXPECT_GT(robot.status().discarded, 300);
+    run(right, 1.0);
+    EXPECT_EQ(robot.status().link, LinkState::Live);
+    const int before = robot.status().discarded;
+    run(right, 5.0);
+    EXPECT_EQ(robot.status().discarded, before);
+    EXPECT_EQ(robot.status().problem.code, MessageCode::None);
+    run(right.substr(0, 700), 0.001); // a damaged one
+    run(right, 0.1);
+    EXPECT_EQ(robot.status().link, LinkState::Live);
+    EXPECT_GT(robot.status().discarded, before);
+    EXPECT_EQ(robot.status().problem.code, MessageCode::DeviceAnswersWrong);
+    run(other, 1.5);
+    EXPECT_EQ(robot.status().link, LinkState::Lost);
+    EXPECT_EQ(robot.status().problem.code, MessageCode::DeviceOther);
+}
+
 // Catches packets that had waited and are told as new.
 TEST(DobotBytes, AWaitingPacketIsAsOldAsItsClockTells) {
     ManualClock clock;
