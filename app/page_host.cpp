@@ -162,6 +162,9 @@ void PageHost::connectCalibrate() {
     });
     connect(m_calibrate, &CalibratePage::thermalCalibrated, this,
             [this, edit](const ThermalCalibration& calibration) {
+                if (!m_editable)
+                    return showProblem(
+                        tr("A run is armed or on. The thermal camera can be changed once it has stopped."));
                 Experiment changed = m_document.experiment();
                 calibrateThermalCamera(changed, calibration);
                 edit(changed);

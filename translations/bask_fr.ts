@@ -6018,6 +6018,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Confirm</source>
         <translation>Confirmer</translation>
     </message>
+    <message>
+        <source>A run is armed or on. The thermal camera can be changed once it has stopped.</source>
+        <translation>Un essai est armé ou en cours. La caméra thermique pourra être changée quand il aura pris fin.</translation>
+    </message>
 </context>
 <context>
     <name>bask::PairsView</name>
@@ -9369,6 +9373,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Use this p&amp;lace</source>
         <translation>Utiliser cette p&amp;lace</translation>
+    </message>
+    <message>
+        <source>As simulated</source>
+        <translation>Telle que simulée</translation>
+    </message>
+    <message>
+        <source>A calibration board is looked for. Stop looking first.</source>
+        <translation>Une mire d’étalonnage est recherchée. Arrêtez d’abord la recherche.</translation>
     </message>
 </context>
 <context>

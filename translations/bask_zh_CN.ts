@@ -6013,6 +6013,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Confirm</source>
         <translation>确认</translation>
     </message>
+    <message>
+        <source>A run is armed or on. The thermal camera can be changed once it has stopped.</source>
+        <translation>已待命或正在运行。停止后才能更改热像仪。</translation>
+    </message>
 </context>
 <context>
     <name>bask::PairsView</name>
@@ -9350,6 +9354,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Use this p&amp;lace</source>
         <translation>使用此位置(&amp;L)</translation>
+    </message>
+    <message>
+        <source>As simulated</source>
+        <translation>按仿真</translation>
+    </message>
+    <message>
+        <source>A calibration board is looked for. Stop looking first.</source>
+        <translation>正在寻找标定板。请先停止寻找。</translation>
     </message>
 </context>
 <context>

@@ -21,13 +21,6 @@ constexpr int kZeroFrames = 20;       // over which a zero is the mean
 constexpr double kKept_s = 5.0;       // of moments, longer than any frame is under way
 constexpr double kSinceShutter_s = 90.0; // when a shutter closed last is not told: half of a usual period
 
-/// Small objects a metre away have few pixels; that is part of the uncertainty.
-FacePixelOptions fewPixels() {
-    FacePixelOptions options;
-    options.minPixels = 5;
-    return options;
-}
-
 } // namespace
 
 CameraThermometer::CameraThermometer(CameraThermometerSetup setup, ThermalCamera& camera, Robot& robot,
@@ -155,7 +148,7 @@ void CameraThermometer::readFrame() {
     if (m_moments.empty() || !nearest(m_frame->time_s).isPlaceSure)
         return invalidate({MessageCode::ThermalPlaceUnsure, {}});
     if (m_isBoardShown || m_frame->time_s < m_board_s + kBoardGone_s)
-        return invalidate({MessageCode::ThermalFaceHidden, {"0", std::to_string(fewPixels().minPixels)}});
+        return invalidate({MessageCode::ThermalFaceHidden, {"0", std::to_string(rigPixels().minPixels)}});
     invalidate({});
     const Moment& then = nearest(m_frame->time_s);
     const Vector6d q = placeAt(m_frame->time_s);
@@ -163,7 +156,7 @@ void CameraThermometer::readFrame() {
     const std::vector<PlacedPlate> screens = screensAt(q);
     const auto readAll = [&] {
         return readObjects(thermalBand(), m_frame->frame.picture, m_rays, *m_setup.X_RC, objects, screens,
-                           m_zeros, {}, kSinceShutter_s, fewPixels());
+                           m_zeros, {}, kSinceShutter_s, rigPixels());
     };
     auto read = readAll();
     if (findZeros(objects, read))
@@ -295,8 +288,7 @@ ThermalView CameraThermometer::viewOfFrame() const {
 }
 
 CameraThermometer::Memory CameraThermometer::memory() const {
-    Memory out;
-    out.hot_s = m_hot_s;
+    Memory out{m_setup.camera, m_setup.X_RC, {}, m_hot_s, m_isBoardShown ? m_clock.now_s() : m_board_s};
     for (std::size_t i = 0; i < m_zeros.size(); ++i)
         if (m_zeros[i])
             out.zeros[m_setup.objects[i].name] = *m_zeros[i];
@@ -305,6 +297,13 @@ CameraThermometer::Memory CameraThermometer::memory() const {
 
 void CameraThermometer::use(const Memory& before) {
     m_hot_s = before.hot_s;
+    m_board_s = before.board_s;
+    const bool isSamePlace = before.X_RC.has_value() == m_setup.X_RC.has_value() &&
+                             (!m_setup.X_RC || before.X_RC->matrix() == m_setup.X_RC->matrix());
+    if (!isSamePlace || before.camera != m_setup.camera) {
+        m_hot_s = m_clock.now_s();
+        return;
+    }
     for (std::size_t i = 0; i < m_zeros.size(); ++i)
         if (const auto zero = before.zeros.find(m_setup.objects[i].name); zero != before.zeros.end()) {
             m_zeros[i] = zero->second;

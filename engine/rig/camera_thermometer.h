@@ -48,8 +48,11 @@ class CameraThermometer final : public Thermometer {
 public:
     /// What is kept where the rig stays and the experiment changes.
     struct Memory {
+        CameraModel camera; ///< with which it was zeroed
+        std::optional<Pose> X_RC;
         std::map<std::string, CameraZero> zeros; ///< by the objects' names
         double hot_s = -1e300;                   ///< when the source was not cold last
+        double board_s = -1e300;                 ///< when a board was shown last
     };
 
     /// The devices and `clock`, which is theirs, must outlive it.
@@ -84,6 +87,8 @@ public:
     bool isCold() const;
 
     Memory memory() const;
+    /// Zeros of a camera elsewhere, or with another lens, are of other pixels, and the objects may have been
+    /// warmed to find it: it is zeroed anew when all has been cold for some minutes.
     void use(const Memory& before);
 
     static constexpr double kOldFrame_s = 1.5; ///< a closed shutter, and the way of a frame, take less

@@ -15,9 +15,18 @@ struct CameraWatch::Chosen {
 CameraWatch::CameraWatch(BackgroundThread& closer) : m_closer(closer) {}
 CameraWatch::~CameraWatch() = default;
 
+namespace {
+
+/// After a run the objects are hot, and are looked at until they have cooled.
+bool mayShowBoard(const EngineSession& session) {
+    return !session.loop.isArmedOrOn() && !session.loop.isCooling();
+}
+
+} // namespace
+
 void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
     m_wanted = wanted;
-    m_isBoardOut = !session.loop.isArmedOrOn();
+    m_isBoardOut = mayShowBoard(session);
     if (session.simulated)
         session.simulated->simulatedCamera().setBoard(
             wanted.show && !m_chosen && m_isBoardOut ? wanted.board : std::nullopt);
@@ -26,8 +35,7 @@ void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
 
 void CameraWatch::watch(EngineSession& session, const WatchThermalCamera& wanted) {
     m_thermalWanted = wanted;
-    m_isBoardOut = !session.loop.isArmedOrOn();
-    const auto board = wanted.show && m_isBoardOut ? wanted.board : std::nullopt;
+    const auto board = wanted.show && mayShowBoard(session) ? wanted.board : std::nullopt;
     if (auto* camera = session.simulated ? session.simulated->simulatedThermalCamera() : nullptr)
         camera->setBoard(board);
     if (session.thermometer)
@@ -40,7 +48,7 @@ void CameraWatch::watchOn(EngineSession& session) {
 }
 
 void CameraWatch::followRun(EngineSession& session) {
-    if ((m_wanted.board || m_thermalWanted.board) && m_isBoardOut == session.loop.isArmedOrOn())
+    if ((m_wanted.board || m_thermalWanted.board) && m_isBoardOut != mayShowBoard(session))
         watchOn(session);
 }
 

@@ -41,7 +41,7 @@ private:
     BackgroundThread& m_closer;
     WatchCamera m_wanted;
     WatchThermalCamera m_thermalWanted;
-    bool m_isBoardOut = true;
+    bool m_isBoardOut = true; ///< boards may be shown, as the cameras were told last
     std::unique_ptr<Chosen> m_chosen;
 };
 

@@ -105,8 +105,15 @@ bool haveSameSensors(const Experiment& a, const Experiment& b) {
         return false;
     if (!std::ranges::equal(a.objects, b.objects, {}, &ObjectSpec::readBy, &ObjectSpec::readBy))
         return false;
-    return a.rig ? a.rig->thermometer == b.rig->thermometer && a.rig->thermalCamera == b.rig->thermalCamera
-                 : a.simulation == b.simulation;
+    if (a.rig) {
+        const auto &one = a.rig->thermalCamera, &other = b.rig->thermalCamera;
+        return a.rig->thermometer == b.rig->thermometer && one.has_value() == other.has_value() &&
+               (!one || (one->device == other->device && one->profile == other->profile));
+    }
+    SimulationSpec other = b.simulation; // what is believed of its camera is not simulated
+    if (other.thermalCamera && a.simulation.thermalCamera)
+        other.thermalCamera->calibration = a.simulation.thermalCamera->calibration;
+    return a.simulation == other;
 }
 
 } // namespace bask

@@ -12,6 +12,14 @@
 
 namespace bask {
 
+/// Returns the options for a rig: small objects a metre away have few pixels, which is part of the
+/// uncertainty.
+inline FacePixelOptions rigPixels() {
+    FacePixelOptions options;
+    options.minPixels = 5;
+    return options;
+}
+
 /// A face's surroundings with their standard uncertainties.
 struct KnownFace {
     FaceSurroundings surroundings;

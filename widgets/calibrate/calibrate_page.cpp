@@ -118,6 +118,7 @@ void CalibratePage::connectAll() {
         m_thermalBoard = board;
         m_boardWatch->setBoard(board);
         m_boardPicture->setBoard(board);
+        m_thermalPanel->setBoardWanted(board.has_value());
         showPicture();
         watch(isVisible());
     });
@@ -129,6 +130,7 @@ void CalibratePage::connectAll() {
         calibration.lens = camera;
         calibration.lens->views.clear();
         calibration.lensDate = calibrationDate();
+        calibration.poseDate.clear(); // the place was found with another lens
         emit thermalCalibrated(calibration);
     });
     connect(m_thermalPanel, &ThermalPanel::calibrated, this, &CalibratePage::thermalCalibrated);
@@ -202,10 +204,11 @@ void CalibratePage::setView(const VisionView& view) {
 }
 
 void CalibratePage::setThermalView(const ThermalView& view) {
-    if (!m_isThermal)
+    if (!m_isThermal || !isVisible())
         return;
     m_thermalPicture->setView(view);
-    m_boardWatch->setView(view);
+    if (m_mayMove)
+        m_boardWatch->setView(view);
     m_thermalPanel->setView(view);
 }
 
@@ -214,6 +217,7 @@ void CalibratePage::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void CalibratePage::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove) {
+    m_mayMove = mayMove;
     m_rigPanel->setRobot(coordinates, isMoving, mayMove);
     m_thermalPanel->setRobot(coordinates, isMoving, mayMove);
 }

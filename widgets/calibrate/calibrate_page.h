@@ -77,6 +77,7 @@ private:
     std::optional<Board> m_board;        ///< the board to search for
     QString m_camera;                    ///< the chosen camera
     bool m_isThermal = false;            ///< the thermal camera is chosen instead
+    bool m_mayMove = false;              ///< as setRobot() told
     std::optional<Board> m_thermalBoard; ///< as m_board, of the thermal camera
     QLabel* m_choiceLabel;
     QComboBox* m_choice;

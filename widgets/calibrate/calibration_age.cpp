@@ -48,16 +48,22 @@ QStringList agesOf(const VisionSpec& vision, const QDateTime& now) {
                       .arg(ageText(vision.sourcePoseDate, now))};
 }
 
-QStringList agesOf(const ThermalCalibration& thermal, const QDateTime& now) {
-    return {
-        thermal.lens
-            ? CalibrationAge::tr("Thermal camera's lens calibrated %1.").arg(ageText(thermal.lensDate, now))
-            : CalibrationAge::tr("Thermal camera's lens not calibrated."),
-        !thermal.pose ? CalibrationAge::tr("The thermal camera's place is not known.")
-        : thermal.poseDate.empty()
-            ? CalibrationAge::tr("The thermal camera's place is as typed, not measured.")
-            : CalibrationAge::tr("The thermal camera's place was measured %1.")
-                  .arg(ageText(thermal.poseDate, now))};
+/// What is not measured of a simulated camera is as it is.
+QStringList agesOf(const ThermalCalibration& thermal, bool isSimulated, const QDateTime& now) {
+    QStringList ages;
+    if (thermal.lens)
+        ages
+            << CalibrationAge::tr("Thermal camera's lens calibrated %1.").arg(ageText(thermal.lensDate, now));
+    else if (!isSimulated)
+        ages << CalibrationAge::tr("Thermal camera's lens not calibrated.");
+    if (thermal.pose && !thermal.poseDate.empty())
+        ages << CalibrationAge::tr("The thermal camera's place was measured %1.")
+                    .arg(ageText(thermal.poseDate, now));
+    else if (thermal.pose)
+        ages << CalibrationAge::tr("The thermal camera's place is as typed, not measured.");
+    else if (!isSimulated)
+        ages << CalibrationAge::tr("The thermal camera's place is not known.");
+    return ages;
 }
 
 } // namespace
@@ -65,10 +71,8 @@ QStringList agesOf(const ThermalCalibration& thermal, const QDateTime& now) {
 QStringList calibrationAges(const Experiment& experiment, const QDateTime& now) {
     QStringList ages = agesOf(experiment.vision, now);
     const bool isSimulated = !experiment.rig;
-    const ThermalCalibration thermal = thermalCalibration(experiment, isSimulated);
-    const bool isKnownAsItIs = isSimulated && thermal == ThermalCalibration();
-    if (thermalProfile(experiment, isSimulated) && !isKnownAsItIs)
-        ages += agesOf(thermal, now);
+    if (thermalProfile(experiment, isSimulated))
+        ages += agesOf(thermalCalibration(experiment, isSimulated), isSimulated, now);
     return ages;
 }
 

@@ -80,14 +80,14 @@ bool RigSurvey::addFrame(double time_s, const MarkerFrame& frame) {
     if (!isOn() || m_isMoving)
         return false;
     if (m_state == State::Travelling) {
-        if (!m_sent_s)
+        if (!m_sent_s || time_s < *m_sent_s) // or the clock has begun anew
             m_sent_s = time_s;
         if (!isThere() && time_s - *m_sent_s < kNoMove_s)
             return false;
         m_state = State::Standing;
         m_still_s.reset();
     }
-    if (!m_still_s)
+    if (!m_still_s || time_s < *m_still_s)
         m_still_s = time_s;
     if (time_s - *m_still_s < kStill_s)
         return false;

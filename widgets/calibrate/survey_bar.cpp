@@ -1,7 +1,7 @@
 #include "widgets/calibrate/survey_bar.h"
 
-#include <QEvent>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -60,22 +60,31 @@ void SurveyBar::addFrame(double time_s, const MarkerFrame& frame) {
 void SurveyBar::advance() {
     if (const auto goal = m_survey.takeGoal())
         emit moveWanted(*goal);
-    if (m_survey.isOn()) {
-        m_progress->setRange(0, m_survey.framesWanted());
-        m_progress->setValue(m_survey.framesTaken());
-        m_status->setText(m_survey.state() == RigSurvey::State::Travelling
-                              ? tr("The robot moves to pose %1 of %2.")
-                                    .arg(m_survey.views().size() + 1)
-                                    .arg(m_survey.poses())
-                              : tr("Looking, picture %1 of %2. Nothing may move.")
-                                    .arg(m_survey.framesTaken())
-                                    .arg(m_survey.framesWanted()));
-    } else if (m_survey.state() == RigSurvey::State::Done) {
+    const bool isDone = m_survey.state() == RigSurvey::State::Done;
+    if (isDone)
         m_survey.cancel(); // no later frame is taken; its views stay
-        m_progress->setRange(0, 0);
-        m_status->setText(tr("Computing\u2026"));
+    if (m_isBusy)
+        showSurvey();
+    if (isDone)
         emit finished();
-    }
+}
+
+void SurveyBar::showSurvey() {
+    m_progress->setRange(0, m_survey.isOn() ? m_survey.framesWanted() : 0);
+    m_progress->setValue(m_survey.framesTaken());
+    m_status->setText(
+        !m_survey.isOn() ? tr("Computing\u2026")
+        : m_survey.state() == RigSurvey::State::Travelling
+            ? tr("The robot moves to pose %1 of %2.").arg(m_survey.views().size() + 1).arg(m_survey.poses())
+            : tr("Looking, picture %1 of %2. Nothing may move.")
+                  .arg(m_survey.framesTaken())
+                  .arg(m_survey.framesWanted()));
+}
+
+void SurveyBar::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    if (!event->spontaneous() && m_isBusy && m_survey.isOn())
+        cancel();
 }
 
 void SurveyBar::cancel() {
@@ -104,6 +113,8 @@ QString SurveyBar::sentence() const {
 void SurveyBar::retranslate() {
     m_cancel->setText(tr("Cancel"));
     m_progress->setAccessibleName(tr("Pictures looked at"));
+    if (m_isBusy)
+        showSurvey();
 }
 
 void SurveyBar::changeEvent(QEvent* event) {

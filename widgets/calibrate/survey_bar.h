@@ -11,7 +11,8 @@ class QPushButton;
 
 namespace bask {
 
-/// From begin() it is busy until end() or cancel(); between surveys it may say something else. Object names:
+/// From begin() it is busy until end() or cancel(); between surveys it may say something else. A survey ends
+/// when it is seen no more: the robot does not move where nobody can cancel that. Object names:
 /// "surveyStatus", "surveyProgress", "surveyCancel".
 class SurveyBar : public QWidget {
     Q_OBJECT
@@ -47,10 +48,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     void setBusy(bool isBusy);
     void advance();
+    void showSurvey();
     void retranslate();
 
     RigSurvey m_survey;

@@ -27,10 +27,23 @@ std::optional<PlacedThermalCamera> thermalCameraOf(const Experiment& experiment)
 /// Whether a pose that was found for one is right for the other.
 bool hasSameSilhouettes(const Experiment& a, const Experiment& b) {
     const auto one = thermalCameraOf(a), other = thermalCameraOf(b);
-    return one && other && one->lens == other->lens &&
+    if (!one || !other || !one->X_RC || !other->X_RC || one->lens != other->lens || a.rig != b.rig)
+        return false;
+    return a.source.shape == b.source.shape && a.source.pose == b.source.pose && a.shields == b.shields &&
+           a.fixtures == b.fixtures && a.source.uneven == b.source.uneven &&
            std::ranges::equal(a.objects, b.objects, [](const ObjectSpec& x, const ObjectSpec& y) {
                return x.shape == y.shape && x.mounting == y.mounting;
            });
+}
+
+/// But for what is measured here.
+Experiment withoutPose(Experiment experiment) {
+    if (experiment.rig && experiment.rig->thermalCamera) {
+        auto& calibration = experiment.rig->thermalCamera->calibration;
+        calibration.pose = calibration.pose ? std::optional(Vector6d(Vector6d::Zero())) : std::nullopt;
+        calibration.poseDate.clear();
+    }
+    return experiment;
 }
 
 } // namespace
@@ -71,7 +84,7 @@ ThermalCalibration ThermalPanel::calibration() const {
 }
 
 void ThermalPanel::setExperiment(const Experiment& experiment) {
-    if (!hasSameSilhouettes(m_experiment, experiment)) {
+    if (!hasSameSilhouettes(withoutPose(m_experiment), withoutPose(experiment))) {
         if (m_bar->isBusy())
             m_bar->cancel();
         m_found.reset();
@@ -87,6 +100,8 @@ void ThermalPanel::setView(const ThermalView& view) {
     m_view = view;
     if (isNew)
         m_bar->addFrame(view.time_s, {});
+    else if (view.problem.code != MessageCode::None && m_bar->survey().isOn())
+        m_bar->cancel(); // the reason follows
     showEnabled();
 }
 
@@ -94,6 +109,11 @@ void ThermalPanel::setRobot(const Vector6d& coordinates, bool isMoving, bool may
     m_robot = coordinates;
     m_mayMove = mayMove;
     m_bar->setRobot(coordinates, isMoving, mayMove);
+    showEnabled();
+}
+
+void ThermalPanel::setBoardWanted(bool isWanted) {
+    m_isBoardWanted = isWanted;
     showEnabled();
 }
 
@@ -105,11 +125,10 @@ void ThermalPanel::begin() {
 }
 
 void ThermalPanel::solve() {
-    const PlacedThermalCamera camera = thermalCameraOf(m_experiment).value();
+    const auto camera = thermalCameraOf(m_experiment); // has a pose, else the survey had been cancelled
     m_solving.run(
-        [camera, views = std::move(m_views), scene = silhouetteScene(m_experiment)] {
-            return silhouettePose(camera.lens, views, scene, camera.X_RC.value());
-        },
+        [lens = camera->lens, start = *camera->X_RC, views = std::move(m_views),
+         scene = silhouetteScene(m_experiment)] { return silhouettePose(lens, views, scene, start); },
         [this](Result<SilhouettePose> result) { take(std::move(result)); });
 }
 
@@ -134,9 +153,10 @@ void ThermalPanel::showPose() {
     if (!m_found) {
         const std::string date = calibration().poseDate;
         const QString place = camera && camera->X_RC ? poseWords(*camera->X_RC) : QString();
-        return m_box->showState(place.isEmpty() ? tr("Not measured")
-                                : date.empty()  ? tr("As typed")
-                                                : tr("In use"),
+        return m_box->showState(place.isEmpty()       ? tr("Not measured")
+                                : !calibration().pose ? tr("As simulated")
+                                : date.empty()        ? tr("As typed")
+                                                      : tr("In use"),
                                 place.isEmpty() ? QString()
                                 : date.empty()
                                     ? tr("The camera is at %1.").arg(place)
@@ -166,6 +186,8 @@ QString ThermalPanel::whyNot() const {
         return sentenceText(m_view.problem);
     if (!m_view.picture)
         return tr("No picture from the thermal camera.");
+    if (m_isBoardWanted)
+        return tr("A calibration board is looked for. Stop looking first.");
     if (!m_mayMove)
         return tr("A run is armed or on, or a stop is not reset. Measure after that.");
     return {};
@@ -174,7 +196,7 @@ QString ThermalPanel::whyNot() const {
 void ThermalPanel::showEnabled() {
     const QString reason = whyNot();
     m_tour->setEnabled(reason.isEmpty() && !m_bar->isBusy());
-    m_box->useButton()->setEnabled(m_found && m_mayMove &&
+    m_box->useButton()->setEnabled(m_found && m_mayMove && !m_bar->isBusy() &&
                                    calibration().pose != coordinatesFromPose(m_found->X_RC));
     if (!m_bar->isBusy() && !reason.isEmpty()) {
         m_bar->say(reason);

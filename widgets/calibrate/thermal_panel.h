@@ -33,6 +33,8 @@ public:
     void setView(const ThermalView& view);
     /// Coordinates of the end-effector in R; `mayMove`: no run is armed or on, no stop latched.
     void setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove);
+    /// Whether a calibration board is looked for, which hides the objects.
+    void setBoardWanted(bool isWanted);
 
 signals:
     void calibrated(const bask::ThermalCalibration& calibration);
@@ -59,6 +61,7 @@ private:
     ThermalView m_view;
     Vector6d m_robot = Vector6d::Zero();
     bool m_mayMove = false;
+    bool m_isBoardWanted = false;
     bool m_isReason = false; ///< the bar says why nothing can be measured
     std::vector<SilhouetteView> m_views;
     std::optional<SilhouettePose> m_found;

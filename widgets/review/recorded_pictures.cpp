@@ -2,8 +2,10 @@
 
 #include "engine/calibration/picture_outline.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/frame_picture_file.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -23,21 +25,30 @@ Result<ThermalView> RecordedPictures::at(double time_s) {
     auto frame = frameOfImage(recorded->png, m_profile, m_run->facts().path);
     if (!frame)
         return frame.error();
-    const auto sample = m_run->sampleAt(recorded->time_s);
-    if (!sample)
-        return sample.error();
+    const auto before = m_run->sampleAt(recorded->time_s);
+    if (!before)
+        return before.error();
+    const auto index = m_run->lowerIndex(recorded->time_s);
+    if (!index)
+        return index.error();
+    // The readings of a picture are those of the next sample: it had to be delivered.
+    const auto* block = m_run->block(*index / RecordedSession::kBlock);
+    const TraceSample& after =
+        block != nullptr && *index < m_run->size() ? (*block)[*index % RecordedSession::kBlock] : *before;
     m_number = recorded->number;
     m_view = {};
     m_view.cameraName = cameraName(m_profile);
     m_view.picture = std::make_shared<ThermalPicture>(std::move(frame->picture));
     m_view.time_s = recorded->time_s;
-    addObjects(m_view, *sample);
+    const double between_s = after.time_s - before->time_s, since_s = recorded->time_s - before->time_s;
+    const double share = between_s > 0.0 ? std::clamp(since_s / between_s, 0.0, 1.0) : 0.0;
+    addObjects(m_view, before->coordinates + share * (after.coordinates - before->coordinates), after);
     return m_view;
 }
 
-void RecordedPictures::addObjects(ThermalView& view, const TraceSample& sample) const {
+void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const TraceSample& sample) const {
     const SilhouetteScene scene = silhouetteScene(m_run->facts().experiment);
-    const Pose X_RE = poseFromCoordinates(sample.coordinates);
+    const Pose X_RE = poseFromCoordinates(q);
     const auto placed = [&](const std::vector<MountedPlate>& plates) {
         std::vector<PlacedPlate> out;
         for (const MountedPlate& plate : plates)
@@ -49,7 +60,7 @@ void RecordedPictures::addObjects(ThermalView& view, const TraceSample& sample) 
     screens.insert(screens.end(), scene.fixed.begin(), scene.fixed.end());
     std::vector<Result<FacePixels>> pixels;
     if (m_X_RC)
-        pixels = facePixels(m_rays, *m_X_RC, objects, screens);
+        pixels = facePixels(m_rays, *m_X_RC, objects, screens, rigPixels());
     for (std::size_t i = 0; i < objects.size(); ++i) {
         ThermalObjectView object;
         if (m_X_RC)

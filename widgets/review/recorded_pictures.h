@@ -10,8 +10,9 @@
 
 namespace bask {
 
-/// Of a run that has pictures. Outlines and pixels are worked out again, for the recorded place of the
-/// objects and the camera as the experiment has it; temperatures are the recorded ones.
+/// Of a run that has pictures and a thermal camera. Outlines and pixels are worked out again, for the place
+/// of the objects between the samples around a picture and the camera as the experiment has it; temperatures
+/// are those of the sample after it.
 class RecordedPictures {
 public:
     explicit RecordedPictures(std::shared_ptr<RecordedSession> run);
@@ -21,7 +22,7 @@ public:
     Result<ThermalView> at(double time_s);
 
 private:
-    void addObjects(ThermalView& view, const TraceSample& sample) const;
+    void addObjects(ThermalView& view, const Vector6d& q, const TraceSample& sample) const;
 
     std::shared_ptr<RecordedSession> m_run;
     ThermalProfile m_profile;

@@ -280,7 +280,8 @@ void ReplayView::showMoment(double time_s) {
 
 void ReplayView::showPictureTab() {
     const int tab = m_tabs->indexOf(m_picture);
-    if (!m_run || !m_run->hasThermalFrames()) {
+    if (!m_run || !m_run->hasThermalFrames() ||
+        !thermalProfile(m_run->facts().experiment, m_run->facts().simulated)) {
         m_pictures.reset();
         if (tab >= 0)
             m_tabs->removeTab(tab);

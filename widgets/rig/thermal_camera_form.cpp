@@ -100,6 +100,7 @@ ThermalCameraSpec ThermalCameraForm::camera() const {
     if (out.profile != m_camera.profile) {
         lens.reset();
         lensDate.clear();
+        poseDate.clear();
     }
     pose.reset();
     if (m_isPoseKnown->isChecked()) {

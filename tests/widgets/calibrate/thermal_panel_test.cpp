@@ -3,6 +3,7 @@
 
 #include "widgets/calibrate/thermal_panel.h"
 
+#include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_rig.h"
 #include "engine/rig/rig_setup.h"
@@ -11,6 +12,7 @@
 #include "tests/support/wait_for.h"
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/calibrate/camera_panel.h"
+#include "widgets/calibrate/thermal_board_watch.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
 #include <QApplication>
@@ -187,6 +189,67 @@ TEST_F(ThermalPanelTest, EndsWhenARunBeginsOrItIsCancelled) {
     EXPECT_EQ(holds, 1);
 }
 
+// Catches a robot that goes on where nobody sees it, or by itself when the page is seen again.
+TEST_F(ThermalPanelTest, EndsWhenItIsSeenNoMoreOrSeesNothing) {
+    auto* tabs = page.findChild<QTabWidget*>("calibrateTabs");
+    const auto begin = [&] {
+        tabs->setCurrentIndex(3);
+        goal.reset();
+        look();
+        look();
+        child<QPushButton>("thermalTour")->click();
+        look();
+        ASSERT_TRUE(isBusy()) << text("surveyStatus").toStdString();
+    };
+    const auto expectEnded = [&](int held) {
+        EXPECT_EQ(holds, held);
+        for (int k = 0; k < 20; ++k)
+            look();
+        EXPECT_FALSE(isBusy());
+        EXPECT_FALSE(goal);
+    };
+    begin();
+    page.hide();
+    page.show();
+    expectEnded(1);
+    begin();
+    choose(0);
+    choose(1);
+    tabs->setCurrentIndex(3);
+    expectEnded(2);
+    begin();
+    ThermalView lost;
+    lost.problem = {MessageCode::CameraLost, {"0", "unplugged"}};
+    page.setThermalView(lost);
+    EXPECT_FALSE(text("surveyStatus").isEmpty());
+    expectEnded(3);
+
+    RigSpec& rig = experiment.rig.emplace();
+    rig.thermalCamera.emplace().profile = findThermalProfile("p2-pro").value();
+    rig.thermalCamera->calibration = experiment.simulation.thermalCamera->calibration;
+    page.setExperiment(experiment);
+    begin();
+    experiment.rig->thermalCamera->calibration.pose.reset();
+    page.setExperiment(experiment);
+    expectEnded(4);
+    EXPECT_TRUE(text("surveyStatus").contains("Rig page"));
+}
+
+// Catches a place that was found with the simulated camera and is used for a true one.
+TEST_F(ThermalPanelTest, AnotherCameraIsMeasuredAnew) {
+    survey();
+    ASSERT_TRUE(child<QPushButton>("thermalUse")->isEnabled());
+    experiment.objects[0].target_K += 1.0;
+    page.setExperiment(experiment);
+    EXPECT_TRUE(child<QPushButton>("thermalUse")->isEnabled());
+    RigSpec& rig = experiment.rig.emplace();
+    rig.thermalCamera.emplace().profile = findThermalProfile("p2-pro").value();
+    rig.thermalCamera->calibration = experiment.simulation.thermalCamera->calibration;
+    page.setExperiment(experiment);
+    EXPECT_FALSE(child<QPushButton>("thermalUse")->isEnabled());
+    EXPECT_EQ(text("thermalVerdict"), "As typed");
+}
+
 // Catches two cameras that are watched at once, and panels of one with the other's pictures.
 TEST_F(ThermalPanelTest, IsThereForTheThermalCameraOnly) {
     auto* tabs = page.findChild<QTabWidget*>("calibrateTabs");
@@ -219,10 +282,14 @@ TEST_F(ThermalPanelTest, IsThereForTheThermalCameraOnly) {
 TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     auto& lens = *page.findChild<CameraPanel*>("thermalLensPanel");
     lens.setBoard(parseBoard("chessboard:9x6:0.025").value());
+    look(); // no run is on
     lens.findChild<QPushButton*>("captureStart")->click();
-    double time_s = 0.0;
+    double time_s = 10.0;
     auto* list = lens.findChild<QTreeWidget*>();
     ASSERT_NE(list, nullptr);
+    int looks = 0;
+    QObject::connect(page.findChild<ThermalBoardWatch*>(), &ThermalBoardWatch::looked, &page,
+                     [&looks] { ++looks; });
     for (const std::string& path : test::chessboardViews()) {
         const GreyPicture photo = test::greyOf(path);
         ThermalView view;
@@ -232,11 +299,11 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
         for (const std::uint8_t value : photo.values)
             picture->T_K.push_back(300.0 + 0.02 * (255 - value));
         view.picture = picture;
-        const int before = list->topLevelItemCount();
-        for (int k = 0; k < 40 && list->topLevelItemCount() == before; ++k) {
+        for (int k = 0; k < 4; ++k) { // the board stands still
+            const int before = looks;
             view.time_s = time_s += 0.2;
             page.setThermalView(view);
-            QTest::qWait(20);
+            ASSERT_TRUE(test::waitFor([&] { return looks > before; }));
         }
     }
     EXPECT_GE(list->topLevelItemCount(), 10);

@@ -29,7 +29,7 @@ struct RecordedPicturesTest : testing::Test {
         return kObject_K + 0.1 * k + static_cast<double>(object);
     }
 
-    /// Of the robot that moves to one side; pictures are 0.3 s after the samples.
+    /// Of the robot that moves to one side. Pictures are taken 0.7 s before the samples that read them.
     std::shared_ptr<RecordedSession> recorded(int pictures) {
         const std::string path = folder.filePath("run%1.bask").arg(pictures).toStdString();
         SimulatedThermalCamera camera(*simulatedRigConfig(experiment).thermalCamera);
@@ -39,9 +39,11 @@ struct RecordedPicturesTest : testing::Test {
             sample.time_s = k;
             sample.coordinates = experiment.start;
             sample.coordinates[kX] += 0.02 * k;
+            Vector6d then = sample.coordinates; // when the picture was taken
+            then[kX] -= 0.02 * 0.7;
             ThermalMoment moment;
-            moment.time_s = k + 0.3;
-            moment.X_RE = poseFromCoordinates(sample.coordinates);
+            moment.time_s = k - 0.7;
+            moment.X_RE = poseFromCoordinates(then);
             moment.source_K = {298.15};
             for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
                 ObjectSample object;
@@ -57,10 +59,10 @@ struct RecordedPicturesTest : testing::Test {
             later.time_s += 0.2;
             camera.observe(later);
             EXPECT_TRUE(writer->add(sample));
-            if (k >= pictures)
+            if (k == 0 || k > pictures)
                 continue;
             const ThermalPicture& picture = camera.newest().value()->frame.picture;
-            EXPECT_TRUE(writer->add(TraceFrame{k + 0.3, std::make_shared<ThermalPicture>(picture)}));
+            EXPECT_TRUE(writer->add(TraceFrame{k - 0.7, std::make_shared<ThermalPicture>(picture)}));
         }
         EXPECT_TRUE(writer->finish("settled"));
         writer.reset();
@@ -74,10 +76,10 @@ struct RecordedPicturesTest : testing::Test {
 TEST_F(RecordedPicturesTest, ShowTheObjectsWhereTheyWere) {
     RecordedPictures pictures(recorded(kPictures));
     double before_px = -1.0;
-    for (int k = 0; k < kPictures; ++k) {
-        const auto view = pictures.at(k + 0.5);
+    for (int k = 1; k < kPictures; ++k) {
+        const auto view = pictures.at(k - 0.5);
         ASSERT_TRUE(view) << describe(view.error());
-        EXPECT_EQ(view->time_s, k + 0.3);
+        EXPECT_EQ(view->time_s, k - 0.7);
         ASSERT_EQ(view->objects.size(), 3U);
         for (std::size_t i = 0; i < 3; ++i) {
             const ThermalObjectView& object = view->objects[i];

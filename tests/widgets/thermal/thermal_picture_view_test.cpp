@@ -332,7 +332,6 @@ TEST(ThermalPictureView, AProblemOrAnOldPictureIsToldOverIt) {
     EXPECT_TRUE(shown.view.statusText().isEmpty());
 }
 
-// Catches a line below the picture that leaves out what it is to tell.
 // Catches a replay that is hatched as if its camera had stopped.
 TEST(ThermalPictureView, ARecordedPictureDoesNotGrowOld) {
     ThermalPictureView widget;
@@ -345,6 +344,7 @@ TEST(ThermalPictureView, ARecordedPictureDoesNotGrowOld) {
     EXPECT_TRUE(widget.statusText().startsWith("taken at 0:12")) << widget.statusText().toStdString();
 }
 
+// Catches a line below the picture that leaves out what it is to tell.
 TEST(ThermalPictureView, TheStatusTellsCameraSizeRateAndAge) {
     Shown shown;
     ThermalView next = squareScene();
