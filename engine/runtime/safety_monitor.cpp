@@ -342,8 +342,8 @@ void SafetyMonitor::addRobot(const SafetyObservation& seen) {
     if (const auto& lag = seen.robotLag)
         add(Condition::RobotSluggish,
             {MessageCode::SafetyRobotSluggish,
-             {lag->setting, formatNumber(lag->taken_s, 2), formatNumber(lag->planned_s, 2),
-              formatNumber(seen.longestRetreat_m / lag->mean_m_s, 2)}});
+             {lag->setting, formatNumber(lag->taken_s, 3), formatNumber(lag->planned_s, 3),
+              formatNumber(std::ceil(seen.longestRetreat_m / lag->mean_m_s), 6)}});
 }
 
 void SafetyMonitor::addSource(const SafetyObservation& seen) {

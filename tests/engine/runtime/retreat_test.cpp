@@ -30,7 +30,14 @@ struct WeakRobot final : Robot {
     Result<void> home() override { return inner.home(); }
     void setRetreating(bool isRetreating) override { isRetreat = isRetreating; }
     Result<void> clearAlarm() override { return inner.clearAlarm(); }
+    std::optional<RobotLag> lagAt(double speed_m_s, double, double validFor_s) const override {
+        asked_m_s = speed_m_s;
+        asked_s = validFor_s;
+        return lag;
+    }
     Robot& inner;
+    std::optional<RobotLag> lag;
+    mutable double asked_m_s = 0.0, asked_s = 0.0;
     bool isOff = false, isHoming = false, isRetreat = false;
 };
 
@@ -261,6 +268,22 @@ TEST(Retreat, ARobotThatDoesNotMoveIsAnAlarm) {
     ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0));
     EXPECT_TRUE(rig.isAway());
     EXPECT_TRUE(rig.loop.reset());
+}
+
+// Catches a retreat that takes far longer than anybody was told before the run.
+TEST(Retreat, ASlowOneIsToldBeforeTheRun) {
+    Bench rig;
+    EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyRobotSluggish));
+    EXPECT_EQ(rig.robot.asked_m_s, rig.experiment.robot.maxSpeed_m_s);
+    EXPECT_NEAR(rig.robot.asked_s, 0.15, 1e-12) << "as its velocities are valid";
+    rig.robot.lag = RobotLag{"$120=10", 0.15, 1.1, 0.0029};
+    ASSERT_TRUE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyRobotSluggish); }, 2.0));
+    const auto conditions = rig.loop.alarmConditions();
+    const auto told = std::ranges::find(conditions, MessageCode::SafetyRobotSluggish,
+                                        [](const AlarmCondition& c) { return c.message.code; });
+    EXPECT_EQ(told->message.args.at(3), "100") << "over the whole height of the workspace";
+    EXPECT_EQ(rig.loop.state(), RunState::Ready);
+    rig.run(1.0); // told, not forbidden
 }
 
 // Catches a countdown that is missing or wrong where the engine waits for a person.

@@ -138,7 +138,7 @@ TEST(SafetyMonitor, ARobotThatCannotFollowIsToldWithTheTimeOfARetreat) {
     const SafetyChanges changes = m.after(1.0);
     ASSERT_EQ(changes.raised.size(), 1U);
     EXPECT_EQ(changes.raised[0].message,
-              (Message{MessageCode::SafetyRobotSluggish, {"$120=10", "1.1", "0.15", "36"}}));
+              (Message{MessageCode::SafetyRobotSluggish, {"$120=10", "1.1", "0.15", "37"}}));
     EXPECT_EQ(m.monitor.forbidsResume(), nullptr) << "told only";
     m.seen.robotLag.reset();
     m.after(1.0);
