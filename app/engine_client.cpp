@@ -2,6 +2,8 @@
 
 #include "engine/runtime/engine_worker.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QThread>
 
 #include <atomic>
@@ -80,6 +82,7 @@ bool EngineClient::shutDown(std::chrono::milliseconds bound) {
     m_worker = nullptr;
     const bool ended = thread->wait(QDeadlineTimer(bound));
     m_isHeatLeft = *isHeatLeft;
+    QCoreApplication::removePostedEvents(this, QEvent::MetaCall); // on the way before it was disconnected
     if (ended)
         delete thread;
     return ended;
