@@ -24,7 +24,7 @@
 namespace bask {
 namespace {
 
-constexpr int kPanelWidth = 420;
+constexpr int kPanelWidth = 420, kLeastPicture = 480; // together as wide as a narrow window has room for
 constexpr double kUsualDistance_m = 0.6;
 
 // The tabs; which of them are shown depends on the camera.
@@ -55,6 +55,7 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_picture->setObjectName("livePicture");
     for (QWidget* picture : std::initializer_list<QWidget*>{m_picture, m_thermalPicture, m_boardPicture})
         m_pictures->addWidget(picture);
+    m_thermalPicture->setMinimumWidth(kLeastPicture);
     m_choice->setObjectName("cameraChoice");
     m_choice->setEditable(true);
     m_choice->setInsertPolicy(QComboBox::NoInsert);
