@@ -51,6 +51,7 @@ void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const Tr
     const Pose X_RE = poseFromCoordinates(q);
     const auto placed = [&](const std::vector<MountedPlate>& plates) {
         std::vector<PlacedPlate> out;
+        out.reserve(plates.size());
         for (const MountedPlate& plate : plates)
             out.push_back({plate.shape, X_RE * plate.X_EO});
         return out;

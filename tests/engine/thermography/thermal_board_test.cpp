@@ -17,14 +17,17 @@ const Board kBoard = parseBoard("chessboard:9x6:0.025").value();
 /// A photograph of a board as a camera of a third of its pixels would see it, warm where it is bright or
 /// where it is dark.
 ThermalPicture warmed(const GreyPicture& photo, bool isBrightWarm) {
+    const auto at = [&](int column, int row) {
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(photo.width) +
+               static_cast<std::size_t>(column);
+    };
     ThermalPicture picture{photo.width / kFactor, photo.height / kFactor, {}};
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x) {
             double sum = 0.0;
             for (int dy = 0; dy < kFactor; ++dy)
                 for (int dx = 0; dx < kFactor; ++dx)
-                    sum += photo.values[static_cast<std::size_t>((y * kFactor + dy) * photo.width +
-                                                                 x * kFactor + dx)];
+                    sum += photo.values[at(x * kFactor + dx, y * kFactor + dy)];
             const double grey = sum / (255.0 * kFactor * kFactor);
             picture.T_K.push_back(300.0 + 8.0 * (isBrightWarm ? grey : 1.0 - grey));
         }

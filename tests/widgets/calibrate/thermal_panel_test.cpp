@@ -75,10 +75,10 @@ struct ThermalPanelTest : testing::Test {
         QApplication::processEvents();
     }
 
-    void choose(int camera_) {
+    void choose(int item) {
         auto* choice = page.findChild<QComboBox*>("cameraChoice");
-        choice->setCurrentIndex(camera_);
-        emit choice->activated(camera_);
+        choice->setCurrentIndex(item);
+        emit choice->activated(item);
         QApplication::processEvents();
     }
     template <class T> T* child(const char* name) {
