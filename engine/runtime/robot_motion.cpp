@@ -150,7 +150,9 @@ void RobotMotion::watch() {
         return;
     const bool isUnderWay = m_readings.robot().moving;
     m_isHomingSeen = m_isHomingSeen || isUnderWay;
-    const bool mayBegin = !m_isHomingSeen && m_clock.now_s() - m_homingSince_s < kHomingStarts_s;
+    // A short one is over between two looks: the place is sure then.
+    const bool mayBegin = !m_isHomingSeen && !m_readings.robot().isPlaceSure &&
+                          m_clock.now_s() - m_homingSince_s < kHomingStarts_s;
     m_isHoming = m_isHoming && (isUnderWay || mayBegin);
 }
 
