@@ -208,21 +208,31 @@ Result<std::size_t> RecordedSession::lowerIndex(double time_s) {
     return first + static_cast<std::size_t>(at - from);
 }
 
-Result<TraceSample> RecordedSession::sampleAt(double time_s) {
+Result<TraceSample> RecordedSession::sample(std::size_t index) {
+    const std::vector<TraceSample>* const samples = block(index / kBlock);
+    if (samples == nullptr)
+        return m_failed.at(index / kBlock);
+    return (*samples)[index % kBlock];
+}
+
+Result<std::size_t> RecordedSession::indexFrom(double time_s) {
     if (size() == 0)
         return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
-    auto index = lowerIndex(time_s);
+    const auto index = lowerIndex(time_s);
+    return index ? Result<std::size_t>(std::min(*index, size() - 1)) : index;
+}
+
+Result<TraceSample> RecordedSession::sampleFrom(double time_s) {
+    const auto index = indexFrom(time_s);
+    return index ? sample(*index) : index.error();
+}
+
+Result<TraceSample> RecordedSession::sampleAt(double time_s) {
+    const auto index = indexFrom(time_s);
     if (!index)
         return index.error();
-    std::size_t at = std::min(*index, size() - 1);
-    const std::vector<TraceSample>* samples = block(at / kBlock);
-    if (samples != nullptr && at > 0 && (*samples)[at % kBlock].time_s > time_s) {
-        --at;
-        samples = block(at / kBlock);
-    }
-    if (samples == nullptr)
-        return m_failed.at(at / kBlock);
-    return (*samples)[at % kBlock];
+    auto found = sample(*index);
+    return found && *index > 0 && found->time_s > time_s ? sample(*index - 1) : found;
 }
 
 Result<std::vector<TraceSample>> RecordedSession::samples(double from_s, double to_s) {

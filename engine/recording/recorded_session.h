@@ -60,6 +60,8 @@ public:
     /// Returns the newest sample at or before a time, else the first. Errors: a damaged file, a run without
     /// samples.
     Result<TraceSample> sampleAt(double time_s);
+    /// Returns the first sample at or after a time, else the last. Errors: those of sampleAt.
+    Result<TraceSample> sampleFrom(double time_s);
     /// Returns the samples with from_s <= time <= to_s.
     Result<std::vector<TraceSample>> samples(double from_s, double to_s);
     /// Returns the index of the first sample at or after a time; size() if there is none.
@@ -88,6 +90,9 @@ private:
     Result<void> countFrames(const SessionStore& store);
     void adopt(std::vector<TraceSample> samples);
     Result<std::vector<TraceSample>> readBlock(std::size_t k);
+    Result<TraceSample> sample(std::size_t index);
+    Result<std::size_t>
+    indexFrom(double time_s); ///< of the first sample at or after a time, else of the last
     Result<SessionStore*> store();
 
     SessionRecord m_facts;

@@ -22,6 +22,10 @@
 #include <thread>
 
 namespace bask {
+
+bool isSameDevice(const std::optional<ThermalCameraSpec>& a, const std::optional<ThermalCameraSpec>& b) {
+    return a && b ? a->device == b->device && a->profile == b->profile : a.has_value() == b.has_value();
+}
 namespace {
 
 constexpr double kFarewell_s = 0.3;        ///< for the last words: stand still, heat off
@@ -43,11 +47,8 @@ struct Plan {
     bool hasSameThermometer(const Plan& b) const { return rig.thermometer == b.rig.thermometer; }
     bool hasSameSource(const Plan& b) const { return rig.source == b.rig.source; }
     bool hasSameCamera(const Plan& b) const { return rig.camera == b.rig.camera; }
-    /// Its lens and its pose are no matter of the device.
     bool hasSameThermalCamera(const Plan& b) const {
-        const auto &one = rig.thermalCamera, &other = b.rig.thermalCamera;
-        return one && other ? one->device == other->device && one->profile == other->profile
-                            : one.has_value() == other.has_value();
+        return isSameDevice(rig.thermalCamera, b.rig.thermalCamera);
     }
 
     RigSpec rig;

@@ -12,10 +12,14 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace bask {
+
+/// Returns whether two specifications are of one camera: its lens and its pose are no matter of the device.
+bool isSameDevice(const std::optional<ThermalCameraSpec>& a, const std::optional<ThermalCameraSpec>& b);
 
 /// Use it on the engine thread, with Qt's event loop. A device that is missing or dead reports this in its
 /// results and states.

@@ -3,6 +3,8 @@
 #include "engine/devices/video_camera.h"
 #include "engine/rig/rig_setup.h"
 
+#include <utility>
+
 namespace bask {
 
 struct CameraWatch::Chosen {
@@ -26,10 +28,9 @@ bool mayShowBoard(const EngineSession& session) {
 
 void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
     m_wanted = wanted;
-    m_isBoardOut = mayShowBoard(session);
     if (session.simulated)
         session.simulated->simulatedCamera().setBoard(
-            wanted.show && !m_chosen && m_isBoardOut ? wanted.board : std::nullopt);
+            wanted.show && !m_chosen && mayShowBoard(session) ? wanted.board : std::nullopt);
     setTask(session);
 }
 
@@ -48,7 +49,8 @@ void CameraWatch::watchOn(EngineSession& session) {
 }
 
 void CameraWatch::followRun(EngineSession& session) {
-    if ((m_wanted.board || m_thermalWanted.board) && m_isBoardOut != mayShowBoard(session))
+    const bool mayShow = mayShowBoard(session);
+    if (std::exchange(m_mayShowBoard, mayShow) != mayShow && (m_wanted.board || m_thermalWanted.board))
         watchOn(session);
 }
 
@@ -67,7 +69,7 @@ void CameraWatch::setTask(EngineSession& session) {
     if (vision.cameraPose)
         task.X_RC = poseFromCoordinates(*vision.cameraPose);
     task.follow = experiment.source.tracked && vision.followsSource();
-    if (m_isBoardOut)
+    if (mayShowBoard(session))
         task.board = m_wanted.board;
     task.show = m_wanted.show && !m_chosen;
     if (session.vision)

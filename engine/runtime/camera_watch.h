@@ -41,7 +41,7 @@ private:
     BackgroundThread& m_closer;
     WatchCamera m_wanted;
     WatchThermalCamera m_thermalWanted;
-    bool m_isBoardOut = true; ///< boards may be shown, as the cameras were told last
+    bool m_mayShowBoard = true; ///< as it was when followRun() looked last
     std::unique_ptr<Chosen> m_chosen;
 };
 

@@ -105,11 +105,9 @@ bool haveSameSensors(const Experiment& a, const Experiment& b) {
         return false;
     if (!std::ranges::equal(a.objects, b.objects, {}, &ObjectSpec::readBy, &ObjectSpec::readBy))
         return false;
-    if (a.rig) {
-        const auto &one = a.rig->thermalCamera, &other = b.rig->thermalCamera;
-        return a.rig->thermometer == b.rig->thermometer && one.has_value() == other.has_value() &&
-               (!one || (one->device == other->device && one->profile == other->profile));
-    }
+    if (a.rig)
+        return a.rig->thermometer == b.rig->thermometer &&
+               isSameDevice(a.rig->thermalCamera, b.rig->thermalCamera);
     SimulationSpec other = b.simulation; // what is believed of its camera is not simulated
     if (other.thermalCamera && a.simulation.thermalCamera)
         other.thermalCamera->calibration = a.simulation.thermalCamera->calibration;

@@ -334,13 +334,7 @@ void RigPanel::showEnabled() {
     m_measure->setEnabled(isFree && m_experiment.vision.marks(Part::Source));
     m_placeBox->useButton()->setEnabled(m_place && m_mayMove && !isPlaceUsed());
     m_sourceBox->useButton()->setEnabled(m_source && m_mayMove && !isSourceUsed());
-    if (m_task == Task::None && !reason.isEmpty() && m_bar->sentence() != reason) {
-        m_bar->say(reason);
-        m_isReason = true;
-    } else if (reason.isEmpty() && m_isReason) {
-        m_bar->say({});
-        m_isReason = false;
-    }
+    m_bar->sayReason(reason);
 }
 
 void RigPanel::retranslate() {

@@ -87,7 +87,6 @@ private:
     bool m_hasFrame = false;
     Vector6d m_robot = Vector6d::Zero();
     bool m_mayMove = false;
-    bool m_isReason = false; ///< the status says why nothing can be measured
 
     Task m_task = Task::None;
     LatestJob<Outcome> m_solving;

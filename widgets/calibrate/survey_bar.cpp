@@ -101,7 +101,15 @@ void SurveyBar::end(const QString& sentence) {
     say(sentence);
 }
 
+void SurveyBar::sayReason(const QString& reason) {
+    if (m_isBusy || (reason.isEmpty() && !m_isReason))
+        return;
+    say(reason);
+    m_isReason = !reason.isEmpty();
+}
+
 void SurveyBar::say(const QString& sentence) {
+    m_isReason = false;
     if (m_status->text() != sentence)
         m_status->setText(sentence);
 }

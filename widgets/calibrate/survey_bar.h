@@ -32,6 +32,8 @@ public:
     void end(const QString& sentence);
     /// Says a sentence while nothing is on.
     void say(const QString& sentence);
+    /// Says why no survey can begin, unless one is on; an empty reason takes back the last one.
+    void sayReason(const QString& reason);
 
     bool isBusy() const { return m_isBusy; }
     QString sentence() const;
@@ -58,6 +60,7 @@ private:
 
     RigSurvey m_survey;
     bool m_isBusy = false;
+    bool m_isReason = false; ///< what it says is a reason
     QLabel* m_status;
     QProgressBar* m_progress;
     QPushButton* m_cancel;

@@ -24,26 +24,23 @@ std::optional<PlacedThermalCamera> thermalCameraOf(const Experiment& experiment)
     return believedThermalCamera(experiment, !experiment.rig);
 }
 
+std::optional<RigSpec> uncalibrated(std::optional<RigSpec> rig) {
+    if (rig && rig->thermalCamera)
+        rig->thermalCamera->calibration = {};
+    return rig;
+}
+
 /// Whether a pose that was found for one is right for the other.
 bool hasSameSilhouettes(const Experiment& a, const Experiment& b) {
     const auto one = thermalCameraOf(a), other = thermalCameraOf(b);
-    if (!one || !other || !one->X_RC || !other->X_RC || one->lens != other->lens || a.rig != b.rig)
+    if (!one || !other || !one->X_RC || !other->X_RC || one->lens != other->lens ||
+        uncalibrated(a.rig) != uncalibrated(b.rig))
         return false;
     return a.source.shape == b.source.shape && a.source.pose == b.source.pose && a.shields == b.shields &&
            a.fixtures == b.fixtures && a.source.uneven == b.source.uneven &&
            std::ranges::equal(a.objects, b.objects, [](const ObjectSpec& x, const ObjectSpec& y) {
                return x.shape == y.shape && x.mounting == y.mounting;
            });
-}
-
-/// But for what is measured here.
-Experiment withoutPose(Experiment experiment) {
-    if (experiment.rig && experiment.rig->thermalCamera) {
-        auto& calibration = experiment.rig->thermalCamera->calibration;
-        calibration.pose = calibration.pose ? std::optional(Vector6d(Vector6d::Zero())) : std::nullopt;
-        calibration.poseDate.clear();
-    }
-    return experiment;
 }
 
 } // namespace
@@ -84,7 +81,7 @@ ThermalCalibration ThermalPanel::calibration() const {
 }
 
 void ThermalPanel::setExperiment(const Experiment& experiment) {
-    if (!hasSameSilhouettes(withoutPose(m_experiment), withoutPose(experiment))) {
+    if (!hasSameSilhouettes(m_experiment, experiment)) {
         if (m_bar->isBusy())
             m_bar->cancel();
         m_found.reset();
@@ -198,12 +195,7 @@ void ThermalPanel::showEnabled() {
     m_tour->setEnabled(reason.isEmpty() && !m_bar->isBusy());
     m_box->useButton()->setEnabled(m_found && m_mayMove && !m_bar->isBusy() &&
                                    calibration().pose != coordinatesFromPose(m_found->X_RC));
-    if (!m_bar->isBusy() && !reason.isEmpty()) {
-        m_bar->say(reason);
-        m_isReason = true;
-    } else if (std::exchange(m_isReason, false) && !m_bar->isBusy()) {
-        m_bar->say({});
-    }
+    m_bar->sayReason(reason);
 }
 
 void ThermalPanel::retranslate() {

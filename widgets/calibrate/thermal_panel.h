@@ -62,7 +62,6 @@ private:
     Vector6d m_robot = Vector6d::Zero();
     bool m_mayMove = false;
     bool m_isBoardWanted = false;
-    bool m_isReason = false; ///< the bar says why nothing can be measured
     std::vector<SilhouetteView> m_views;
     std::optional<SilhouettePose> m_found;
     LatestJob<Result<SilhouettePose>> m_solving;

@@ -1,7 +1,6 @@
 #include "widgets/review/recorded_pictures.h"
 
 #include "engine/calibration/picture_outline.h"
-#include "engine/model/experiment_rig.h"
 #include "engine/thermography/face_thermometer.h"
 #include "engine/thermography/frame_picture_file.h"
 
@@ -13,8 +12,8 @@ namespace bask {
 RecordedPictures::RecordedPictures(std::shared_ptr<RecordedSession> run)
     : m_run(std::move(run)),
       m_profile(thermalProfile(m_run->facts().experiment, m_run->facts().simulated).value()),
-      m_X_RC(believedThermalCamera(m_run->facts().experiment, m_run->facts().simulated)->X_RC),
-      m_rays(believedThermalCamera(m_run->facts().experiment, m_run->facts().simulated)->lens) {}
+      m_camera(believedThermalCamera(m_run->facts().experiment, m_run->facts().simulated).value()),
+      m_scene(silhouetteScene(m_run->facts().experiment)), m_rays(m_camera.lens) {}
 
 Result<ThermalView> RecordedPictures::at(double time_s) {
     const auto recorded = m_run->thermalFrameAt(time_s);
@@ -28,26 +27,21 @@ Result<ThermalView> RecordedPictures::at(double time_s) {
     const auto before = m_run->sampleAt(recorded->time_s);
     if (!before)
         return before.error();
-    const auto index = m_run->lowerIndex(recorded->time_s);
-    if (!index)
-        return index.error();
-    // The readings of a picture are those of the next sample: it had to be delivered.
-    const auto* block = m_run->block(*index / RecordedSession::kBlock);
-    const TraceSample& after =
-        block != nullptr && *index < m_run->size() ? (*block)[*index % RecordedSession::kBlock] : *before;
+    const auto after = m_run->sampleFrom(recorded->time_s); // read it: a picture has to be delivered
+    if (!after)
+        return after.error();
     m_number = recorded->number;
     m_view = {};
     m_view.cameraName = cameraName(m_profile);
     m_view.picture = std::make_shared<ThermalPicture>(std::move(frame->picture));
     m_view.time_s = recorded->time_s;
-    const double between_s = after.time_s - before->time_s, since_s = recorded->time_s - before->time_s;
+    const double between_s = after->time_s - before->time_s, since_s = recorded->time_s - before->time_s;
     const double share = between_s > 0.0 ? std::clamp(since_s / between_s, 0.0, 1.0) : 0.0;
-    addObjects(m_view, before->coordinates + share * (after.coordinates - before->coordinates), after);
+    addObjects(m_view, before->coordinates + share * (after->coordinates - before->coordinates), *after);
     return m_view;
 }
 
 void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const TraceSample& sample) const {
-    const SilhouetteScene scene = silhouetteScene(m_run->facts().experiment);
     const Pose X_RE = poseFromCoordinates(q);
     const auto placed = [&](const std::vector<MountedPlate>& plates) {
         std::vector<PlacedPlate> out;
@@ -56,25 +50,25 @@ void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const Tr
             out.push_back({plate.shape, X_RE * plate.X_EO});
         return out;
     };
-    const std::vector<PlacedPlate> objects = placed(scene.objects);
-    std::vector<PlacedPlate> screens = placed(scene.fixtures);
-    screens.insert(screens.end(), scene.fixed.begin(), scene.fixed.end());
+    const std::vector<PlacedPlate> objects = placed(m_scene.objects);
+    std::vector<PlacedPlate> screens = placed(m_scene.fixtures);
+    screens.insert(screens.end(), m_scene.fixed.begin(), m_scene.fixed.end());
     std::vector<Result<FacePixels>> pixels;
-    if (m_X_RC)
-        pixels = facePixels(m_rays, *m_X_RC, objects, screens, rigPixels());
+    if (m_camera.X_RC)
+        pixels = facePixels(m_rays, *m_camera.X_RC, objects, screens, rigPixels());
     for (std::size_t i = 0; i < objects.size(); ++i) {
         ThermalObjectView object;
-        if (m_X_RC)
-            object.outline_px =
-                outlineInPicture(m_rays.camera(), m_X_RC->inverse() * objects[i].X_WO, objects[i].shape);
+        if (m_camera.X_RC)
+            object.outline_px = outlineInPicture(m_rays.camera(), m_camera.X_RC->inverse() * objects[i].X_WO,
+                                                 objects[i].shape);
         const CameraSample& told = sample.objects[i].camera;
         if (std::isfinite(told.T_K)) {
             object.T_K = told.T_K;
             object.uncertainty_K = told.uncertainty_K;
             object.spread_K = told.spread_K;
-            if (m_X_RC && pixels[i])
+            if (m_camera.X_RC && pixels[i])
                 object.pixels = pixels[i]->pixels;
-        } else if (m_X_RC && !pixels[i]) {
+        } else if (m_camera.X_RC && !pixels[i]) {
             object.reason = pixels[i].error().message;
         }
         view.objects.push_back(std::move(object));

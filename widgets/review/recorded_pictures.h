@@ -1,12 +1,12 @@
 #pragma once
 // The recorded pictures of a run's thermal camera with the objects in them.
 
+#include "engine/model/experiment_rig.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/thermography/face_pixels.h"
 #include "engine/thermography/thermal_view.h"
 
 #include <memory>
-#include <optional>
 
 namespace bask {
 
@@ -26,7 +26,8 @@ private:
 
     std::shared_ptr<RecordedSession> m_run;
     ThermalProfile m_profile;
-    std::optional<Pose> m_X_RC;
+    PlacedThermalCamera m_camera;
+    SilhouetteScene m_scene;
     PixelRays m_rays;
     std::int64_t m_number = 0; ///< of the picture in m_view
     ThermalView m_view;
