@@ -6,6 +6,9 @@
 #include "engine/drivers/modbus_heater.h"
 #include "engine/drivers/modbus_thermometer.h"
 #include "engine/drivers/namur_heater.h"
+#include "engine/drivers/program_heater.h"
+#include "engine/drivers/program_robot.h"
+#include "engine/drivers/program_thermometer.h"
 #include "engine/drivers/stream_thermometer.h"
 
 #include <algorithm>
@@ -31,19 +34,19 @@ template <class Driver> std::vector<const DriverFacts*> factsOf(const std::vecto
 } // namespace
 
 const std::vector<RobotDriver>& robotDrivers() {
-    static const std::vector<RobotDriver> kDrivers{grblDriver(), dobotDriver()};
+    static const std::vector<RobotDriver> kDrivers{grblDriver(), dobotDriver(), programRobotDriver()};
     return kDrivers;
 }
 
 const std::vector<ThermometerDriver>& thermometerDrivers() {
-    static const std::vector<ThermometerDriver> kDrivers{modbusThermometerDriver(),
-                                                         streamThermometerDriver()};
+    static const std::vector<ThermometerDriver> kDrivers{modbusThermometerDriver(), streamThermometerDriver(),
+                                                         programThermometerDriver()};
     return kDrivers;
 }
 
 const std::vector<HeatSourceDriver>& heatSourceDrivers() {
     static const std::vector<HeatSourceDriver> kDrivers{handHeaterDriver(), namurHeaterDriver(),
-                                                        modbusHeaterDriver()};
+                                                        modbusHeaterDriver(), programHeaterDriver()};
     return kDrivers;
 }
 

@@ -19,9 +19,10 @@ class Thermometer;
 template <class Role> struct MadeDevice;
 
 enum class DriverLink {
-    None,   ///< nothing is connected: a person operates it
-    Serial, ///< the port is a path, with the settings of the line
-    Network ///< the port is a host's name or address
+    None,    ///< nothing is connected: a person operates it
+    Serial,  ///< the port is a path, with the settings of the line
+    Network, ///< the port is a host's name or address
+    Program  ///< the port is the command line of a program that talks to the device
 };
 
 /// The step of a form in which a parameter is asked for.
@@ -46,6 +47,11 @@ struct DriverFacts {
     /// Whether its devices have a unit and a profile, and share a line with others of this kind.
     bool isModbus = false;
 };
+
+/// Returns the key of its devices' port in files.
+inline const char* portKey(const DriverFacts& driver) {
+    return driver.link == DriverLink::Program ? "command" : "port";
+}
 
 struct RobotDriver : DriverFacts {
     std::vector<DeviceParameter<RobotDeviceSpec>> parameters;

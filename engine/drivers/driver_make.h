@@ -24,6 +24,8 @@ public:
     /// Returns a link that other devices may use, too.
     virtual ModbusLink& modbus() = 0;
     virtual ByteLink& tcp(int port) = 0;
+    /// Returns a link to the standard input and output of the program that the port names.
+    virtual ByteLink& program() = 0;
 };
 
 /// A device with the role that it has.

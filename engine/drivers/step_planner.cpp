@@ -33,6 +33,11 @@ void StepPlanner::setTwist(const Vector6d& twist, double validFor_s, double now_
     m_expires_s = now_s + validFor_s;
 }
 
+void StepPlanner::renew() {
+    m_notBefore_s = 0.0;
+    m_goal.reset();
+}
+
 void StepPlanner::forget() {
     m_twist.setZero();
     m_expires_s = m_notBefore_s = 0.0;

@@ -36,6 +36,9 @@ public:
     const AxisMap& map() const { return m_map; }
     /// Sets the wanted twist [v; w] in R, m/s and rad/s, from now for `validFor_s`.
     void setTwist(const Vector6d& twist, double validFor_s, double now_s);
+    /// Plans anew from where the robot is, although the last step has not ended: for robots that take
+    /// velocities.
+    void renew();
     /// Ends the wanted twist.
     void forget();
     /// Returns the step to send now to a robot that is at `at`: towards the end of the wanted twist within

@@ -102,7 +102,7 @@ void readDevice(Fields& fields, DeviceRole role, bool isPortRequired, DeviceSpec
     const DriverFacts* driver = known.at(out.driver);
     fields.readWord("driver", known, driver, true);
     out.driver = driver->key;
-    fields.read("port", out.port, isPortRequired);
+    fields.read(portKey(*driver), out.port, isPortRequired);
     readSerial(fields, driver->serial, out.serial);
 }
 
@@ -173,11 +173,10 @@ Json serialJson(const SerialSettings& serial) {
     return j;
 }
 
-/// Of a robot on a network, too: files have it.
-Json deviceJson(const DeviceSpec& device, bool hasLine) {
+Json deviceJson(const DeviceSpec& device, const DriverFacts& driver, bool hasLine) {
     Json j;
     j["driver"] = device.driver;
-    j["port"] = device.port;
+    j[portKey(driver)] = device.port;
     if (hasLine)
         j["serial"] = serialJson(device.serial);
     return j;
@@ -202,7 +201,9 @@ Json profileJson(const ModbusProfile& profile) {
 }
 
 Json robotJson(const RobotDeviceSpec& robot) {
-    Json j = deviceJson(robot, true);
+    const RobotDriver& driver = driverOf(robot);
+    Json j =
+        deviceJson(robot, driver, driver.link != DriverLink::Program); // on a network, too: files have it
     putDeviceParameters(j, SetupStep::Connection, robot);
     j["axes"] = Json::array();
     for (const AxisSpec& axis : robot.axes) {
@@ -221,7 +222,7 @@ Json robotJson(const RobotDeviceSpec& robot) {
 
 Json thermometerJson(const ThermometerDeviceSpec& thermometer) {
     const ThermometerDriver& driver = driverOf(thermometer);
-    Json j = deviceJson(thermometer, driver.link == DriverLink::Serial);
+    Json j = deviceJson(thermometer, driver, driver.link == DriverLink::Serial);
     putDeviceParameters(j, SetupStep::Connection, thermometer);
     if (driver.isModbus)
         j["profile"] = profileJson(thermometer.profile);
@@ -234,7 +235,7 @@ Json sourceJson(const HeatSourceDeviceSpec& source) {
     const HeatSourceDriver& driver = driverOf(source);
     if (driver.link == DriverLink::None)
         return {{"driver", source.driver}};
-    Json j = deviceJson(source, driver.link == DriverLink::Serial);
+    Json j = deviceJson(source, driver, driver.link == DriverLink::Serial);
     putDeviceParameters(j, SetupStep::Connection, source);
     if (driver.isModbus)
         j["profile"] = profileJson(source.profile);

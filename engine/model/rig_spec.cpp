@@ -24,9 +24,9 @@ Result<void> checkRange(const std::string& where, double value, double min, doub
     return check.result();
 }
 
-Result<void> checkPort(const std::string& where, const std::string& port) {
+Result<void> checkPort(const std::string& where, const std::string& port, const char* key = "port") {
     if (port.empty())
-        return Error(MessageCode::JsonMissingKey, where, {"port"});
+        return Error(MessageCode::JsonMissingKey, where, {key});
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
     if (port.size() > kMaxText || std::ranges::any_of(port, isControl))
         return Error(MessageCode::ValueUnknown, where, {port.substr(0, 20), "a path or a host's name"});
@@ -50,7 +50,8 @@ template <class Spec> Result<void> checkDevice(DeviceRole role, const std::strin
     const auto& driver = driverOf(spec);
     if (driver.link == DriverLink::None)
         return {};
-    if (const auto fit = checkPort(path + "port", spec.port); !fit)
+    const char* const key = portKey(driver);
+    if (const auto fit = checkPort(path + key, spec.port, key); !fit)
         return fit;
     Checker check;
     check.parameters(path + "serial.", serialParameters(), spec.serial);
@@ -124,14 +125,23 @@ Result<void> checkSource(const HeatSourceDeviceSpec& source) {
     return {};
 }
 
+/// Of what only one can use: each role has a program of its own, even if their commands are the same.
+template <class Spec> std::string sharedPort(const std::optional<Spec>& spec) {
+    if (!spec)
+        return {};
+    const DriverLink link = driverOf(*spec).link;
+    return link == DriverLink::Serial || link == DriverLink::Network ? spec->port : std::string();
+}
+
 /// Two Modbus devices may hang on one line, if they speak alike.
 Result<void> checkPorts(const RigSpec& rig) {
-    const bool hasSource = rig.source && driverOf(*rig.source).link != DriverLink::None;
-    if (rig.robot && rig.thermometer && rig.robot->port == rig.thermometer->port)
-        return Error(MessageCode::PortTwice, "thermometer.port", {rig.robot->port});
-    if (rig.robot && hasSource && rig.robot->port == rig.source->port)
-        return Error(MessageCode::PortTwice, "source.port", {rig.robot->port});
-    if (!rig.thermometer || !hasSource || rig.thermometer->port != rig.source->port)
+    const std::string robot = sharedPort(rig.robot), thermometer = sharedPort(rig.thermometer),
+                      source = sharedPort(rig.source);
+    if (!robot.empty() && robot == thermometer)
+        return Error(MessageCode::PortTwice, "thermometer.port", {robot});
+    if (!robot.empty() && robot == source)
+        return Error(MessageCode::PortTwice, "source.port", {robot});
+    if (thermometer.empty() || thermometer != source)
         return {};
     const bool isOneLine = driverOf(*rig.thermometer).isModbus && driverOf(*rig.source).isModbus &&
                            rig.thermometer->serial == rig.source->serial &&
@@ -148,7 +158,7 @@ bool isManualSource(const HeatSourceDeviceSpec& source) {
 }
 
 bool hasOneLine(const RigSpec& rig) {
-    return rig.thermometer && rig.source && rig.thermometer->port == rig.source->port;
+    return !sharedPort(rig.thermometer).empty() && sharedPort(rig.thermometer) == sharedPort(rig.source);
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t sensors, const std::array<bool, 6>& freeCoordinates) {

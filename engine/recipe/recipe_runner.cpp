@@ -39,10 +39,10 @@ bool isPausedByPerson(const Snapshot& snapshot) {
 } // namespace
 
 bool isNotThereYet(MessageCode code) {
-    constexpr std::array kCodes{MessageCode::SafetyStartUp,    MessageCode::LinkNotOpened,
-                                MessageCode::LinkLost,         MessageCode::DeviceSilent,
-                                MessageCode::RobotOpening,     MessageCode::ReasonRobotLost,
-                                MessageCode::ReasonSourceLost, MessageCode::RobotPlaceUnsure};
+    constexpr std::array kCodes{
+        MessageCode::SafetyStartUp,    MessageCode::LinkNotOpened,    MessageCode::LinkLost,
+        MessageCode::DeviceSilent,     MessageCode::RobotOpening,     MessageCode::ReasonRobotLost,
+        MessageCode::ReasonSourceLost, MessageCode::RobotPlaceUnsure, MessageCode::ProgramSilent};
     return std::ranges::find(kCodes, code) != kCodes.end();
 }
 

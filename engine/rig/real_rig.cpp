@@ -8,6 +8,7 @@
 #include "engine/drivers/guarded_heater.h"
 #include "engine/drivers/guarded_link.h"
 #include "engine/drivers/modbus_link_on_thread.h"
+#include "engine/drivers/program_link.h"
 #include "engine/drivers/qt_modbus_link.h"
 #include "engine/drivers/rtu_link.h"
 #include "engine/drivers/serial_link.h"
@@ -68,6 +69,10 @@ DeviceStatus statusOf(ThermalCamera& camera) {
     return status;
 }
 
+const char* roleName(DeviceRole role) {
+    return role == DeviceRole::Robot ? "robot" : role == DeviceRole::Thermometer ? "thermometer" : "heater";
+}
+
 /// One that looks at its port on a thread of its own; an empty `portId` takes whatever port has that name.
 std::unique_ptr<ByteLink> serialLink(const std::string& port, const SerialSettings& settings,
                                      const std::string& portId) {
@@ -86,7 +91,8 @@ struct RealRig::Parts {
         std::function<std::string()> portId;
     };
 
-    Parts(const Clock& now, std::optional<std::string> log) : clock(now), guardLog(std::move(log)) {}
+    Parts(const Clock& now, std::optional<std::string> log, std::shared_ptr<const ConfirmedPrograms> allowed)
+        : clock(now), guardLog(std::move(log)), programs(std::move(allowed)) {}
 
     /// Of one device.
     class Links final : public DriverLinks {
@@ -114,6 +120,9 @@ struct RealRig::Parts {
             return *link;
         }
         ByteLink& tcp(int port) override { return add(std::make_unique<TcpLink>(m_spec.port, port)); }
+        ByteLink& program() override {
+            return add(std::make_unique<ProgramLink>(m_spec.port, roleName(m_role), m_parts.programs));
+        }
 
     private:
         ByteLink& add(std::unique_ptr<ByteLink> link) {
@@ -236,6 +245,7 @@ struct RealRig::Parts {
     DeviceMemory memory;
     const Clock& clock;
     const std::optional<std::string> guardLog; ///< empty: heaters have no guard
+    const std::shared_ptr<const ConfirmedPrograms> programs;
     StepGuard guard;
     std::optional<HeaterGuard> heaterGuard;                                 ///< longer than the links
     std::map<DeviceRole, std::vector<std::unique_ptr<ByteLink>>> byteLinks; ///< longer than the drivers
@@ -253,13 +263,14 @@ struct RealRig::Parts {
 };
 
 RealRig::RealRig(const Experiment& experiment, const Clock& clock, const std::string& guardLog,
-                 const DeviceMemory& memory)
-    : m_parts(std::make_unique<Parts>(clock, guardLog)) {
+                 const DeviceMemory& memory, std::shared_ptr<const ConfirmedPrograms> programs)
+    : m_parts(std::make_unique<Parts>(clock, guardLog, std::move(programs))) {
     change(experiment, memory);
 }
 
-RealRig::RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory)
-    : m_parts(std::make_unique<Parts>(clock, std::nullopt)) {
+RealRig::RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory,
+                 std::shared_ptr<const ConfirmedPrograms> programs)
+    : m_parts(std::make_unique<Parts>(clock, std::nullopt, std::move(programs))) {
     m_parts->memory = memory;
     m_parts->change({rig, Vector6d::Zero()});
 }

@@ -18,6 +18,8 @@
 
 namespace bask {
 
+class ConfirmedPrograms;
+
 /// Returns whether two specifications are of one camera: its lens and its pose are no matter of the device.
 bool isSameDevice(const std::optional<ThermalCameraSpec>& a, const std::optional<ThermalCameraSpec>& b);
 
@@ -30,11 +32,13 @@ public:
 
     /// Opens the links; `clock` must outlive it. The robot does not move before setGuard(). The heater's
     /// guard appends its actions to `guardLog`; empty: to no file. Devices in `memory` are expected again: a
-    /// different device receives only the request for its name.
+    /// different device receives only the request for its name. Only programs in `programs` are started;
+    /// null: none.
     RealRig(const Experiment& experiment, const Clock& clock, const std::string& guardLog = {},
-            const DeviceMemory& memory = {});
+            const DeviceMemory& memory = {}, std::shared_ptr<const ConfirmedPrograms> programs = nullptr);
     /// Opens only one device, to test it: nothing is moved or heated.
-    RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory = {});
+    RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory = {},
+            std::shared_ptr<const ConfirmedPrograms> programs = nullptr);
     ~RealRig();
 
     /// Returns whether every device is the one that this experiment would make.

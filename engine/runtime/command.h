@@ -147,11 +147,19 @@ struct AcceptDevice {
     DeviceRole role = DeviceRole::Robot;
 };
 
+/// A person has looked at a program and allows Bask to start it, until it changes. It is kept for this
+/// computer, or only for as long as this engine runs.
+struct ConfirmProgram {
+    std::string command;
+    std::string hash; ///< as programFiles() makes it
+    bool isKept = true;
+};
+
 using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
                              Retreat, EndRecording, SetTargets, ReportInfeasible, SetController, AddNote,
                              SetSimulationSpeed, SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm,
                              UnshelveAlarm, SetVision, WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo,
                              Jog, HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ZeroSensors,
-                             ConfirmSensor, ListPorts, TryDevice, AcceptDevice>;
+                             ConfirmSensor, ListPorts, TryDevice, AcceptDevice, ConfirmProgram>;
 
 } // namespace bask

@@ -248,7 +248,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (!experiment.rig)
         kept = {};
     else if (!kept.rig)
-        kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices.memory());
+        kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices.memory(),
+                                             m_devices.programs());
     else if (!isSameRig)
         kept.rig->change(experiment, m_devices.memory());
     m_session = std::make_unique<EngineSession>(experiment, m_steady, std::move(kept));
@@ -317,7 +318,7 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty() || rig.thermalCamera)
-        m_tried = std::make_unique<DeviceTrial>(rig, m_devices.memory());
+        m_tried = std::make_unique<DeviceTrial>(rig, m_devices);
     return {};
 }
 
@@ -434,6 +435,11 @@ Result<void> EngineWorker::apply(const Command& command) {
         return shelve(*alarm);
     if (const auto* alarm = std::get_if<UnshelveAlarm>(&command))
         return unshelve(alarm->id);
+    if (const auto* program = std::get_if<ConfirmProgram>(&command)) {
+        m_devices.confirm(program->command, program->hash, program->isKept, m_system);
+        tell({MessageCode::EventProgramConfirmed, {program->command}});
+        return {};
+    }
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
     ServoLoop& loop = m_session->loop;
@@ -445,6 +451,7 @@ Result<void> EngineWorker::apply(const Command& command) {
             [](const AcknowledgeAll&) { return Result<void>(); },
             [](const ShelveAlarm&) { return Result<void>(); },
             [](const UnshelveAlarm&) { return Result<void>(); },
+            [](const ConfirmProgram&) { return Result<void>(); },
             [&](const WatchCamera& wanted) { return m_cameras.watch(*m_session, wanted), Result<void>(); },
             [&](const WatchThermalCamera& wanted) {
                 return m_cameras.watch(*m_session, wanted), Result<void>();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace bask {
 
@@ -12,6 +13,13 @@ MetDevices::MetDevices(std::string file) : m_file(std::move(file)) {
         m_memory = std::move(*met);
     else
         m_problem = met.error().message;
+    m_programFile = (std::filesystem::absolute(m_file).parent_path() / "programs.json").string();
+    if (auto kept = readProgramMemory(m_programFile))
+        m_kept = std::move(*kept);
+    else
+        m_problem = kept.error().message;
+    for (const auto& [hash, command] : m_kept)
+        m_programs->add(hash);
 }
 
 void MetDevices::remember(const RealRig& rig, BackgroundThread& disk) {
@@ -30,6 +38,15 @@ void MetDevices::forget(RealRig& rig, DeviceRole role, BackgroundThread& disk) {
 void MetDevices::keep(BackgroundThread& disk) const {
     if (!m_file.empty())
         disk.post([memory = m_memory, file = m_file] { (void)writeDeviceMemory(memory, file); });
+}
+
+void MetDevices::confirm(const std::string& command, const std::string& hash, bool isKept,
+                         BackgroundThread& disk) {
+    m_programs->add(hash);
+    if (!isKept || m_programFile.empty())
+        return;
+    m_kept[hash] = command;
+    disk.post([memory = m_kept, file = m_programFile] { (void)writeProgramMemory(memory, file); });
 }
 
 TriedDevice DeviceTrial::state() {

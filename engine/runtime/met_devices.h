@@ -1,6 +1,9 @@
 #pragma once
-// The known devices at their ports, kept in a file, and the trial of one device alone.
+// The known devices at their ports and the confirmed programs, kept in files, and the trial of one device
+// alone.
 
+#include "engine/drivers/confirmed_programs.h"
+#include "engine/experiment/program_memory.h"
 #include "engine/rig/real_rig.h"
 #include "engine/runtime/background_thread.h"
 #include "engine/runtime/snapshot.h"
@@ -13,28 +16,35 @@ namespace bask {
 /// Remembers the first device that answers at each place. Only the constructor waits for the disk.
 class MetDevices {
 public:
-    /// Reads the file; with an empty name nothing is kept.
+    /// Reads the file, and programs.json beside it; with an empty name nothing is kept.
     explicit MetDevices(std::string file);
 
     const DeviceMemory& memory() const { return m_memory; }
-    /// Why the file could not be read; None if it could. It is overwritten with the next new device.
+    const std::shared_ptr<ConfirmedPrograms>& programs() const { return m_programs; }
+    /// Why a file could not be read; None if both could. It is overwritten with the next new device or
+    /// program.
     const Message& problem() const { return m_problem; }
     void remember(const RealRig& rig, BackgroundThread& disk);
     /// Forgets the device at that place, so that another one is accepted there.
     void forget(RealRig& rig, DeviceRole role, BackgroundThread& disk);
+    /// Allows a program to be started; without `isKept` only by this object.
+    void confirm(const std::string& command, const std::string& hash, bool isKept, BackgroundThread& disk);
 
 private:
     void keep(BackgroundThread& disk) const;
 
-    std::string m_file;
+    std::string m_file, m_programFile;
     DeviceMemory m_memory;
+    ProgramMemory m_kept;
+    std::shared_ptr<ConfirmedPrograms> m_programs = std::make_shared<ConfirmedPrograms>();
     Message m_problem;
 };
 
 /// One device alone. It may be closed after the engine has ended.
 class DeviceTrial {
 public:
-    DeviceTrial(const RigSpec& spec, const DeviceMemory& memory) : m_rig(spec, m_clock, memory) {}
+    DeviceTrial(const RigSpec& spec, const MetDevices& met)
+        : m_rig(spec, m_clock, met.memory(), met.programs()) {}
 
     void work() { m_rig.work(); }
     TriedDevice state();

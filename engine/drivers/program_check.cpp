@@ -1,0 +1,545 @@
+#include "engine/drivers/program_check.h"
+
+#include "engine/base/clock.h"
+#include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
+#include "engine/drivers/confirmed_programs.h"
+#include "engine/drivers/program_files.h"
+#include "engine/drivers/program_link.h"
+#include "engine/protocols/line_splitter.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace bask {
+namespace {
+
+using Finding = ProgramFinding::Kind;
+
+constexpr double kStart_s = 3.0, kHelloWithin_s = 10.0, kAnswer_s = 1.0, kPrompt_s = 0.5;
+constexpr double kRead_s = 0.05;
+constexpr int kReads = 40;
+constexpr double kRate_m_s = 0.002, kRate_rad_s = 0.02; ///< slow enough for any robot
+constexpr double kStill = 2e-5;                         ///< m or rad: noise of a place at rest
+constexpr double kSettle_s = 0.3;                       ///< until a robot that was told to stand does
+constexpr double kSwitched_s = 2.0;                     ///< until a relay has switched and the device says so
+constexpr double kWarmer_K = 5.0;
+constexpr double kClockOff_s = 0.5;
+
+/// What cannot go on.
+struct ProgramIsGone {
+    std::string words;
+};
+
+std::string seconds(double s) {
+    return formatNumber(s, 2) + " s";
+}
+
+/// The program and what was seen of its lines so far.
+class CheckedProgram {
+public:
+    CheckedProgram(const std::string& command, ProgramRole role,
+                   const std::shared_ptr<const ConfirmedPrograms>& confirmed)
+        : m_role(role), m_link(std::make_unique<ProgramLink>(command, "check", confirmed)) {
+        m_link->open();
+        const double began_s = m_clock.now_s();
+        while (!m_link->isOpen() && m_link->problem().code == MessageCode::None &&
+               m_clock.now_s() - began_s < kStart_s)
+            rest();
+        if (!m_link->isOpen())
+            throw ProgramIsGone{describe(m_link->problem())};
+    }
+
+    ProgramHello hello() {
+        const auto line = ask([this](std::int64_t id) { return programHello(id, m_role); }, kHelloWithin_s);
+        if (!line)
+            throw ProgramIsGone{"it does not answer hello within " + seconds(kHelloWithin_s) + lastDefect()};
+        const auto* told = std::get_if<ProgramHello>(&line->what);
+        if (told == nullptr)
+            throw ProgramIsGone{"it answers hello with something else"};
+        return *told;
+    }
+    /// The answer to one request; empty: none came in time.
+    template <class Write> std::optional<ProgramLine> ask(Write text, double within_s = kAnswer_s) {
+        const std::int64_t id = ++m_id;
+        m_link->write(text(id));
+        const double sent_s = m_clock.now_s();
+        while (m_clock.now_s() - sent_s < within_s) {
+            for (ProgramLine& line : take(sent_s))
+                if (line.id == id) {
+                    m_answered_s.push_back(m_clock.now_s() - sent_s);
+                    return std::move(line);
+                } else if (line.id) {
+                    defect("it answers request " + std::to_string(*line.id) + " (id) instead of " +
+                           std::to_string(id) + ": answer each request once, with its own id");
+                }
+            rest();
+        }
+        return std::nullopt;
+    }
+    std::optional<ProgramLine> ask(const char* what) {
+        return ask([what](std::int64_t id) { return programRequest(id, what); });
+    }
+    template <class State> State read() {
+        const auto line = ask("read");
+        if (!line)
+            throw ProgramIsGone{"it does not answer read within " + seconds(kAnswer_s) + lastDefect()};
+        if (const auto* refusal = std::get_if<ProgramRefusal>(&line->what))
+            throw ProgramIsGone{"it refuses read: " + refusal->words};
+        if (const auto* state = std::get_if<State>(&line->what))
+            return *state;
+        throw ProgramIsGone{"it answers read with something else"};
+    }
+    /// Nothing is sent or read.
+    void rest(double for_s = 1e-3) const {
+        std::this_thread::sleep_for(std::chrono::duration<double>(for_s));
+    }
+    void write(const std::string& line) { m_link->write(line); }
+    /// Each line that comes within this time.
+    std::vector<ProgramLine> listen(double for_s) {
+        std::vector<ProgramLine> out;
+        const double until_s = m_clock.now_s() + for_s;
+        while (m_clock.now_s() < until_s) {
+            std::ranges::move(take(m_clock.now_s()), std::back_inserter(out));
+            rest();
+        }
+        return out;
+    }
+    void skipId() { ++m_id; }
+    /// Ends its input; returns how long it took to end, and whether it ended by itself.
+    std::pair<double, bool> end() {
+        const double ended_s = m_clock.now_s();
+        m_link.reset();
+        ProgramLink::waitForAll();
+        const double took_s = m_clock.now_s() - ended_s;
+        return {took_s, took_s < 1.0};
+    }
+    const std::vector<double>& answered_s() const { return m_answered_s; }
+    /// Those that were not told yet.
+    std::set<std::string> takeDefects() { return std::exchange(m_defects, {}); }
+
+private:
+    std::string lastDefect() const { return m_defects.empty() ? std::string() : "; " + *m_defects.rbegin(); }
+    void defect(const std::string& words) {
+        if (m_told.insert(words).second)
+            m_defects.insert(words);
+    }
+    std::vector<ProgramLine> take(double asked_s) {
+        std::vector<ProgramLine> out;
+        m_lines.add(m_link->read());
+        while (const auto text = m_lines.next())
+            if (const auto line = parseProgramLine(*text, m_role); !line)
+                defect("\"" + plainWords(text->substr(0, 80)) + "\" is no line of the protocol (" +
+                       describe(line.error()) + "): write nothing else to the standard output");
+            else if (check(*line, asked_s))
+                out.push_back(*line);
+        if (out.empty() && !m_link->isOpen())
+            throw ProgramIsGone{describe(m_link->problem())};
+        return out;
+    }
+    bool check(const ProgramLine& line, double asked_s) {
+        if (line.seq != ++m_seq)
+            defect("line " + std::to_string(line.seq) + " (seq) comes instead of line " +
+                   std::to_string(m_seq) + ": count each line that is written, from 1");
+        m_seq = line.seq;
+        const double now_s = m_clock.now_s();
+        if (!m_first)
+            m_first = {line.time_s - now_s, line.time_s - asked_s};
+        else if (!m_isClockSet) {
+            m_first = {line.time_s - now_s, line.time_s - asked_s};
+            m_isClockSet = true;
+        }
+        const double off_s =
+            std::max(line.time_s - now_s - m_first->second, m_first->first - (line.time_s - asked_s));
+        if (m_isClockSet && off_s > kClockOff_s)
+            defect("its time is off by " + seconds(off_s) +
+                   " since it began: take a clock that is never set, in seconds");
+        return true;
+    }
+
+    const SteadyClock m_clock;
+    const ProgramRole m_role;
+    std::unique_ptr<ProgramLink> m_link;
+    LineSplitter m_lines{"\n", program::kLongestLine};
+    std::int64_t m_id = 0, m_seq = 0;
+    std::optional<std::pair<double, double>> m_first; ///< its clock minus ours, least and most
+    bool m_isClockSet = false;                        ///< by an answer after the hello
+    std::vector<double> m_answered_s;
+    std::set<std::string> m_defects, m_told;
+};
+
+class ProgramCheck {
+public:
+    ProgramCheck(const std::string& command, ProgramRole role, const ProgramCheckOptions& options,
+                 const std::function<void(const ProgramFinding&)>& tell)
+        : m_command(command), m_role(role), m_options(options), m_tell(tell) {
+        if (const auto files = programFiles(command)) {
+            auto confirmed = std::make_shared<ConfirmedPrograms>();
+            confirmed->add(files->hash);
+            m_confirmed = std::move(confirmed);
+        }
+    }
+
+    void run() {
+        try {
+            begin();
+            checkReads();
+            checkNonsense();
+            if (m_role == ProgramRole::Robot)
+                checkRobot();
+            else if (m_role == ProgramRole::HeatSource)
+                checkHeater();
+            tellDefects();
+            checkEnd();
+        } catch (const ProgramIsGone& gone) {
+            tellDefects();
+            broken(gone.words);
+        }
+    }
+
+private:
+    void kept(const std::string& words) { m_tell({Finding::Kept, words}); }
+    void broken(const std::string& words) { m_tell({Finding::Broken, words}); }
+    void notTried(const std::string& words) { m_tell({Finding::NotTried, words}); }
+    void judge(bool isKept, const std::string& good, const std::string& bad) {
+        if (isKept)
+            kept(good);
+        else
+            broken(bad);
+    }
+    void tellDefects() {
+        if (m_program == nullptr)
+            return;
+        for (const std::string& words : m_program->takeDefects())
+            broken(words);
+    }
+
+    void begin() {
+        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed);
+        m_hello = m_program->hello();
+        std::string words = "says hello: \"" + m_hello.name + "\"" +
+                            (m_hello.serial.empty() ? std::string(", no serial number")
+                                                    : ", serial number \"" + m_hello.serial + "\"");
+        if (m_role == ProgramRole::Robot) {
+            words += ", takes " + std::string(m_hello.takesVelocities ? "velocities" : "steps") + ", axes";
+            for (const int axis : m_hello.axes)
+                words += ' ' + std::string(kCoordinateNames[static_cast<std::size_t>(axis)]);
+        } else if (m_role == ProgramRole::Thermometer) {
+            words += ", " + std::to_string(m_hello.channels) + " channels";
+        } else {
+            words += ", heats up to " + formatNumber(m_hello.maxTemperature_K) + " K" +
+                     (m_hello.hasWatchdog ? ", has a watchdog" : ", no watchdog of its own");
+        }
+        kept(words);
+    }
+
+    void readState() {
+        if (m_role == ProgramRole::Robot) {
+            m_robot = m_program->read<ProgramRobotState>();
+            if (m_robot.position.size() != m_hello.axes.size())
+                throw ProgramIsGone{"a position of " + std::to_string(m_robot.position.size()) +
+                                    " numbers, but hello has " + std::to_string(m_hello.axes.size()) +
+                                    " axes: one number an axis"};
+        } else if (m_role == ProgramRole::Thermometer) {
+            const auto channels = m_program->read<std::vector<ProgramChannel>>();
+            if (static_cast<int>(channels.size()) != m_hello.channels)
+                throw ProgramIsGone{std::to_string(channels.size()) + " temperatures, but hello has " +
+                                    std::to_string(m_hello.channels) + " channels"};
+            m_channels = channels;
+        } else {
+            m_heater = m_program->read<ProgramHeaterState>();
+        }
+    }
+    void checkReads() {
+        for (int i = 0; i < kReads; ++i) {
+            readState();
+            m_program->rest(kRead_s);
+        }
+        std::vector<double> times = m_program->answered_s();
+        times.erase(times.begin()); // the hello's
+        std::ranges::sort(times);
+        const double median_s = times[times.size() / 2], worst_s = times.back();
+        const std::string words = "within " + formatNumber(1e3 * median_s, 2) + " ms (median), " +
+                                  formatNumber(1e3 * worst_s, 2) + " ms (worst of " +
+                                  std::to_string(times.size()) + ")";
+        judge(worst_s <= kPrompt_s, "answers read " + words,
+              "answers read " + words + ", but " + seconds(kPrompt_s) +
+                  " is the limit: read a slow device in the background, and give \"age\"");
+        if (m_role == ProgramRole::Thermometer)
+            for (std::size_t i = 0; i < m_channels.size(); ++i)
+                kept("channel " + std::to_string(i) + ": " +
+                     (m_channels[i].temperature_K
+                          ? formatNumber(*m_channels[i].temperature_K, 5) + " K (" +
+                                formatNumber(*m_channels[i].temperature_K - 273.15, 4) + " degC)"
+                          : std::string("no temperature")));
+    }
+    void checkNonsense() {
+        const auto unknown = m_program->ask("dance");
+        judge(unknown && std::holds_alternative<ProgramRefusal>(unknown->what),
+              "refuses a request that it does not know", "does not answer an unknown request with \"error\"");
+        m_program->write("this is no JSON\n");
+        m_program->write("[]\n");
+        (void)m_program->listen(0.2);
+        readState();
+        kept("goes on after lines that it cannot read");
+    }
+
+    // --- Robot ---
+
+    std::vector<double> ratesOf(double share) const {
+        std::vector<double> rates(m_hello.axes.size(), 0.0);
+        rates[m_axis] = share * (isTurning() ? kRate_rad_s : kRate_m_s);
+        return rates;
+    }
+    bool isTurning() const { return m_hello.axes[m_axis] >= 3; }
+    double place() const { return m_robot.position[m_axis]; }
+    void velocity(double share, double validFor_s) {
+        command([&](std::int64_t id) { return programVelocity(id, ratesOf(share), validFor_s); }, "velocity");
+    }
+    void step(double to, double duration_s) {
+        std::vector<double> goal = m_robot.position;
+        goal[m_axis] = to;
+        command([&](std::int64_t id) { return programStep(id, goal, duration_s); }, "step");
+    }
+    void go(double share, double for_s) {
+        if (m_hello.takesVelocities)
+            velocity(share, for_s);
+        else
+            step(place() + ratesOf(share)[m_axis] * for_s, for_s);
+    }
+    template <class Write> bool command(Write text, const std::string& name) {
+        const auto answer = m_program->ask(text);
+        if (!answer) {
+            broken("does not answer " + name + " within " + seconds(kAnswer_s));
+            return false;
+        }
+        if (const auto* refusal = std::get_if<ProgramRefusal>(&answer->what)) {
+            broken("refuses " + name + ": " + refusal->words);
+            return false;
+        }
+        return true;
+    }
+    void readFor(double for_s) {
+        const double until_s = m_clock.now_s() + for_s;
+        while (m_clock.now_s() < until_s) {
+            readState();
+            m_wasMoving = m_wasMoving || m_robot.isMoving;
+            m_program->rest(kRead_s);
+        }
+    }
+    /// How far it goes on within a short time.
+    double drift() {
+        readState();
+        const double from = place();
+        readFor(0.3);
+        return std::abs(place() - from);
+    }
+    bool isStanding() { return drift() < kStill && !m_robot.isMoving; }
+    std::string far(double way) const {
+        return isTurning() ? formatNumber(way * 57.29577951308232, 3) + " degrees"
+                           : formatNumber(1e3 * way, 3) + " mm";
+    }
+
+    void checkRobot() {
+        readState();
+        if (!m_options.mayMove)
+            return notTried("motion, stop and dead-man rule, by --no-motion");
+        if (m_options.mayHome && m_hello.canHome)
+            home();
+        if (!m_robot.alarm.empty())
+            return notTried("motion, since the robot tells the alarm \"" + m_robot.alarm + "\"");
+        if (!m_robot.isSure)
+            return notTried("motion, since its place is not sure: home it first" +
+                            std::string(m_hello.canHome ? ", or take --home" : ""));
+        judge(isStanding(), "stands before it is told to move",
+              "moves, or says so, although nobody has told it to");
+        checkMotion();
+        checkStop();
+        checkRobotDeadMan();
+        checkLimits();
+    }
+    void home() {
+        if (!command([](std::int64_t id) { return programRequest(id, "home"); }, "home"))
+            return;
+        m_wasMoving = false;
+        const double began_s = m_clock.now_s();
+        do
+            readFor(0.2);
+        while (m_robot.isMoving && m_clock.now_s() - began_s < 120.0);
+        judge(m_wasMoving, "says that it moves while it homes",
+              "\"moving\" is false right after home: set it until homing has ended");
+        judge(m_robot.isSure, "is sure of its place after homing", "is not sure of its place after homing");
+    }
+    /// There and back, by as much.
+    void checkMotion() {
+        constexpr double kGo_s = 1.0;
+        const double from = place(), wanted = ratesOf(1.0)[m_axis] * kGo_s;
+        m_wasMoving = false;
+        go(1.0, kGo_s);
+        readFor(kGo_s);
+        judge(m_wasMoving, "says that it moves", "\"moving\" stays false while it moves");
+        readFor(kSettle_s);
+        const double way = place() - from;
+        const double room = m_hello.takesVelocities ? 0.5 * std::abs(wanted) : 0.25 * std::abs(wanted);
+        judge(std::abs(way - wanted) <= room,
+              "goes " + far(way) + " where " + far(wanted) + " were asked for",
+              "goes " + far(way) + " where " + far(wanted) +
+                  " were asked for: check the units (m, rad, s), " + "the order of the axes and the sign");
+        judge(isStanding(),
+              std::string("stands ") +
+                  (m_hello.takesVelocities ? "when valid_for is over" : "at the end of a step"),
+              std::string("does not stand ") +
+                  (m_hello.takesVelocities ? "when valid_for is over: stop then, without another command"
+                                           : "at the end of a step, or \"moving\" stays true"));
+        go(-1.0, kGo_s);
+        readFor(kGo_s + kSettle_s);
+    }
+    void checkStop() {
+        go(1.0, 3.0);
+        readFor(0.3);
+        command([](std::int64_t id) { return programRequest(id, "stop"); }, "stop");
+        readFor(kSettle_s);
+        judge(isStanding(), "stands after stop", "does not stand after stop, or \"moving\" stays true");
+    }
+    void checkRobotDeadMan() {
+        const double from = place();
+        constexpr double kSilent_s = 2.0;
+        go(-1.0, 10.0);
+        m_program->rest(kSilent_s);
+        readState();
+        const double way = std::abs(place() - from);
+        const double mayBe = std::abs(ratesOf(1.0)[m_axis]) * (program::kDeadMan_s + kSettle_s);
+        const bool isStill = isStanding();
+        judge(isStill && way <= mayBe,
+              "stops by itself when nothing comes for " + seconds(program::kDeadMan_s),
+              "goes on for " + far(way) + " although nothing came for " + seconds(kSilent_s) +
+                  " (dead-man rule): stop when no line has come for " + seconds(program::kDeadMan_s));
+        command([](std::int64_t id) { return programRequest(id, "stop"); }, "stop");
+        readFor(kSettle_s);
+    }
+    void checkLimits() {
+        const auto& limit = m_hello.limits[static_cast<std::size_t>(m_hello.axes[m_axis])];
+        if (m_hello.takesVelocities || limit[1] > 50.0)
+            return;
+        std::vector<double> beyond = m_robot.position;
+        beyond[m_axis] = limit[1] + 0.1;
+        const double from = place();
+        const auto answer = m_program->ask([&](std::int64_t id) { return programStep(id, beyond, 1.0); });
+        const bool isRefused = answer && std::holds_alternative<ProgramRefusal>(answer->what);
+        (void)m_program->ask("stop");
+        readFor(kSettle_s);
+        judge(isRefused && std::abs(place() - from) < kStill, "refuses a step beyond its limits",
+              "does not refuse a step beyond the limits of its hello, or moves nevertheless");
+    }
+
+    // --- Heat source ---
+
+    bool waitsFor(bool isHeating, double within_s) {
+        const double until_s = m_clock.now_s() + within_s;
+        do {
+            readState();
+            if (m_heater.isHeating == isHeating)
+                return true;
+            m_program->rest(kRead_s);
+        } while (m_clock.now_s() < until_s);
+        return false;
+    }
+    void heat(double validFor_s) {
+        command([&](std::int64_t id) { return programHeat(id, m_setPoint_K, validFor_s); }, "heat");
+    }
+    void checkHeater() {
+        command([](std::int64_t id) { return programRequest(id, "off"); }, "off");
+        judge(waitsFor(false, kSwitched_s), "says that its heat is off after off",
+              "says \"heating\" " + seconds(kSwitched_s) + " after off");
+        const auto above = m_program->ask(
+            [&](std::int64_t id) { return programHeat(id, m_hello.maxTemperature_K + 10.0, 1.0); });
+        judge(above && std::holds_alternative<ProgramRefusal>(above->what),
+              "refuses a set point above max_temperature",
+              "does not refuse a set point above max_temperature");
+        (void)m_program->ask("off");
+        if (!m_options.mayMove)
+            return notTried("heat and dead-man rule, by --no-motion");
+        m_setPoint_K = std::min(m_heater.temperature_K.value_or(295.0) + kWarmer_K, m_hello.maxTemperature_K);
+        heat(5.0);
+        judge(waitsFor(true, kSwitched_s), "heats when it is told to",
+              "does not say \"heating\" within " + seconds(kSwitched_s) + " of heat");
+        if (m_heater.setPoint_K)
+            judge(std::abs(*m_heater.setPoint_K - m_setPoint_K) < 0.6, "reads its set point back",
+                  "reads a set point of " + formatNumber(*m_heater.setPoint_K, 5) + " K back where " +
+                      formatNumber(m_setPoint_K, 5) + " K was set");
+        command([](std::int64_t id) { return programRequest(id, "off"); }, "off");
+        judge(waitsFor(false, kSwitched_s), "switches off when it is told to", "heats on after off");
+        heat(1.0);
+        (void)waitsFor(true, kSwitched_s);
+        judge(waitsFor(false, 1.0 + kSwitched_s), "switches off when valid_for is over",
+              "heats on when valid_for is over: switch off then, without another command");
+        (void)m_program->ask("off");
+        heat(10.0);
+        (void)waitsFor(true, kSwitched_s);
+        m_program->rest(program::kDeadMan_s + 0.5);
+        readState();
+        judge(!m_heater.isHeating,
+              "switches off by itself when nothing comes for " + seconds(program::kDeadMan_s),
+              "heats on although nothing came for " + seconds(program::kDeadMan_s + 0.5) +
+                  " (dead-man rule): switch off when no line has come for " + seconds(program::kDeadMan_s));
+        (void)m_program->ask("off");
+    }
+
+    // --- The end ---
+
+    /// With motion or heat on: the next start sees whether they have ended.
+    void checkEnd() {
+        const bool moves =
+            m_role == ProgramRole::Robot && m_options.mayMove && m_robot.isSure && m_robot.alarm.empty();
+        const bool heats = m_role == ProgramRole::HeatSource && m_options.mayMove;
+        if (moves)
+            go(1.0, 10.0);
+        if (heats)
+            heat(10.0);
+        const auto [took_s, isByItself] = m_program->end();
+        judge(isByItself, "ends " + seconds(took_s) + " after the end of its input",
+              "does not end within 1 s of the end of its input: it was ended by a signal after " +
+                  seconds(took_s));
+        if (!moves && !heats)
+            return;
+        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed);
+        m_hello = m_program->hello();
+        readState();
+        if (moves)
+            judge(isStanding(), "has stopped at the end of its input", "goes on after the end of its input");
+        else
+            judge(!m_heater.isHeating, "has switched off at the end of its input",
+                  "heats on after the end of its input");
+        (void)m_program->end();
+    }
+
+    const SteadyClock m_clock;
+    const std::string m_command;
+    const ProgramRole m_role;
+    const ProgramCheckOptions m_options;
+    const std::function<void(const ProgramFinding&)>& m_tell;
+    std::shared_ptr<const ConfirmedPrograms> m_confirmed;
+    std::unique_ptr<CheckedProgram> m_program;
+    ProgramHello m_hello;
+    std::size_t m_axis = 0; ///< that is moved
+    ProgramRobotState m_robot;
+    std::vector<ProgramChannel> m_channels;
+    ProgramHeaterState m_heater;
+    double m_setPoint_K = 0.0;
+    bool m_wasMoving = false;
+};
+
+} // namespace
+
+void checkProgram(const std::string& command, ProgramRole role, const ProgramCheckOptions& options,
+                  const std::function<void(const ProgramFinding&)>& tell) {
+    ProgramCheck(command, role, options, tell).run();
+}
+
+} // namespace bask
