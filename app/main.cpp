@@ -1,9 +1,12 @@
 #include "app/command_dispatch.h"
 #include "app/start_window.h"
+#include "engine/drivers/program_link.h"
 
 #include <cstdio>
 
-int main(int argc, char** argv) {
+namespace {
+
+int runBask(int argc, char** argv) {
     const bask::Dispatch asked = bask::dispatch(argc, argv);
     if (asked.exitCode)
         return *asked.exitCode;
@@ -12,4 +15,12 @@ int main(int argc, char** argv) {
         return 1;
     }
     return bask::runWindow(argc, argv, asked.file);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const int code = runBask(argc, argv);
+    bask::ProgramLink::waitForAll();
+    return code;
 }

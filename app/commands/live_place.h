@@ -6,6 +6,7 @@
 #include "engine/runtime/snapshot.h"
 
 #include <optional>
+#include <vector>
 
 namespace bask {
 
@@ -13,6 +14,12 @@ enum class LivePlace {
     AsFound,   ///< it must be sure already
     Confirmed, ///< the position that its controller reports is right
     Home       ///< home the robot with its switches: it moves
+};
+
+/// How a run on a real rig begins.
+struct LiveStart {
+    LivePlace place = LivePlace::AsFound;
+    std::vector<Command> allowed{}; ///< by allowedPrograms()
 };
 
 class PlaceOrders {

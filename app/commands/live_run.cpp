@@ -28,8 +28,8 @@ constexpr int kLook_ms = 20;
 /// One step of the way for each snapshot.
 class LiveRun {
 public:
-    LiveRun(const Experiment& experiment, const SimulatedRunOptions& options, LivePlace place)
-        : m_experiment(experiment), m_options(options), m_place(place),
+    LiveRun(const Experiment& experiment, const SimulatedRunOptions& options, const LiveStart& start)
+        : m_experiment(experiment), m_options(options), m_allowed(start.allowed), m_place(start.place),
           m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
         QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
@@ -45,6 +45,8 @@ public:
         QObject::connect(&look, &QTimer::timeout, &m_here, [&] { obey(signalCount.now()); });
         look.start(kLook_ms);
         m_engine->ask([this] { m_engine->worker.start(); });
+        for (const Command& program : m_allowed)
+            post(program);
         post(LoadExperiment{m_experiment});
         if (!m_isOver)
             QCoreApplication::exec();
@@ -234,6 +236,7 @@ private:
 
     const Experiment& m_experiment;
     const SimulatedRunOptions& m_options;
+    const std::vector<Command> m_allowed;
     PlaceOrders m_place;
     SteadyClock m_clock;
     Wish m_wish = Wish::Arm;
@@ -257,12 +260,12 @@ private:
 } // namespace
 
 Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options,
-                           LivePlace place) {
+                           const LiveStart& start) {
     if (!experiment.rig)
         return Error(MessageCode::RigMissing, {});
     if (const auto fit = checkTargets(experiment); !fit) // it would never be ready
         return fit.error();
-    return LiveRun(experiment, options, place).run();
+    return LiveRun(experiment, options, start).run();
 }
 
 } // namespace bask

@@ -10,6 +10,7 @@ namespace bask {
 /// by Stop and the retreat, when all objects have been settled for kSettledFor_s, or after the duration.
 /// SIGINT and SIGTERM stop the run, a second one is STOP. The final temperatures are the measured ones.
 /// Errors: a rig that is not ready within a minute, with its reasons; refused verbs.
-Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options, LivePlace place);
+Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options,
+                           const LiveStart& start);
 
 } // namespace bask

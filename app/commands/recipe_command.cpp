@@ -1,5 +1,6 @@
 #include "app/commands/recipe_command.h"
 
+#include "app/commands/allowed_programs.h"
 #include "app/commands/command_line.h"
 #include "app/commands/engine_thread.h"
 #include "app/commands/experiment_arguments.h"
@@ -277,6 +278,15 @@ int runRecipe(const RecipeRequest& request) {
         if (told.insert(experiment.get()).second)
             warnOfOverlaps("run", *experiment);
     announce(*recipe);
+    LiveStart start{request.place};
+    for (const auto& experiment : *experiments) { // of one rig
+        if (!request.mayStartPrograms || !start.allowed.empty())
+            break;
+        auto allowed = allowedPrograms(*experiment);
+        if (!allowed)
+            return refuse(allowed.error());
+        start.allowed = std::move(*allowed);
+    }
     RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
         return request.folder.isEmpty() ? std::string() : recordingOf(*recipe, step, folder);
     });
@@ -291,7 +301,7 @@ int runRecipe(const RecipeRequest& request) {
     QElapsedTimer timer;
     timer.start();
     if (request.isLive)
-        runLive(runner, watch, request.place);
+        runLive(runner, watch, start);
     else
         runUntilSignal(runner, watch);
     teller.look(runner);

@@ -13,7 +13,8 @@ struct RecipeRequest {
     QString summary; ///< JSON; empty: none
     bool isLive = false;
     LivePlace place = LivePlace::AsFound;
-    bool mayLoosenLimits = false; ///< whether limits of the real rig may be loosened
+    bool mayLoosenLimits = false;  ///< whether limits of the real rig may be loosened
+    bool mayStartPrograms = false; ///< whether programs of the rig may be started that nobody has confirmed
 };
 
 /// Runs the recipe. Returns an ExitCode.

@@ -19,8 +19,8 @@ constexpr double kRoom_K = 295.0; // roughly; a recipe has several experiments
 
 } // namespace
 
-void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
-    PlaceOrders placeOrders(place);
+void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& start) {
+    PlaceOrders placeOrders(start.place);
     const SignalCount signalCount;
     EngineThread engine;
     QObject here; // of this thread, which takes the snapshots
@@ -65,6 +65,7 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
     });
     look.start(kLook_ms);
     engine.ask([&] { engine.worker.start(); });
+    post(start.allowed);
     post(runner.begin({}));
     QCoreApplication::exec();
     look.stop();

@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
 
+#include "app/commands/allowed_programs.h"
 #include "app/commands/engine_thread.h"
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/live_run.h"
@@ -185,6 +186,8 @@ int runExperimentCommand(const QStringList& arguments) {
         {{"live", "On the devices of the experiment's \"rig\", in real time."},
          {"accept-limits", "With --live: also where the experiment allows the rig more than is usual."},
          {"confirm-place", "With --live: a person has seen that the robot is where its controller says."},
+         {"allow-program", "With --live: starts the programs of the rig, also where nobody has confirmed "
+                           "them on this computer."},
          {"home", "With --live: homes the robot first; it moves."},
          {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
@@ -210,6 +213,8 @@ int runExperimentCommand(const QStringList& arguments) {
                                    .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
     if ((parser.isSet("home") || parser.isSet("confirm-place")) && !parser.isSet("live"))
         return refuseWords(QStringLiteral("--home and --confirm-place are for --live"));
+    if (parser.isSet("allow-program") && !parser.isSet("live"))
+        return refuseWords(QStringLiteral("--allow-program is for --live"));
     if (parser.isSet("home") && parser.isSet("confirm-place"))
         return refuseWords(QStringLiteral("--home and --confirm-place exclude each other"));
     if (isRecipe && parser.value("recipe").isEmpty())
@@ -218,7 +223,8 @@ int runExperimentCommand(const QStringList& arguments) {
         return refuseWords(QStringLiteral("--out: the name is empty"));
     if (isRecipe)
         return runRecipe({parser.value("recipe"), parser.value("out"), parser.value("summary"),
-                          parser.isSet("live"), livePlace(parser), parser.isSet("accept-limits")});
+                          parser.isSet("live"), livePlace(parser), parser.isSet("accept-limits"),
+                          parser.isSet("allow-program")});
     if (parser.isSet("out"))
         return refuseWords(QStringLiteral("--out is for recipes; -o is the session file of one run"));
     auto request = readRequest(parser);
@@ -237,7 +243,14 @@ int runExperimentCommand(const QStringList& arguments) {
     QElapsedTimer timer;
     timer.start();
     const bool isLive = parser.isSet("live");
-    const auto outcome = isLive ? runLive(request->experiment, request->options, livePlace(parser))
+    LiveStart start{livePlace(parser)};
+    if (parser.isSet("allow-program")) {
+        auto allowed = allowedPrograms(request->experiment);
+        if (!allowed)
+            return refuse(allowed.error());
+        start.allowed = std::move(*allowed);
+    }
+    const auto outcome = isLive ? runLive(request->experiment, request->options, start)
                                 : runUntilSignal(request->experiment, request->options);
     if (terminal)
         std::fputc('\n', stderr);
