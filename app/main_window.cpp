@@ -261,6 +261,14 @@ void MainWindow::showReason(int index) {
     case MessageCode::LinkLost:
     case MessageCode::DeviceSilent:
     case MessageCode::DeviceOther:
+    case MessageCode::ProgramNotConfirmed:
+    case MessageCode::ProgramNotStarted:
+    case MessageCode::ProgramEnded:
+    case MessageCode::ProgramStopped:
+    case MessageCode::ProgramSilent:
+    case MessageCode::ProgramOther:
+    case MessageCode::ProgramRefuses:
+    case MessageCode::RobotReports:
         return m_pages->show(Page::Rig);
     default:
         return m_pages->show(Page::Run);

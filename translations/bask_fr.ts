@@ -1895,6 +1895,42 @@
         <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
         <translation>Le robot ne peut pas suivre la plus grande vitesse de l’expérience, car son contrôleur a %1&#xa0;: un pas prend %2 s au lieu de %3 s, et un retrait jusqu’à %4 s. Augmentez ce réglage, ou abaissez la vitesse maximale de l’expérience.</translation>
     </message>
+    <message>
+        <source>the program &quot;%1&quot; was not confirmed on this computer, or has changed since. Bask does not start it. Look at it, then confirm it on the Rig page, or allow it with --allow-program where there is no window.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» n’a pas été confirmé sur cet ordinateur, ou a changé depuis. Bask ne le lance pas. Examinez-le, puis confirmez-le sur la page Banc, ou autorisez-le par --allow-program là où il n’y a pas de fenêtre.</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; cannot be started: %2. Check its command on the Rig page.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» ne peut pas être lancé&#xa0;: %2. Vérifiez sa commande sur la page Banc.</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has ended: %2. Bask starts it again. If it ends again, try it with &quot;bask check-device&quot;.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» s’est terminé&#xa0;: %2. Bask le relance. S’il se termine encore, essayez-le avec «&#xa0;bask check-device&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Bask has ended the program &quot;%1&quot;: %2. It starts it again. If this happens again, try it with &quot;bask check-device&quot;.</source>
+        <translation>Bask a mis fin au programme «&#xa0;%1&#xa0;»&#xa0;: %2. Il le relance. Si cela se reproduit, essayez-le avec «&#xa0;bask check-device&#xa0;».</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has not answered for %2 s. Check the device behind it and its link.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» n’a pas répondu depuis %2 s. Vérifiez l’appareil derrière lui et sa liaison.</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; does not fit the rig: %2. Change the program, or the device on the Rig page.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» ne convient pas au banc&#xa0;: %2. Changez le programme, ou l’appareil sur la page Banc.</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» refuse un ordre&#xa0;: %2. Supprimez la cause, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>
+        <translation>Le robot ne bouge pas&#xa0;: %1. Supprimez la cause, effacez l’alarme, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is confirmed on this computer</source>
+        <translation>Le programme «&#xa0;%1&#xa0;» est confirmé sur cet ordinateur</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3772,6 +3808,10 @@
         <source>Thermal camera</source>
         <translation>Caméra thermique</translation>
     </message>
+    <message>
+        <source>Program of your own</source>
+        <translation>Votre propre programme</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3825,6 +3865,14 @@
     <message>
         <source>Use the device that answers now, and remember it instead of the one before</source>
         <translation>Utiliser l’appareil qui répond maintenant et le retenir à la place de l’ancien</translation>
+    </message>
+    <message>
+        <source>Confirm…</source>
+        <translation>Confirmer…</translation>
+    </message>
+    <message>
+        <source>Look at what would be started, and allow it on this computer</source>
+        <translation>Voir ce qui serait lancé, et l’autoriser sur cet ordinateur</translation>
     </message>
 </context>
 <context>
@@ -4000,6 +4048,18 @@
     <message>
         <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
         <translation>Un numéro (0), un périphérique (/dev/video0), une image enregistrée ou un dossier d’images</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>The program and its arguments: python3 /home/lab/my_robot.py</source>
+        <translation>Le programme et ses arguments&#xa0;: python3 /home/lab/my_robot.py</translation>
+    </message>
+    <message>
+        <source>When its program says so</source>
+        <translation>Quand son programme le dit</translation>
     </message>
 </context>
 <context>
@@ -6204,6 +6264,29 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Close</source>
         <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ProgramQuestion</name>
+    <message>
+        <source>Program of a device</source>
+        <translation>Programme d’un appareil</translation>
+    </message>
+    <message>
+        <source>May Bask start this program on this computer?</source>
+        <translation>Bask peut-il lancer ce programme sur cet ordinateur ?</translation>
+    </message>
+    <message>
+        <source>It starts these files:</source>
+        <translation>Elle lance ces fichiers&#xa0;:</translation>
+    </message>
+    <message>
+        <source>It can do whatever you can do on this computer, and it moves or heats the device. Confirm only what you know. You are asked again when one of these files changes.</source>
+        <translation>Il peut faire tout ce que vous pouvez faire sur cet ordinateur, et il fait bouger ou chauffer l’appareil. Ne confirmez que ce que vous connaissez. On vous le redemandera quand l’un de ces fichiers changera.</translation>
+    </message>
+    <message>
+        <source>Allow it</source>
+        <translation>L’autoriser</translation>
     </message>
 </context>
 <context>

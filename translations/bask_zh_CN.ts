@@ -1895,6 +1895,42 @@
         <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
         <translation>机器人跟不上实验的最大速度，因为其控制器的设置为 %1：一步需要 %2 s 而不是 %3 s，撤离最长需要 %4 s。请增大该设置，或设定较小的最大速度。</translation>
     </message>
+    <message>
+        <source>the program &quot;%1&quot; was not confirmed on this computer, or has changed since. Bask does not start it. Look at it, then confirm it on the Rig page, or allow it with --allow-program where there is no window.</source>
+        <translation>程序“%1”未在本计算机上确认，或此后已改变。Bask 不启动它。请查看它，然后在“装置”页确认；没有窗口时用 --allow-program 允许。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; cannot be started: %2. Check its command on the Rig page.</source>
+        <translation>程序“%1”无法启动：%2。请在“装置”页检查其命令。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has ended: %2. Bask starts it again. If it ends again, try it with &quot;bask check-device&quot;.</source>
+        <translation>程序“%1”已结束：%2。Bask 会重新启动它。若再次结束，请用 &quot;bask check-device&quot; 检验。</translation>
+    </message>
+    <message>
+        <source>Bask has ended the program &quot;%1&quot;: %2. It starts it again. If this happens again, try it with &quot;bask check-device&quot;.</source>
+        <translation>Bask 已结束程序“%1”：%2。它会重新启动该程序。若再次发生，请用 &quot;bask check-device&quot; 检验。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has not answered for %2 s. Check the device behind it and its link.</source>
+        <translation>程序“%1”已有 %2 s 未应答。请检查其后的设备及连接。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; does not fit the rig: %2. Change the program, or the device on the Rig page.</source>
+        <translation>程序“%1”与装置不符：%2。请更改程序，或在“装置”页更改设备。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
+        <translation>程序“%1”拒绝命令：%2。请消除原因，然后复位。</translation>
+    </message>
+    <message>
+        <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>
+        <translation>机器人不动：%1。请消除原因，清除警报，然后复位。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is confirmed on this computer</source>
+        <translation>程序“%1”已在本计算机上确认</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3768,6 +3804,10 @@
         <source>Thermal camera</source>
         <translation>热像仪</translation>
     </message>
+    <message>
+        <source>Program of your own</source>
+        <translation>自编程序</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3820,6 +3860,14 @@
     <message>
         <source>Use the device that answers now, and remember it instead of the one before</source>
         <translation>使用现在应答的设备，并记住它以取代以前的设备</translation>
+    </message>
+    <message>
+        <source>Confirm…</source>
+        <translation>确认…</translation>
+    </message>
+    <message>
+        <source>Look at what would be started, and allow it on this computer</source>
+        <translation>查看将启动的内容，并在本计算机上允许</translation>
     </message>
 </context>
 <context>
@@ -3995,6 +4043,18 @@
     <message>
         <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
         <translation>编号（0）、设备（/dev/video0）、录制的一帧或帧的文件夹</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>The program and its arguments: python3 /home/lab/my_robot.py</source>
+        <translation>程序及其参数：python3 /home/lab/my_robot.py</translation>
+    </message>
+    <message>
+        <source>When its program says so</source>
+        <translation>当其程序表示时</translation>
     </message>
 </context>
 <context>
@@ -6199,6 +6259,29 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Close</source>
         <translation>关闭</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ProgramQuestion</name>
+    <message>
+        <source>Program of a device</source>
+        <translation>设备的程序</translation>
+    </message>
+    <message>
+        <source>May Bask start this program on this computer?</source>
+        <translation>是否允许 Bask 在本计算机上启动此程序？</translation>
+    </message>
+    <message>
+        <source>It starts these files:</source>
+        <translation>它启动这些文件：</translation>
+    </message>
+    <message>
+        <source>It can do whatever you can do on this computer, and it moves or heats the device. Confirm only what you know. You are asked again when one of these files changes.</source>
+        <translation>它能做您在本计算机上能做的一切，并使设备移动或加热。只确认您了解的程序。其中任一文件改变时会再次询问。</translation>
+    </message>
+    <message>
+        <source>Allow it</source>
+        <translation>允许</translation>
     </message>
 </context>
 <context>

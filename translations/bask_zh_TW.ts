@@ -1895,6 +1895,42 @@
         <source>The robot cannot follow the largest speed of the experiment, because its controller has %1: a step takes %2 s instead of %3 s, and a retreat up to %4 s. Raise that setting, or set a smaller largest speed.</source>
         <translation>機器人跟不上實驗的最大速度，因為其控制器的設定為 %1：一步需要 %2 s 而不是 %3 s，撤離最長需要 %4 s。請增大該設定，或設定較小的最大速度。</translation>
     </message>
+    <message>
+        <source>the program &quot;%1&quot; was not confirmed on this computer, or has changed since. Bask does not start it. Look at it, then confirm it on the Rig page, or allow it with --allow-program where there is no window.</source>
+        <translation>程式「%1」未在本電腦上確認，或此後已改變。Bask 不啟動它。請查看它，然後在「實驗台」頁確認；沒有視窗時以 --allow-program 允許。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; cannot be started: %2. Check its command on the Rig page.</source>
+        <translation>程式「%1」無法啟動：%2。請在「實驗台」頁檢查其命令。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has ended: %2. Bask starts it again. If it ends again, try it with &quot;bask check-device&quot;.</source>
+        <translation>程式「%1」已結束：%2。Bask 會重新啟動它。若再次結束，請以 &quot;bask check-device&quot; 檢驗。</translation>
+    </message>
+    <message>
+        <source>Bask has ended the program &quot;%1&quot;: %2. It starts it again. If this happens again, try it with &quot;bask check-device&quot;.</source>
+        <translation>Bask 已結束程式「%1」：%2。它會重新啟動該程式。若再次發生，請以 &quot;bask check-device&quot; 檢驗。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; has not answered for %2 s. Check the device behind it and its link.</source>
+        <translation>程式「%1」已有 %2 s 未回應。請檢查其後的裝置及連線。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; does not fit the rig: %2. Change the program, or the device on the Rig page.</source>
+        <translation>程式「%1」與實驗台不符：%2。請更改程式，或在「實驗台」頁更改裝置。</translation>
+    </message>
+    <message>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
+        <translation>程式「%1」拒絕命令：%2。請排除原因，然後重設。</translation>
+    </message>
+    <message>
+        <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>
+        <translation>機器人不動：%1。請排除原因，清除警報，然後重設。</translation>
+    </message>
+    <message>
+        <source>The program &quot;%1&quot; is confirmed on this computer</source>
+        <translation>程式「%1」已在本電腦上確認</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3768,6 +3804,10 @@
         <source>Thermal camera</source>
         <translation>熱像儀</translation>
     </message>
+    <message>
+        <source>Program of your own</source>
+        <translation>自編程式</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>
@@ -3820,6 +3860,14 @@
     <message>
         <source>Use the device that answers now, and remember it instead of the one before</source>
         <translation>使用現在回應的裝置，並記住它以取代以前的裝置</translation>
+    </message>
+    <message>
+        <source>Confirm…</source>
+        <translation>確認…</translation>
+    </message>
+    <message>
+        <source>Look at what would be started, and allow it on this computer</source>
+        <translation>查看將啟動的內容，並在本電腦上允許</translation>
     </message>
 </context>
 <context>
@@ -3995,6 +4043,18 @@
     <message>
         <source>A number (0), a device (/dev/video0), a recorded frame or a folder of frames</source>
         <translation>編號（0）、裝置（/dev/video0）、錄製的一格或影格的資料夾</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>The program and its arguments: python3 /home/lab/my_robot.py</source>
+        <translation>程式及其參數：python3 /home/lab/my_robot.py</translation>
+    </message>
+    <message>
+        <source>When its program says so</source>
+        <translation>當其程式表示時</translation>
     </message>
 </context>
 <context>
@@ -6199,6 +6259,29 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Close</source>
         <translation>關閉</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ProgramQuestion</name>
+    <message>
+        <source>Program of a device</source>
+        <translation>裝置的程式</translation>
+    </message>
+    <message>
+        <source>May Bask start this program on this computer?</source>
+        <translation>是否允許 Bask 在本電腦上啟動此程式？</translation>
+    </message>
+    <message>
+        <source>It starts these files:</source>
+        <translation>它啟動這些檔案：</translation>
+    </message>
+    <message>
+        <source>It can do whatever you can do on this computer, and it moves or heats the device. Confirm only what you know. You are asked again when one of these files changes.</source>
+        <translation>它能做您在本電腦上能做的一切，並使裝置移動或加熱。只確認您了解的程式。其中任一檔案改變時會再次詢問。</translation>
+    </message>
+    <message>
+        <source>Allow it</source>
+        <translation>允許</translation>
     </message>
 </context>
 <context>

@@ -66,6 +66,7 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     m_driver->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // paths can be long
     for (QLabel* label : {m_driver, m_problem}) {
         label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText); // a file's
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     }
 
@@ -86,7 +87,12 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     layout->addWidget(m_problem, 3, 0, 1, 4);
     layout->addWidget(m_accept, 4, 0, 1, 4, Qt::AlignLeft);
     layout->setColumnStretch(1, 1);
-    connect(m_accept, &QPushButton::clicked, this, [this] { emit acceptWanted(m_role); });
+    connect(m_accept, &QPushButton::clicked, this, [this] {
+        if (m_isProgram)
+            emit confirmWanted(m_role);
+        else
+            emit acceptWanted(m_role);
+    });
     connect(m_setUp, &QPushButton::clicked, this, [this] { emit setUpWanted(m_role); });
     connect(m_remove, &QPushButton::clicked, this, [this] { emit removeWanted(m_role); });
     retranslate();
@@ -161,8 +167,18 @@ void DeviceCard::showState() {
     setText(m_word, word);
     setText(m_age, age);
     setText(m_problem, problem);
-    m_accept->setVisible(isThere && m_state && m_state->status.problem.code == MessageCode::DeviceExchanged);
+    showAccept(isThere && m_state ? m_state->status.problem.code : MessageCode::None);
     showMark();
+}
+
+void DeviceCard::showAccept(MessageCode problem) {
+    m_isProgram = problem == MessageCode::ProgramNotConfirmed;
+    m_accept->setText(m_isProgram ? tr("Confirm…") : tr("This is the one"));
+    m_accept->setToolTip(
+        m_isProgram ? tr("Look at what would be started, and allow it on this computer")
+                    : tr("Use the device that answers now, and remember it instead of the one before"));
+    m_accept->setAccessibleName(roleWord(m_role) + QStringLiteral(", ") + m_accept->text());
+    m_accept->setVisible(m_isProgram || problem == MessageCode::DeviceExchanged);
 }
 
 void DeviceCard::showMark() {
@@ -183,9 +199,6 @@ void DeviceCard::retranslate() {
         widest = std::max(widest, m_title->fontMetrics().horizontalAdvance(roleWord(role)));
     m_title->setMinimumWidth(widest + kMark);
     m_remove->setText(tr("Remove"));
-    m_accept->setText(tr("This is the one"));
-    m_accept->setToolTip(tr("Use the device that answers now, and remember it instead of the one before"));
-    m_accept->setAccessibleName(roleWord(m_role) + QStringLiteral(", ") + m_accept->text());
     m_age->setToolTip(tr("Age of its newest answer, answers a second, and answers that nobody can read or "
                          "that were not asked for"));
     setAccessibleName(roleWord(m_role));

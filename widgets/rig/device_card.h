@@ -1,6 +1,7 @@
 #pragma once
 // One device of the rig: its kind, port and present state.
 
+#include "engine/base/message_code.h"
 #include "widgets/rig/device_words.h"
 
 #include <QWidget>
@@ -32,6 +33,8 @@ signals:
     void removeWanted(bask::DeviceRole role);
     /// A person accepts the different device that answers there.
     void acceptWanted(bask::DeviceRole role);
+    /// A person wants to confirm the program of this device.
+    void confirmWanted(bask::DeviceRole role);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -40,6 +43,7 @@ protected:
 private:
     void showDevice();
     void showState();
+    void showAccept(MessageCode problem);
     void showMark();
     void retranslate();
 
@@ -47,6 +51,7 @@ private:
     std::optional<RigSpec> m_rig;
     std::optional<RigDeviceState> m_state;
     bool m_editable = true;
+    bool m_isProgram = false; ///< whether the button confirms a program
     int m_shownMark = -1;
     QLabel *m_title, *m_driver, *m_mark, *m_word, *m_age, *m_problem;
     QPushButton *m_accept, *m_setUp, *m_remove;

@@ -267,6 +267,7 @@ void DeviceDialog::fill(const RigSpec& rig) {
     for (const auto& [facts, si] : m_values)
         m_parameters->setValue(*facts, si);
     m_port->setEditText(portText(rig, m_role));
+    m_port->lineEdit()->setCursorPosition(0); // of a long command its beginning
 }
 
 /// Those that fit the role.
@@ -511,10 +512,15 @@ void DeviceDialog::retranslateParts() {
             tr("A number (0), a device (/dev/video0), a video file, a folder of pictures or an address "
                "(rtsp://…)"));
     } else {
-        m_portLabel->setText(hasLine() ? tr("Port") : tr("Address"));
-        m_port->setToolTip(hasLine() ? tr("Choose one, or type its path")
-                                     : tr("Host name or IP address of the device"));
+        const bool isProgram = driver().link == DriverLink::Program;
+        m_portLabel->setText(hasLine() ? tr("Port") : isProgram ? tr("Command") : tr("Address"));
+        m_port->setToolTip(hasLine()   ? tr("Choose one, or type its path")
+                           : isProgram ? tr("The program and its arguments: python3 /home/lab/my_robot.py")
+                                       : tr("Host name or IP address of the device"));
     }
+    m_homing->setItemText(0, driver().link == DriverLink::Program
+                                 ? tr("When its program says so")
+                                 : tr("Once it is homed, if its controller can; else once it is confirmed"));
     m_port->setAccessibleName(m_portLabel->text());
     m_port->lineEdit()->setPlaceholderText(m_port->toolTip());
     m_useStep->setText(m_role == DeviceRole::Robot         ? tr("4. Its axes")
@@ -537,7 +543,6 @@ void DeviceDialog::retranslate() {
     m_axesLabel->setText(tr("Axes"));
     m_homingLabel->setText(tr("Its place is sure"));
     m_homing->setAccessibleName(m_homingLabel->text());
-    m_homing->setItemText(0, tr("Once it is homed, if its controller can; else once it is confirmed"));
     m_homing->setItemText(1, tr("Once it is homed"));
     m_homing->setItemText(2, tr("Once it is homed or confirmed"));
     m_profileLabel->setText(tr("Device"));

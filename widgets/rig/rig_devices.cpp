@@ -41,6 +41,7 @@ RigDevices::RigDevices(QWidget* parent)
         connect(m_cards[i], &DeviceCard::setUpWanted, this, &RigDevices::setUpWanted);
         connect(m_cards[i], &DeviceCard::removeWanted, this, &RigDevices::removeWanted);
         connect(m_cards[i], &DeviceCard::acceptWanted, this, &RigDevices::acceptWanted);
+        connect(m_cards[i], &DeviceCard::confirmWanted, this, &RigDevices::confirmWanted);
     }
     // A click asks; what is shown is what is in use.
     connect(m_simulated, &QRadioButton::clicked, this, [this] {

@@ -39,6 +39,7 @@ signals:
     void setUpWanted(bask::DeviceRole role);
     void removeWanted(bask::DeviceRole role);
     void acceptWanted(bask::DeviceRole role);
+    void confirmWanted(bask::DeviceRole role);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -10,6 +10,7 @@
 #include "widgets/rig/heat_panel.h"
 #include "widgets/rig/jog_panel.h"
 #include "widgets/rig/limits_panel.h"
+#include "widgets/rig/program_question.h"
 #include "widgets/rig/reading_panel.h"
 #include "widgets/rig/rig_devices.h"
 #include "widgets/rig/safety_panel.h"
@@ -121,6 +122,10 @@ void RigPage::connectAll() {
     connect(m_devices, &RigDevices::removeWanted, this, &RigPage::remove);
     connect(m_devices, &RigDevices::acceptWanted, this,
             [this](DeviceRole role) { emit commandIssued(AcceptDevice{role}); });
+    connect(m_devices, &RigDevices::confirmWanted, this, [this](DeviceRole role) {
+        if (m_experiment.rig)
+            confirmProgram(portText(*m_experiment.rig, role).toStdString());
+    });
     connect(m_devices, &RigDevices::named, this, [this](const QString& name) {
         Experiment changed = m_experiment;
         if (!changed.rig)
@@ -207,6 +212,7 @@ void RigPage::setUp(DeviceRole role) {
     connect(m_dialog, &DeviceDialog::portsWanted, this, [this] { emit commandIssued(ListPorts{}); });
     connect(m_dialog, &DeviceDialog::tryWanted, this, [this](const RigSpec& device) {
         m_isTrying = true;
+        m_isProgramAsked = false;
         emit commandIssued(TryDevice{device});
     });
     connect(m_dialog, &DeviceDialog::useWanted, this,
@@ -317,9 +323,20 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
     if (snapshot.ports)
         m_dialog->setPorts(*snapshot.ports);
     if (snapshot.tried && m_isTrying)
-        m_dialog->setTried(*snapshot.tried);
+        showTried(*snapshot.tried);
     if (!editable)
         closeDialog();
+}
+
+void RigPage::showTried(const TriedDevice& tried) {
+    m_dialog->setTried(tried);
+    if (tried.state.status.problem.code == MessageCode::ProgramNotConfirmed &&
+        !std::exchange(m_isProgramAsked, true))
+        confirmProgram(tried.state.port);
+}
+
+void RigPage::confirmProgram(const std::string& command) {
+    askForProgram(this, command, [this](const ConfirmProgram& program) { emit commandIssued(program); });
 }
 
 void RigPage::setTemperatureUnit(TemperatureUnit unit) {

@@ -74,6 +74,8 @@ private:
     void setUp(DeviceRole role);
     void endTrial();
     void closeDialog();
+    void showTried(const TriedDevice& tried);
+    void confirmProgram(const std::string& command);
     void take(DeviceRole role, const RigSpec& device);
     void remove(DeviceRole role);
     void readObject(std::size_t object, ReadBy readBy);
@@ -87,8 +89,9 @@ private:
     std::map<std::string, int> m_channels;    ///< of sensors that are or were used, by their objects
     RunState m_state = RunState::Idle;
     bool m_editable = true;
-    QString m_refusal;       ///< refusal of the newest edit; empty if it was accepted
-    bool m_isTrying = false; ///< the engine keeps a device open for the dialog
+    QString m_refusal;             ///< refusal of the newest edit; empty if it was accepted
+    bool m_isTrying = false;       ///< the engine keeps a device open for the dialog
+    bool m_isProgramAsked = false; ///< about the program that is tried
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     MessageBar* m_message;

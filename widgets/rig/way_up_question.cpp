@@ -28,6 +28,7 @@ void askOnTheWayUp(QWidget* parent, const QString& name, const QString& title, c
     auto* box = new QMessageBox(QMessageBox::Warning, title, text, QMessageBox::NoButton, parent);
     box->setObjectName(name);
     box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText); // names and commands from files are in it
     const QPushButton* go = box->addButton(yes, QMessageBox::AcceptRole);
     QPushButton* leave = box->addButton(QuestionText::tr("Cancel"), QMessageBox::RejectRole);
     box->setDefaultButton(leave);
