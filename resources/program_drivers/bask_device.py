@@ -1,0 +1,400 @@
+"""Drives a device for Bask: the protocol of program drivers, version 1.
+
+Copy this file beside your own program; it needs nothing but Python 3.9. A whole robot:
+
+    import bask_device
+
+    class MyArm(bask_device.Robot):
+        name, serial = "My arm", "A-17"
+        axes = ["x", "y", "z"]
+        moves = "velocity"
+
+        def read(self):
+            return self.state(position=arm.position(), moving=arm.is_moving())
+
+        def velocity(self, rates):
+            arm.set_velocity(rates)
+
+        def stop(self):
+            arm.set_velocity([0, 0, 0])
+
+    bask_device.run(MyArm())
+
+All quantities are in SI units: metres, radians, kelvins, seconds.
+
+What this file does for you: it reads and checks the requests, counts and times the answers, ends a velocity or a heat
+whose time is over, keeps the dead-man rule (stop and off when Bask has been silent for a second), and stops and ends at
+the end of its input and at SIGTERM. Whatever you print goes to the standard error, where people read it. An exception in
+one of your methods refuses the request in its own words.
+
+Your methods are called one at a time, but for stop() and off(): if another method has not returned within 0.2 s when the
+device must be made safe, they are called beside it. They must bear that, and return soon.
+"""
+
+import json
+import math
+import os
+import queue
+import signal
+import sys
+import threading
+import time
+import traceback
+
+PROTOCOL = 1
+LONGEST_LINE = 65536
+AXES = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
+FAULTS = ("", "open", "short", "out_of_range", "other")
+
+_WATCH = 0.02  # s between two looks at the times to live
+_WAIT_FOR_METHOD = 0.2  # s; then the device is made safe beside it
+_END_WITHIN = 0.8  # s from the end of the input
+
+
+class Refused(Exception):
+    """Raise it to refuse a request, with words for the operator: Refused("the door is open")."""
+
+
+class Device:
+    """What all roles have in common."""
+
+    role = ""
+    name = ""  # the kind of the device, 1 to 80 characters
+    serial = ""  # tells it from others of its kind
+
+    def read(self):
+        """Returns self.state(...), within 0.5 s. Read a slow device in a thread of its own, and give its age."""
+        raise NotImplementedError
+
+    def close(self):
+        """Called at the end, after the device was made safe."""
+
+    def _hello(self):
+        return {"protocol": PROTOCOL, "role": self.role, "name": self.name, "serial": self.serial}
+
+    def _make_safe(self):
+        pass
+
+
+class Robot(Device):
+    """A robot. Positions are those of the end-effector in the robot's own frame, m and rad; the rotation of
+    theta_x, theta_y, theta_z is Rz(theta_z) Ry(theta_y) Rx(theta_x)."""
+
+    role = "robot"
+    axes = ()  # some of AXES, in the order of all lists below
+    moves = "velocity"  # or "steps": write velocity() or step()
+    can_home = False  # write home(), if it can
+    limits = {}  # {"x": (-0.3, 0.3)}: the least and the greatest position of an axis, m or rad
+
+    def velocity(self, rates):
+        """Moves each axis at this rate, m/s or rad/s, until the next call of this or of stop()."""
+        raise NotImplementedError
+
+    def step(self, to, duration):
+        """Begins to go straight to this position, m and rad, in about `duration` s, and stands there. A new step
+        replaces it. Does not wait for its end."""
+        raise NotImplementedError
+
+    def stop(self):
+        """Stands still, as soon as it can."""
+        raise NotImplementedError
+
+    def home(self):
+        """Begins to find its position by its switches. Does not wait; read() tells that it moves until it is done."""
+        raise Refused("this robot cannot home")
+
+    def clear(self):
+        """Clears its alarm, and takes its place for sure, after a person has looked. Never moves."""
+
+    def state(self, position, moving, sure=True, alarm="", age=0.0):
+        """position: one number an axis, m or rad. moving: until it stands. sure: False while it may not know where it
+        is. alarm: in words, why it does not move. age: s since the position was measured."""
+        return {"position": [float(p) for p in position], "moving": bool(moving), "sure": bool(sure),
+                "alarm": str(alarm), "age": float(age)}
+
+    def _hello(self):
+        hello = {**super()._hello(), "axes": list(self.axes), "moves": self.moves, "can_home": self.can_home}
+        if self.limits:
+            hello["limits"] = {axis: list(pair) for axis, pair in self.limits.items()}
+        return hello
+
+    def _make_safe(self):
+        self.stop()
+
+
+class Thermometer(Device):
+    """Sensors that are read together."""
+
+    role = "thermometer"
+    channels = 1
+
+    def state(self, temperatures, faults=None, uncertainties=None, age=0.0):
+        """temperatures: K, None where there is none. faults: "", "open", "short", "out_of_range" or "other" of each.
+        uncertainties: standard uncertainties, K. age: s since they were measured."""
+        out = {"temperatures": [None if t is None else float(t) for t in temperatures], "age": float(age)}
+        if faults is not None:
+            out["faults"] = list(faults)
+        if uncertainties is not None:
+            out["uncertainties"] = [float(u) for u in uncertainties]
+        return out
+
+    def _hello(self):
+        return {**super()._hello(), "channels": self.channels}
+
+
+class Heater(Device):
+    """A heat source."""
+
+    role = "heater"
+    max_temperature = 373.15  # K, the highest set point that it takes
+    watchdog = False  # True if the device itself switches off when this program dies
+
+    def heat(self, set_point):
+        """Heats towards the set point, K, until the next call of this or of off()."""
+        raise NotImplementedError
+
+    def off(self):
+        """Switches its heat off."""
+        raise NotImplementedError
+
+    def state(self, temperature, heating, set_point=None, age=0.0):
+        """temperature: of the hot surface, K, None if it is not known. heating: whether its heat is switched on, as the
+        device says, not as it was told. set_point: as it is read back, K. age: s since they were measured."""
+        return {"temperature": None if temperature is None else float(temperature), "heating": bool(heating),
+                "set_point": None if set_point is None else float(set_point), "age": float(age)}
+
+    def _hello(self):
+        return {**super()._hello(), "max_temperature": self.max_temperature, "watchdog": self.watchdog}
+
+    def _make_safe(self):
+        self.off()
+
+
+def _number(request, key, least=-math.inf, greatest=math.inf):
+    value = request.get(key)
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
+        raise Refused('"%s" is not a finite number' % key)
+    if not least <= value <= greatest:
+        raise Refused('"%s" is %g, allowed are %g to %g' % (key, value, least, greatest))
+    return float(value)
+
+
+def _numbers(request, key, count):
+    values = request.get(key)
+    if not isinstance(values, list) or len(values) != count:
+        raise Refused('"%s" is not a list of %d numbers' % (key, count))
+    return [_number({key: value}, key) for value in values]
+
+
+def _no_constant(word):
+    raise ValueError("%s is no number" % word)
+
+
+def _check_finite(value):
+    if isinstance(value, float) and not math.isfinite(value):
+        raise ValueError("the state has a number that is not finite")
+    for part in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+        _check_finite(part)
+
+
+class _Runner:
+    def __init__(self, device):
+        self.device = device
+        self.requests = queue.SimpleQueue()  # a signal may put something in, too
+        self.output = os.fdopen(os.dup(1), "wb", buffering=0)
+        os.dup2(2, 1)  # whatever else is printed, also by libraries, goes to the standard error
+        sys.stdout = sys.stderr
+        self.seq = 0
+        self.writing = threading.Lock()
+        self.method = threading.Lock()  # one of the device's methods is called
+        self.watching = threading.Lock()  # for what follows
+        self.heard = time.monotonic()
+        self.dead_man = 1.0
+        self.active_until = None  # of a velocity or a heat; math.inf for a step, which ends by itself
+        self.ending = threading.Event()
+
+    # --- Lines ---
+
+    def write(self, line):
+        with self.writing:
+            self.seq += 1
+            text = json.dumps({**line, "seq": self.seq, "time": time.monotonic()}, allow_nan=False)
+            view = memoryview(text.encode() + b"\n")
+            while view:
+                view = view[self.output.write(view):]
+
+    def read_lines(self):
+        try:
+            while True:
+                line = sys.stdin.buffer.readline(LONGEST_LINE + 1)
+                if not line:
+                    break
+                with self.watching:
+                    self.heard = time.monotonic()
+                self.requests.put(line)
+        finally:
+            self.end()
+
+    # --- Requests ---
+
+    def take(self, line):
+        try:
+            if len(line) > LONGEST_LINE:
+                raise ValueError("the line is too long")
+            request = json.loads(line, parse_constant=_no_constant)
+            number = request["id"]
+            if isinstance(number, bool) or not isinstance(number, int):
+                raise ValueError("id is no whole number")
+            what = request["do"]
+        except (ValueError, KeyError, TypeError, RecursionError) as error:
+            self.write({"id": None, "error": "not a request: %s" % error})
+            return
+        try:
+            answer = self.obey(what, request)
+            _check_finite(answer)
+            self.write({"id": number, **answer})
+        except Refused as refused:
+            self.write({"id": number, "error": str(refused)})
+        except Exception as error:  # the user's code: whatever it is, Bask is told
+            traceback.print_exc()
+            self.write({"id": number, "error": "%s: %s" % (type(error).__name__, error)})
+
+    def obey(self, what, request):
+        device = self.device
+        if what == "hello":
+            if request.get("protocol") != PROTOCOL:
+                raise Refused("this program speaks protocol %d" % PROTOCOL)
+            if request.get("role") != device.role:
+                raise Refused("this program drives a %s" % device.role)
+            self.dead_man = _number({"dead_man": request.get("dead_man", 1.0)}, "dead_man", 0.05, 60.0)
+            return {"hello": device._hello()}
+        if what == "read":
+            with self.method:
+                return {"state": device.read()}
+        if device.role == "robot" and what in ("velocity", "step", "stop", "home", "clear"):
+            self.command_robot(what, request)
+        elif device.role == "heater" and what in ("heat", "off"):
+            self.command_heater(what, request)
+        else:
+            raise Refused('a %s does not know "%s"' % (device.role, what))
+        return {"ok": True}
+
+    def command_robot(self, what, request):
+        device = self.device
+        if what == "velocity":
+            if device.moves != "velocity":
+                raise Refused("this robot takes steps")
+            rates = _numbers(request, "rates", len(device.axes))
+            valid_for = _number(request, "valid_for", 0.0, 60.0)
+            self.act(lambda: device.velocity(rates), valid_for)
+        elif what == "step":
+            if device.moves != "steps":
+                raise Refused("this robot takes velocities")
+            to = _numbers(request, "to", len(device.axes))
+            for axis, position in zip(device.axes, to):
+                least, greatest = device.limits.get(axis, (-math.inf, math.inf))
+                _number({axis: position}, axis, least, greatest)
+            duration = _number(request, "duration", 0.0, 60.0)
+            self.act(lambda: device.step(to, duration), math.inf)
+        elif what == "stop":
+            self.act(device.stop, None)
+        elif what == "home":
+            self.act(device.home, math.inf)
+        else:
+            with self.method:
+                device.clear()
+
+    def command_heater(self, what, request):
+        if what == "heat":
+            set_point = _number(request, "set_point", 0.0, self.device.max_temperature)
+            valid_for = _number(request, "valid_for", 0.0, 60.0)
+            self.act(lambda: self.device.heat(set_point), valid_for)
+        else:
+            self.act(self.device.off, None)
+
+    def act(self, method, valid_for):
+        """The device is active for this time; None: it is not."""
+        with self.method:
+            if self.ending.is_set():
+                raise Refused("the program ends")
+            with self.watching:
+                now = time.monotonic()
+                if valid_for is not None and now - self.heard > self.dead_man:
+                    raise Refused("it came too late: the dead-man rule has stopped the device")
+                # Before the method is called: what it begins is to be ended even if it never returns.
+                self.active_until = None if valid_for is None else now + valid_for
+            method()
+
+    # --- What ends by itself ---
+
+    def watch(self):
+        while not self.ending.wait(_WATCH):
+            with self.watching:
+                now = time.monotonic()
+                is_due = self.active_until is not None and (
+                    now > self.active_until or now - self.heard > self.dead_man)
+            if is_due:
+                self.make_safe()
+
+    def make_safe(self):
+        is_alone = self.method.acquire(timeout=_WAIT_FOR_METHOD)
+        try:
+            with self.watching:
+                now = time.monotonic()
+                is_renewed = (self.active_until is not None and now <= self.active_until
+                              and now - self.heard <= self.dead_man)
+                if is_renewed and not self.ending.is_set():
+                    return
+                self.active_until = None
+            self.device._make_safe()
+        except Exception:
+            traceback.print_exc()
+            with self.watching:
+                if not self.ending.is_set():
+                    self.active_until = 0.0  # and again
+        finally:
+            if is_alone:
+                self.method.release()
+
+    def end(self, *_):
+        self.ending.set()
+        self.requests.put(None)
+
+    def run(self):
+        signal.signal(signal.SIGTERM, self.end)
+        signal.signal(signal.SIGINT, self.end)
+        threading.Thread(target=self.read_lines, daemon=True).start()
+        threading.Thread(target=self.watch, daemon=True).start()
+        threading.Thread(target=self.end_in_time, daemon=True).start()
+        while True:
+            line = self.requests.get()
+            if line is None or self.ending.is_set():
+                break
+            try:
+                self.take(line)
+            except OSError:  # nobody reads the answers any more
+                break
+        self.ending.set()
+        time.sleep(2.0 * _END_WITHIN)  # the other thread ends the program
+
+    def end_in_time(self):
+        self.ending.wait()
+        ended = threading.Timer(_END_WITHIN, os._exit, (1,))
+        ended.daemon = True
+        ended.start()
+        self.make_safe()
+        try:
+            self.device.close()
+        except Exception:
+            traceback.print_exc()
+        sys.stderr.flush()
+        os._exit(0)
+
+
+def run(device):
+    """Speaks with Bask until the end of the input. Never returns."""
+    if not isinstance(device, (Robot, Thermometer, Heater)):
+        raise TypeError("a Robot, a Thermometer or a Heater is wanted")
+    if isinstance(device, Robot) and (not device.axes or set(device.axes) - set(AXES)):
+        raise ValueError("axes are some of %s" % ", ".join(AXES))
+    _Runner(device).run()
