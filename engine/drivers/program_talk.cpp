@@ -95,8 +95,7 @@ void ProgramTalk::takeLine(const std::string& text, const Take& take) {
     } else if (!m_hello) {
         return request == nullptr ? complain("a state before its hello") : end("it refuses to say hello");
     } else if (std::holds_alternative<ProgramRefusal>(line->what) && request->kind == Kind::Read) {
-        complain("it refuses to tell its state: " + std::get<ProgramRefusal>(line->what).words);
-        return;
+        return note("it refuses to tell its state: " + std::get<ProgramRefusal>(line->what).words);
     }
     const double now_s = m_clock.now_s();
     if (request != nullptr)
@@ -181,11 +180,15 @@ void ProgramTalk::refuse(const std::string& words) {
     m_misfit = words;
 }
 
+void ProgramTalk::note(const std::string& words) {
+    m_complained_s = m_clock.now_s();
+    m_complaint = {MessageCode::DeviceAnswersWrong, {m_name, words}};
+}
+
 void ProgramTalk::complain(const std::string& words) {
     const double now_s = m_clock.now_s();
     ++m_discards;
-    m_complained_s = now_s;
-    m_complaint = {MessageCode::DeviceAnswersWrong, {m_name, words}};
+    note(words);
     m_bad_s.push_back(now_s);
     while (now_s - m_bad_s.front() > kBadWindow_s)
         m_bad_s.pop_front();
@@ -241,7 +244,8 @@ bool ProgramTalk::isWaitingFor(Kind kind) const {
 }
 
 bool ProgramTalk::isLive() const {
-    return m_keeper.isOpen() && m_keeper.link().isOpen() && mayWrite() && m_state_s >= m_keeper.opened_s();
+    return m_keeper.isOpen() && m_keeper.link().isOpen() && mayWrite() && m_state_s >= m_keeper.opened_s() &&
+           m_keeper.silence_s(m_state_s, m_clock.now_s()) <= kSilence_s;
 }
 
 bool ProgramTalk::isSlow() const {

@@ -27,9 +27,10 @@ struct ProgramRequest {
 /// Link and clock must outlive it.
 class ProgramTalk {
 public:
-    static constexpr double kHello_s = 10.0;  ///< longest time from the start to the hello
-    static constexpr double kSlow_s = 0.5;    ///< an answer after this time is slow
-    static constexpr double kSilence_s = 1.0; ///< without an answer for this time the program is ended
+    static constexpr double kHello_s = 10.0; ///< longest time from the start to the hello
+    static constexpr double kSlow_s = 0.5;   ///< an answer after this time is slow
+    /// Without an answer for this time the program is ended; without a state it is not live.
+    static constexpr double kSilence_s = 1.0;
     static constexpr double kClockOff_s = 0.5;
     static constexpr int kMaxBad = 3; ///< lines within kBadWindow_s; then it is ended
     static constexpr double kBadWindow_s = 10.0;
@@ -75,6 +76,7 @@ public:
 
 private:
     void begin();
+    void note(const std::string& words);
     void end(const std::string& words);
     void end(const Message& why);
     void takeLine(const std::string& line, const Take& take);

@@ -298,9 +298,7 @@ TEST_F(ProgramRobotTest, ThatBreaksTheProtocolIsEnded) {
                      p.clockRate = 0.5;
                  },
                  "clock", 1.6},
-          Defect{"silent", [](ScriptedProgram& p) { p.isSilent = true; }, "has not answered", 1.5},
-          Defect{"no state", [](ScriptedProgram& p) { p.refusals["read"] = "no"; }, "refuses to tell",
-                 0.5}}) {
+          Defect{"silent", [](ScriptedProgram& p) { p.isSilent = true; }, "has not answered", 1.5}}) {
         until_s = -1.0;
         makeLive("velocity");
         const int before = m_program.closed;
@@ -322,6 +320,23 @@ TEST_F(ProgramRobotTest, ThatBreaksTheProtocolIsEnded) {
         EXPECT_EQ(robot->status().link, LinkState::Lost) << defect.what;
         EXPECT_FALSE(robot->state()) << defect.what;
     }
+}
+
+// Catches a device that is slow for a moment, whose program is ended for it; and one that is believed for
+// long.
+TEST_F(ProgramRobotTest, ThatTellsNoStateIsLostUntilItDoes) {
+    makeLive("velocity");
+    m_program.refusals["read"] = "no answer from the arm";
+    run(*robot, 0.8);
+    EXPECT_TRUE(robot->state());
+    EXPECT_NE(describe(robot->status().problem).find("no answer from the arm"), std::string::npos);
+    run(*robot, 0.4);
+    EXPECT_FALSE(robot->state());
+    EXPECT_EQ(robot->status().link, LinkState::Lost);
+    EXPECT_EQ(m_program.closed, 0);
+    m_program.refusals.clear();
+    run(*robot, 0.2);
+    EXPECT_TRUE(robot->state());
 }
 
 class ProgramHeaterTest : public ProgramDriversTest {
