@@ -125,18 +125,16 @@ Result<void> checkSource(const HeatSourceDeviceSpec& source) {
     return {};
 }
 
-/// Of what only one can use: each role has a program of its own, even if their commands are the same.
-template <class Spec> std::string sharedPort(const std::optional<Spec>& spec) {
-    if (!spec)
-        return {};
-    const DriverLink link = driverOf(*spec).link;
-    return link == DriverLink::Serial || link == DriverLink::Network ? spec->port : std::string();
+/// Empty for a program: each role has one of its own, even if their commands are the same.
+template <class Spec> std::string portOf(const std::optional<Spec>& spec) {
+    return spec && driverOf(*spec).link != DriverLink::Program ? spec->port : std::string();
 }
 
 /// Two Modbus devices may hang on one line, if they speak alike.
 Result<void> checkPorts(const RigSpec& rig) {
-    const std::string robot = sharedPort(rig.robot), thermometer = sharedPort(rig.thermometer),
-                      source = sharedPort(rig.source);
+    const bool isManual = rig.source && isManualSource(*rig.source);
+    const std::string robot = portOf(rig.robot), thermometer = portOf(rig.thermometer),
+                      source = isManual ? std::string() : portOf(rig.source);
     if (!robot.empty() && robot == thermometer)
         return Error(MessageCode::PortTwice, "thermometer.port", {robot});
     if (!robot.empty() && robot == source)
@@ -158,7 +156,8 @@ bool isManualSource(const HeatSourceDeviceSpec& source) {
 }
 
 bool hasOneLine(const RigSpec& rig) {
-    return !sharedPort(rig.thermometer).empty() && sharedPort(rig.thermometer) == sharedPort(rig.source);
+    return rig.thermometer && rig.source && !portOf(rig.thermometer).empty() &&
+           portOf(rig.thermometer) == portOf(rig.source);
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t sensors, const std::array<bool, 6>& freeCoordinates) {
