@@ -39,7 +39,7 @@ QPaintDevice QPaintEngine QPainter QPainterPath QStringConverter QSvgRenderer QX
 
 # The links of engine/drivers.
 QT_LINKS = set("""
-QHostAddress QIODevice QModbusDataUnit QModbusDevice QModbusReply QModbusRequest QModbusResponse QModbusRtuSerialClient
+QHostAddress QIODevice QModbusDataUnit QModbusDevice QModbusReply QModbusRequest QModbusResponse QModbusRtuSerialClient QModbusTcpClient
 QProcess QSerialPort QSerialPortInfo QTcpSocket QAbstractSocket QDBusConnection QDBusMessage QDBusReply QDBusUnixFileDescriptor
 """.split())
 

@@ -3812,6 +3812,14 @@
         <source>Program of your own</source>
         <translation>Votre propre programme</translation>
     </message>
+    <message>
+        <source>Modbus TCP controller</source>
+        <translation>Régulateur Modbus TCP</translation>
+    </message>
+    <message>
+        <source>Modbus TCP module</source>
+        <translation>Module Modbus TCP</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>

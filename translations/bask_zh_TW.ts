@@ -3808,6 +3808,14 @@
         <source>Program of your own</source>
         <translation>自編程式</translation>
     </message>
+    <message>
+        <source>Modbus TCP controller</source>
+        <translation>Modbus TCP 控制器</translation>
+    </message>
+    <message>
+        <source>Modbus TCP module</source>
+        <translation>Modbus TCP 模組</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceCard</name>

@@ -37,6 +37,8 @@ std::span<const Subcommand> subcommands() {
                    thermalPoseCommand},
         Subcommand{"plate-profile", "the temperature of a source over its radius, from thermal frames",
                    plateProfileCommand},
+        Subcommand{"scan-modbus", "the Modbus units that answer at a port, and the profiles that fit",
+                   scanModbusCommand},
         Subcommand{"check-device", "whether a program of your own keeps the rules of program drivers",
                    checkDeviceCommand},
         Subcommand{"simulate-device", "a robot, thermometer or heater that is not there, on a serial port",

@@ -38,6 +38,7 @@ int thermalFrameCommand(const QStringList& arguments);
 int thermalPoseCommand(const QStringList& arguments);
 int plateProfileCommand(const QStringList& arguments);
 int makeBoardCommand(const QStringList& arguments);
+int scanModbusCommand(const QStringList& arguments);
 int checkDeviceCommand(const QStringList& arguments);
 int simulateDeviceCommand(const QStringList& arguments);
 int simulateRigCommand(const QStringList& arguments);

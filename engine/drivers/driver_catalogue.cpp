@@ -39,14 +39,16 @@ const std::vector<RobotDriver>& robotDrivers() {
 }
 
 const std::vector<ThermometerDriver>& thermometerDrivers() {
-    static const std::vector<ThermometerDriver> kDrivers{modbusThermometerDriver(), streamThermometerDriver(),
-                                                         programThermometerDriver()};
+    static const std::vector<ThermometerDriver> kDrivers{
+        modbusThermometerDriver(), modbusTcpThermometerDriver(), streamThermometerDriver(),
+        programThermometerDriver()};
     return kDrivers;
 }
 
 const std::vector<HeatSourceDriver>& heatSourceDrivers() {
     static const std::vector<HeatSourceDriver> kDrivers{handHeaterDriver(), namurHeaterDriver(),
-                                                        modbusHeaterDriver(), programHeaterDriver()};
+                                                        modbusHeaterDriver(), modbusTcpHeaterDriver(),
+                                                        programHeaterDriver()};
     return kDrivers;
 }
 

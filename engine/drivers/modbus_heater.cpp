@@ -466,4 +466,12 @@ HeatSourceDriver modbusHeaterDriver() {
     return driver;
 }
 
+HeatSourceDriver modbusTcpHeaterDriver() {
+    HeatSourceDriver driver = modbusHeaterDriver();
+    driver.key = "modbus_tcp";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Modbus TCP controller");
+    driver.link = DriverLink::Network;
+    return driver;
+}
+
 } // namespace bask

@@ -118,5 +118,7 @@ private:
 
 /// Returns its entry in the driver catalogue.
 HeatSourceDriver modbusHeaterDriver();
+/// Returns that of the same devices on a network.
+HeatSourceDriver modbusTcpHeaterDriver();
 
 } // namespace bask

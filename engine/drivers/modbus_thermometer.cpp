@@ -148,4 +148,12 @@ ThermometerDriver modbusThermometerDriver() {
     return driver;
 }
 
+ThermometerDriver modbusTcpThermometerDriver() {
+    ThermometerDriver driver = modbusThermometerDriver();
+    driver.key = "modbus_tcp";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Modbus TCP module");
+    driver.link = DriverLink::Network;
+    return driver;
+}
+
 } // namespace bask

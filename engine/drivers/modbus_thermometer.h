@@ -60,5 +60,7 @@ private:
 
 /// Returns its entry in the driver catalogue.
 ThermometerDriver modbusThermometerDriver();
+/// Returns that of the same devices on a network.
+ThermometerDriver modbusTcpThermometerDriver();
 
 } // namespace bask

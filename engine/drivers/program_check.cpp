@@ -3,6 +3,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
+#include "engine/base/pose.h"
 #include "engine/drivers/confirmed_programs.h"
 #include "engine/drivers/program_files.h"
 #include "engine/drivers/program_link.h"

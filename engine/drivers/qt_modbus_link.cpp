@@ -1,6 +1,7 @@
 #include "engine/drivers/qt_modbus_link.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/modbus_pdu.h"
 #include "engine/drivers/serial_port.h"
 
 #include <QModbusReply>
@@ -19,46 +20,7 @@
 namespace bask {
 namespace {
 
-constexpr int kWriteOne = 6;
 constexpr int kFrameBytes = 8; // of a request that reads, and about those of a reply besides its registers
-
-void append(QByteArray& out, int word) {
-    out.append(static_cast<char>(word >> 8));
-    out.append(static_cast<char>(word & 0xff));
-}
-
-/// What follows the function in a request; the first four bytes are a write's echo too.
-QByteArray dataOf(const ModbusRequest& request) {
-    QByteArray out;
-    append(out, request.address);
-    if (request.function != kWriteOne)
-        append(out, request.reads() ? request.count : static_cast<int>(request.values.size()));
-    if (request.function != kWriteOne && !request.reads())
-        out.append(static_cast<char>(2 * request.values.size()));
-    for (const std::uint16_t value : request.values)
-        append(out, value);
-    return out;
-}
-
-/// The registers in what follows a reply's function; empty when it does not answer the request.
-std::optional<std::vector<std::uint16_t>> registersIn(const QByteArray& data, const ModbusRequest& request) {
-    std::vector<std::uint16_t> out;
-    if (!request.reads())
-        return data == dataOf(request).left(4) ? std::optional(out) : std::nullopt;
-    if (data.size() != 1 + 2 * request.count || static_cast<unsigned char>(data[0]) != 2 * request.count)
-        return std::nullopt;
-    for (qsizetype i = 1; i < data.size(); i += 2) {
-        const auto byte = [&](qsizetype k) {
-            return static_cast<unsigned>(static_cast<unsigned char>(data[k]));
-        };
-        out.push_back(static_cast<std::uint16_t>(byte(i) << 8U | byte(i + 1)));
-    }
-    return out;
-}
-
-bool isSameOnTheLine(const ModbusRequest& a, const ModbusRequest& b) {
-    return a.unit == b.unit && a.function == b.function && dataOf(a) == dataOf(b);
-}
 
 QSerialPort::Parity lineParity(char letter) {
     return letter == 'E'   ? QSerialPort::EvenParity
@@ -197,7 +159,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
     if (response.isException())
         return Error(MessageCode::DeviceException, "",
                      {path, std::to_string(request.unit), std::to_string(response.exceptionCode())});
-    if (auto registers = registersIn(response.data(), request))
+    if (auto registers = modbusRegisters(response.data().toStdString(), request))
         return std::move(*registers);
     keepSilent();
     return wrong(request.reads() ? "another number of registers" : "another write");
@@ -295,7 +257,8 @@ int QtModbusLink::send(const ModbusRequest& request) {
     Line& line = *m_line;
     const double time_s = line.timeFor(request);
     line.client.setTimeout(static_cast<int>(std::ceil(1000.0 * time_s)));
-    const QModbusRequest asked(static_cast<QModbusPdu::FunctionCode>(request.function), dataOf(request));
+    const QModbusRequest asked(static_cast<QModbusPdu::FunctionCode>(request.function),
+                               QByteArray::fromStdString(modbusData(request)));
     QModbusReply* reply = line.client.sendRawRequest(asked, request.unit);
     if (reply == nullptr)
         throw std::logic_error("QtModbusLink: Qt refuses a request");

@@ -8,6 +8,7 @@
 #include "engine/drivers/guarded_heater.h"
 #include "engine/drivers/guarded_link.h"
 #include "engine/drivers/modbus_link_on_thread.h"
+#include "engine/drivers/modbus_tcp_link.h"
 #include "engine/drivers/program_link.h"
 #include "engine/drivers/qt_modbus_link.h"
 #include "engine/drivers/rtu_link.h"
@@ -97,8 +98,8 @@ struct RealRig::Parts {
     /// Of one device.
     class Links final : public DriverLinks {
     public:
-        Links(Parts& parts, DeviceRole role, const DeviceSpec& spec, std::string portId)
-            : m_parts(parts), m_role(role), m_spec(spec), m_portId(std::move(portId)) {}
+        Links(Parts& parts, DeviceRole role, DriverLink kind, const DeviceSpec& spec, std::string portId)
+            : m_parts(parts), m_role(role), m_kind(kind), m_spec(spec), m_portId(std::move(portId)) {}
 
         const Clock& clock() const override { return m_parts.clock; }
         ByteLink& serial() override {
@@ -108,6 +109,8 @@ struct RealRig::Parts {
         }
         ModbusLink& modbus() override {
             auto& link = m_parts.modbusLinks[m_spec.port];
+            if (!link && m_kind == DriverLink::Network)
+                link = std::make_unique<ModbusTcpLink>(m_spec.port, clock());
             if (!link && m_parts.isGuarded(m_spec.port))
                 link = std::make_unique<RtuLink>(m_parts.guarded(m_spec.serial), m_spec.serial, clock());
             if (!link)
@@ -131,6 +134,7 @@ struct RealRig::Parts {
 
         Parts& m_parts;
         DeviceRole m_role;
+        DriverLink m_kind;
         const DeviceSpec& m_spec;
         std::string m_portId;
     };
@@ -151,7 +155,7 @@ struct RealRig::Parts {
     std::function<guard::OffProgram()> add(DeviceRole role, const Spec& spec, std::unique_ptr<Role>& place,
                                            Make make) {
         const KnownDevice before = known(memoryKey(spec));
-        Links own(*this, role, spec, before.portId);
+        Links own(*this, role, driverOf(spec).link, spec, before.portId);
         MadeDevice<Role> made = make(own);
         Entry entry{role, driverOf(spec).link, spec.port, memoryKey(spec), made.device, {}};
         if (!before.signature.empty())
