@@ -1920,8 +1920,8 @@
         <translation>le programme «&#xa0;%1&#xa0;» ne convient pas au banc&#xa0;: %2. Changez le programme, ou l’appareil sur la page Banc.</translation>
     </message>
     <message>
-        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
-        <translation>le programme «&#xa0;%1&#xa0;» refuse un ordre&#xa0;: %2. Supprimez la cause, puis réarmez.</translation>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, clear the alarm of a robot, then reset.</source>
+        <translation>le programme «&#xa0;%1&#xa0;» refuse un ordre&#xa0;: %2. Supprimez la cause, effacez l’alarme d’un robot, puis réarmez.</translation>
     </message>
     <message>
         <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>

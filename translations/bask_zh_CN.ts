@@ -1920,8 +1920,8 @@
         <translation>程序“%1”与装置不符：%2。请更改程序，或在“装置”页更改设备。</translation>
     </message>
     <message>
-        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
-        <translation>程序“%1”拒绝命令：%2。请消除原因，然后复位。</translation>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, clear the alarm of a robot, then reset.</source>
+        <translation>程序“%1”拒绝命令：%2。请消除原因，清除机器人的警报，然后复位。</translation>
     </message>
     <message>
         <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>

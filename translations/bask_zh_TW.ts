@@ -1920,8 +1920,8 @@
         <translation>程式「%1」與實驗台不符：%2。請更改程式，或在「實驗台」頁更改裝置。</translation>
     </message>
     <message>
-        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, then reset.</source>
-        <translation>程式「%1」拒絕命令：%2。請排除原因，然後重設。</translation>
+        <source>the program &quot;%1&quot; refuses a command: %2. Remove the cause, clear the alarm of a robot, then reset.</source>
+        <translation>程式「%1」拒絕命令：%2。請排除原因，清除機器人的警報，然後重設。</translation>
     </message>
     <message>
         <source>The robot does not move: %1. Remove the cause, clear the alarm, then reset.</source>

@@ -1,6 +1,7 @@
 // bask check-device: whether a program keeps the rules of program drivers.
 
 #include "app/commands/command_line.h"
+#include "app/commands/engine_thread.h"
 #include "app/commands/parse_command.h"
 #include "engine/drivers/program_check.h"
 #include "engine/drivers/program_files.h"
@@ -50,16 +51,20 @@ int checkDeviceCommand(const QStringList& arguments) {
         return kExitBadInput;
     }
     int broken = 0, all = 0;
-    checkProgram(command, *role, {!parser.isSet("no-motion"), parser.isSet("home")},
-                 [&](const ProgramFinding& finding) {
-                     static constexpr std::array kMarks{"ok    ", "WRONG ", "?     "};
-                     const bool isTried = finding.kind != ProgramFinding::Kind::NotTried;
-                     all += isTried ? 1 : 0;
-                     broken += finding.kind == ProgramFinding::Kind::Broken ? 1 : 0;
-                     std::printf("%s %s%s\n", kMarks[static_cast<std::size_t>(finding.kind)],
-                                 isTried ? "" : "not tried: ", finding.words.c_str());
-                     std::fflush(stdout);
-                 });
+    const SignalCount signalCount; // an interrupted program is ended, too
+    ProgramCheckOptions options;
+    options.mayMove = !parser.isSet("no-motion");
+    options.mayHome = parser.isSet("home");
+    options.isStopped = [&] { return signalCount.now() > 0; };
+    checkProgram(command, *role, options, [&](const ProgramFinding& finding) {
+        static constexpr std::array kMarks{"ok    ", "WRONG ", "?     "};
+        const bool isTried = finding.kind != ProgramFinding::Kind::NotTried;
+        all += isTried ? 1 : 0;
+        broken += finding.kind == ProgramFinding::Kind::Broken ? 1 : 0;
+        std::printf("%s %s%s\n", kMarks[static_cast<std::size_t>(finding.kind)],
+                    isTried ? "" : "not tried: ", finding.words.c_str());
+        std::fflush(stdout);
+    });
     if (broken == 0)
         std::printf("All %d rules that were tried are kept.\n", all);
     else

@@ -27,6 +27,7 @@ constexpr double kStart_s = 3.0, kHelloWithin_s = 10.0, kAnswer_s = 1.0, kPrompt
 constexpr double kRead_s = 0.05;
 constexpr int kReads = 40;
 constexpr double kRate_m_s = 0.002, kRate_rad_s = 0.02; ///< slow enough for any robot
+constexpr double kSlow = 0.2;                           ///< of these rates, where a program may not end it
 constexpr double kStill = 2e-5;                         ///< m or rad: noise of a place at rest
 constexpr double kSettle_s = 0.3;                       ///< until a robot that was told to stand does
 constexpr double kSwitched_s = 2.0;                     ///< until a relay has switched and the device says so
@@ -46,8 +47,9 @@ std::string seconds(double s) {
 class CheckedProgram {
 public:
     CheckedProgram(const std::string& command, ProgramRole role,
-                   const std::shared_ptr<const ConfirmedPrograms>& confirmed)
-        : m_role(role), m_link(std::make_unique<ProgramLink>(command, "check", confirmed)) {
+                   const std::shared_ptr<const ConfirmedPrograms>& confirmed, std::function<bool()> isStopped)
+        : m_isStopped(std::move(isStopped)), m_role(role),
+          m_link(std::make_unique<ProgramLink>(command, programRoleWord(role), confirmed)) {
         m_link->open();
         const double began_s = m_clock.now_s();
         while (!m_link->isOpen() && m_link->problem().code == MessageCode::None &&
@@ -99,7 +101,12 @@ public:
     }
     /// Nothing is sent or read.
     void rest(double for_s = 1e-3) const {
-        std::this_thread::sleep_for(std::chrono::duration<double>(for_s));
+        const double until_s = m_clock.now_s() + for_s;
+        do {
+            if (m_isStopped())
+                throw ProgramIsGone{"the check was interrupted"};
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        } while (m_clock.now_s() < until_s);
     }
     void write(const std::string& line) { m_link->write(line); }
     /// Each line that comes within this time.
@@ -165,6 +172,7 @@ private:
     }
 
     const SteadyClock m_clock;
+    const std::function<bool()> m_isStopped;
     const ProgramRole m_role;
     std::unique_ptr<ProgramLink> m_link;
     LineSplitter m_lines{"\n", program::kLongestLine};
@@ -222,7 +230,7 @@ private:
     }
 
     void begin() {
-        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed);
+        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed, m_options.isStopped);
         m_hello = m_program->hello();
         std::string words = "says hello: \"" + m_hello.name + "\"" +
                             (m_hello.serial.empty() ? std::string(", no serial number")
@@ -411,11 +419,11 @@ private:
     void checkRobotDeadMan() {
         const double from = place();
         constexpr double kSilent_s = 2.0;
-        go(-1.0, 10.0);
+        go(-kSlow, 10.0);
         m_program->rest(kSilent_s);
         readState();
         const double way = std::abs(place() - from);
-        const double mayBe = std::abs(ratesOf(1.0)[m_axis]) * (program::kDeadMan_s + kSettle_s);
+        const double mayBe = std::abs(ratesOf(kSlow)[m_axis]) * (program::kDeadMan_s + kSettle_s);
         const bool isStill = isStanding();
         judge(isStill && way <= mayBe,
               "stops by itself when nothing comes for " + seconds(program::kDeadMan_s),
@@ -430,8 +438,9 @@ private:
             return;
         std::vector<double> beyond = m_robot.position;
         beyond[m_axis] = limit[1] + 0.1;
-        const double from = place();
-        const auto answer = m_program->ask([&](std::int64_t id) { return programStep(id, beyond, 1.0); });
+        const double from = place(), slow_s = (beyond[m_axis] - from) / std::abs(ratesOf(1.0)[m_axis]);
+        const auto answer =
+            m_program->ask([&](std::int64_t id) { return programStep(id, beyond, std::min(slow_s, 60.0)); });
         const bool isRefused = answer && std::holds_alternative<ProgramRefusal>(answer->what);
         (void)m_program->ask("stop");
         readFor(kSettle_s);
@@ -458,14 +467,14 @@ private:
         command([](std::int64_t id) { return programRequest(id, "off"); }, "off");
         judge(waitsFor(false, kSwitched_s), "says that its heat is off after off",
               "says \"heating\" " + seconds(kSwitched_s) + " after off");
+        if (!m_options.mayMove)
+            return notTried("heat and dead-man rule, by --no-motion");
         const auto above = m_program->ask(
             [&](std::int64_t id) { return programHeat(id, m_hello.maxTemperature_K + 10.0, 1.0); });
         judge(above && std::holds_alternative<ProgramRefusal>(above->what),
               "refuses a set point above max_temperature",
               "does not refuse a set point above max_temperature");
         (void)m_program->ask("off");
-        if (!m_options.mayMove)
-            return notTried("heat and dead-man rule, by --no-motion");
         m_setPoint_K = std::min(m_heater.temperature_K.value_or(295.0) + kWarmer_K, m_hello.maxTemperature_K);
         heat(5.0);
         judge(waitsFor(true, kSwitched_s), "heats when it is told to",
@@ -500,7 +509,7 @@ private:
             m_role == ProgramRole::Robot && m_options.mayMove && m_robot.isSure && m_robot.alarm.empty();
         const bool heats = m_role == ProgramRole::HeatSource && m_options.mayMove;
         if (moves)
-            go(1.0, 10.0);
+            go(kSlow, 10.0);
         if (heats)
             heat(10.0);
         const auto [took_s, isByItself] = m_program->end();
@@ -509,7 +518,7 @@ private:
                   seconds(took_s));
         if (!moves && !heats)
             return;
-        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed);
+        m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed, m_options.isStopped);
         m_hello = m_program->hello();
         readState();
         if (moves)

@@ -9,8 +9,9 @@
 namespace bask {
 
 struct ProgramCheckOptions {
-    bool mayMove = true;  ///< a few millimetres or degrees; a heat source is heated by 5 K
-    bool mayHome = false; ///< a robot is homed, which may move it far
+    bool mayMove = true; ///< a few millimetres or degrees; a heat source is heated by 5 K
+    std::function<bool()> isStopped = [] { return false; }; ///< asked again and again; true ends the check
+    bool mayHome = false;                                   ///< a robot is homed, which may move it far
 };
 
 /// One rule, and whether it is kept.

@@ -15,6 +15,8 @@ namespace {
 using Kind = ProgramRequest::Kind;
 
 constexpr double kOffAgain_s = 0.5, kOffTold_s = 3.0;
+constexpr double kMaxValid_s = 10.0; ///< of one request
+constexpr double kKnownFor_s = 3.0;  ///< an older state is not shown as known
 constexpr double kSetPointStep_K = 0.05, kSetPointWithin_K = 0.6;
 constexpr int kOthersTold = 3; ///< one may have been asked before it was set
 
@@ -68,8 +70,10 @@ void ProgramHeater::take(const ProgramLine& line, const ProgramRequest* asked) {
     m_others = isOther ? m_others + 1 : 0;
     if (!m_isOn && !state->isHeating && m_at_s > m_offSent_s && !m_talk.isWaitingFor(Kind::Off) && asked)
         m_isOffDue = m_wasOn = false;
-    else if (!m_isOn && state->isHeating)
-        m_isOffDue = true; // somebody else has switched it on
+    else if (!m_isOn && state->isHeating && !m_isOffDue) { // somebody else has switched it on
+        m_isOffDue = true;
+        m_off_s = m_clock.now_s();
+    }
 }
 
 void ProgramHeater::order() {
@@ -78,15 +82,16 @@ void ProgramHeater::order() {
         m_talk.send(Kind::Off);
         m_offSent_s = now_s;
     }
-    const bool isDue =
-        now_s - m_heat_s > 0.25 * m_validFor_s || std::abs(m_setPoint_K - m_sent_K) >= kSetPointStep_K;
+    const bool isDue = now_s - m_heat_s > 0.25 * std::min(m_validFor_s, kMaxValid_s) ||
+                       std::abs(m_setPoint_K - m_sent_K) >= kSetPointStep_K;
     if (!m_isOn || !isDue || m_talk.isWaitingFor(Kind::Heat))
         return;
     if (m_setPoint_K != m_sent_K)
         m_others = 0;
     m_heat_s = now_s;
     m_sent_K = m_setPoint_K;
-    m_talk.sendHeat(m_setPoint_K, m_until_s - now_s);
+    if (m_until_s > now_s)
+        m_talk.sendHeat(m_setPoint_K, std::min(m_until_s - now_s, kMaxValid_s));
 }
 
 void ProgramHeater::stop() {
@@ -162,7 +167,7 @@ Result<void> ProgramHeater::heatOff() {
 }
 
 HeatState ProgramHeater::heatState() const {
-    if (!m_talk.isLive() || !m_state)
+    if (!m_talk.isLive() || !m_state || m_clock.now_s() - m_at_s > kKnownFor_s)
         return HeatState::Unknown;
     if (m_isOn || m_state->isHeating)
         return HeatState::On;

@@ -29,6 +29,7 @@ namespace {
 
 constexpr std::size_t kMaxUnread = 128 * 1024; ///< more waits in the pipe
 constexpr std::size_t kMaxNote = 300;
+constexpr int kMaxLooks = 16;
 constexpr double kFirstPause_s = 0.5, kLongestPause_s = 8.0;
 constexpr double kLongLife_s = 10.0; ///< of one that has not failed at its start
 constexpr double kTerm_s = 1.0, kKill_s = 2.0;
@@ -198,6 +199,7 @@ private:
     // Under the mutex
 
     void drop() {
+        m_mustEnd = m_mustEnd || m_isWanted; // also if it is opened again before the thread has looked
         m_isWanted = m_isOpen = false;
         m_unread.clear();
         m_unwritten.clear();
@@ -220,14 +222,15 @@ private:
         sigaddset(&pipe, SIGPIPE);
         ::pthread_sigmask(SIG_BLOCK, &pipe, nullptr);
         while (true) {
-            bool isWanted = false, isFinished = false, isDue = false;
+            bool isWanted = false, isFinished = false, isDue = false, mustEnd = false;
             {
                 const std::lock_guard lock(m_mutex);
+                mustEnd = std::exchange(m_mustEnd, false);
                 isWanted = m_isWanted;
                 isFinished = m_isFinished;
                 isDue = m_clock.now_s() >= m_notBefore_s;
             }
-            if (m_pid > 0 && !isWanted && !m_isEnding)
+            if (m_pid > 0 && (mustEnd || !isWanted) && !m_isEnding)
                 beginEnd();
             if (m_pid == 0 && isWanted && isDue)
                 begin();
@@ -245,7 +248,7 @@ private:
     void begin() {
         if (const Message why = startProgram(); why.code != MessageCode::None) {
             m_claim.release();
-            pause(false);
+            pause(why.code == MessageCode::ProgramNotConfirmed); // which is no failed start
             const std::lock_guard lock(m_mutex);
             fail(why);
             return;
@@ -321,7 +324,7 @@ private:
     }
     void readOutput() {
         std::array<char, 16384> bytes;
-        while (m_out.get() >= 0) {
+        for (int i = 0; i < kMaxLooks && m_out.get() >= 0; ++i) { // it may write faster than it is read
             const auto got = ::read(m_out.get(), bytes.data(), bytes.size());
             const double now_s = m_clock.now_s();
             if (got < 0) {
@@ -354,7 +357,7 @@ private:
     /// The last line of what it tells people.
     void readNotes() {
         std::array<char, 4096> bytes;
-        for (int i = 0; i < 16 && m_err.get() >= 0; ++i) {
+        for (int i = 0; i < kMaxLooks && m_err.get() >= 0; ++i) {
             const auto got = ::read(m_err.get(), bytes.data(), bytes.size());
             if (got < 0)
                 return;
@@ -376,10 +379,10 @@ private:
     void workEnd() {
         const double now_s = m_clock.now_s();
         siginfo_t end{};
-        const bool isGone =
-            ::waitid(P_PID, static_cast<id_t>(m_pid), &end, WEXITED | WNOHANG | WNOWAIT) == 0 &&
-            end.si_pid == m_pid;
-        if (isGone) {
+        const int waited = ::waitid(P_PID, static_cast<id_t>(m_pid), &end, WEXITED | WNOHANG | WNOWAIT);
+        if (waited != 0 && errno == ECHILD) // the system was told to keep no exit codes
+            return ended("it is gone");
+        if (waited == 0 && end.si_pid == m_pid) {
             readNotes();
             ::kill(-m_pid, SIGKILL); // what it has started; its number is its own until it is waited for
             ::waitpid(m_pid, nullptr, 0);
@@ -416,7 +419,7 @@ private:
 
     mutable std::mutex m_mutex;
     // Protected by the mutex
-    bool m_isWanted = false, m_isOpen = false, m_isFinished = false;
+    bool m_isWanted = false, m_isOpen = false, m_isFinished = false, m_mustEnd = false;
     Message m_problem;
     std::string m_unread, m_unwritten;
     double m_unreadEmptyAt_s = 0.0, m_readEmptyAt_s = 0.0;

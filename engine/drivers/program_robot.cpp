@@ -18,7 +18,8 @@ using Kind = ProgramRequest::Kind;
 
 constexpr double kMetre_mm = 1000.0;
 constexpr double kStopAgain_s = 0.2, kStandsWithin_s = 5.0;
-constexpr double kToStop_s = 0.2; ///< what a velocity that has ended may go on for
+constexpr double kToStop_s = 0.5; ///< what a velocity that has ended may go on for
+constexpr double kKnown_s = 0.5;  ///< from an older place no velocity is planned
 constexpr double kBehind = 0.5;   ///< share of a step that a robot on its way may be off
 
 /// Of the axes' units, mm and degrees, in one of the program's.
@@ -49,11 +50,15 @@ void ProgramRobot::work() {
         break;
     }
     if (m_isHalted && m_clock.now_s() - m_stopped_s > kStopAgain_s) {
-        m_stopped_s = m_clock.now_s();
-        m_talk.send(Kind::Stop);
+        tellStop();
     } else if (!m_isHalted) {
         move();
     }
+}
+
+void ProgramRobot::tellStop() {
+    m_stopped_s = m_clock.now_s();
+    m_talk.send(Kind::Stop);
 }
 
 /// Nothing is known of one that has started: it is told to stand.
@@ -67,9 +72,9 @@ void ProgramRobot::begin() {
     m_step.reset();
     m_spanFrom.clear();
     m_isHalted = true;
-    m_halted_s = m_clock.now_s();
-    m_stopped_s = m_halted_s - kStopAgain_s;
-    m_isHomed = m_isHomeAsked = false;
+    m_halted_s = m_stopped_s = 1e300; // until it has said hello
+    m_isHomed = m_isHomeAsked = m_isHomingStopped = false;
+    m_hasRestarted = m_hasRestarted || m_wasLive; // it may count its place anew
     m_refused.clear();
 }
 
@@ -96,14 +101,15 @@ void ProgramRobot::takeHello(const ProgramHello& hello) {
             m_order.push_back(static_cast<std::size_t>(found - axes.begin()));
     }
     if (m_order.size() != hello.axes.size() || m_order.size() != axes.size())
-        m_talk.refuse("it moves " + own + ", and the rig's axes are " + rigs);
+        return m_talk.refuse("it moves " + own + ", and the rig's axes are " + rigs);
+    m_halted_s = m_clock.now_s();
+    tellStop(); // before anything else
 }
 
 void ProgramRobot::takeState(const ProgramRobotState& state, double at_s, bool isAsked) {
     if (state.position.size() != m_order.size())
         return m_talk.complain("a position of " + std::to_string(state.position.size()) +
                                " axes instead of " + std::to_string(m_order.size()));
-    const bool wasMoving = isMoving();
     m_at.resize(m_order.size());
     for (std::size_t i = 0; i < m_order.size();
          ++i) { // as the planner rounds: at a limit it is not beyond it
@@ -112,22 +118,25 @@ void ProgramRobot::takeState(const ProgramRobotState& state, double at_s, bool i
     }
     m_at_s = at_s;
     m_state = state;
+    m_wasLive = true;
     if (!state.alarm.empty())
         m_planner.forget();
-    if (m_isHomeAsked && !state.isMoving && !m_talk.isWaitingFor(Kind::Home)) {
+    if (m_isHomeAsked && !state.isMoving && at_s > m_homeSent_s && !m_talk.isWaitingFor(Kind::Home)) {
         m_isHomeAsked = false;
         m_isHomed = state.isSure;
         m_spanFrom.clear();
-        if (m_isHomed)
+        if (m_isHomed) {
             m_elsewhere.reset();
+            m_isHomingStopped = m_hasRestarted = false;
+        }
     }
-    checkPlace(wasMoving);
-    if (m_isHalted && !state.isMoving && isAsked && !m_talk.isWaitingFor(Kind::Stop))
+    checkPlace();
+    if (m_isHalted && !state.isMoving && isAsked && at_s > m_stopped_s && !m_talk.isWaitingFor(Kind::Stop))
         m_isHalted = false;
 }
 
 /// It may be anywhere between where it was and where its command brings it; at rest it stays.
-void ProgramRobot::checkPlace(bool wasMoving) {
+void ProgramRobot::checkPlace() {
     if (m_isHomeAsked) {
         m_spanFrom.clear();
         return;
@@ -139,10 +148,14 @@ void ProgramRobot::checkPlace(bool wasMoving) {
             (void)halt();
             return;
         }
-    if (m_spanFrom.empty() || (!wasMoving && !isMoving())) {
+    // By the time of the measurement, which may be old; once, so that creeping is seen.
+    const double end_s = std::max(m_ratesUntil_s, m_step ? m_stepSent_s + m_step->time_s : m_ratesUntil_s);
+    const bool isResting = !m_state->isMoving && m_at_s > end_s + kToStop_s;
+    if (m_spanFrom.empty() || (isResting && !m_isResting)) {
         m_spanFrom = m_spanTo = m_at;
         m_step.reset();
     }
+    m_isResting = isResting;
 }
 
 void ProgramRobot::takeRefusal(Kind kind, const std::string& words) {
@@ -157,10 +170,13 @@ void ProgramRobot::takeRefusal(Kind kind, const std::string& words) {
 void ProgramRobot::move() {
     if (!m_talk.isLive() || m_at.empty() || m_isHomeAsked || keepsFromTwist().code != MessageCode::None)
         return;
-    if (m_talk.hello()->takesVelocities)
-        sendVelocity();
-    else if (!m_talk.isWaitingFor(Kind::Step))
+    if (m_clock.now_s() - m_at_s > kKnown_s)
+        return;
+    if (!m_talk.hello()->takesVelocities && !m_talk.isWaitingFor(Kind::Step))
         sendStep();
+    else if (m_talk.hello()->takesVelocities &&
+             !m_talk.isWaitingFor(Kind::Velocity)) // or they would queue up
+        sendVelocity();
 }
 
 /// From where it is by now, as it was told to move.
@@ -259,7 +275,8 @@ bool ProgramRobot::isMoving() const {
 }
 
 bool ProgramRobot::isPlaceSure() const {
-    return m_state && m_state->isSure && !m_elsewhere && (m_isHomed || !m_mustHome);
+    return m_state && m_state->isSure && !m_elsewhere && !m_isHomingStopped && !m_hasRestarted &&
+           (m_isHomed || !m_mustHome);
 }
 
 Message ProgramRobot::alarm() const {
@@ -269,8 +286,10 @@ Message ProgramRobot::alarm() const {
         return {MessageCode::ProgramRefuses, {m_talk.name(), m_refused}};
     if (m_talk.isSlow())
         return {MessageCode::RobotSlow, {formatNumber(ProgramTalk::kSlow_s)}};
-    if (m_isHalted && m_clock.now_s() - m_halted_s > kStandsWithin_s)
+    if (m_isHalted && m_state && m_state->isMoving && m_clock.now_s() - m_halted_s > kStandsWithin_s)
         return {MessageCode::RobotReports, {"it says that it moves, although it was told to stop"}};
+    if (m_hasRestarted)
+        return {MessageCode::RobotRestarted, {}};
     if (m_elsewhere)
         return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!isPlaceSure())
@@ -281,9 +300,9 @@ Message ProgramRobot::alarm() const {
 /// A retreat with a place that is not sure is better than objects before the heat.
 Message ProgramRobot::keepsFromTwist() const {
     const Message what = alarm();
-    const bool isOfPlace = what.code == MessageCode::RobotElsewhere ||
-                           what.code == MessageCode::RobotPlaceUnsure ||
-                           what.code == MessageCode::ProgramRefuses;
+    const bool isOfPlace =
+        what.code == MessageCode::RobotElsewhere || what.code == MessageCode::RobotRestarted ||
+        what.code == MessageCode::RobotPlaceUnsure || what.code == MessageCode::ProgramRefuses;
     return m_isRetreating && isOfPlace ? Message{} : what;
 }
 
@@ -292,6 +311,13 @@ DeviceStatus ProgramRobot::status() const {
     if (out.problem.code == MessageCode::None && m_planner.isRefused())
         out.problem = {MessageCode::RobotStepOutside, {}};
     return out;
+}
+
+// What it refused keeps no object before the heat.
+void ProgramRobot::setRetreating(bool isRetreating) {
+    m_isRetreating = isRetreating;
+    if (isRetreating)
+        m_refused.clear();
 }
 
 Result<RobotState> ProgramRobot::state() {
@@ -323,13 +349,15 @@ Result<void> ProgramRobot::halt() {
     m_ratesUntil_s = -1e300;
     m_rates.clear();
     m_step.reset();
-    if (!m_talk.isLive())
-        return m_talk.error();
-    if (!wasHalted) { // it is said again until it stands
-        m_halted_s = m_stopped_s = m_clock.now_s();
-        m_talk.send(Kind::Stop);
+    if (std::exchange(m_isHomeAsked, false)) { // what it had found by then is no place
+        m_isHomed = false;
+        m_isHomingStopped = true;
     }
-    return {};
+    if (!wasHalted) { // it is said again until it stands
+        m_halted_s = m_clock.now_s();
+        tellStop();
+    }
+    return m_talk.isLive() ? Result<void>() : Result<void>(m_talk.error());
 }
 
 Result<void> ProgramRobot::home() {
@@ -342,6 +370,7 @@ Result<void> ProgramRobot::home() {
     m_planner.forget();
     m_refused.clear();
     m_isHomeAsked = true;
+    m_homeSent_s = m_clock.now_s();
     m_isHomed = false;
     m_spanFrom.clear();
     m_talk.send(Kind::Home);
@@ -353,6 +382,7 @@ Result<void> ProgramRobot::clearAlarm() {
         return m_talk.error();
     m_refused.clear();
     m_elsewhere.reset();
+    m_isHomingStopped = m_hasRestarted = false;
     m_spanFrom.clear();
     m_talk.send(Kind::Clear);
     if (m_mustHome && !m_isHomed)

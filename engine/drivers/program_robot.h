@@ -26,7 +26,7 @@ public:
 
     Result<RobotState> state() override;
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
-    void setRetreating(bool isRetreating) override { m_isRetreating = isRetreating; }
+    void setRetreating(bool isRetreating) override;
     Result<void> halt() override;
     Result<void> home() override;
     Result<void> clearAlarm() override;
@@ -37,7 +37,8 @@ private:
     void takeHello(const ProgramHello& hello);
     void takeState(const ProgramRobotState& state, double at_s, bool isAsked);
     void takeRefusal(ProgramRequest::Kind kind, const std::string& words);
-    void checkPlace(bool wasMoving);
+    void checkPlace();
+    void tellStop();
     void move();
     void sendVelocity();
     void sendStep();
@@ -68,7 +69,11 @@ private:
     std::vector<double> m_spanFrom, m_spanTo;         ///< corners of where it may be; empty: anywhere
     bool m_isHalted = false;                          ///< until it is told to stand
     double m_halted_s = -1e300, m_stopped_s = -1e300; ///< since when, and when it was told last
-    bool m_isHomed = false, m_isHomeAsked = false, m_isRetreating = false;
+    double m_homeSent_s = -1e300;
+    bool m_isHomed = false, m_isHomeAsked = false, m_isRetreating = false, m_isResting = false;
+    bool m_isHomingStopped = false; ///< until it is homed to the end, or a person has looked
+    bool m_hasRestarted = false;    ///< likewise
+    bool m_wasLive = false;
     std::optional<double> m_elsewhere;
     std::string m_refused;
 };

@@ -4,6 +4,7 @@
 #include "engine/base/plain_text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace bask {
@@ -80,8 +81,13 @@ void ProgramTalk::takeLine(const std::string& text, const Take& take) {
     if (text.size() >= program::kLongestLine)
         return end("a line of it is longer than " + std::to_string(program::kLongestLine) + " bytes");
     const auto line = parseProgramLine(text, m_role);
-    if (!line)
+    if (!line) { // its request is answered nevertheless, and the next is asked
+        const ProgramNumbers numbers = programNumbers(text);
+        m_seq = numbers.seq.value_or(m_seq + 1);
+        if (const auto known = find(numbers.id); known != m_asked.end())
+            m_asked.erase(m_asked.begin(), std::next(known));
         return complain(plainWords(text.substr(0, 60)) + ": " + describe(line.error()));
+    }
     std::optional<ProgramRequest> asked;
     if (!answers(*line, asked))
         return;
@@ -110,24 +116,30 @@ void ProgramTalk::takeLine(const std::string& text, const Take& take) {
         take(*line, request);
 }
 
+std::deque<ProgramRequest>::iterator ProgramTalk::find(const std::optional<std::int64_t>& id) {
+    return id ? std::ranges::find(m_asked, *id, &ProgramRequest::id) : m_asked.end();
+}
+
 /// Requests are answered in their order, and each with what it asks for.
 bool ProgramTalk::answers(const ProgramLine& line, std::optional<ProgramRequest>& asked) {
     const std::int64_t due = m_seq + 1;
     m_seq = line.seq;
+    const auto known = find(line.id);
+    const bool isFirst = known == m_asked.begin(), isKnown = known != m_asked.end();
+    if (isKnown) { // those before it are not answered any more
+        asked = *known;
+        m_asked.erase(m_asked.begin(), std::next(known));
+    }
     if (line.seq != due) {
         complain("line " + std::to_string(line.seq) + " (seq) instead of line " + std::to_string(due));
         return false;
     }
     if (!line.id)
         return true;
-    const auto known = std::ranges::find(m_asked, *line.id, &ProgramRequest::id);
-    if (known == m_asked.end()) {
+    if (!isKnown) {
         complain("an answer to request " + std::to_string(*line.id) + " (id), which is not open");
         return false;
     }
-    const bool isFirst = known == m_asked.begin();
-    asked = *known;
-    m_asked.erase(known);
     if (!isFirst) {
         complain("an answer to request " + std::to_string(*line.id) + " (id) before those of earlier ones");
         return false;
@@ -164,6 +176,7 @@ bool ProgramTalk::checkClock(const ProgramLine& line, const ProgramRequest* aske
 
 void ProgramTalk::takeHello(const ProgramHello& hello) {
     m_hello = hello;
+    m_hello_s = m_clock.now_s();
     if (!m_expected)
         m_expected = signature();
 }
@@ -197,10 +210,13 @@ void ProgramTalk::complain(const std::string& words) {
 }
 
 void ProgramTalk::watch() {
+    const double now_s = m_clock.now_s();
+    if (mayWrite() && m_keeper.silence_s(std::max(m_state_s, m_hello_s), now_s) > kNoState_s)
+        return end("it has told no state for " + formatNumber(kNoState_s) + " s");
     if (m_asked.empty())
         return;
     const ProgramRequest& oldest = m_asked.front();
-    const double silent_s = m_keeper.silence_s(oldest.sent_s, m_clock.now_s());
+    const double silent_s = m_keeper.silence_s(oldest.sent_s, now_s);
     if (oldest.kind == Kind::Hello ? silent_s > kHello_s : silent_s > kSilence_s)
         end(Message{MessageCode::ProgramSilent, {m_name, formatNumber(silent_s, 2)}});
 }

@@ -31,6 +31,7 @@ public:
     static constexpr double kSlow_s = 0.5;   ///< an answer after this time is slow
     /// Without an answer for this time the program is ended; without a state it is not live.
     static constexpr double kSilence_s = 1.0;
+    static constexpr double kNoState_s = 5.0; ///< without a state for this time it is started again
     static constexpr double kClockOff_s = 0.5;
     static constexpr int kMaxBad = 3; ///< lines within kBadWindow_s; then it is ended
     static constexpr double kBadWindow_s = 10.0;
@@ -80,6 +81,7 @@ private:
     void end(const std::string& words);
     void end(const Message& why);
     void takeLine(const std::string& line, const Take& take);
+    std::deque<ProgramRequest>::iterator find(const std::optional<std::int64_t>& id);
     bool answers(const ProgramLine& line, std::optional<ProgramRequest>& asked);
     bool checkClock(const ProgramLine& line, const ProgramRequest* asked);
     void takeHello(const ProgramHello& hello);
@@ -100,7 +102,7 @@ private:
     std::deque<ProgramRequest> m_asked;
     std::int64_t m_id = 0, m_seq = 0;
     double m_period_s = 0.05, m_nextRead_s = 0.0;
-    double m_state_s = -1e300, m_replyTime_s = 0.0;
+    double m_hello_s = -1e300, m_state_s = -1e300, m_replyTime_s = 0.0;
     bool m_wasLive = false;
     /// The program's clock minus the engine's, as far as it is known, and since when.
     std::optional<std::array<double, 2>> m_offset_s;

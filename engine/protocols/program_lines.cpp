@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -18,6 +18,7 @@ using Line = nlohmann::ordered_json;
 
 constexpr std::size_t kMaxWords = 80, kMaxAlarm = 1000;
 constexpr int kMaxChannels = 64;
+constexpr std::int64_t kMaxNumber = std::int64_t{1} << 53;
 constexpr double kMaxMetres = 100.0, kMaxRadians = 100.0, kMaxKelvin = 5000.0, kMaxAge_s = 3600.0;
 
 const std::map<std::string, int>& coordinatesByName() {
@@ -250,7 +251,7 @@ void readWhole(LineFields& fields, const char* key, std::int64_t& out) {
     const json* j = fields.find(key, true);
     if (j == nullptr || fields.failure())
         return;
-    if (!j->is_number_integer() || *j < 1 || *j > std::numeric_limits<std::int64_t>::max())
+    if (!j->is_number_integer() || *j < 1 || *j > kMaxNumber)
         return fields.fail(MessageCode::JsonWrongType, fields.pathOf(key),
                            {"a whole number from 1", typeName(*j)});
     out = j->get<std::int64_t>();
@@ -306,6 +307,18 @@ Result<ProgramLine> parseProgramLine(std::string_view line, ProgramRole role) {
     return readJsonText<ProgramLine>(
         std::string(line), {},
         [role](const json& j, Failure& failure, ProgramLine& out) { readLine(j, failure, role, out); });
+}
+
+ProgramNumbers programNumbers(std::string_view line) {
+    const json j = json::parse(line, nullptr, false);
+    ProgramNumbers out;
+    if (!j.is_object())
+        return out;
+    for (const auto& [key, number] : {std::pair("id", &out.id), std::pair("seq", &out.seq)})
+        if (const auto it = j.find(key);
+            it != j.end() && it->is_number_integer() && *it >= 1 && *it <= kMaxNumber)
+            *number = it->get<std::int64_t>();
+    return out;
 }
 
 std::string programHello(std::int64_t id, ProgramRole role) {

@@ -82,6 +82,12 @@ struct ProgramLine {
 /// in the line; a list's length is not compared with the hello.
 Result<ProgramLine> parseProgramLine(std::string_view line, ProgramRole role);
 
+/// The numbers of a line, as far as they can be read where the rest is not to be used.
+struct ProgramNumbers {
+    std::optional<std::int64_t> id, seq;
+};
+ProgramNumbers programNumbers(std::string_view line);
+
 std::string programHello(std::int64_t id, ProgramRole role);
 /// "read", "stop", "home", "clear", "off".
 std::string programRequest(std::int64_t id, const char* what);

@@ -14,7 +14,8 @@ namespace {
 bool allowsRetreat(const Message& alarm) {
     return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
            alarm.code == MessageCode::RobotElsewhere || alarm.code == MessageCode::RobotRefused ||
-           alarm.code == MessageCode::RobotSlow || alarm.code == MessageCode::RobotStepLate;
+           alarm.code == MessageCode::ProgramRefuses || alarm.code == MessageCode::RobotSlow ||
+           alarm.code == MessageCode::RobotStepLate;
 }
 
 /// Returns the problem; None for a device that is not set up.
@@ -169,7 +170,9 @@ void ServoLoop::refusedByRobot(const Message& reason) {
 
 /// After a refused retreat no other one begins by itself: it would be refused, too.
 void ServoLoop::noteRefusedRetreat(const Message& problem) {
-    if (m_state == RunState::Stopping && problem.code == MessageCode::RobotRefused)
+    const bool isRefusal =
+        problem.code == MessageCode::RobotRefused || problem.code == MessageCode::ProgramRefuses;
+    if (m_state == RunState::Stopping && isRefusal)
         m_retreat.setRefused(true);
 }
 

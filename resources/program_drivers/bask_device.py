@@ -10,7 +10,7 @@ Copy this file beside your own program; it needs nothing but Python 3.9. A whole
         moves = "velocity"
 
         def read(self):
-            return self.state(position=arm.position(), moving=arm.is_moving())
+            return self.state(position=arm.position(), moving=arm.is_moving(), sure=arm.is_homed())
 
         def velocity(self, rates):
             arm.set_velocity(rates)
@@ -45,9 +45,14 @@ PROTOCOL = 1
 LONGEST_LINE = 65536
 AXES = ("x", "y", "z", "theta_x", "theta_y", "theta_z")
 FAULTS = ("", "open", "short", "out_of_range", "other")
+_REST = b"the rest of a line that is too long"  # whatever it says: it is no request
+
+# As Bask's clock: it runs on while the computer is asleep.
+_now = (lambda: time.clock_gettime(time.CLOCK_BOOTTIME)) if hasattr(time, "CLOCK_BOOTTIME") else time.monotonic
 
 _WATCH = 0.02  # s between two looks at the times to live
 _WAIT_FOR_METHOD = 0.2  # s; then the device is made safe beside it
+_AGAIN = 0.1  # s; then stop() or off() is called again where it has failed
 _END_WITHIN = 0.8  # s from the end of the input
 
 
@@ -106,9 +111,9 @@ class Robot(Device):
     def clear(self):
         """Clears its alarm, and takes its place for sure, after a person has looked. Never moves."""
 
-    def state(self, position, moving, sure=True, alarm="", age=0.0):
+    def state(self, position, moving, sure, alarm="", age=0.0):
         """position: one number an axis, m or rad. moving: until it stands. sure: False while it may not know where it
-        is. alarm: in words, why it does not move. age: s since the position was measured."""
+        is: after a start without homing, if it counts its steps. alarm: in words, why it does not move. age: s since the position was measured."""
         return {"position": [float(p) for p in position], "moving": bool(moving), "sure": bool(sure),
                 "alarm": str(alarm), "age": float(age)}
 
@@ -208,7 +213,8 @@ class _Runner:
         self.writing = threading.Lock()
         self.method = threading.Lock()  # one of the device's methods is called
         self.watching = threading.Lock()  # for what follows
-        self.heard = time.monotonic()
+        self.heard = _now()
+        self.safe_from = -math.inf  # a motion or heat that was asked for before this is not begun any more
         self.dead_man = 1.0
         self.active_until = None  # of a velocity or a heat; math.inf for a step, which ends by itself
         self.ending = threading.Event()
@@ -217,27 +223,36 @@ class _Runner:
 
     def write(self, line):
         with self.writing:
-            self.seq += 1
-            text = json.dumps({**line, "seq": self.seq, "time": time.monotonic()}, allow_nan=False)
+            text = json.dumps({**line, "seq": self.seq + 1, "time": _now()}, allow_nan=False)
+            self.seq += 1  # only of a line that is written
             view = memoryview(text.encode() + b"\n")
             while view:
                 view = view[self.output.write(view):]
 
     def read_lines(self):
+        is_rest = False
         try:
             while True:
                 line = sys.stdin.buffer.readline(LONGEST_LINE + 1)
                 if not line:
                     break
+                now = _now()
                 with self.watching:
-                    self.heard = time.monotonic()
-                self.requests.put(line)
+                    self.heard = now
+                    if b'"stop"' in line or b'"off"' in line:
+                        # Not behind what is under way: the watch acts if that does not return.
+                        self.safe_from = now
+                        if self.active_until is not None:
+                            self.active_until = 0.0
+                self.requests.put((_REST if is_rest else line, now))
+                is_rest = not line.endswith(b"\n")
         finally:
             self.end()
 
     # --- Requests ---
 
-    def take(self, line):
+    def take(self, line, came):
+        self.came = came
         try:
             if len(line) > LONGEST_LINE:
                 raise ValueError("the line is too long")
@@ -313,45 +328,54 @@ class _Runner:
             self.act(self.device.off, None)
 
     def act(self, method, valid_for):
-        """The device is active for this time; None: it is not."""
+        """The device is active for this time since the request came; None: it is not."""
         with self.method:
             if self.ending.is_set():
                 raise Refused("the program ends")
             with self.watching:
-                now = time.monotonic()
-                if valid_for is not None and now - self.heard > self.dead_man:
-                    raise Refused("it came too late: the dead-man rule has stopped the device")
+                age = _now() - self.came
+                if valid_for is not None and (self.came <= self.safe_from or age > min(valid_for, self.dead_man)):
+                    raise Refused("it came too late, behind a slow request or a stop")
                 # Before the method is called: what it begins is to be ended even if it never returns.
-                self.active_until = None if valid_for is None else now + valid_for
-            method()
+                self.active_until = None if valid_for is None else self.came + valid_for
+            try:
+                method()
+            except BaseException:
+                if valid_for is None:  # it may still be active: stop() or off() is called again
+                    with self.watching:
+                        self.active_until = 0.0
+                raise
 
     # --- What ends by itself ---
 
     def watch(self):
         while not self.ending.wait(_WATCH):
             with self.watching:
-                now = time.monotonic()
+                now = _now()
                 is_due = self.active_until is not None and (
                     now > self.active_until or now - self.heard > self.dead_man)
-            if is_due:
-                self.make_safe()
+            if is_due and not self.make_safe():
+                self.ending.wait(_AGAIN)
 
     def make_safe(self):
+        """Returns false if it has failed."""
         is_alone = self.method.acquire(timeout=_WAIT_FOR_METHOD)
         try:
             with self.watching:
-                now = time.monotonic()
+                now = _now()
                 is_renewed = (self.active_until is not None and now <= self.active_until
                               and now - self.heard <= self.dead_man)
                 if is_renewed and not self.ending.is_set():
-                    return
-                self.active_until = None
+                    return True
+                self.active_until = 0.0
             self.device._make_safe()
-        except Exception:
+            if is_alone:  # else the other method may still begin something, and it is made safe once more
+                with self.watching:
+                    self.active_until = None
+            return True
+        except BaseException:
             traceback.print_exc()
-            with self.watching:
-                if not self.ending.is_set():
-                    self.active_until = 0.0  # and again
+            return False
         finally:
             if is_alone:
                 self.method.release()
@@ -367,12 +391,15 @@ class _Runner:
         threading.Thread(target=self.watch, daemon=True).start()
         threading.Thread(target=self.end_in_time, daemon=True).start()
         while True:
-            line = self.requests.get()
-            if line is None or self.ending.is_set():
+            request = self.requests.get()
+            if request is None or self.ending.is_set():
                 break
             try:
-                self.take(line)
+                self.take(*request)
             except OSError:  # nobody reads the answers any more
+                break
+            except BaseException:  # the user's code has called sys.exit()
+                traceback.print_exc()
                 break
         self.ending.set()
         time.sleep(2.0 * _END_WITHIN)  # the other thread ends the program
@@ -382,7 +409,11 @@ class _Runner:
         ended = threading.Timer(_END_WITHIN, os._exit, (1,))
         ended.daemon = True
         ended.start()
-        self.make_safe()
+        while not self.make_safe():
+            time.sleep(_AGAIN)
+        if self.method.acquire(timeout=0.4):  # a method that was under way may have begun something
+            self.method.release()
+            self.make_safe()
         try:
             self.device.close()
         except Exception:

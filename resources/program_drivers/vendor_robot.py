@@ -63,7 +63,8 @@ class UniversalRobot(bask_device.Robot):
             alarm = "its emergency stop is pressed"
         elif self.receive.isProtectiveStopped():
             alarm = "it is in a protective stop"
-        return self.state(list(pose[:3]) + angles_of(pose[3:]), moving=max(map(abs, speed)) > STANDS, alarm=alarm)
+        return self.state(list(pose[:3]) + angles_of(pose[3:]), moving=max(map(abs, speed)) > STANDS,
+                          sure=True, alarm=alarm)
 
     def velocity(self, rates):
         angles = angles_of(self.receive.getActualTCPPose()[3:])

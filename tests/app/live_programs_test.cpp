@@ -151,6 +151,8 @@ protected:
         live.send(LoadExperiment{*loaded});
         ASSERT_TRUE(waitFor(
             [&] {
+                if (!live.last.isPlaceSure) // a program that has started again: a person has looked
+                    live.send(ClearRobotAlarm{});
                 if (live.last.state == RunState::Fault)
                     live.send(Reset{});
                 return live.last.state == RunState::Ready;

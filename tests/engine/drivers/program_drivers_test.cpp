@@ -48,8 +48,11 @@ protected:
                            {"can_home", true},
                            {"limits", {{"x", {-0.05, 0.05}}}}};
         m_program.state = [this] {
-            return Json{
-                {"position", {at[0], at[1]}}, {"moving", isMoving}, {"sure", isSure}, {"alarm", alarm}};
+            return Json{{"position", {at[0], at[1]}},
+                        {"moving", isMoving},
+                        {"sure", isSure},
+                        {"alarm", alarm},
+                        {"age", age_s}};
         };
         m_program.obey = [this](const Json& request) { obey(request); };
         move = [this](double dt_s) { advance(dt_s); };
@@ -100,7 +103,7 @@ protected:
     }
 
     std::array<double, 2> at{0.0, 0.0}, rates{0.0, 0.0}; ///< theta_z, x
-    double until_s = -1.0, direction = 1.0;
+    double until_s = -1.0, direction = 1.0, age_s = 0.0;
     bool isMoving = false, isSure = true, isDeaf = false;
     std::string alarm;
     std::function<bool(const Vector6d&)> mayGo = [](const Vector6d&) { return true; };
@@ -320,6 +323,52 @@ TEST_F(ProgramRobotTest, ThatBreaksTheProtocolIsEnded) {
         EXPECT_EQ(robot->status().link, LinkState::Lost) << defect.what;
         EXPECT_FALSE(robot->state()) << defect.what;
     }
+}
+
+// Catches a run that ends for one number that nobody can mean.
+TEST_F(ProgramRobotTest, GoesOnAfterOneAnswerThatCannotBeUsed) {
+    makeLive("velocity");
+    at[1] = 5000.0;
+    run(*robot, 0.055);
+    at[1] = 0.0;
+    drive(twist(0.01), 3.0);
+    EXPECT_EQ(m_program.closed, 0);
+    EXPECT_TRUE(robot->state()) << describe(robot->state().error());
+    EXPECT_GE(robot->status().discarded, 1);
+    EXPECT_NEAR(at[1], 0.03, 0.004);
+}
+
+// Catches a place that is taken for sure after half a homing, or a new start that counts from zero.
+TEST_F(ProgramRobotTest, IsNotSureAfterAHomingThatWasStoppedOrANewStart) {
+    makeLive("velocity");
+    ASSERT_TRUE(robot->home());
+    ASSERT_TRUE(robot->halt());
+    run(*robot, 0.5);
+    EXPECT_FALSE(robot->state()->isPlaceSure);
+    ASSERT_TRUE(robot->home());
+    run(*robot, 0.5);
+    EXPECT_TRUE(robot->state()->isPlaceSure);
+    m_program.isUp = false;
+    run(*robot, 1.5);
+    ASSERT_TRUE(robot->state());
+    EXPECT_FALSE(robot->state()->isPlaceSure);
+    EXPECT_EQ(robot->state()->alarm.code, MessageCode::RobotRestarted);
+    EXPECT_TRUE(robot->clearAlarm());
+    run(*robot, 0.2);
+    EXPECT_TRUE(robot->state()->isPlaceSure);
+}
+
+// Catches a homing that is taken for done by a state from before it.
+TEST_F(ProgramRobotTest, IsNotHomedByAnOldState) {
+    make("steps", true);
+    run(*robot, 0.5);
+    age_s = 0.3;
+    ASSERT_TRUE(robot->home());
+    run(*robot, 0.2);
+    EXPECT_FALSE(robot->state()->isPlaceSure);
+    EXPECT_TRUE(robot->state()->moving);
+    run(*robot, 0.4);
+    EXPECT_TRUE(robot->state()->isPlaceSure);
 }
 
 // Catches a device that is slow for a moment, whose program is ended for it; and one that is believed for
