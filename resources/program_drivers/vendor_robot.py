@@ -1,7 +1,9 @@
 """A Universal Robots arm by its maker's protocol and the library ur_rtde (pip install ur_rtde).
 
 NEVER TRIED on a real arm: it shows how a robot behind a vendor's library is driven. Try it with the arm's own simulator
-(URSim) and `bask check-device` first, with the speed slider at its least, beside the arm's own emergency stop.
+(URSim) and `bask check-device` first, with the speed slider at its least, beside the arm's own emergency stop. Try also
+what the arm does when this program is killed (kill -9) while it moves: the library's script on the arm repeats the last
+velocity for ever, and only its watchdog, which is set below, ends it.
 
     python3 vendor_robot.py 192.168.1.40
 
@@ -11,11 +13,14 @@ rotation vector; Bask's angles are those of Rz(theta_z) Ry(theta_y) Rx(theta_x).
 
 import math
 import sys
+import threading
+import time
 
 import bask_device
 
 ACCELERATION = 0.3  # m/s2
 STANDS = 1e-4  # m/s or rad/s
+WATCHDOG = 4.0  # Hz: the arm ends its script when it has not been kicked for 1 / WATCHDOG s
 
 
 def matrix_of(vector):
@@ -55,24 +60,46 @@ class UniversalRobot(bask_device.Robot):
         import rtde_receive
         self.receive = rtde_receive.RTDEReceiveInterface(host)
         self.control = rtde_control.RTDEControlInterface(host)
+        self.lock = threading.Lock()
+        self.command(self.control.setWatchdog, WATCHDOG)
+        threading.Thread(target=self.keep_kicking, daemon=True).start()
+
+    def keep_kicking(self):
+        """As long as this program lives. Silence of Bask is not the watchdog's: bask_device.py stops the arm then."""
+        while True:
+            time.sleep(0.2 / WATCHDOG)
+            with self.lock:
+                if self.control.isProgramRunning():
+                    self.control.kickWatchdog()
+
+    def command(self, method, *values):
+        """The library says False where the arm has not taken a command, and raises nothing."""
+        with self.lock:
+            is_done = method(*values)
+        if not is_done:
+            raise bask_device.Refused("the arm does not take commands: look at its panel, then start this program anew")
 
     def read(self):
+        if not self.receive.isConnected():  # else the library tells the last pose again and again, as if it were new
+            raise bask_device.Refused("the arm is not connected")
         pose, speed = self.receive.getActualTCPPose(), self.receive.getActualTCPSpeed()
         alarm = ""
         if self.receive.isEmergencyStopped():
             alarm = "its emergency stop is pressed"
         elif self.receive.isProtectiveStopped():
             alarm = "it is in a protective stop"
+        elif not self.control.isProgramRunning():
+            alarm = "its script has ended, by its watchdog or at its panel: start this program anew"
         return self.state(list(pose[:3]) + angles_of(pose[3:]), moving=max(map(abs, speed)) > STANDS,
                           sure=True, alarm=alarm)
 
     def velocity(self, rates):
         angles = angles_of(self.receive.getActualTCPPose()[3:])
-        # The arm ends it by itself after 0.5 s, should this program die.
-        self.control.speedL(list(rates[:3]) + turning_of(angles, rates[3:]), ACCELERATION, 0.5)
+        speeds = list(rates[:3]) + turning_of(angles, rates[3:])
+        self.command(self.control.speedL, speeds, ACCELERATION, 0.01)  # s until it looks for another velocity
 
     def stop(self):
-        self.control.speedStop()
+        self.command(self.control.speedStop)
 
     def close(self):
         self.control.stopScript()

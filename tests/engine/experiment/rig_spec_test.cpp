@@ -86,7 +86,7 @@ TEST(RigSpec, AnUnknownDriverIsRefusedWithTheKnownOnes) {
     RigSpec robot = rigWithDevice(&RigSpec::robot, "scara");
     EXPECT_EQ(refusal(robot).code(), MessageCode::ValueUnknown);
     EXPECT_EQ(refusal(robot).where, "robot.driver");
-    EXPECT_EQ(refusal(robot).message.args, (std::vector<MessageArg>{"scara", "grbl, dobot"}));
+    EXPECT_EQ(refusal(robot).message.args, (std::vector<MessageArg>{"scara", "grbl, dobot, program"}));
     EXPECT_EQ(refusal(rigWithDevice(&RigSpec::thermometer, "")).where, "thermometer.driver");
     EXPECT_EQ(refusal(rigWithDevice(&RigSpec::source, "grbl")).where, "source.driver");
 }

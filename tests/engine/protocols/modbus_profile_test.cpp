@@ -204,10 +204,10 @@ TEST(ShippedProfiles, AreSoundAndSorted) {
         EXPECT_FALSE(p.source.empty()) << p.name;
         EXPECT_EQ(modbusProfileFromJson(modbusProfileToJson(p), p.name).value(), p);
     }
-    EXPECT_EQ(names, (std::vector<std::string>{"adam-4015-0-100", "benshaw-remote-rtd", "eurotherm-2400",
-                                               "generic-pt100-ohm", "isma-sfar-1m-1ti1do", "modmux-pm6rtd",
-                                               "pixsys-drr245", "thermasgard-rtm1", "watlow-ez-zone",
-                                               "waveshare-8ch-4-20ma"}));
+    EXPECT_EQ(names, (std::vector<std::string>{
+                         "adam-4015-0-100", "benshaw-remote-rtd", "eurotherm-2400", "generic-pt100-ohm",
+                         "isma-sfar-1m-1ti1do", "labjack-t-series-thermocouples", "modmux-pm6rtd",
+                         "pixsys-drr245", "thermasgard-rtm1", "watlow-ez-zone", "waveshare-8ch-4-20ma"}));
 }
 
 // What the manuals say; catches an address, scale or fault number typed wrongly.
