@@ -304,7 +304,8 @@ Error ProgramTalk::error() const {
     if (message.code == MessageCode::None)
         message = {
             MessageCode::ProgramSilent,
-            {m_name, formatNumber(m_keeper.isOpen() ? m_clock.now_s() - m_keeper.opened_s() : 0.0, 2)}};
+            {m_name,
+             formatNumber(m_keeper.isOpen() ? m_keeper.silence_s(m_state_s, m_clock.now_s()) : 0.0, 2)}};
     Error error;
     error.message = std::move(message);
     return error;

@@ -335,7 +335,7 @@ class _Runner:
             with self.watching:
                 age = _now() - self.came
                 if valid_for is not None and (self.came <= self.safe_from or age > min(valid_for, self.dead_man)):
-                    raise Refused("it came too late, behind a slow request or a stop")
+                    return  # its time is over, behind a slow request, or a stop has come after it
                 # Before the method is called: what it begins is to be ended even if it never returns.
                 self.active_until = None if valid_for is None else self.came + valid_for
             try:
