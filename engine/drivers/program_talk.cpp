@@ -269,7 +269,7 @@ bool ProgramTalk::isSlow() const {
 }
 
 Message ProgramTalk::problem() const {
-    if (const Message ofLink = m_keeper.link().problem(); ofLink.code != MessageCode::None)
+    if (Message ofLink = m_keeper.link().problem(); ofLink.code != MessageCode::None)
         return ofLink;
     if (isOther())
         return {MessageCode::DeviceExchanged, {m_name, *m_expected, signature()}};

@@ -89,7 +89,10 @@ protected:
     }
     bool isHot() const { return world("plate").toDouble() > kelvinFromCelsius(150.0); }
 
-    QTemporaryDir m_folder;
+    /// In memory where there is such a place: a busy disk would hold the programs up.
+    QTemporaryDir m_folder{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
+                               ? QStringLiteral("/dev/shm/bask-XXXXXX")
+                               : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
     QProcess engine;
 };
 
