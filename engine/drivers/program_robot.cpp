@@ -345,6 +345,9 @@ Result<void> ProgramRobot::setTwist(const Vector6d& twist, double validFor_s) {
 
 Result<void> ProgramRobot::halt() {
     m_planner.forget();
+    if (m_talk.isLive() &&
+        !isMoving()) // it stands; or a fault, which halts it again and again, could not be homed
+        return {};
     const bool wasHalted = std::exchange(m_isHalted, true);
     m_ratesUntil_s = -1e300;
     m_rates.clear();
