@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace bask {
@@ -16,9 +17,9 @@ constexpr double kFrameGap_s = 0.1; // a request in pieces further apart is nois
 constexpr int kIllegalFunction = 1, kIllegalAddress = 2, kIllegalValue = 3, kDeviceFailure = 4;
 constexpr int kMaxAsked = 125;
 constexpr double kJump_K = 30.0, kHalfJump_s = 0.5, kRise_K_s = 2.0;
-const std::vector<std::string> kModbusFaults{"none",        "silent",     "open",      "short",
-                                             "frozen",      "jumping",    "rising",    "wrong-unit",
-                                             "short-reply", "late-reply", "exception", "bad-crc"};
+const std::vector<std::string> kModbusFaults{"none",        "silent",     "open",     "short",
+                                             "frozen",      "jumping",    "rising",   "wrong-unit",
+                                             "short-reply", "late-reply", "exception"};
 
 using Registers = std::vector<std::uint16_t>;
 
@@ -74,7 +75,19 @@ void ModbusSimulator::addThermometer(int unit, const ModbusProfile& profile, dou
     added.channels_K.assign(static_cast<std::size_t>(profile.channels), t_K);
     for (int i = 0; i < profile.channelStep * profile.channels; ++i) // those between are there too
         added.registers[{profile.channel->function, profile.channel->address + i}] = 0;
+    addKind(added);
     refresh(added);
+}
+
+/// What tells it from others.
+void ModbusSimulator::addKind(Unit& unit) {
+    const ModbusProfile& profile = unit.profile;
+    if (profile.deviceType)
+        store(unit, *profile.deviceType,
+              registersFromQuantity(*profile.deviceType, profile.deviceTypes.front()).value());
+    for (int i = 0; profile.identity && i < profile.identity->count; ++i)
+        unit.registers[{profile.identity->function, profile.identity->address + i}] =
+            static_cast<std::uint16_t>(4700 + i);
 }
 
 void ModbusSimulator::addController(int unit, const ModbusProfile& profile, const SimulatedPlate& plate) {
@@ -93,6 +106,7 @@ void ModbusSimulator::addController(int unit, const ModbusProfile& profile, cons
         store(added, *profile.run, registersFromQuantity(*profile.run, profile.runOff).value());
     if (profile.watchdog)
         store(added, *profile.watchdog, registersFromQuantity(*profile.watchdog, 0.0).value());
+    addKind(added);
     if (const auto& unit = profile.temperatureUnit) {
         const bool isFahrenheit = profile.processValue->unit == RegisterUnit::Fahrenheit;
         store(added, *unit,
@@ -107,6 +121,14 @@ void ModbusSimulator::setTemperature(int unit, int channel, double t_K) {
     u.channels_K.at(static_cast<std::size_t>(channel)) = t_K;
     if (m_fault != "frozen")
         refresh(u);
+}
+
+void ModbusSimulator::removeChannel(int unit, int channel) {
+    Unit& u = m_units.at(unit);
+    u.channels_K.at(static_cast<std::size_t>(channel)) = std::numeric_limits<double>::quiet_NaN();
+    const RegisterSpec& spec = *u.profile.channel;
+    for (int i = 0; i < registerCount(spec.type); ++i)
+        u.registers.erase({spec.function, spec.address + channel * u.profile.channelStep + i});
 }
 
 double ModbusSimulator::setPoint_K(int unit) const {
@@ -186,7 +208,8 @@ void ModbusSimulator::refresh(Unit& unit) const {
     for (const StatusSpec& status : p.status)
         unit.registers[{status.function, status.address}] = 0;
     for (std::size_t i = 0; i < unit.channels_K.size(); ++i)
-        refreshSensor(unit, *p.channel, static_cast<int>(i), unit.channels_K[i] + shownTooMuch_K());
+        if (!std::isnan(unit.channels_K[i]))
+            refreshSensor(unit, *p.channel, static_cast<int>(i), unit.channels_K[i] + shownTooMuch_K());
     if (!p.processValue)
         return;
     refreshSensor(unit, *p.processValue, 0, unit.plate_K);
@@ -221,22 +244,49 @@ void ModbusSimulator::refreshSensor(Unit& unit, const RegisterSpec& spec, int ch
           channel * p.channelStep);
 }
 
+void ModbusSimulator::opened(double) {
+    m_received.clear();
+}
+
 void ModbusSimulator::receive(std::string_view bytes, double now_s) {
-    if (now_s - m_heard_s > kFrameGap_s)
+    if (m_frames == Frames::Rtu && now_s - m_heard_s > kFrameGap_s)
         m_received.clear();
     m_heard_s = now_s;
     m_received += bytes;
     advance(now_s);
+    if (m_frames == Frames::Tcp)
+        return takeTcp(now_s);
     while (const auto query = takeModbusQuery(m_received))
         answer(*query, now_s);
 }
 
-void ModbusSimulator::answer(const ModbusQuery& query, double now_s) {
+void ModbusSimulator::takeTcp(double now_s) {
+    std::string_view left = m_received;
+    while (const auto frame = takeModbusTcpFrame(left)) {
+        std::string line =
+            modbusFrame(static_cast<unsigned char>(frame->unitAndPdu[0]), frame->unitAndPdu.substr(1));
+        if (const auto query = takeModbusQuery(line))
+            answer(*query, now_s, frame->transaction);
+    }
+    m_received.erase(0, m_received.size() - left.size());
+}
+
+std::string ModbusSimulator::framed(const std::string& frame, int transaction) const {
+    if (m_frames == Frames::Rtu)
+        return frame;
+    if (m_fault == "garbage")
+        return "HTTP/1.1 400 Bad Request\r\n\r\n";
+    const int id = m_fault == "wrong-id" ? transaction ^ 0x5555 : transaction;
+    return modbusTcpFrame(id, std::string_view(frame).substr(0, frame.size() - 2)); // without the CRC
+}
+
+void ModbusSimulator::answer(const ModbusQuery& query, double now_s, int transaction) {
+    m_functions.push_back(query.function);
     const auto unit = m_units.find(query.unit);
     if (unit == m_units.end() || m_fault == "silent")
         return;
     unit->second.asked_s = now_s;
-    const std::string words = reply(unit->second, query);
+    const std::string words = framed(reply(unit->second, query), transaction);
     m_answers.emplace_back(now_s + (m_fault == "late-reply" ? kLateReply_s : kReplyTime_s), words);
 }
 
@@ -293,11 +343,16 @@ std::string ModbusSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> ModbusSimulator::faults() const {
-    return kModbusFaults;
+    std::vector<std::string> out = kModbusFaults;
+    if (m_frames == Frames::Rtu)
+        out.insert(out.end(), {"bad-crc"});
+    else
+        out.insert(out.end(), {"wrong-id", "garbage"});
+    return out;
 }
 
 Result<void> ModbusSimulator::setFault(const std::string& name) {
-    if (const auto known = checkFault(name, kModbusFaults); !known)
+    if (const auto known = checkFault(name, faults()); !known)
         return known;
     m_fault = name;
     m_fault_s = m_now_s;

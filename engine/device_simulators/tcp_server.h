@@ -2,21 +2,22 @@
 // A simulated device on a TCP port of this computer.
 
 #include "engine/device_simulators/byte_pump.h"
+#include "engine/device_simulators/device_server.h"
 
 #include <memory>
 
 namespace bask {
 
-class TcpServer {
+class TcpServer final : public DeviceServer {
 public:
     /// Listens on 127.0.0.1; port 0: any free port. `device` must outlive it. Errors: LinkNotOpened.
     static Result<std::unique_ptr<TcpServer>> create(ByteDevice& device, int port = 0);
-    ~TcpServer();
+    ~TcpServer() override;
     TcpServer(const TcpServer&) = delete;
     TcpServer& operator=(const TcpServer&) = delete;
 
-    /// Moves bytes in both directions and never waits. Accepts one client at a time; another is rejected.
-    void work(double now_s);
+    /// Accepts one client at a time; another is rejected.
+    void work(double now_s) override;
     int port() const { return m_port; }
 
 private:

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -73,7 +74,7 @@ Result<std::unique_ptr<ModbusHeater>> ModbusHeater::create(ModbusLink& link, con
 ModbusHeater::ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings)
     : m_settings(settings), m_clock(clock),
       m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)),
-      m_identity(settings.profile.identity) {
+      m_identity(settings.profile) {
     listRanges();
 }
 
@@ -86,8 +87,7 @@ void ModbusHeater::listRanges() {
     }
     for (const StatusSpec& status : p.status)
         ranges.push_back({status.function, status.address, 1});
-    if (const auto range = m_identity.range())
-        ranges.push_back(*range);
+    std::ranges::copy(m_identity.ranges(), std::back_inserter(ranges));
     m_ranges = joinedRanges(std::move(ranges));
 }
 
@@ -354,7 +354,7 @@ bool ModbusHeater::isDriven() const {
 }
 
 Message ModbusHeater::exchanged() const {
-    return m_identity.exchanged(m_exchange.name());
+    return m_identity.problem(m_exchange.name());
 }
 
 Result<Reading> ModbusHeater::read() {

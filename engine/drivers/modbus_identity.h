@@ -7,34 +7,54 @@
 #include "engine/protocols/register_ranges.h"
 #include "engine/protocols/register_values.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bask {
 
 class ModbusIdentity {
 public:
-    explicit ModbusIdentity(const std::optional<IdentitySpec>& spec) : m_spec(spec) {}
+    explicit ModbusIdentity(const ModbusProfile& profile)
+        : m_spec(profile.identity), m_type(profile.deviceType), m_types(profile.deviceTypes) {}
 
     void expect(const std::string& signature) { m_expected = signature; }
-    /// Returns the registers to read with each poll; empty if it has none.
-    std::optional<RegisterRange> range() const {
-        return m_spec ? std::optional(RegisterRange{m_spec->function, m_spec->address, m_spec->count})
-                      : std::nullopt;
+    /// Returns the registers to read with each poll.
+    std::vector<RegisterRange> ranges() const {
+        std::vector<RegisterRange> out;
+        if (m_spec)
+            out.push_back(rangeOfIdentity());
+        if (m_type)
+            out.push_back(rangeOfType());
+        return out;
     }
     /// Takes the registers as read. The first unit found is the expected one, unless another one was given.
     void take(const RegisterImage& image) {
-        if (!m_spec)
+        if (m_type)
+            m_told = quantityFromRegisters(*m_type, image.registers(rangeOfType()));
+        if (!m_spec || isOtherKind())
             return;
-        m_signature = signatureFromRegisters(image.registers(*range()));
+        m_signature = signatureFromRegisters(image.registers(rangeOfIdentity()));
         if (!m_expected)
             m_expected = m_signature;
     }
     /// Call when the unit is lost: what returns may be a different one.
-    void forget() { m_signature.reset(); }
-    bool isKnown() const { return !m_spec || (m_signature && m_signature == m_expected); }
-    bool isOther() const { return m_spec && m_signature && m_signature != m_expected; }
-    Message exchanged(const std::string& port) const {
+    void forget() {
+        m_signature.reset();
+        m_told.reset();
+    }
+    bool isKnown() const {
+        return (!m_type || (m_told && !isOtherKind())) &&
+               (!m_spec || (m_signature && m_signature == m_expected));
+    }
+    bool isOther() const { return isOtherKind() || (m_spec && m_signature && m_signature != m_expected); }
+    /// Returns why it is another one.
+    Message problem(const std::string& port) const {
+        if (isOtherKind())
+            return {MessageCode::DeviceAnswersWrong,
+                    {port, "it is not a device of this profile: the register of its type holds " +
+                               formatNumber(*m_told, 6)}};
         return {MessageCode::DeviceExchanged, {port, m_expected.value_or(""), m_signature.value_or("")}};
     }
     /// Returns a status with what is known here.
@@ -42,13 +62,22 @@ public:
         status.signature = m_spec ? m_signature : std::optional<std::string>("");
         if (isOther()) {
             status.link = LinkState::Opening;
-            status.problem = exchanged(port);
+            status.problem = problem(port);
         }
         return status;
     }
 
 private:
+    RegisterRange rangeOfIdentity() const { return {m_spec->function, m_spec->address, m_spec->count}; }
+    RegisterRange rangeOfType() const {
+        return {m_type->function, m_type->address, registerCount(m_type->type)};
+    }
+    bool isOtherKind() const { return m_told && std::ranges::find(m_types, *m_told) == m_types.end(); }
+
     std::optional<IdentitySpec> m_spec;
+    std::optional<RegisterSpec> m_type;
+    std::vector<double> m_types;
+    std::optional<double> m_told; ///< what the register of its type holds
     std::optional<std::string> m_expected, m_signature;
 };
 

@@ -1,142 +1,152 @@
 #include "engine/drivers/modbus_tcp_link.h"
 
 #include "engine/base/message_code.h"
-#include "engine/drivers/modbus_pdu.h"
-#include "engine/drivers/port_claim.h"
+#include "engine/protocols/modbus_frame.h"
 
-#include <QModbusReply>
-#include <QModbusTcpClient>
-#include <QTcpSocket>
-#include <QVariant>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 namespace bask {
+namespace {
 
-std::optional<NetworkAddress> networkAddress(const std::string& text, int usual) {
-    NetworkAddress out{text, usual};
-    std::size_t colon = std::string::npos;
-    if (text.starts_with('[')) { // the address itself has colons
-        const std::size_t end = text.find(']');
-        if (end == std::string::npos || (end + 1 != text.size() && text[end + 1] != ':'))
-            return std::nullopt;
-        out.host = text.substr(1, end - 1);
-        colon = end + 1 < text.size() ? end + 1 : std::string::npos;
-    } else if (std::ranges::count(text, ':') == 1) {
-        colon = text.find(':');
-        out.host = text.substr(0, colon);
-    }
-    if (colon != std::string::npos) {
-        const char* const end = text.data() + text.size();
-        const auto read = std::from_chars(text.data() + colon + 1, end, out.port);
-        if (read.ec != std::errc() || read.ptr != end)
-            return std::nullopt;
-    }
-    const bool isHost = !out.host.empty() && out.host.find_first_of(" /\t") == std::string::npos;
-    return isHost && out.port >= 1 && out.port <= 65535 ? std::optional(out) : std::nullopt;
+constexpr std::size_t kCrcBytes = 2, kEchoBytes = 6; // an echo: unit, function, two words
+constexpr int kTransactions = 0x10000;
+
+/// Unit, function and data.
+std::string tcpRequest(const ModbusRequest& request) {
+    std::string frame =
+        modbusRequest({request.unit, request.function, request.address, request.count, request.values});
+    frame.resize(frame.size() - kCrcBytes);
+    return frame;
 }
 
+int unsignedAt(const std::string& bytes, std::size_t i) {
+    return static_cast<unsigned char>(bytes[i]);
+}
+
+/// The registers of a reply of that unit and function; empty if it does not answer the request.
+std::optional<std::vector<std::uint16_t>> tcpRegisters(const std::string& reply,
+                                                       const ModbusRequest& request) {
+    std::vector<std::uint16_t> out;
+    if (!request.reads())
+        return reply == tcpRequest(request).substr(0, kEchoBytes) ? std::optional(out) : std::nullopt;
+    if (unsignedAt(reply, 2) != 2 * request.count ||
+        reply.size() != 3 + 2 * static_cast<std::size_t>(request.count))
+        return std::nullopt;
+    for (std::size_t i = 3; i + 1 < reply.size(); i += 2)
+        out.push_back(static_cast<std::uint16_t>(unsignedAt(reply, i) << 8 | unsignedAt(reply, i + 1)));
+    return out;
+}
+
+} // namespace
+
 struct ModbusTcpLink::Line {
-    /// The request under way. Given up when its time is over.
     struct Asked {
         int number;
         ModbusRequest request;
-        double until_s;
-        QModbusReply* reply;
+        double until_s, overtakenFrom_s;
     };
 
-    Line(std::string where, const Clock& time, double reply_s);
-    ~Line() { abort(); }
-
-    bool isConnected() const { return client.state() == QModbusDevice::ConnectedState; }
-    std::string words() const;
     void look();
-    void finished(QModbusReply* reply);
-    ModbusReply judged(const QModbusReply& reply, const ModbusRequest& request) const;
+    void take(const ModbusTcpFrame& frame);
+    ModbusReply judged(const std::string& reply) const;
     void deliver(ModbusReply reply);
+    void leave();
     void giveUp();
-    void lose(MessageCode code, std::vector<MessageArg> args);
-    void abort();
+    void lose(Message why);
+    int ask(const ModbusRequest& request);
+    void forget();
+    /// The number of a request in its frame.
+    static int transaction(int number) { return number % kTransactions; }
+    Error wrong(const char* words) const {
+        return {MessageCode::DeviceAnswersWrong, "", {bytes->name(), words}};
+    }
 
-    std::string address;
+    std::unique_ptr<ByteLink> bytes;
     const Clock& clock;
     double replyTime_s;
-    Message problem;
-    bool isWanted = false; ///< is open or being opened
-    bool wasOpen = false;  ///< since it was opened
-    double opened_s = -1e300;
-    std::optional<Asked> asked;
-    std::map<int, ModbusReply> replies;
-    int lastNumber = 0, silent = 0;
-    PortClaim claim;
-    QModbusTcpClient client;
+    std::string heard{};
+    std::optional<Asked> asked{};
+    std::map<int, ModbusReply> replies{};
+    Message problem{}; ///< None: that of the bytes counts
+    int lastNumber = 0, silent = 0, discarded = 0;
 };
 
-ModbusTcpLink::Line::Line(std::string where, const Clock& time, double reply_s)
-    : address(std::move(where)), clock(time), replyTime_s(reply_s) {
-    client.setNumberOfRetries(0);
-    QObject::connect(&client, &QModbusDevice::errorOccurred, &client, [this](QModbusDevice::Error error) {
-        if (error == QModbusDevice::ConnectionError || error == QModbusDevice::ReadError ||
-            error == QModbusDevice::WriteError || error == QModbusDevice::UnknownError)
-            lose(wasOpen ? MessageCode::LinkLost : MessageCode::LinkNotOpened, {address, words()});
-    });
-    QObject::connect(&client, &QModbusDevice::stateChanged, &client, [this](QModbusDevice::State state) {
-        if (state == QModbusDevice::ConnectedState) {
-            wasOpen = true;
-            if (auto* socket = qobject_cast<QTcpSocket*>(client.device()))
-                socket->setSocketOption(QAbstractSocket::LowDelayOption, 1);
-        } else if (state == QModbusDevice::UnconnectedState) { // an error is told after it, in its words
-            const auto look = [this] {
-                if (client.state() == QModbusDevice::UnconnectedState)
-                    lose(wasOpen ? MessageCode::LinkLost : MessageCode::LinkNotOpened,
-                         {address, "it was closed"});
-            };
-            QMetaObject::invokeMethod(&client, look, Qt::QueuedConnection);
-        }
-    });
+ModbusTcpLink::ModbusTcpLink(std::unique_ptr<ByteLink> line, const Clock& clock, double replyTime_s)
+    : m_line(new Line{std::move(line), clock, replyTime_s}) {}
+
+ModbusTcpLink::~ModbusTcpLink() = default;
+
+void ModbusTcpLink::open() {
+    if (isOpen())
+        return;
+    m_line->forget();
+    m_line->problem = {};
+    m_line->bytes->open();
 }
 
-/// Of the socket, whose are plainer than those of Qt's client.
-std::string ModbusTcpLink::Line::words() const {
-    const auto* socket = qobject_cast<QTcpSocket*>(client.device());
-    return (socket != nullptr ? socket->errorString() : client.errorString()).toStdString();
+void ModbusTcpLink::close() {
+    m_line->forget();
+    m_line->bytes->close();
 }
 
-/// Sees to what is due, without the event loop.
+bool ModbusTcpLink::isOpen() const {
+    return m_line->bytes->isOpen();
+}
+
+/// The request under way is told that there was no answer.
+void ModbusTcpLink::Line::forget() {
+    if (asked)
+        leave();
+    heard.clear();
+    silent = 0;
+}
+
+Message ModbusTcpLink::problem() const {
+    return m_line->problem.code == MessageCode::None ? m_line->bytes->problem() : m_line->problem;
+}
+
+/// The deadline is first: what waited here unread is not to look new.
 void ModbusTcpLink::Line::look() {
+    if (!bytes->isOpen())
+        return forget();
     if (asked && clock.now_s() > asked->until_s)
         giveUp();
-    if (isWanted && !wasOpen && clock.now_s() - opened_s > kOpening_s)
-        lose(MessageCode::LinkNotOpened, {address, "the host does not answer"});
+    heard += bytes->read();
+    std::string_view left = heard;
+    while (const auto frame = takeModbusTcpFrame(left))
+        take(*frame);
+    heard.erase(0, heard.size() - left.size());
+    if (isModbusTcpBroken(heard))
+        lose(wrong("what came is no Modbus TCP").message);
 }
 
-void ModbusTcpLink::Line::finished(QModbusReply* reply) {
-    reply->deleteLater();
-    if (!asked || asked->reply != reply)
+void ModbusTcpLink::Line::take(const ModbusTcpFrame& frame) {
+    const std::string& reply = frame.unitAndPdu;
+    if (!asked || frame.transaction != transaction(asked->number)) {
+        ++discarded; // late, or nobody has asked
         return;
-    const bool hasCome =
-        reply->error() == QModbusDevice::NoError || reply->error() == QModbusDevice::ProtocolError;
-    if (!hasCome)
-        return giveUp();
+    }
     silent = 0;
-    deliver(judged(*reply, asked->request));
+    auto verdict = judged(reply);
+    discarded += !verdict && verdict.error().code() == MessageCode::DeviceAnswersWrong ? 1 : 0;
+    deliver(std::move(verdict));
     asked.reset();
 }
 
-ModbusReply ModbusTcpLink::Line::judged(const QModbusReply& reply, const ModbusRequest& request) const {
-    const QModbusResponse response = reply.rawResult();
-    if (response.isException())
+ModbusReply ModbusTcpLink::Line::judged(const std::string& reply) const {
+    const ModbusRequest& request = asked->request;
+    if (unsignedAt(reply, 0) != request.unit)
+        return wrong("another unit");
+    if ((unsignedAt(reply, 1) & 0x7f) != request.function)
+        return wrong("another function");
+    if ((unsignedAt(reply, 1) & 0x80) != 0)
         return Error(MessageCode::DeviceException, "",
-                     {address, std::to_string(request.unit), std::to_string(response.exceptionCode())});
-    if (auto registers = modbusRegisters(response.data().toStdString(), request))
+                     {bytes->name(), std::to_string(request.unit), std::to_string(unsignedAt(reply, 2))});
+    if (auto registers = tcpRegisters(reply, request))
         return std::move(*registers);
-    return Error(MessageCode::DeviceAnswersWrong, "",
-                 {address, request.reads() ? "another number of registers" : "another write"});
+    return wrong(request.reads() ? "another number of registers" : "another write");
 }
 
 void ModbusTcpLink::Line::deliver(ModbusReply reply) {
@@ -145,97 +155,53 @@ void ModbusTcpLink::Line::deliver(ModbusReply reply) {
         replies.erase(replies.begin());
 }
 
+void ModbusTcpLink::Line::leave() {
+    deliver(Error(MessageCode::DeviceSilent, "", {bytes->name(), formatNumber(replyTime_s)}));
+    asked.reset();
+}
+
 void ModbusTcpLink::Line::giveUp() {
-    deliver(Error(MessageCode::DeviceSilent, "", {address, formatNumber(replyTime_s)}));
-    asked.reset();
+    leave();
     if (++silent >= kMaxSilent)
-        lose(MessageCode::DeviceSilent, {address, formatNumber(silent * replyTime_s, 2)});
+        lose({MessageCode::DeviceSilent, {bytes->name(), formatNumber(silent * replyTime_s, 2)}});
 }
 
-/// Qt's client cannot be closed in its own slot.
-void ModbusTcpLink::Line::lose(MessageCode code, std::vector<MessageArg> args) {
-    if (!std::exchange(isWanted, false))
-        return;
-    problem = {code, std::move(args)};
-    QMetaObject::invokeMethod(
-        &client,
-        [this] {
-            if (!isWanted)
-                abort();
-        },
-        Qt::QueuedConnection);
+void ModbusTcpLink::Line::lose(Message why) {
+    forget();
+    bytes->close();
+    problem = std::move(why);
 }
 
-void ModbusTcpLink::Line::abort() {
-    isWanted = wasOpen = false;
-    if (asked)
-        deliver(Error(MessageCode::DeviceSilent, "", {address, formatNumber(replyTime_s)}));
-    asked.reset();
-    silent = 0;
-    client.disconnectDevice();
-    claim.release();
-}
-
-ModbusTcpLink::ModbusTcpLink(std::string address, const Clock& clock, double replyTime_s)
-    : m_line(std::make_unique<Line>(std::move(address), clock, replyTime_s)) {}
-
-ModbusTcpLink::~ModbusTcpLink() = default;
-
-void ModbusTcpLink::open() {
-    Line& line = *m_line;
-    if (line.isWanted)
-        return;
-    line.abort();
-    line.problem = {};
-    const auto fail = [&line](const char* words) {
-        line.problem = {MessageCode::LinkNotOpened, {line.address, words}};
-    };
-    const auto where = networkAddress(line.address, kPort);
-    if (!where)
-        return fail("it is no address such as 192.168.1.20 or logger:1502");
-    if (!line.claim.take(where->host + ':' + std::to_string(where->port)))
-        return fail("another Bask on this computer has it open");
-    line.client.setConnectionParameter(QModbusDevice::NetworkAddressParameter,
-                                       QString::fromStdString(where->host));
-    line.client.setConnectionParameter(QModbusDevice::NetworkPortParameter, where->port);
-    line.client.setTimeout(static_cast<int>(std::ceil(2000.0 * line.replyTime_s))); // look() is earlier
-    line.isWanted = true;
-    line.opened_s = line.clock.now_s();
-    if (!line.client.connectDevice()) {
-        line.isWanted = false;
-        fail("it cannot be connected to");
-    }
-}
-
-void ModbusTcpLink::close() {
-    m_line->abort();
-}
-
-bool ModbusTcpLink::isOpen() const {
-    m_line->look();
-    return m_line->isWanted && m_line->isConnected();
-}
-
-Message ModbusTcpLink::problem() const {
-    return m_line->problem;
+int ModbusTcpLink::Line::ask(const ModbusRequest& request) {
+    const double now_s = clock.now_s();
+    asked = Asked{++lastNumber, request, now_s + replyTime_s, now_s + kOvertake_s};
+    bytes->write(modbusTcpFrame(transaction(asked->number), tcpRequest(request)));
+    return asked->number;
 }
 
 bool ModbusTcpLink::isFree() const {
+    m_line->look();
     return isOpen() && !m_line->asked;
 }
 
+// The caller has asked isFree(), or mayOvertake(): what has come since then must not throw.
 int ModbusTcpLink::send(const ModbusRequest& request) {
-    if (!isFree())
+    if (m_line->asked)
         throw std::logic_error("ModbusTcpLink: sends only when it is free");
-    Line& line = *m_line;
-    const QModbusRequest asked(static_cast<QModbusPdu::FunctionCode>(request.function),
-                               QByteArray::fromStdString(modbusData(request)));
-    QModbusReply* reply = line.client.sendRawRequest(asked, request.unit);
-    if (reply == nullptr)
-        throw std::logic_error("ModbusTcpLink: Qt refuses a request");
-    line.asked = Line::Asked{++line.lastNumber, request, line.clock.now_s() + line.replyTime_s, reply};
-    QObject::connect(reply, &QModbusReply::finished, &line.client, [&line, reply] { line.finished(reply); });
-    return line.lastNumber;
+    return m_line->ask(request);
+}
+
+bool ModbusTcpLink::mayOvertake() const {
+    m_line->look();
+    return isOpen() && (!m_line->asked || m_line->clock.now_s() >= m_line->asked->overtakenFrom_s);
+}
+
+int ModbusTcpLink::overtake(const ModbusRequest& request) {
+    if (m_line->asked && m_line->clock.now_s() < m_line->asked->overtakenFrom_s)
+        throw std::logic_error("ModbusTcpLink: overtakes only when it may");
+    if (m_line->asked)
+        m_line->leave();
+    return m_line->ask(request);
 }
 
 std::optional<ModbusReply> ModbusTcpLink::takeReply(int number) {
@@ -249,7 +215,15 @@ std::optional<ModbusReply> ModbusTcpLink::takeReply(int number) {
 }
 
 std::string ModbusTcpLink::name() const {
-    return m_line->address;
+    return m_line->bytes->name();
+}
+
+std::string ModbusTcpLink::portId() const {
+    return m_line->bytes->portId();
+}
+
+int ModbusTcpLink::discarded() const {
+    return m_line->discarded;
 }
 
 } // namespace bask

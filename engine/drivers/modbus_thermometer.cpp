@@ -49,16 +49,20 @@ ModbusThermometer::create(ModbusLink& link, const Clock& clock, const ModbusTher
 ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
                                      const ModbusThermometerSettings& settings)
     : m_settings(settings), m_clock(clock), m_exchange(link, clock, settings.unit, silentAfter_s(settings)),
-      m_identity(settings.profile.identity) {
-    const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
-    const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
-    m_values = {begin.function, begin.address, end.address + end.count - begin.address};
-    std::vector<RegisterRange> ranges{m_values};
+      m_identity(settings.profile) {
+    std::vector<RegisterRange> ranges = m_identity.ranges();
     for (const StatusSpec& status : settings.profile.status)
         ranges.push_back({status.function, status.address, 1});
-    if (const auto range = m_identity.range())
-        ranges.push_back(*range);
-    m_ranges = joinedRanges(std::move(ranges));
+    if (!settings.profile.isOneByOne) {
+        const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
+        const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
+        ranges.push_back({begin.function, begin.address, end.address + end.count - begin.address});
+    }
+    for (RegisterRange& range : joinedRanges(std::move(ranges)))
+        m_requests.push_back({range});
+    if (settings.profile.isOneByOne)
+        for (const int channel : settings.channels)
+            m_requests.push_back({rangeOf(channel), true});
 }
 
 void ModbusThermometer::setPeriod(double period_s) {
@@ -74,28 +78,31 @@ RegisterRange ModbusThermometer::rangeOf(int channel) const {
 void ModbusThermometer::work() {
     if (const auto reply = m_exchange.work())
         take(*reply);
-    if (!m_exchange.isLive())
+    if (!m_exchange.isLive()) {
         m_identity.forget();
+        m_readings.clear();
+    }
     const double now_s = m_clock.now_s();
     const bool waits = m_next == 0 || m_isRefused;
     if (!m_exchange.canSend() || (waits && now_s < m_due_s))
         return;
     if (waits)
         m_due_s = std::max(m_due_s + m_settings.period_s, now_s + 0.5 * m_settings.period_s); // no drift
-    const RegisterRange& range = m_ranges[m_next];
+    const RegisterRange& range = m_requests[m_next].range;
     m_exchange.send({0, range.function, range.address, range.count});
 }
 
 /// After a refusal the same is asked again: another question could take its late answer.
 void ModbusThermometer::take(const ModbusReply& reply) {
-    m_isRefused = !reply.ok();
+    Request& asked = m_requests[m_next];
+    asked.isRefused = asked.isOneChannel && !reply && reply.error().code() == MessageCode::DeviceException;
+    m_isRefused = !reply.ok() && !asked.isRefused;
     if (m_isRefused)
         return;
-    const RegisterRange& range = m_ranges[m_next];
-    m_image.store(range, *reply);
-    if (range.contains(m_values))
-        m_measured_s = m_exchange.asked_s();
-    if (++m_next == m_ranges.size())
+    if (reply)
+        m_image.store(asked.range, *reply);
+    asked.asked_s = m_exchange.asked_s();
+    if (++m_next == m_requests.size())
         publish();
 }
 
@@ -109,13 +116,17 @@ void ModbusThermometer::publish() {
 
 Reading ModbusThermometer::reading(int channel) const {
     const ModbusProfile& profile = m_settings.profile;
-    RegisterValue value =
-        temperatureFromRegisters(profile, *profile.channel, m_image.registers(rangeOf(channel)));
+    const RegisterRange range = rangeOf(channel);
+    const Request& request =
+        *std::ranges::find_if(m_requests, [&](const Request& each) { return each.range.contains(range); });
+    RegisterValue value = request.isRefused
+                              ? RegisterValue{0.0, "other"}
+                              : temperatureFromRegisters(profile, *profile.channel, m_image.registers(range));
     for (const StatusSpec& status : profile.status) {
         if (isAtFault(status, channel, m_image.registers({status.function, status.address, 1}).front()))
             value.fault = status.fault;
     }
-    return {m_measured_s, value.fault.empty() ? value.value_K : 0.0, value.fault.empty(),
+    return {request.asked_s, value.fault.empty() ? value.value_K : 0.0, value.fault.empty(),
             sensorFault(value.fault)};
 }
 
@@ -123,7 +134,7 @@ Result<std::vector<Reading>> ModbusThermometer::read() {
     if (!m_exchange.isLive() || m_readings.empty())
         return m_exchange.error();
     if (m_identity.isOther()) {
-        const Message other = m_identity.exchanged(m_exchange.name());
+        const Message other = m_identity.problem(m_exchange.name());
         return Error(other.code, "", other.args);
     }
     return m_readings;

@@ -1,6 +1,6 @@
 #pragma once
-// Thermometer modules over Modbus, described by a profile: reads every channel in as few requests as
-// possible.
+// Thermometer modules over Modbus, described by a profile: reads every channel in as few requests as the
+// device allows.
 
 #include "engine/devices/thermometer.h"
 #include "engine/drivers/modbus_exchange.h"
@@ -38,6 +38,13 @@ public:
     Result<std::vector<Reading>> read() override;
 
 private:
+    struct Request {
+        RegisterRange range;
+        bool isOneChannel = false; ///< if it is refused, only this channel has no value
+        bool isRefused = false;    ///< the newest one
+        double asked_s = 0.0;      ///< time of the newest one that was answered
+    };
+
     ModbusThermometer(ModbusLink& link, const Clock& clock, const ModbusThermometerSettings& settings);
     RegisterRange rangeOf(int channel) const;
     void take(const ModbusReply& reply);
@@ -48,13 +55,11 @@ private:
     const Clock& m_clock;
     ModbusExchange m_exchange;
     ModbusIdentity m_identity;
-    RegisterRange m_values;              ///< of all channels
-    std::vector<RegisterRange> m_ranges; ///< requests of a poll
+    std::vector<Request> m_requests; ///< of a poll
     RegisterImage m_image;
-    std::size_t m_next = 0;   ///< index in m_ranges
+    std::size_t m_next = 0;   ///< index in m_requests
     bool m_isRefused = false; ///< the newest request was refused
     double m_due_s = -1e300;
-    double m_measured_s = 0.0; ///< when m_values were requested
     std::vector<Reading> m_readings;
 };
 

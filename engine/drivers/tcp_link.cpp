@@ -11,7 +11,10 @@ namespace bask {
 struct TcpLink::Socket {
     Socket(std::string where, int which);
 
-    std::string name() const { return host + ":" + std::to_string(port); }
+    std::string name() const {
+        const bool hasColons = host.find(':') != std::string::npos;
+        return (hasColons ? '[' + host + ']' : host) + ':' + std::to_string(port);
+    }
     bool isConnected() const { return tcp.state() == QAbstractSocket::ConnectedState; }
     bool isConnecting() const { return tcp.state() != QAbstractSocket::UnconnectedState && !isConnected(); }
     void lose(MessageCode code, const std::string& words);

@@ -5,6 +5,8 @@
 #include "engine/base/pose.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/model/checker.h"
+#include "engine/protocols/modbus_frame.h"
+#include "engine/protocols/network_address.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
@@ -53,6 +55,10 @@ template <class Spec> Result<void> checkDevice(DeviceRole role, const std::strin
     const char* const key = portKey(driver);
     if (const auto fit = checkPort(path + key, spec.port, key); !fit)
         return fit;
+    if (driver.isModbus && driver.link == DriverLink::Network && !networkAddress(spec.port, kModbusTcpPort))
+        return Error(
+            MessageCode::ValueUnknown, path + key,
+            {plainWords(spec.port), "an address such as 192.168.1.20, logger:1502 or [fe80::1]:502"});
     Checker check;
     check.parameters(path + "serial.", serialParameters(), spec.serial);
     std::size_t own = 0;
@@ -127,7 +133,12 @@ Result<void> checkSource(const HeatSourceDeviceSpec& source) {
 
 /// Empty for a program: each role has one of its own, even if their commands are the same.
 template <class Spec> std::string portOf(const std::optional<Spec>& spec) {
-    return spec && driverOf(*spec).link != DriverLink::Program ? spec->port : std::string();
+    if (!spec || driverOf(*spec).link == DriverLink::Program)
+        return {};
+    const bool isAddress = driverOf(*spec).isModbus && driverOf(*spec).link == DriverLink::Network;
+    const auto address = isAddress ? networkAddress(spec->port, kModbusTcpPort) : std::nullopt;
+    return address ? address->host + ' ' + std::to_string(address->port)
+                   : spec->port; // however it is written
 }
 
 /// Two Modbus devices may hang on one line, if they speak alike.
@@ -136,13 +147,15 @@ Result<void> checkPorts(const RigSpec& rig) {
     const std::string robot = portOf(rig.robot), thermometer = portOf(rig.thermometer),
                       source = isManual ? std::string() : portOf(rig.source);
     if (!robot.empty() && robot == thermometer)
-        return Error(MessageCode::PortTwice, "thermometer.port", {robot});
+        return Error(MessageCode::PortTwice, "thermometer.port", {rig.robot->port});
     if (!robot.empty() && robot == source)
-        return Error(MessageCode::PortTwice, "source.port", {robot});
+        return Error(MessageCode::PortTwice, "source.port", {rig.robot->port});
     if (thermometer.empty() || thermometer != source)
         return {};
+    const bool isSerial = driverOf(*rig.source).link == DriverLink::Serial;
     const bool isOneLine = driverOf(*rig.thermometer).isModbus && driverOf(*rig.source).isModbus &&
-                           rig.thermometer->serial == rig.source->serial &&
+                           rig.thermometer->port == rig.source->port &&
+                           (!isSerial || rig.thermometer->serial == rig.source->serial) &&
                            rig.thermometer->unit != rig.source->unit;
     if (!isOneLine)
         return Error(MessageCode::PortTwice, "source.port", {rig.source->port});

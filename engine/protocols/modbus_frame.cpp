@@ -5,6 +5,8 @@ namespace {
 
 constexpr std::size_t kShortest = 8; // unit, function, two words, CRC
 constexpr int kWriteMany = 16, kWriteOne = 6;
+constexpr std::size_t kTcpHeader = 6;                      // transaction, protocol, length
+constexpr std::size_t kShortestTcp = 3, kLongestTcp = 254; // from the unit on: an exception, and the longest
 
 int byteAt(std::string_view bytes, std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
@@ -122,6 +124,35 @@ std::string modbusWriteReply(const ModbusQuery& query) {
     append(pdu, query.address);
     append(pdu, query.function == kWriteOne ? query.values.front() : query.count);
     return modbusFrame(query.unit, pdu);
+}
+
+std::string modbusTcpFrame(int transaction, std::string_view unitAndPdu) {
+    std::string out;
+    append(out, transaction);
+    append(out, 0);
+    append(out, static_cast<int>(unitAndPdu.size()));
+    out += unitAndPdu;
+    return out;
+}
+
+bool isModbusTcpBroken(std::string_view bytes) {
+    if (bytes.size() >= 4 && registerAt(bytes, 2) != 0)
+        return true;
+    if (bytes.size() < kTcpHeader)
+        return false;
+    const auto length = static_cast<std::size_t>(registerAt(bytes, 4));
+    return length < kShortestTcp || length > kLongestTcp;
+}
+
+std::optional<ModbusTcpFrame> takeModbusTcpFrame(std::string_view& bytes) {
+    if (bytes.size() < kTcpHeader || isModbusTcpBroken(bytes))
+        return std::nullopt;
+    const auto length = static_cast<std::size_t>(registerAt(bytes, 4));
+    if (bytes.size() < kTcpHeader + length)
+        return std::nullopt;
+    ModbusTcpFrame frame{registerAt(bytes, 0), std::string(bytes.substr(kTcpHeader, length))};
+    bytes.remove_prefix(kTcpHeader + length);
+    return frame;
 }
 
 std::string modbusException(int unit, int function, int exception) {

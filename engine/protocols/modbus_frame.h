@@ -1,5 +1,6 @@
 #pragma once
-// Modbus RTU on the device's side: finds requests in bytes, and makes replies.
+// Frames of Modbus: requests and replies on a serial line (RTU) as a device needs them, and those of Modbus
+// TCP.
 
 #include <cstdint>
 #include <optional>
@@ -39,5 +40,25 @@ std::optional<ModbusQuery> takeModbusQuery(std::string& bytes);
 std::string modbusReadReply(int unit, int function, const std::vector<std::uint16_t>& values);
 std::string modbusWriteReply(const ModbusQuery& query);
 std::string modbusException(int unit, int function, int exception);
+
+/// Port of Modbus TCP if an address has none.
+inline constexpr int kModbusTcpPort = 502;
+
+/// A frame of Modbus TCP: the number of the request that it is or answers, and unit, function and data.
+struct ModbusTcpFrame {
+    int transaction = 0;
+    std::string unitAndPdu;
+};
+
+/// Returns unit, function and data, which have no CRC, with the header of Modbus TCP.
+std::string modbusTcpFrame(int transaction, std::string_view unitAndPdu);
+
+/// Removes the first complete frame of Modbus TCP from the view. Empty if none is complete yet, or
+/// isModbusTcpBroken().
+std::optional<ModbusTcpFrame> takeModbusTcpFrame(std::string_view& bytes);
+
+/// Returns whether the bytes do not begin with a frame of Modbus TCP. Where the next one begins is then
+/// unknown.
+bool isModbusTcpBroken(std::string_view bytes);
 
 } // namespace bask

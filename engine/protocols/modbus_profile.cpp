@@ -160,10 +160,11 @@ void readThermometer(Fields& fields, ModbusProfile& profile) {
         return;
     const int size = registerCount(profile.channel->type);
     readWhole(fields, "channel_step", profile.channelStep, size, kMaxRegisters);
+    fields.read("one_by_one", profile.isOneByOne);
     fields.read("at_4mA_degC", profile.at4mA_degC);
     fields.read("at_20mA_degC", profile.at20mA_degC);
     const int span = (profile.channels - 1) * profile.channelStep + size;
-    if (profile.channelStep < size || span > kMaxRegisters ||
+    if (profile.channelStep < size || (span > kMaxRegisters && !profile.isOneByOne) ||
         profile.channel->address + span - 1 > kMaxAddress)
         fields.fail(
             MessageCode::ValueOutOfRange, "channel_step",
@@ -219,6 +220,22 @@ void readUnitRegister(Fields& fields, ModbusProfile& profile) {
     checkFits(fields, *profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
 }
 
+void readDeviceType(Fields& fields, ModbusProfile& profile) {
+    constexpr std::size_t kMaxTypes = 16;
+    readRegister(fields, "device_type", Use::Number, profile.deviceType);
+    const bool isThere = fields.find("device_types", profile.deviceType.has_value()) != nullptr;
+    fields.read("device_types", profile.deviceTypes);
+    if (fields.failure() || !isThere)
+        return;
+    const std::size_t min = profile.deviceType ? 1 : 0, max = profile.deviceType ? kMaxTypes : 0;
+    if (profile.deviceTypes.size() < min || profile.deviceTypes.size() > max)
+        return fields.fail(MessageCode::ValueOutOfRange, "device_types",
+                           {std::to_string(profile.deviceTypes.size()), std::to_string(min),
+                            std::to_string(max), "numbers"});
+    for (const double type : profile.deviceTypes)
+        checkFits(fields, *profile.deviceType, "device_types", type);
+}
+
 void readController(Fields& fields, ModbusProfile& profile) {
     fields.find("set_point", true);
     readRegister(fields, "process_value", Use::Temperature, profile.processValue);
@@ -267,6 +284,7 @@ void readProfile(const json& j, Failure& failure, ModbusProfile& out) {
     readPart(fields, "identity", false, [&](const json& part, const std::string& path) {
         out.identity = readIdentity(part, path, failure);
     });
+    readDeviceType(fields, out);
     if (fields.find("process_value") != nullptr)
         readController(fields, out);
     else if (fields.find("channel", true) != nullptr)
@@ -308,6 +326,7 @@ void writeThermometer(ordered_json& j, const ModbusProfile& profile) {
     j["channel"] = written(*profile.channel);
     j["channels"] = profile.channels;
     j["channel_step"] = profile.channelStep;
+    j["one_by_one"] = profile.isOneByOne;
     j["at_4mA_degC"] = profile.at4mA_degC;
     j["at_20mA_degC"] = profile.at20mA_degC;
 }
@@ -352,6 +371,10 @@ std::string modbusProfileToJson(const ModbusProfile& profile) {
     if (const auto& identity = profile.identity)
         j["identity"] = {
             {"function", identity->function}, {"address", identity->address}, {"count", identity->count}};
+    if (profile.deviceType) {
+        writeRegister(j, "device_type", profile.deviceType);
+        j["device_types"] = profile.deviceTypes;
+    }
     j["status"] = ordered_json::array();
     for (const StatusSpec& status : profile.status)
         j["status"].push_back(written(status));

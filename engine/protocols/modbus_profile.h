@@ -59,10 +59,16 @@ struct ModbusProfile {
     std::string title;  ///< maker and device, for people
     std::string source; ///< the manual that it is based on
     std::optional<IdentitySpec> identity;
+    /// The register that reports the kind of device, and its values for the devices of this profile.
+    std::optional<RegisterSpec> deviceType;
+    std::vector<double> deviceTypes;
     // Thermometer
     std::optional<RegisterSpec> channel; ///< register of channel 0
     int channels = 0;
-    int channelStep = 1;            ///< registers from one channel to the next
+    int channelStep = 1; ///< registers from one channel to the next
+    /// Whether each channel needs a request of its own, because the device refuses those that contain a
+    /// channel that is not set up.
+    bool isOneByOne = false;
     std::vector<StatusSpec> status; ///< for a controller too: channel 0 is its process value
     /// Temperatures at 4 mA and 20 mA, degC.
     double at4mA_degC = 0.0, at20mA_degC = 100.0;

@@ -14,6 +14,8 @@
 #include "engine/drivers/rtu_link.h"
 #include "engine/drivers/serial_link.h"
 #include "engine/drivers/tcp_link.h"
+#include "engine/protocols/modbus_frame.h"
+#include "engine/protocols/network_address.h"
 #include "engine/rig/missing_devices.h"
 
 #include <QCoreApplication>
@@ -81,6 +83,13 @@ std::unique_ptr<ByteLink> serialLink(const std::string& port, const SerialSettin
         port, [=] { return std::make_unique<SerialLink>(port, settings, PortCheck(portId)); });
 }
 
+std::unique_ptr<ModbusLink> modbusTcpLink(const std::string& address, const Clock& clock) {
+    // What is no address is no host either: the link says so.
+    const auto [host, port] =
+        networkAddress(address, kModbusTcpPort).value_or(NetworkAddress{address, kModbusTcpPort});
+    return std::make_unique<ModbusTcpLink>(std::make_unique<TcpLink>(host, port), clock);
+}
+
 } // namespace
 
 struct RealRig::Parts {
@@ -110,7 +119,7 @@ struct RealRig::Parts {
         ModbusLink& modbus() override {
             auto& link = m_parts.modbusLinks[m_spec.port];
             if (!link && m_kind == DriverLink::Network)
-                link = std::make_unique<ModbusTcpLink>(m_spec.port, clock());
+                link = modbusTcpLink(m_spec.port, clock());
             if (!link && m_parts.isGuarded(m_spec.port))
                 link = std::make_unique<RtuLink>(m_parts.guarded(m_spec.serial), m_spec.serial, clock());
             if (!link)

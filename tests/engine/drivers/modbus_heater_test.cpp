@@ -158,6 +158,27 @@ TEST_F(ModbusHeaterTest, AnotherControllerIsWrittenNothing) {
     EXPECT_FALSE(sim.isOn(5)) << "found on, it is switched off";
 }
 
+// Catches a controller of another kind that is switched by the registers of this one.
+TEST_F(ModbusHeaterTest, AControllerOfAnotherTypeIsWrittenNothing) {
+    ModbusProfile profile = shipped("pixsys-drr245");
+    profile.deviceType = RegisterSpec{3, 1, RegisterType::Uint16};
+    profile.deviceType->unit = RegisterUnit::None;
+    profile.deviceTypes = {245.0};
+    sim.addController(5, profile);
+    sim.setRegister(5, 3, 1, 144);
+    sim.setRegister(5, 3, 1016, 1);
+    const auto heater = heaterOf(profile);
+    run(*heater, 1.0);
+    heat(*heater, 1.0);
+    EXPECT_EQ(m_newest.error().code(), MessageCode::DeviceAnswersWrong);
+    EXPECT_FALSE(heater->read().ok());
+    EXPECT_EQ(sim.writes(), 0);
+    sim.setRegister(5, 3, 1, 245);
+    run(*heater, 2.0);
+    EXPECT_TRUE(heater->read().ok());
+    EXPECT_FALSE(sim.isOn(5)) << "found on, it is switched off";
+}
+
 // Promise: heat is off unless something keeps saying on.
 TEST_F(ModbusHeaterTest, HeatGoesOffByItself) {
     const auto heater = made("pixsys-drr245");

@@ -208,6 +208,54 @@ TEST_F(ModbusThermometerTest, TwoOnOneLineBothGetTheirTurns) {
     EXPECT_NEAR(second->read()->front().value_K, 303.15, 1e-9);
 }
 
+// Catches a channel between that is not set up and takes the others with it, and a request for it.
+TEST_F(ModbusThermometerTest, ChannelsReadOneByOneAreRefusedOneByOne) {
+    const ModbusProfile& profile = shipped("labjack-t7-thermocouples");
+    sim.addThermometer(9, profile, 295.0);
+    for (const int channel : {1, 3, 4})
+        sim.removeChannel(9, channel);
+    sim.setTemperature(9, 2, 373.25);
+    const auto pair = ModbusThermometer::create(link, clock, {9, profile, {2, 0}}).value();
+    run(*pair, 1.0);
+    ASSERT_TRUE(pair->read().ok());
+    EXPECT_NEAR(pair->read()->at(0).value_K, 373.25, 1e-3);
+    EXPECT_NEAR(pair->read()->at(1).value_K, 295.0, 1e-3);
+    EXPECT_LT(pair->read()->at(0).time_s, pair->read()->at(1).time_s)
+        << "each has the time of its own request";
+    const auto asked = [&](int address) {
+        return std::ranges::any_of(link.sent, [&](const ModbusRequest& r) {
+            return r.address <= address && address < r.address + r.count;
+        });
+    };
+    EXPECT_TRUE(asked(7004));
+    EXPECT_FALSE(asked(7002));
+    const auto third = ModbusThermometer::create(link, clock, {9, profile, {0, 4, 2}}).value();
+    run(*third, 1.0);
+    ASSERT_TRUE(third->read().ok());
+    EXPECT_TRUE(third->read()->at(0).valid);
+    EXPECT_FALSE(third->read()->at(1).valid);
+    EXPECT_EQ(third->read()->at(1).fault, SensorFault::Other);
+    EXPECT_TRUE(third->read()->at(2).valid);
+    EXPECT_EQ(third->status().link, LinkState::Live);
+}
+
+// Catches temperatures of a device that only happens to have registers there.
+TEST_F(ModbusThermometerTest, ADeviceOfAnotherTypeIsNotRead) {
+    const ModbusProfile& profile = shipped("labjack-t7-thermocouples");
+    sim.addThermometer(9, profile, 295.0);
+    sim.setRegister(9, 3, 60000, 0x4080); // 4.0F: a T4, which has no thermocouples
+    const auto thermometer = ModbusThermometer::create(link, clock, {9, profile, {0}}).value();
+    run(*thermometer, 1.0);
+    EXPECT_EQ(thermometer->status().link, LinkState::Opening);
+    EXPECT_EQ(thermometer->status().problem.code, MessageCode::DeviceAnswersWrong);
+    EXPECT_NE(describe(thermometer->read().error()).find("its type holds 4"), std::string::npos)
+        << describe(thermometer->read().error());
+    sim.setRegister(9, 3, 60000, 0x4100); // 8.0F: a T8
+    run(*thermometer, 1.0);
+    EXPECT_EQ(thermometer->status().link, LinkState::Live);
+    EXPECT_EQ(thermometer->status().signature, "125c 125d");
+}
+
 // Catches settings that no device has being tried on one.
 TEST_F(ModbusThermometerTest, RefusesWhatItCannotDo) {
     const ModbusProfile& p = shipped("modmux-pm6rtd");

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 
@@ -79,6 +80,28 @@ TEST_F(RigFile, SurvivesItsFile) {
 }
 
 // Catches a hotplate that is asked at 115200 8N1 because its line is left out.
+TEST_F(RigFile, AnAddressNeedsNoLine) {
+    RigSpec rig;
+    rig.thermometer.emplace().driver = "modbus_tcp";
+    rig.thermometer->port = "[fe80::1]:1502";
+    rig.thermometer->serial = {19200, 8, 'E', 1};
+    rig.thermometer->unit = 247;
+    rig.thermometer->profile =
+        *std::ranges::find(shippedProfiles(), std::string("labjack-t7-thermocouples"), &ModbusProfile::name);
+    rig.thermometer->channels = {13, 0};
+    ModbusProfile own = rig.thermometer->profile;
+    own.name = "ours";
+    for (const ModbusProfile& profile : {rig.thermometer->profile, own}) { // by its name, and as a whole
+        rig.thermometer->profile = profile;
+        ASSERT_TRUE(writeRigFile(rig, path));
+        const auto read = readRigFile(path);
+        ASSERT_TRUE(read) << describe(read.error());
+        EXPECT_EQ(read->thermometer->profile, profile);
+        EXPECT_EQ(*read, rig);
+        EXPECT_EQ(text().find("baud"), std::string::npos);
+    }
+}
+
 TEST_F(RigFile, ALineThatIsLeftOutIsTheDriversUsual) {
     write(R"({"format": "bask-rig", "version": 1, "rig": {
         "robot": {"driver": "grbl", "port": "r"},

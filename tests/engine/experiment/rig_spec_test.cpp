@@ -56,7 +56,7 @@ template <class Spec> RigSpec rigWithDevice(std::optional<Spec> RigSpec::*place,
     RigSpec rig;
     Spec& spec = (rig.*place).emplace();
     spec.driver = driver;
-    spec.port = "/dev/ttyX";
+    spec.port = spec.driver == "modbus_tcp" ? "host-x" : "/dev/ttyX";
     return rig;
 }
 
@@ -114,6 +114,48 @@ TEST(RigSpec, TheDocumentHasEveryDriver) {
         expectDriver("thermometer", driver);
     for (const HeatSourceDriver& driver : heatSourceDrivers())
         expectDriver("source", driver);
+}
+
+// Catches a path or a sentence that is only told when the device is opened, in words about a host.
+TEST(RigSpec, AnAddressOfModbusTcpMustBeOne) {
+    RigSpec rig = rigWith(profileOf("pixsys-drr245"));
+    rig.source->driver = "modbus_tcp";
+    for (const char* address : {"192.168.1.20", "logger:1502", "[::1]:502", "fe80::1%eth0"}) {
+        rig.source->port = address;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::None) << address;
+    }
+    for (const char* address : {"/dev/ttyUSB0", "logger:0", "logger:502:503x", "a b", "http://a", "[::1"}) {
+        rig.source->port = address;
+        EXPECT_EQ(refusal(rig).where, "source.port") << address;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::ValueUnknown) << address;
+    }
+    rig.source->port.clear();
+    EXPECT_EQ(refusal(rig).code(), MessageCode::JsonMissingKey);
+    rig.source->port = "logger";
+    rig.source->profile = profileOf("eurotherm-2400");
+    EXPECT_EQ(refusal(rig).code(), MessageCode::SourceUnwatched) << "a network has no guard either";
+}
+
+// Catches two connections to one device, and a gateway with two units that is refused.
+TEST(RigSpec, TwoUnitsMayShareAnAddress) {
+    RigSpec rig = rigWith(profileOf("pixsys-drr245"));
+    rig.source->driver = "modbus_tcp";
+    rig.source->port = "gateway";
+    rig.source->unit = 2;
+    ThermometerDeviceSpec& thermometer = rig.thermometer.emplace();
+    thermometer.driver = "modbus_tcp";
+    thermometer.port = "gateway";
+    thermometer.profile = profileOf("modmux-pm6rtd");
+    thermometer.serial = {19200, 8, 'E', 1}; // of no matter there
+    EXPECT_EQ(refusal(rig).code(), MessageCode::None) << describe(refusal(rig));
+    EXPECT_TRUE(hasOneLine(rig));
+    thermometer.unit = 2;
+    EXPECT_EQ(refusal(rig).code(), MessageCode::PortTwice);
+    thermometer.unit = 1;
+    thermometer.port = "gateway:502"; // the same one
+    EXPECT_EQ(refusal(rig).code(), MessageCode::PortTwice);
+    thermometer.port = "gateway:503";
+    EXPECT_EQ(refusal(rig).code(), MessageCode::None);
 }
 
 // Promise: an engine that dies leaves no heat on, unless somebody has said that it may.

@@ -84,5 +84,33 @@ TEST(ModbusFrame, AContradictoryWriteIsNotKnown) {
     EXPECT_FALSE(query->isKnown);
 }
 
+// Catches a header with its fields at the wrong place, and a frame of which a part is taken for the whole.
+TEST(ModbusTcpFrame, IsTheSpecifications) {
+    const std::string frame = modbusTcpFrame(0x1234, bytes({0x11, 0x03, 0x00, 0x6B, 0x00, 0x03}));
+    EXPECT_EQ(frame, bytes({0x12, 0x34, 0, 0, 0, 6, 0x11, 0x03, 0x00, 0x6B, 0x00, 0x03}));
+    for (std::size_t i = 0; i < frame.size(); ++i) {
+        std::string_view part = std::string_view(frame).substr(0, i);
+        EXPECT_FALSE(takeModbusTcpFrame(part)) << i;
+        EXPECT_FALSE(isModbusTcpBroken(part)) << i;
+        EXPECT_EQ(part.size(), i);
+    }
+    const std::string two = frame + modbusTcpFrame(0xffff, bytes({1, 0x83, 2}));
+    std::string_view left = two;
+    EXPECT_EQ(takeModbusTcpFrame(left).value().unitAndPdu, frame.substr(6));
+    EXPECT_EQ(takeModbusTcpFrame(left).value().transaction, 0xffff);
+    EXPECT_TRUE(left.empty());
+}
+
+// Catches a reader that waits for as many bytes as noise says, or takes a frame without a function.
+TEST(ModbusTcpFrame, WhatIsNoneIsTold) {
+    for (const std::string& each :
+         {bytes({0, 1, 0, 1}), bytes({0, 1, 0, 0, 0, 2, 1, 3}), bytes({0, 1, 0, 0, 0, 0}),
+          bytes({0, 1, 0, 0, 0, 255}), bytes({0, 1, 0, 0, 1, 0}), std::string("HTTP/1.1 400")}) {
+        std::string_view left = each;
+        EXPECT_TRUE(isModbusTcpBroken(left));
+        EXPECT_FALSE(takeModbusTcpFrame(left));
+    }
+}
+
 } // namespace
 } // namespace bask

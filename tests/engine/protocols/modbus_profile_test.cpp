@@ -76,6 +76,10 @@ TEST(ModbusProfile, EverythingSurvivesARoundTrip) {
     all.channel = RegisterSpec{4,   7,    RegisterType::Int32,       true,
                                0.1, -3.5, RegisterUnit::Milliampere, {{-32768.0, "open"}, {0.5, "short"}}};
     all.channels = 3;
+    all.isOneByOne = true;
+    all.deviceType = RegisterSpec{3, 60000, RegisterType::Float32};
+    all.deviceType->unit = RegisterUnit::None;
+    all.deviceTypes = {7.0, 8.0};
     all.channelStep = 4;
     all.status = {{4, 9, 1, 2, false, "other"}, {3, 10, 0, 1, true, "short"}};
     all.at4mA_degC = -50.0;
@@ -196,6 +200,34 @@ TEST(ModbusProfile, RefusesWithThePlace) {
 }
 
 // Catches a shipped profile that cannot be read, has no source, or is listed under two names.
+TEST(ModbusProfile, TheTypeOfADeviceNeedsItsNumbers) {
+    const std::string type = R"(, "device_type": {"address": 9, "type": "uint16"})";
+    EXPECT_EQ(argTexts(refusal(with("", type)).message), std::vector<std::string>{"device_types"});
+    EXPECT_EQ(refusal(with("", type + R"(, "device_types": [])")).where, "p.json: device_types");
+    EXPECT_EQ(refusal(with("", type + R"(, "device_types": [7, -1])")).where, "p.json: device_types");
+    EXPECT_EQ(refusal(with("", type + R"(, "device_types": [7.5])")).where, "p.json: device_types");
+    EXPECT_EQ(refusal(with("", type + R"(, "device_types": ["7"])")).code(), MessageCode::JsonWrongType);
+    EXPECT_EQ(refusal(with("", R"(, "device_types": [7])")).where, "p.json: device_types");
+    EXPECT_EQ(
+        refusal(with("", R"(, "device_type": {"address": 9, "unit": "degC"}, "device_types": [7])")).where,
+        "p.json: device_type.unit");
+    EXPECT_TRUE(modbusProfileFromJson(with("", type + R"(, "device_types": [7, 8])"), "").ok());
+    EXPECT_TRUE(
+        modbusProfileFromJson(controller(type + R"(, "device_types": [7], "set_point_off_degC": 0)"), ""));
+}
+
+// Catches channels beyond one request that are refused although each has its own, and the other way round.
+TEST(ModbusProfile, ChannelsReadOneByOneMayBeFarApart) {
+    const std::string far = R"(, "channel_step": 125)";
+    EXPECT_EQ(refusal(with("", far)).where, "p.json: channel_step");
+    EXPECT_TRUE(modbusProfileFromJson(with("", far + R"(, "one_by_one": true)"), "").ok());
+    EXPECT_EQ(refusal(R"({"name": "x", "channel": {"address": 65500}, "channels": 2, "channel_step": 125,
+                        "one_by_one": true})")
+                  .where,
+              "p.json: channel_step");
+    EXPECT_EQ(refusal(with("", R"(, "one_by_one": 1)")).code(), MessageCode::JsonWrongType);
+}
+
 TEST(ShippedProfiles, AreSoundAndSorted) {
     std::vector<std::string> names;
     for (const ModbusProfile& p : shippedProfiles()) {
@@ -206,8 +238,8 @@ TEST(ShippedProfiles, AreSoundAndSorted) {
     }
     EXPECT_EQ(names, (std::vector<std::string>{
                          "adam-4015-0-100", "benshaw-remote-rtd", "eurotherm-2400", "generic-pt100-ohm",
-                         "isma-sfar-1m-1ti1do", "labjack-t-series-thermocouples", "modmux-pm6rtd",
-                         "pixsys-drr245", "thermasgard-rtm1", "watlow-ez-zone", "waveshare-8ch-4-20ma"}));
+                         "isma-sfar-1m-1ti1do", "labjack-t7-thermocouples", "modmux-pm6rtd", "pixsys-drr245",
+                         "thermasgard-rtm1", "watlow-ez-zone", "waveshare-8ch-4-20ma"}));
 }
 
 // What the manuals say; catches an address, scale or fault number typed wrongly.
@@ -246,6 +278,17 @@ TEST(ShippedProfiles, ThermometersReadAsTheirManualsSay) {
 }
 
 // As above, for what heats: here a wrong number heats wrongly.
+TEST(ShippedProfiles, ALabJackTellsKelvinInTwoRegisters) {
+    const ModbusProfile& p = shipped("labjack-t7-thermocouples");
+    const auto read = [&](std::uint16_t high, std::uint16_t low) {
+        return temperatureFromRegisters(p, p.channel.value(), std::vector{high, low});
+    };
+    EXPECT_NEAR(read(0x4396, 0x0000).value_K, 300.0, 1e-9); // 300.0F is 0x43960000
+    EXPECT_EQ(read(0xc61c, 0x3c00).fault, "open");          // -9999.0F
+    EXPECT_EQ(read(0x7fc0, 0x0000).fault.empty(), false);
+    EXPECT_EQ(p.channel->address + 13 * p.channelStep, 7026) << "AIN13_EF_READ_A";
+}
+
 TEST(ShippedProfiles, ControllersReadAndAreSetAsTheirManualsSay) {
     const ModbusProfile& eurotherm = shipped("eurotherm-2400");
     EXPECT_EQ(eurotherm.processValue->address, 1);
