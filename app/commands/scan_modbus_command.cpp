@@ -2,28 +2,31 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
-#include "engine/base/clock.h"
-#include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/drivers/modbus_scan.h"
-#include "engine/drivers/modbus_tcp_link.h"
-#include "engine/drivers/qt_modbus_link.h"
+#include "engine/drivers/modbus_search.h"
+
+#include <nlohmann/json.hpp>
 
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace bask {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr const char* kName = "scan-modbus";
-constexpr double kOpens_s = 3.5;
+constexpr const char* kUsualLines = "19200-8E1,9600-8N1";
+constexpr const char* kCommonLines =
+    "19200-8E1,9600-8N1,9600-8E1,19200-8N1,38400-8N1,57600-8N1,115200-8N1,4800-8N1";
 
 int refuse(const std::string& words) {
     std::fprintf(stderr, "bask %s: %s\n", kName, words.c_str());
@@ -35,65 +38,76 @@ std::string lineText(const SerialSettings& line) {
            std::to_string(line.stopBits);
 }
 
-/// "9600-8N1"
-std::optional<SerialSettings> lineOf(const QString& text) {
+/// "9600-8N1,19200-8E1"; empty if one of them is none.
+std::vector<SerialSettings> linesOf(const QString& text) {
     static const QRegularExpression kLine(QStringLiteral("^(\\d{3,7})-([78])([NEO])([12])$"));
-    const auto match = kLine.match(text);
-    if (!match.hasMatch())
-        return std::nullopt;
-    return SerialSettings{match.captured(1).toInt(), match.captured(2).toInt(),
-                          match.captured(3).front().toLatin1(), match.captured(4).toInt()};
-}
-
-void work() {
-    QCoreApplication::processEvents();
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    std::vector<SerialSettings> out;
+    for (const QString& each : text.split(u',')) {
+        const auto match = kLine.match(each);
+        if (!match.hasMatch() || match.captured(1).toInt() < 300 || match.captured(1).toInt() > 4000000)
+            return {};
+        out.push_back({match.captured(1).toInt(), match.captured(2).toInt(),
+                       match.captured(3).front().toLatin1(), match.captured(4).toInt()});
+    }
+    return out;
 }
 
 void print(const FoundUnit& found) {
-    std::printf("unit %d: %s\n", found.unit,
-                found.fits.empty() ? "answers, but no profile that comes with Bask fits" : "");
+    std::printf("unit %d:%s", found.unit,
+                found.fits.empty() ? " answers, but no profile that comes with Bask fits" : "");
+    if (found.sameAs > 0)
+        std::printf(" the same device as unit %d", found.sameAs);
+    std::printf("\n");
     for (const ProfileFit& fit : found.fits) {
         std::printf("  %s:", fit.profile.c_str());
         for (const double t_K : fit.temperatures_K)
             std::printf(" %s", std::isnan(t_K) ? "-" : formatNumber(celsiusFromKelvin(t_K)).c_str());
-        std::printf(" degC\n");
+        std::printf(" degC%s", fit.isTypeTold ? ", as the device tells of itself" : "");
+        if (!fit.signature.empty())
+            std::printf(", identity %s", fit.signature.c_str());
+        std::printf("\n");
     }
     std::fflush(stdout);
 }
 
-/// The number of units, or none if the port cannot be opened.
-std::optional<std::size_t> scan(ModbusLink& link, int first, int last) {
-    const SteadyClock clock;
-    const double began_s = clock.now_s();
-    link.open();
-    while (!link.isOpen() && link.problem().code == MessageCode::None && clock.now_s() - began_s < kOpens_s)
-        work();
-    if (!link.isOpen()) {
-        refuse(describe(link.problem()));
-        return std::nullopt;
+Json jsonOf(const FoundUnit& found) {
+    Json fits = Json::array();
+    for (const ProfileFit& fit : found.fits) {
+        Json temperatures = Json::array();
+        for (const double t_K : fit.temperatures_K)
+            temperatures.push_back(std::isnan(t_K) ? Json() : Json(celsiusFromKelvin(t_K)));
+        fits.push_back({{"profile", fit.profile},
+                        {"type_told", fit.isTypeTold},
+                        {"identity", fit.signature.empty() ? Json() : Json(fit.signature)},
+                        {"temperatures_degC", std::move(temperatures)}});
     }
-    ModbusScan scan(link, first, last);
+    return {{"unit", found.unit},
+            {"same_as_unit", found.sameAs > 0 ? Json(found.sameAs) : Json()},
+            {"profiles", std::move(fits)}};
+}
+
+ModbusSearchState searched(const ModbusSearchSpec& spec, bool isTold) {
+    ModbusSearch search(spec);
     std::size_t told = 0;
-    int unit = 0;
-    bool isOn = true;
-    while (isOn) {
-        isOn = scan.work();
-        work();
-        if (unit != scan.unit())
-            std::fprintf(stderr, "\runit %d ", unit = scan.unit());
-        const bool isWhole = !isOn || (told < scan.found().size() && scan.found()[told].unit != scan.unit());
-        while (isWhole && told < scan.found().size()) {
-            std::fputc('\r', stderr);
-            print(scan.found()[told++]);
+    std::string asked;
+    ModbusSearchState state = search.state();
+    while (!state.isOver) {
+        search.work();
+        QCoreApplication::processEvents();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        state = search.state();
+        const std::string now =
+            (spec.isNetwork ? "" : lineText(state.line) + ", ") + "unit " + std::to_string(state.unit);
+        if (std::exchange(asked, now) != now)
+            std::fprintf(stderr, "\r%3.0f %%, %s   ", 100.0 * state.progress, now.c_str());
+        while (isTold && told < state.found.size() &&
+               (state.isOver || state.found[told].unit != state.unit)) {
+            std::fprintf(stderr, "\r%40s\r", "");
+            print(state.found[told++]);
         }
     }
-    std::fputs("\r        \r", stderr);
-    if (!link.isOpen()) {
-        refuse(describe(link.problem()));
-        return std::nullopt;
-    }
-    return told;
+    std::fprintf(stderr, "\r%40s\r", "");
+    return state;
 }
 
 } // namespace
@@ -106,45 +120,48 @@ int scanModbusCommand(const QStringList& arguments) {
         "Exit code: 0 a unit answers, 2 bad input, 3 none does.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("PORT", "/dev/ttyUSB0, 192.168.1.20 or logger:1502.");
-    parser.addOptions({{"units", "The units to ask, 1 to 247.", "FIRST-LAST", "1-16"},
-                       {"line", "The serial line; without it 19200-8E1, then 9600-8N1.", "BAUD-8N1"}});
+    parser.addOptions(
+        {{"units", "The units to ask, 1 to 247.", "FIRST-LAST", "1-16"},
+         {"line",
+          QStringLiteral("Settings of the serial line, tried until a unit answers: %1 if none are given, "
+                         "\"common\" for %2.")
+              .arg(QLatin1String(kUsualLines), QLatin1String(kCommonLines)),
+          "BAUD-8N1[,...]", kUsualLines},
+         {"json", "Prints what was found as JSON."}});
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
     static const QRegularExpression kUnits(QStringLiteral("^(\\d{1,3})(?:-(\\d{1,3}))?$"));
     const auto units = kUnits.match(parser.value("units"));
-    const int first = units.captured(1).toInt();
-    const int last = units.captured(2).isEmpty() ? first : units.captured(2).toInt();
-    if (!units.hasMatch() || first < 1 || last > 247 || first > last)
+    ModbusSearchSpec spec;
+    spec.firstUnit = units.captured(1).toInt();
+    spec.lastUnit = units.captured(2).isEmpty() ? spec.firstUnit : units.captured(2).toInt();
+    if (!units.hasMatch() || spec.firstUnit < 1 || spec.lastUnit > 247 || spec.firstUnit > spec.lastUnit)
         return refuse("--units: 1-16, or one unit, expected");
-    const std::string port = parser.positionalArguments().first().toStdString();
-    const SteadyClock clock;
-    if (!port.starts_with('/')) {
-        ModbusTcpLink link(port, clock);
-        const auto found = scan(link, first, last);
-        if (found && *found == 0)
-            std::printf("No unit from %d to %d answers.\n", first, last);
-        return !found ? kExitBadInput : *found > 0 ? kExitDone : kExitNegative;
+    const QString lines = parser.value("line");
+    spec.port = parser.positionalArguments().first().toStdString();
+    spec.isNetwork = !spec.port.starts_with('/') && !spec.port.starts_with('.');
+    spec.lines = linesOf(lines == QLatin1String("common") ? QString::fromLatin1(kCommonLines) : lines);
+    if (spec.lines.empty())
+        return refuse("--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1, several with commas, or common");
+    if (spec.isNetwork)
+        spec.lines.resize(1);
+    const bool isJson = parser.isSet("json");
+    const ModbusSearchState state = searched(spec, !isJson);
+    if (state.problem != Message{})
+        return refuse(describe(state.problem));
+    const bool isAnyThere = !state.found.empty();
+    if (isJson) {
+        Json found = Json::array();
+        for (const FoundUnit& unit : state.found)
+            found.push_back(jsonOf(unit));
+        const Json line = spec.isNetwork || !isAnyThere ? Json() : Json(lineText(state.line));
+        std::printf("%s\n", Json{{"port", spec.port}, {"line", line}, {"units", found}}.dump(2).c_str());
+    } else if (!isAnyThere) {
+        std::printf("No unit from %d to %d answers.\n", spec.firstUnit, spec.lastUnit);
+    } else if (!spec.isNetwork) {
+        std::printf("The line is %s.\n", lineText(state.line).c_str());
     }
-    std::vector<SerialSettings> lines{{19200, 8, 'E', 1}, {9600, 8, 'N', 1}};
-    if (parser.isSet("line")) {
-        const auto line = lineOf(parser.value("line"));
-        if (!line)
-            return refuse("--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1");
-        lines = {*line};
-    }
-    for (const SerialSettings& line : lines) {
-        std::fprintf(stderr, "line %s\n", lineText(line).c_str());
-        QtModbusLink link(port, line, clock);
-        const auto found = scan(link, first, last);
-        if (!found)
-            return kExitBadInput;
-        if (*found > 0) {
-            std::printf("The line is %s.\n", lineText(line).c_str());
-            return kExitDone;
-        }
-    }
-    std::printf("No unit from %d to %d answers.\n", first, last);
-    return kExitNegative;
+    return isAnyThere ? kExitDone : kExitNegative;
 }
 
 } // namespace bask

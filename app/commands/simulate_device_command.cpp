@@ -1,5 +1,5 @@
-// bask simulate-device: a device that is not there, on a pseudo-terminal, for Bask's drivers or other
-// programs.
+// bask simulate-device: a device that is not there, on a pseudo-terminal or a network port, for Bask's
+// drivers or other programs.
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
@@ -12,6 +12,7 @@
 #include "engine/device_simulators/modbus_simulator.h"
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/stream_simulator.h"
+#include "engine/device_simulators/tcp_server.h"
 
 #include <QCommandLineParser>
 
@@ -32,6 +33,8 @@ constexpr int kTurn_ms = 2;
 constexpr int kUnit = 1;
 constexpr const char* kModule = "modmux-pm6rtd";
 constexpr const char* kController = "eurotherm-2400";
+constexpr const char* kNetworkModule = "labjack-t7-thermocouples";
+constexpr const char* kNetworkController = "pixsys-drr245";
 
 /// A device and what moves it besides the bytes.
 struct Simulated {
@@ -45,6 +48,7 @@ struct Kind {
     const char* driver;
     const char* line; ///< how a program sets its port
     Simulated (*make)();
+    bool isNetwork = false;
 };
 
 Simulated hotplate() {
@@ -87,12 +91,34 @@ Simulated controller() {
     return {std::move(device)};
 }
 
+/// Four thermocouples, each warmer than the one before, between inputs that are not set up.
+Simulated networkModule() {
+    auto device = std::make_unique<ModbusSimulator>(ModbusSimulator::Frames::Tcp);
+    device->addThermometer(kUnit, shipped(kNetworkModule), kelvinFromCelsius(25.0));
+    for (int channel = 0; channel < shipped(kNetworkModule).channels; ++channel) {
+        if (channel % 2 == 0 && channel < 8)
+            device->setTemperature(kUnit, channel, kelvinFromCelsius(25.0 + 5.0 * channel));
+        else
+            device->removeChannel(kUnit, channel);
+    }
+    return {std::move(device)};
+}
+
+Simulated networkController() {
+    auto device = std::make_unique<ModbusSimulator>(ModbusSimulator::Frames::Tcp);
+    device->addController(kUnit, shipped(kNetworkController));
+    return {std::move(device)};
+}
+
 constexpr std::array kKinds{
     Kind{"robot", "grbl", "115200 baud, 8N1", robot},
     Kind{"thermometer", "stream", "115200 baud, 8N1", thermometer},
     Kind{"heater", "namur", "9600 baud, 7E1", hotplate},
     Kind{"thermometer", "modbus", "19200 baud, 8E1, unit 1, profile modmux-pm6rtd", module},
-    Kind{"heater", "modbus", "9600 baud, 8N1, unit 1, profile eurotherm-2400", controller}};
+    Kind{"heater", "modbus", "9600 baud, 8N1, unit 1, profile eurotherm-2400", controller},
+    Kind{"thermometer", "modbus_tcp",
+         "Modbus TCP, unit 1, profile labjack-t7-thermocouples, channels 0, 2, 4 and 6", networkModule, true},
+    Kind{"heater", "modbus_tcp", "Modbus TCP, unit 1, profile pixsys-drr245", networkController, true}};
 
 /// "heater namur: none, silent, ..."
 std::string listOfFaults() {
@@ -136,11 +162,28 @@ void serveUntilEnded(DeviceServer& server, const Simulated& simulated) {
     }
 }
 
-int serve(const Kind& kind, const std::string& path, bool isThere, const std::string& fault) {
+/// `path` becomes the address, which is that of any free port for 0.
+Result<std::unique_ptr<DeviceServer>> serverAt(std::string& path, ByteDevice& device, bool isNetwork,
+                                               bool isThere) {
+    if (!isNetwork)
+        return serveAt(path, device, isThere);
+    bool isNumber = false;
+    const int port = QString::fromStdString(path).toInt(&isNumber);
+    if (!isNumber || port < 0 || port > 65535 || isThere)
+        return Error{
+            MessageCode::ValueUnknown, "--link", {path, "a port of this computer, 1 to 65535, or 0"}};
+    auto server = TcpServer::create(device, port);
+    if (!server)
+        return server.error();
+    path = "127.0.0.1:" + std::to_string((*server)->port());
+    return std::unique_ptr<DeviceServer>(std::move(*server));
+}
+
+int serve(const Kind& kind, std::string path, bool isThere, const std::string& fault) {
     const Simulated simulated = kind.make();
     if (const auto known = simulated.device->setFault(fault); !known)
         return refuse(kName, Error{known.error().code(), "--fault", known.error().message.args});
-    auto server = serveAt(path, *simulated.device, isThere);
+    auto server = serverAt(path, *simulated.device, kind.isNetwork, isThere);
     if (!server)
         return refuse(kName, server.error());
     isOver = 0;
@@ -149,7 +192,7 @@ int serve(const Kind& kind, const std::string& path, bool isThere, const std::st
     std::printf("%s\n", path.c_str());
     std::fflush(stdout);
     std::fprintf(stderr,
-                 "A simulated %s (%s%s%s) answers there until Ctrl+C. Give that path as the device's port; "
+                 "A simulated %s (%s%s%s) answers there until Ctrl+C. Give that as the device's port; "
                  "other programs open it with %s.\n",
                  kind.role, kind.driver, fault == "none" ? "" : ", fault ",
                  fault == "none" ? "" : fault.c_str(), kind.line);
@@ -170,11 +213,15 @@ int simulateDeviceCommand(const QStringList& arguments) {
             "Exit code: 0 ended, 2 bad input, or no terminal there.")
             .arg(QString::fromStdString(listOfFaults())));
     parser.addOption({{"h", "help"}, "Displays this help."});
-    parser.addOptions({{"link", "Where the port is to be found. Required.", "PATH"},
-                       {"open", "Opens the terminal that is at PATH already, of a null-modem cable or of "
-                                "socat, instead of making one."},
-                       {"driver", "The language that it speaks.", "NAME"},
-                       {"fault", "Has a fault from the beginning.", "NAME", "none"}});
+    parser.addOptions(
+        {{"link",
+          "Where the port is to be found; of modbus_tcp a port of this computer, 0 for a free one. "
+          "Required.",
+          "PATH"},
+         {"open", "Opens the terminal that is at PATH already, of a null-modem cable or of "
+                  "socat, instead of making one."},
+         {"driver", "The language that it speaks.", "NAME"},
+         {"fault", "Has a fault from the beginning.", "NAME", "none"}});
     parser.addPositionalArgument("DEVICE", "robot, thermometer or heater.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;

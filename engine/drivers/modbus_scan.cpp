@@ -10,58 +10,102 @@
 namespace bask {
 namespace {
 
-constexpr double kColdest_K = 223.15, kHottest_K = 873.15; ///< that a laboratory can have
+constexpr double kColdest_K = 223.15, kHottest_K = 873.15;         // that a laboratory can have
+constexpr double kRoomColdest_K = 273.15, kRoomHottest_K = 333.15; // of most sensors when they are set up
+constexpr RegisterRange kProbe{3, 0, 1};
 
 RegisterRange scannedRange(const RegisterSpec& spec) {
     return {spec.function, spec.address, registerCount(spec.type)};
 }
 
-RegisterSpec channelOf(const ModbusProfile& profile, int channel) {
-    RegisterSpec spec = *profile.channel;
-    spec.address += channel * profile.channelStep;
-    return spec;
-}
-
 /// What tells temperatures: the channels, or process value and set point.
 std::vector<RegisterSpec> temperaturesOf(const ModbusProfile& profile) {
     std::vector<RegisterSpec> out;
-    for (int i = 0; profile.channel && i < profile.channels; ++i)
-        out.push_back(channelOf(profile, i));
+    for (int i = 0; profile.channel && i < profile.channels; ++i) {
+        out.push_back(*profile.channel);
+        out.back().address += i * profile.channelStep;
+    }
     for (const auto& spec : {profile.processValue, profile.setPoint})
         if (spec)
             out.push_back(*spec);
     return out;
 }
 
+/// As the driver asks for them.
 std::vector<RegisterRange> rangesOf(const ModbusProfile& profile) {
-    std::vector<RegisterRange> out;
+    std::vector<RegisterRange> out, channels;
     const std::vector<RegisterSpec> temperatures = temperaturesOf(profile);
-    if (profile.channel) { // in one request, as the driver asks
+    if (profile.channel && !profile.isOneByOne) {
         const RegisterRange first = scannedRange(temperatures.front()),
                             last = scannedRange(temperatures.back());
         out.push_back({first.function, first.address, last.address + last.count - first.address});
     } else {
         for (const RegisterSpec& spec : temperatures)
-            out.push_back(scannedRange(spec));
+            (profile.isOneByOne ? channels : out).push_back(scannedRange(spec));
     }
-    for (const auto& spec : {profile.run, profile.watchdog, profile.setPointWritten, profile.sensorFault})
+    for (const auto& spec : {profile.run, profile.watchdog, profile.setPointWritten, profile.sensorFault,
+                             profile.temperatureUnit, profile.deviceType})
         if (spec)
             out.push_back(scannedRange(*spec));
     for (const StatusSpec& status : profile.status)
         out.push_back({status.function, status.address, 1});
     if (profile.identity)
         out.push_back({profile.identity->function, profile.identity->address, profile.identity->count});
-    return joinedRanges(std::move(out));
+    out = joinedRanges(std::move(out));
+    out.insert(out.end(), channels.begin(), channels.end());
+    return out;
+}
+
+bool isOneChannel(const ModbusProfile& profile, const RegisterRange& range) {
+    return profile.isOneByOne && range.function == profile.channel->function &&
+           range.address >= profile.channel->address &&
+           range.address < profile.channel->address + profile.channels * profile.channelStep;
+}
+
+bool isInRoom(const ProfileFit& fit) {
+    return std::ranges::all_of(fit.temperatures_K, [](double t_K) {
+        return std::isnan(t_K) || (t_K >= kRoomColdest_K && t_K <= kRoomHottest_K);
+    });
+}
+
+bool isMoreProbable(const ProfileFit& a, const ProfileFit& b) {
+    return std::tuple(a.isTypeTold, isInRoom(a), a.registers) >
+           std::tuple(b.isTypeTold, isInRoom(b), b.registers);
+}
+
+/// The exceptions of a gateway that has no such unit behind it.
+bool isFromGateway(const Message& exception) {
+    const auto args = argTexts(exception);
+    return args.size() > 2 && (args[2] == "10" || args[2] == "11");
 }
 
 } // namespace
 
 ModbusScan::ModbusScan(ModbusLink& link, int firstUnit, int lastUnit)
-    : m_link(link), m_unit(firstUnit), m_last(lastUnit) {
-    m_questions = {{nullptr, {3, 0, 1}}, {nullptr, {4, 0, 1}}};
+    : m_link(link), m_first(firstUnit), m_unit(firstUnit), m_last(lastUnit) {
+    begin(firstUnit);
+}
+
+void ModbusScan::begin(int unit) {
+    m_unit = unit;
+    m_ranges = {kProbe};
+    m_all = 1;
+    m_isThere = false;
+    m_has.clear();
+    m_image.clear();
+}
+
+double ModbusScan::progress() const {
+    if (m_isOver)
+        return 1.0;
+    const double ofUnit =
+        m_isThere ? 1.0 - static_cast<double>(m_ranges.size()) / static_cast<double>(m_all) : 0.0;
+    return (m_unit - m_first + ofUnit) / (m_last - m_first + 1);
 }
 
 bool ModbusScan::work() {
+    if (m_isOver)
+        return false;
     if (m_asked) {
         const auto reply = m_link.takeReply(*m_asked);
         if (!reply)
@@ -69,15 +113,15 @@ bool ModbusScan::work() {
         m_asked.reset();
         take(*reply);
     }
-    while (m_questions.empty()) {
-        if (m_unit >= m_last)
+    if (m_ranges.empty()) {
+        if (m_isThere)
+            conclude();
+        m_isOver = m_unit >= m_last;
+        if (m_isOver)
             return false;
-        ++m_unit;
-        m_isThere = false;
-        m_questions = {{nullptr, {3, 0, 1}}, {nullptr, {4, 0, 1}}};
+        begin(m_unit + 1);
     }
-    if (m_link.isFree())
-        ask();
+    ask();
     return isLinkThere();
 }
 
@@ -88,56 +132,106 @@ bool ModbusScan::isLinkThere() {
     return m_link.isOpen() || m_link.problem().code == MessageCode::None;
 }
 
+/// A late answer of the unit before has that unit's number; one of this unit might be another range's.
 void ModbusScan::ask() {
-    const RegisterRange& range = m_questions.front().range;
-    m_asked = m_link.send({m_unit, range.function, range.address, range.count});
+    const RegisterRange& range = m_ranges.front();
+    const ModbusRequest request{m_unit, range.function, range.address, range.count};
+    if (m_link.isFree())
+        m_asked = m_link.send(request);
+    else if (!m_isThere && m_link.mayOvertake())
+        m_asked = m_link.overtake(request);
 }
 
 void ModbusScan::take(const ModbusReply& reply) {
-    const Question asked = m_questions.front();
-    m_questions.pop_front();
-    if (asked.profile == nullptr) {
-        const bool isAnswered = reply || reply.error().code() == MessageCode::DeviceException;
-        if (!isAnswered || m_isThere)
-            return;
-        m_isThere = true;
-        m_found.push_back({m_unit, {}});
-        m_questions.clear();
-        for (const ModbusProfile& profile : shippedProfiles())
-            for (const RegisterRange& range : rangesOf(profile))
-                m_questions.push_back({&profile, range});
-        return;
-    }
+    const RegisterRange range = m_ranges.front();
+    m_ranges.pop_front();
+    m_has[{range.function, range.address, range.count}] = reply.ok();
     if (reply)
-        m_image.store(asked.range, *reply);
-    m_isFit = m_isFit && reply;
-    const bool isLast = m_questions.empty() || m_questions.front().profile != asked.profile;
-    if (isLast && m_isFit)
-        judge(*asked.profile);
-    if (isLast) {
-        m_isFit = true;
-        m_image.clear();
-    } else if (!m_isFit) { // the rest of this profile is not asked for
-        while (!m_questions.empty() && m_questions.front().profile == asked.profile)
-            m_questions.pop_front();
-        m_isFit = true;
-        m_image.clear();
-    }
+        m_image.store(range, *reply);
+    const bool isRefused = !reply && reply.error().code() == MessageCode::DeviceException;
+    if (m_isThere || !(reply || (isRefused && !isFromGateway(reply.error().message))))
+        return;
+    m_isThere = true;
+    m_found.push_back({m_unit, {}});
+    for (const ModbusProfile& profile : shippedProfiles())
+        for (const RegisterRange& each : rangesOf(profile))
+            if (std::ranges::find(m_ranges, each) == m_ranges.end() && each != kProbe)
+                m_ranges.push_back(each);
+    m_all = m_ranges.size();
 }
 
-void ModbusScan::judge(const ModbusProfile& profile) {
-    ProfileFit fit{profile.name, {}};
-    for (const RegisterSpec& spec : temperaturesOf(profile)) {
-        const RegisterValue value =
-            temperatureFromRegisters(profile, spec, m_image.registers(scannedRange(spec)));
-        const bool isPossible =
-            value.fault.empty() && value.value_K >= kColdest_K && value.value_K <= kHottest_K;
-        if (value.fault.empty() && !isPossible)
-            return; // a number that is no temperature of a laboratory
-        fit.temperatures_K.push_back(isPossible ? value.value_K : std::numeric_limits<double>::quiet_NaN());
+void ModbusScan::conclude() {
+    FoundUnit& found = m_found.back();
+    for (const ModbusProfile& profile : shippedProfiles())
+        if (auto fit = judged(profile))
+            found.fits.push_back(std::move(*fit));
+    std::ranges::stable_sort(found.fits, isMoreProbable);
+    if (found.fits.empty() || found.fits.front().signature.empty())
+        return;
+    const auto isSame = [&](const FoundUnit& other) {
+        return other.sameAs == 0 && !other.fits.empty() &&
+               other.fits.front().profile == found.fits.front().profile &&
+               other.fits.front().signature == found.fits.front().signature;
+    };
+    const auto same = std::ranges::find_if(m_found.begin(), m_found.end() - 1, isSame);
+    found.sameAs = same == m_found.end() - 1 ? 0 : same->unit;
+}
+
+bool ModbusScan::has(const RegisterRange& range) const {
+    const auto it = m_has.find({range.function, range.address, range.count});
+    return it != m_has.end() && it->second;
+}
+
+/// Empty: it does not fit.
+std::optional<ProfileFit> ModbusScan::judged(const ModbusProfile& written) const {
+    ProfileFit fit{written.name, {}, {}};
+    for (const RegisterRange& range : rangesOf(written)) {
+        if (has(range))
+            fit.registers += range.count;
+        else if (!isOneChannel(written, range))
+            return std::nullopt;
     }
-    if (std::ranges::any_of(fit.temperatures_K, [](double t_K) { return !std::isnan(t_K); }))
-        m_found.back().fits.push_back(std::move(fit));
+    ModbusProfile profile = written;
+    const auto quantity = [&](const RegisterSpec& spec) {
+        return quantityFromRegisters(spec, m_image.registers(scannedRange(spec)));
+    };
+    if (profile.deviceType) {
+        fit.isTypeTold = std::ranges::find(profile.deviceTypes, quantity(*profile.deviceType)) !=
+                         profile.deviceTypes.end();
+        if (!fit.isTypeTold)
+            return std::nullopt;
+    }
+    if (profile.temperatureUnit) {
+        const double unit = quantity(*profile.temperatureUnit);
+        if (unit != profile.unitCelsius && unit != profile.unitFahrenheit)
+            return std::nullopt;
+        profile =
+            inUnit(profile, unit == profile.unitCelsius ? RegisterUnit::Celsius : RegisterUnit::Fahrenheit);
+    }
+    bool isAllZero = true; // as of a device that answers 0 for whatever it has not
+    for (const RegisterSpec& spec : temperaturesOf(profile)) {
+        fit.temperatures_K.push_back(std::numeric_limits<double>::quiet_NaN());
+        const RegisterRange range = scannedRange(spec);
+        if (isOneChannel(profile, range) && !has(range))
+            continue;
+        const auto registers = m_image.registers(range);
+        isAllZero = isAllZero && std::ranges::all_of(registers, [](std::uint16_t word) { return word == 0; });
+        const RegisterValue value = temperatureFromRegisters(profile, spec, registers);
+        if (!value.fault.empty())
+            continue;
+        if (!(value.value_K >= kColdest_K && value.value_K <= kHottest_K))
+            return std::nullopt; // a number that is no temperature of a laboratory
+        fit.temperatures_K.back() = value.value_K;
+    }
+    const bool isAnyThere =
+        std::ranges::any_of(fit.temperatures_K, [](double t_K) { return !std::isnan(t_K); });
+    const bool isHeater = profile.processValue.has_value();
+    if (isAllZero || !isAnyThere || (isHeater && std::isnan(fit.temperatures_K.front())))
+        return std::nullopt;
+    if (profile.identity)
+        fit.signature = signatureFromRegisters(m_image.registers(
+            {profile.identity->function, profile.identity->address, profile.identity->count}));
+    return fit;
 }
 
 } // namespace bask

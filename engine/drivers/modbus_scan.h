@@ -6,8 +6,10 @@
 #include "engine/protocols/register_ranges.h"
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace bask {
@@ -16,42 +18,57 @@ namespace bask {
 struct ProfileFit {
     std::string profile;
     std::vector<double> temperatures_K; ///< of its channels, or process value and set point; NaN: none
+    std::string signature;              ///< what its identity registers hold; empty if it names none
+    bool isTypeTold = false;            ///< the unit itself reports that it is such a device
+    int registers = 0;                  ///< number of registers that were read for it
+
+    bool operator==(const ProfileFit&) const = default;
 };
 
 struct FoundUnit {
     int unit = 0;
-    std::vector<ProfileFit> fits;
+    std::vector<ProfileFit> fits; ///< the most probable one first
+    /// The first unit with the same signature: a device on a network may answer to every number. 0: none.
+    int sameAs = 0;
+
+    bool operator==(const FoundUnit&) const = default;
 };
 
-/// Asks one unit after the other. Each is asked for one register by functions 3 and 4; one that answers, also
-/// by an exception, for the registers of each profile. Nothing is ever written.
+/// Asks one unit after the other for one register by function 3. One that answers, also by an exception, is
+/// asked for the registers of each profile by functions 3 and 4. Nothing is ever written. A unit that does
+/// not answer takes the time of one reply if the link allows to overtake, and twice that time otherwise.
 class ModbusScan {
 public:
-    /// `link` must be open, and outlive it.
+    /// Calls open() of `link` again if it closes because nobody answers. `link` must outlive it.
     ModbusScan(ModbusLink& link, int firstUnit, int lastUnit);
 
     /// Sends what is due and takes what has come; false when all is done, or the link is lost.
     bool work();
     /// Returns the unit that is asked now.
     int unit() const { return m_unit; }
+    /// Returns how much of it is done, 0 to 1.
+    double progress() const;
+    /// Returns the units that were found; the last one is incomplete while unit() is that unit.
     const std::vector<FoundUnit>& found() const { return m_found; }
 
 private:
-    struct Question {
-        const ModbusProfile* profile; ///< null: whether it is there
-        RegisterRange range;
-    };
+    using RangeKey = std::tuple<int, int, int>; ///< function, address, count
 
     bool isLinkThere();
     void ask();
     void take(const ModbusReply& reply);
-    void judge(const ModbusProfile& profile);
+    void begin(int unit);
+    void conclude();
+    bool has(const RegisterRange& range) const;
+    std::optional<ProfileFit> judged(const ModbusProfile& profile) const;
 
     ModbusLink& m_link;
-    int m_unit, m_last;
-    std::deque<Question> m_questions;
+    int m_first, m_unit, m_last;
+    std::deque<RegisterRange> m_ranges; ///< still to be asked for
+    std::size_t m_all = 1;              ///< number of them in the beginning
     std::optional<int> m_asked;
-    bool m_isThere = false, m_isFit = true;
+    bool m_isThere = false, m_isOver = false;
+    std::map<RangeKey, bool> m_has; ///< ranges that were asked for, and whether the unit has them
     RegisterImage m_image;
     std::vector<FoundUnit> m_found;
 };

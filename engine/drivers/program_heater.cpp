@@ -17,8 +17,8 @@ using Kind = ProgramRequest::Kind;
 constexpr double kOffAgain_s = 0.5, kOffTold_s = 3.0;
 constexpr double kMaxValid_s = 10.0; ///< of one request
 constexpr double kKnownFor_s = 3.0;  ///< an older state is not shown as known
-constexpr double kSetPointStep_K = 0.05, kSetPointWithin_K = 0.6;
-constexpr int kOthersTold = 3; ///< one may have been asked before it was set
+constexpr double kStateStep_K = 0.05, kStateWithin_K = 0.6;
+constexpr int kOtherStates = 3; ///< one may have been asked before it was set
 
 } // namespace
 
@@ -66,7 +66,7 @@ void ProgramHeater::take(const ProgramLine& line, const ProgramRequest* asked) {
     m_state = *state;
     m_at_s = m_talk.measuredAt_s(line, asked);
     const bool isOther =
-        m_isOn && state->setPoint_K && std::abs(*state->setPoint_K - m_sent_K) > kSetPointWithin_K;
+        m_isOn && state->setPoint_K && std::abs(*state->setPoint_K - m_sent_K) > kStateWithin_K;
     m_others = isOther ? m_others + 1 : 0;
     if (!m_isOn && !state->isHeating && m_at_s > m_offSent_s && !m_talk.isWaitingFor(Kind::Off) && asked)
         m_isOffDue = m_wasOn = false;
@@ -83,7 +83,7 @@ void ProgramHeater::order() {
         m_offSent_s = now_s;
     }
     const bool isDue = now_s - m_heat_s > 0.25 * std::min(m_validFor_s, kMaxValid_s) ||
-                       std::abs(m_setPoint_K - m_sent_K) >= kSetPointStep_K;
+                       std::abs(m_setPoint_K - m_sent_K) >= kStateStep_K;
     if (!m_isOn || !isDue || m_talk.isWaitingFor(Kind::Heat))
         return;
     if (m_setPoint_K != m_sent_K)
@@ -103,7 +103,7 @@ void ProgramHeater::stop() {
 }
 
 bool ProgramHeater::isSetPointOther() const {
-    return m_isOn && m_others >= kOthersTold && m_state && m_state->setPoint_K;
+    return m_isOn && m_others >= kOtherStates && m_state && m_state->setPoint_K;
 }
 
 DeviceStatus ProgramHeater::status() const {

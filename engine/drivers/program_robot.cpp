@@ -17,7 +17,7 @@ namespace {
 using Kind = ProgramRequest::Kind;
 
 constexpr double kMetre_mm = 1000.0;
-constexpr double kStopAgain_s = 0.2, kStandsWithin_s = 5.0;
+constexpr double kHaltAgain_s = 0.2, kStandsWithin_s = 5.0;
 constexpr double kToStop_s = 0.5; ///< what a velocity that has ended may go on for
 constexpr double kKnown_s = 0.5;  ///< from an older place no velocity is planned
 constexpr double kBehind = 0.5;   ///< share of a step that a robot on its way may be off
@@ -49,7 +49,7 @@ void ProgramRobot::work() {
     case ProgramTalk::Turn::Open:
         break;
     }
-    if (m_isHalted && m_clock.now_s() - m_stopped_s > kStopAgain_s) {
+    if (m_isHalted && m_clock.now_s() - m_stopped_s > kHaltAgain_s) {
         tellStop();
     } else if (!m_isHalted) {
         move();
