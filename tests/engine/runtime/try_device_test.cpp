@@ -5,6 +5,7 @@
 #include "engine/device_simulators/modbus_simulator.h"
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/pty_server.h"
+#include "engine/device_simulators/tcp_server.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "tests/engine/runtime/engine_thread.h"
 
@@ -96,6 +97,26 @@ TEST_F(TryDeviceTest, AModbusThermometerTellsAllItsChannels) {
 
     engine.send(TryDevice{});
     ASSERT_TRUE(sees([&] { return !engine.last.tried; })); // and its port is free
+}
+
+// Catches an address that is opened as a serial port, and one that is none and ends the engine.
+TEST_F(TryDeviceTest, AModbusThermometerAtAnAddressTellsItsChannels) {
+    ModbusSimulator module(ModbusSimulator::Frames::Tcp);
+    module.addThermometer(5, profile("waveshare-8ch-4-20ma"), kelvinFromCelsius(25.0));
+    const auto host = TcpServer::create(module).value();
+    RigSpec rig = thermometer();
+    rig.thermometer->driver = "modbus_tcp";
+    rig.thermometer->port = "127.0.0.1:" + std::to_string(host->port());
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees([&] {
+        host->work(clock.now_s());
+        return isLive() && engine.last.tried->temperatures_K.size() == 8;
+    }));
+    EXPECT_NEAR(engine.last.tried->temperatures_K[7], kelvinFromCelsius(25.0), 0.2);
+    EXPECT_EQ(module.writes(), 0);
+    rig.thermometer->port = "two words";
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkNotOpened; }));
 }
 
 // Catches a robot that is moved or homed by being tried.
