@@ -279,10 +279,8 @@ int runRecipe(const RecipeRequest& request) {
             warnOfOverlaps("run", *experiment);
     announce(*recipe);
     LiveStart start{request.place};
-    for (const auto& experiment : *experiments) { // of one rig
-        if (!request.mayStartPrograms || !start.allowed.empty())
-            break;
-        auto allowed = allowedPrograms(*experiment);
+    if (request.mayStartPrograms) {
+        auto allowed = allowedPrograms(*experiments->front()); // all are of one rig
         if (!allowed)
             return refuse(allowed.error());
         start.allowed = std::move(*allowed);

@@ -15,6 +15,8 @@
 
 namespace bask {
 
+enum class ProgramRole;
+
 /// The links of one device, with its port and line settings. The links and the clock outlive the device.
 class DriverLinks {
 public:
@@ -25,7 +27,7 @@ public:
     virtual ModbusLink& modbus() = 0;
     virtual ByteLink& tcp(int port) = 0;
     /// Returns a link to the standard input and output of the program that the port names.
-    virtual ByteLink& program() = 0;
+    virtual ByteLink& program(ProgramRole role) = 0;
 };
 
 /// A device with the role that it has.

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"
+#include "engine/drivers/spawn_process.h"
 
 #include <array>
 #include <cerrno>
@@ -10,7 +11,6 @@
 #include <filesystem>
 #include <mutex>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -37,28 +37,8 @@ std::string_view bytesOf(const guard::OffProgram& program) {
 /// With nothing of this program but the socket: no environment, no blocked signals.
 int startProcess(const std::string& program, int socket, const std::vector<std::string>& arguments,
                  pid_t& process) {
-    std::vector<char*> words;
-    for (const std::string& each : arguments)
-        words.push_back(const_cast<char*>(each.c_str()));
-    words.push_back(nullptr);
     char* const environment[] = {nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawnattr_t attributes;
-    ::posix_spawn_file_actions_init(&actions);
-    ::posix_spawnattr_init(&attributes);
-    ::posix_spawn_file_actions_adddup2(&actions, socket, guard::kSocket);
-    sigset_t none, all;
-    ::sigemptyset(&none);
-    ::sigfillset(&all);
-    ::posix_spawnattr_setsigmask(&attributes, &none);
-    ::posix_spawnattr_setsigdefault(&attributes, &all);
-    ::posix_spawnattr_setflags(&attributes,
-                               POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
-    const int problem =
-        ::posix_spawn(&process, program.c_str(), &actions, &attributes, words.data(), environment);
-    ::posix_spawn_file_actions_destroy(&actions);
-    ::posix_spawnattr_destroy(&attributes);
-    return problem;
+    return spawnProcess({program, arguments, {{socket, guard::kSocket}}, {}, environment}, process);
 }
 
 } // namespace

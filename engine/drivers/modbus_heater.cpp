@@ -8,11 +8,11 @@
 #include "engine/drivers/off_program.h"
 #include "engine/drivers/sensor_fault.h"
 #include "engine/protocols/modbus_frame.h"
+#include "engine/protocols/profile_registers.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -24,10 +24,6 @@ constexpr double kAgain_s = 10.0;                  // then, to switch off
 constexpr double kSetEvery_s = 5.0, kStep_K = 0.5; // of a set point that moves
 constexpr double kJump_K = 3.0;                    // at once: from here on it is told as another one
 constexpr double kFollow_s = 3.0;                  // a controller takes what was written
-
-RegisterRange rangeOf(const RegisterSpec& spec) {
-    return {spec.function, spec.address, registerCount(spec.type)};
-}
 
 ModbusRequest writeRequest(const RegisterSpec& spec, std::vector<std::uint16_t> values) {
     const auto count = static_cast<int>(values.size());
@@ -74,22 +70,7 @@ Result<std::unique_ptr<ModbusHeater>> ModbusHeater::create(ModbusLink& link, con
 ModbusHeater::ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings)
     : m_settings(settings), m_clock(clock),
       m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)),
-      m_identity(settings.profile) {
-    listRanges();
-}
-
-void ModbusHeater::listRanges() {
-    const ModbusProfile& p = m_settings.profile;
-    std::vector<RegisterRange> ranges{rangeOf(*p.processValue), rangeOf(*p.setPoint)};
-    for (const auto& spec : {p.setPointWritten, p.run, p.watchdog, p.sensorFault, p.temperatureUnit}) {
-        if (spec)
-            ranges.push_back(rangeOf(*spec));
-    }
-    for (const StatusSpec& status : p.status)
-        ranges.push_back({status.function, status.address, 1});
-    std::ranges::copy(m_identity.ranges(), std::back_inserter(ranges));
-    m_ranges = joinedRanges(std::move(ranges));
-}
+      m_identity(settings.profile), m_ranges(controllerPoll(settings.profile)) {}
 
 void ModbusHeater::work() {
     if (const auto reply = m_exchange.work())

@@ -60,7 +60,6 @@ public:
 
 private:
     ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
-    void listRanges();
     void take(const ModbusReply& reply);
     bool takeUnit();
     void takeRead(const std::vector<std::uint16_t>& values);

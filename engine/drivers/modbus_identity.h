@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/devices/device.h"
 #include "engine/protocols/modbus_profile.h"
+#include "engine/protocols/profile_registers.h"
 #include "engine/protocols/register_ranges.h"
 #include "engine/protocols/register_values.h"
 
@@ -20,22 +21,13 @@ public:
         : m_spec(profile.identity), m_type(profile.deviceType), m_types(profile.deviceTypes) {}
 
     void expect(const std::string& signature) { m_expected = signature; }
-    /// Returns the registers to read with each poll.
-    std::vector<RegisterRange> ranges() const {
-        std::vector<RegisterRange> out;
-        if (m_spec)
-            out.push_back(rangeOfIdentity());
-        if (m_type)
-            out.push_back(rangeOfType());
-        return out;
-    }
     /// Takes the registers as read. The first unit found is the expected one, unless another one was given.
     void take(const RegisterImage& image) {
         if (m_type)
-            m_told = quantityFromRegisters(*m_type, image.registers(rangeOfType()));
+            m_told = quantityFromRegisters(*m_type, image.registers(rangeOf(*m_type)));
         if (!m_spec || isOtherKind())
             return;
-        m_signature = signatureFromRegisters(image.registers(rangeOfIdentity()));
+        m_signature = signatureFromRegisters(image.registers(rangeOf(*m_spec)));
         if (!m_expected)
             m_expected = m_signature;
     }
@@ -68,10 +60,6 @@ public:
     }
 
 private:
-    RegisterRange rangeOfIdentity() const { return {m_spec->function, m_spec->address, m_spec->count}; }
-    RegisterRange rangeOfType() const {
-        return {m_type->function, m_type->address, registerCount(m_type->type)};
-    }
     bool isOtherKind() const { return m_told && std::ranges::find(m_types, *m_told) == m_types.end(); }
 
     std::optional<IdentitySpec> m_spec;

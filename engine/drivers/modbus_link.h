@@ -54,7 +54,6 @@ public:
 protected:
     /// Unanswered requests in a row after which the port is opened again.
     static constexpr int kMaxSilent = 10;
-    static constexpr std::size_t kMaxReplies = 16; ///< limit of replies that nobody has taken
 };
 
 } // namespace bask

@@ -6,11 +6,7 @@
 #include <utility>
 
 namespace bask {
-namespace {
-
-constexpr std::size_t kMaxAnswers = 16; // that nobody has taken
-
-} // namespace
+namespace {} // namespace
 
 ModbusLinkOnThread::ModbusLinkOnThread(std::string name, std::function<std::unique_ptr<ModbusLink>()> make)
     : m_name(std::move(name)), m_thread([this] { turn(); }) {
@@ -58,7 +54,7 @@ void ModbusLinkOnThread::drop() {
     ++m_wanted;
     m_isOpen = m_isOpening = m_isFree = false;
     if (m_asked)
-        m_replies.emplace(*std::exchange(m_asked, std::nullopt),
+        m_replies.deliver(*std::exchange(m_asked, std::nullopt),
                           Error(MessageCode::DeviceSilent, "", {m_name, "0"}));
 }
 
@@ -80,9 +76,7 @@ void ModbusLinkOnThread::turn() {
     if (m_done != m_wanted)
         return;
     if (reply && m_asked)
-        m_replies.emplace(*std::exchange(m_asked, std::nullopt), std::move(*reply));
-    if (m_replies.size() > kMaxAnswers)
-        m_replies.erase(m_replies.begin());
+        m_replies.deliver(*std::exchange(m_asked, std::nullopt), std::move(*reply));
     if (isFailed)
         drop();
     m_done = m_wanted;
@@ -130,12 +124,7 @@ int ModbusLinkOnThread::send(const ModbusRequest& request) {
 
 std::optional<ModbusReply> ModbusLinkOnThread::takeReply(int number) {
     const std::lock_guard lock(m_mutex);
-    const auto it = m_replies.find(number);
-    if (it == m_replies.end())
-        return std::nullopt;
-    std::optional<ModbusReply> out(std::move(it->second));
-    m_replies.erase(it);
-    return out;
+    return m_replies.take(number);
 }
 
 } // namespace bask

@@ -3,9 +3,9 @@
 
 #include "engine/drivers/link_thread.h"
 #include "engine/drivers/modbus_link.h"
+#include "engine/drivers/modbus_replies.h"
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <mutex>
 
@@ -43,7 +43,7 @@ private:
     std::string m_portId;
     int m_lastNumber = 0;
     std::optional<int> m_asked; ///< number of the request without a reply
-    std::map<int, ModbusReply> m_replies;
+    ModbusReplies m_replies;
     // Used only on that thread
     int m_done = 0;
     std::optional<ModbusRequest> m_toSend; ///< to be sent as soon as the line is free

@@ -1,11 +1,13 @@
 #include "engine/drivers/modbus_scan.h"
 
 #include "engine/base/message_code.h"
+#include "engine/protocols/profile_registers.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace bask {
 namespace {
@@ -14,17 +16,11 @@ constexpr double kColdest_K = 223.15, kHottest_K = 873.15;         // that a lab
 constexpr double kRoomColdest_K = 273.15, kRoomHottest_K = 333.15; // of most sensors when they are set up
 constexpr RegisterRange kProbe{3, 0, 1};
 
-RegisterRange scannedRange(const RegisterSpec& spec) {
-    return {spec.function, spec.address, registerCount(spec.type)};
-}
-
 /// What tells temperatures: the channels, or process value and set point.
 std::vector<RegisterSpec> temperaturesOf(const ModbusProfile& profile) {
     std::vector<RegisterSpec> out;
-    for (int i = 0; profile.channel && i < profile.channels; ++i) {
-        out.push_back(*profile.channel);
-        out.back().address += i * profile.channelStep;
-    }
+    for (int i = 0; profile.channel && i < profile.channels; ++i)
+        out.push_back(channelSpec(profile, i));
     for (const auto& spec : {profile.processValue, profile.setPoint})
         if (spec)
             out.push_back(*spec);
@@ -32,34 +28,16 @@ std::vector<RegisterSpec> temperaturesOf(const ModbusProfile& profile) {
 }
 
 /// As the driver asks for them.
-std::vector<RegisterRange> rangesOf(const ModbusProfile& profile) {
-    std::vector<RegisterRange> out, channels;
-    const std::vector<RegisterSpec> temperatures = temperaturesOf(profile);
-    if (profile.channel && !profile.isOneByOne) {
-        const RegisterRange first = scannedRange(temperatures.front()),
-                            last = scannedRange(temperatures.back());
-        out.push_back({first.function, first.address, last.address + last.count - first.address});
-    } else {
-        for (const RegisterSpec& spec : temperatures)
-            (profile.isOneByOne ? channels : out).push_back(scannedRange(spec));
+std::vector<PolledRange> pollOf(const ModbusProfile& profile) {
+    if (profile.channel) {
+        std::vector<int> channels(static_cast<std::size_t>(profile.channels));
+        std::iota(channels.begin(), channels.end(), 0);
+        return thermometerPoll(profile, channels);
     }
-    for (const auto& spec : {profile.run, profile.watchdog, profile.setPointWritten, profile.sensorFault,
-                             profile.temperatureUnit, profile.deviceType})
-        if (spec)
-            out.push_back(scannedRange(*spec));
-    for (const StatusSpec& status : profile.status)
-        out.push_back({status.function, status.address, 1});
-    if (profile.identity)
-        out.push_back({profile.identity->function, profile.identity->address, profile.identity->count});
-    out = joinedRanges(std::move(out));
-    out.insert(out.end(), channels.begin(), channels.end());
+    std::vector<PolledRange> out;
+    for (const RegisterRange& range : controllerPoll(profile))
+        out.push_back({range, false});
     return out;
-}
-
-bool isOneChannel(const ModbusProfile& profile, const RegisterRange& range) {
-    return profile.isOneByOne && range.function == profile.channel->function &&
-           range.address >= profile.channel->address &&
-           range.address < profile.channel->address + profile.channels * profile.channelStep;
 }
 
 bool isInRoom(const ProfileFit& fit) {
@@ -154,9 +132,9 @@ void ModbusScan::take(const ModbusReply& reply) {
     m_isThere = true;
     m_found.push_back({m_unit, {}});
     for (const ModbusProfile& profile : shippedProfiles())
-        for (const RegisterRange& each : rangesOf(profile))
-            if (std::ranges::find(m_ranges, each) == m_ranges.end() && each != kProbe)
-                m_ranges.push_back(each);
+        for (const auto& [range, isOneChannel] : pollOf(profile))
+            if (std::ranges::find(m_ranges, range) == m_ranges.end() && range != kProbe)
+                m_ranges.push_back(range);
     m_all = m_ranges.size();
 }
 
@@ -185,15 +163,15 @@ bool ModbusScan::has(const RegisterRange& range) const {
 /// Empty: it does not fit.
 std::optional<ProfileFit> ModbusScan::judged(const ModbusProfile& written) const {
     ProfileFit fit{written.name, {}, {}};
-    for (const RegisterRange& range : rangesOf(written)) {
+    for (const auto& [range, isOneChannel] : pollOf(written)) {
         if (has(range))
             fit.registers += range.count;
-        else if (!isOneChannel(written, range))
+        else if (!isOneChannel)
             return std::nullopt;
     }
     ModbusProfile profile = written;
     const auto quantity = [&](const RegisterSpec& spec) {
-        return quantityFromRegisters(spec, m_image.registers(scannedRange(spec)));
+        return quantityFromRegisters(spec, m_image.registers(rangeOf(spec)));
     };
     if (profile.deviceType) {
         fit.isTypeTold = std::ranges::find(profile.deviceTypes, quantity(*profile.deviceType)) !=
@@ -211,8 +189,8 @@ std::optional<ProfileFit> ModbusScan::judged(const ModbusProfile& written) const
     bool isAllZero = true; // as of a device that answers 0 for whatever it has not
     for (const RegisterSpec& spec : temperaturesOf(profile)) {
         fit.temperatures_K.push_back(std::numeric_limits<double>::quiet_NaN());
-        const RegisterRange range = scannedRange(spec);
-        if (isOneChannel(profile, range) && !has(range))
+        const RegisterRange range = rangeOf(spec);
+        if (profile.isOneByOne && !has(range))
             continue;
         const auto registers = m_image.registers(range);
         isAllZero = isAllZero && std::ranges::all_of(registers, [](std::uint16_t word) { return word == 0; });
@@ -229,8 +207,7 @@ std::optional<ProfileFit> ModbusScan::judged(const ModbusProfile& written) const
     if (isAllZero || !isAnyThere || (isHeater && std::isnan(fit.temperatures_K.front())))
         return std::nullopt;
     if (profile.identity)
-        fit.signature = signatureFromRegisters(m_image.registers(
-            {profile.identity->function, profile.identity->address, profile.identity->count}));
+        fit.signature = signatureFromRegisters(m_image.registers(rangeOf(*profile.identity)));
     return fit;
 }
 

@@ -1,9 +1,9 @@
 #include "engine/drivers/modbus_tcp_link.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/modbus_replies.h"
 #include "engine/protocols/modbus_frame.h"
 
-#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -68,7 +68,7 @@ struct ModbusTcpLink::Line {
     double replyTime_s;
     std::string heard{};
     std::optional<Asked> asked{};
-    std::map<int, ModbusReply> replies{};
+    ModbusReplies replies{};
     Message problem{}; ///< None: that of the bytes counts
     int lastNumber = 0, silent = 0, discarded = 0;
 };
@@ -150,9 +150,7 @@ ModbusReply ModbusTcpLink::Line::judged(const std::string& reply) const {
 }
 
 void ModbusTcpLink::Line::deliver(ModbusReply reply) {
-    replies.emplace(asked->number, std::move(reply));
-    if (replies.size() > kMaxReplies)
-        replies.erase(replies.begin());
+    replies.deliver(asked->number, std::move(reply));
 }
 
 void ModbusTcpLink::Line::leave() {
@@ -206,12 +204,7 @@ int ModbusTcpLink::overtake(const ModbusRequest& request) {
 
 std::optional<ModbusReply> ModbusTcpLink::takeReply(int number) {
     m_line->look();
-    const auto it = m_line->replies.find(number);
-    if (it == m_line->replies.end())
-        return std::nullopt;
-    std::optional<ModbusReply> out(std::move(it->second));
-    m_line->replies.erase(it);
-    return out;
+    return m_line->replies.take(number);
 }
 
 std::string ModbusTcpLink::name() const {

@@ -5,6 +5,7 @@
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/drivers/driver_make.h"
 #include "engine/drivers/sensor_fault.h"
+#include "engine/protocols/profile_registers.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
@@ -50,29 +51,13 @@ ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
                                      const ModbusThermometerSettings& settings)
     : m_settings(settings), m_clock(clock), m_exchange(link, clock, settings.unit, silentAfter_s(settings)),
       m_identity(settings.profile) {
-    std::vector<RegisterRange> ranges = m_identity.ranges();
-    for (const StatusSpec& status : settings.profile.status)
-        ranges.push_back({status.function, status.address, 1});
-    if (!settings.profile.isOneByOne) {
-        const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
-        const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
-        ranges.push_back({begin.function, begin.address, end.address + end.count - begin.address});
-    }
-    for (RegisterRange& range : joinedRanges(std::move(ranges)))
-        m_requests.push_back({range});
-    if (settings.profile.isOneByOne)
-        for (const int channel : settings.channels)
-            m_requests.push_back({rangeOf(channel), true});
+    for (const PolledRange& polled : thermometerPoll(settings.profile, settings.channels))
+        m_requests.push_back({polled});
 }
 
 void ModbusThermometer::setPeriod(double period_s) {
     m_settings.period_s = std::clamp(period_s, kMinPeriod_s, kMaxPeriod_s);
     m_exchange.setSilentAfter(silentAfter_s(m_settings));
-}
-
-RegisterRange ModbusThermometer::rangeOf(int channel) const {
-    const RegisterSpec& spec = *m_settings.profile.channel;
-    return {spec.function, spec.address + channel * m_settings.profile.channelStep, registerCount(spec.type)};
 }
 
 void ModbusThermometer::work() {
@@ -88,19 +73,20 @@ void ModbusThermometer::work() {
         return;
     if (waits)
         m_due_s = std::max(m_due_s + m_settings.period_s, now_s + 0.5 * m_settings.period_s); // no drift
-    const RegisterRange& range = m_requests[m_next].range;
+    const RegisterRange& range = m_requests[m_next].polled.range;
     m_exchange.send({0, range.function, range.address, range.count});
 }
 
 /// After a refusal the same is asked again: another question could take its late answer.
 void ModbusThermometer::take(const ModbusReply& reply) {
     Request& asked = m_requests[m_next];
-    asked.isRefused = asked.isOneChannel && !reply && reply.error().code() == MessageCode::DeviceException;
+    asked.isRefused =
+        asked.polled.isOneChannel && !reply && reply.error().code() == MessageCode::DeviceException;
     m_isRefused = !reply.ok() && !asked.isRefused;
     if (m_isRefused)
         return;
     if (reply)
-        m_image.store(asked.range, *reply);
+        m_image.store(asked.polled.range, *reply);
     asked.asked_s = m_exchange.asked_s();
     if (++m_next == m_requests.size())
         publish();
@@ -116,9 +102,9 @@ void ModbusThermometer::publish() {
 
 Reading ModbusThermometer::reading(int channel) const {
     const ModbusProfile& profile = m_settings.profile;
-    const RegisterRange range = rangeOf(channel);
-    const Request& request =
-        *std::ranges::find_if(m_requests, [&](const Request& each) { return each.range.contains(range); });
+    const RegisterRange range = rangeOf(channelSpec(profile, channel));
+    const Request& request = *std::ranges::find_if(
+        m_requests, [&](const Request& each) { return each.polled.range.contains(range); });
     RegisterValue value = request.isRefused
                               ? RegisterValue{0.0, "other"}
                               : temperatureFromRegisters(profile, *profile.channel, m_image.registers(range));

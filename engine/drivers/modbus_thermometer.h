@@ -6,6 +6,7 @@
 #include "engine/drivers/modbus_exchange.h"
 #include "engine/drivers/modbus_identity.h"
 #include "engine/protocols/modbus_profile.h"
+#include "engine/protocols/profile_registers.h"
 #include "engine/protocols/register_ranges.h"
 
 #include <memory>
@@ -39,14 +40,12 @@ public:
 
 private:
     struct Request {
-        RegisterRange range;
-        bool isOneChannel = false; ///< if it is refused, only this channel has no value
-        bool isRefused = false;    ///< the newest one
-        double asked_s = 0.0;      ///< time of the newest one that was answered
+        PolledRange polled;
+        bool isRefused = false; ///< the newest one
+        double asked_s = 0.0;   ///< time of the newest one that was answered
     };
 
     ModbusThermometer(ModbusLink& link, const Clock& clock, const ModbusThermometerSettings& settings);
-    RegisterRange rangeOf(int channel) const;
     void take(const ModbusReply& reply);
     Reading reading(int channel) const;
     void publish();

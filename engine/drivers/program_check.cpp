@@ -3,8 +3,8 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
-#include "engine/base/pose.h"
 #include "engine/drivers/confirmed_programs.h"
+#include "engine/drivers/program_clock.h"
 #include "engine/drivers/program_files.h"
 #include "engine/drivers/program_link.h"
 #include "engine/protocols/line_splitter.h"
@@ -119,7 +119,6 @@ public:
         }
         return out;
     }
-    void skipId() { ++m_id; }
     /// Ends its input; returns how long it took to end, and whether it ended by itself.
     std::pair<double, bool> end() {
         const double ended_s = m_clock.now_s();
@@ -142,33 +141,28 @@ private:
         std::vector<ProgramLine> out;
         m_lines.add(m_link->read());
         while (const auto text = m_lines.next())
-            if (const auto line = parseProgramLine(*text, m_role); !line)
+            if (const auto line = parseProgramLine(*text, m_role)) {
+                check(*line, asked_s);
+                out.push_back(*line);
+            } else {
                 defect("\"" + plainWords(text->substr(0, 80)) + "\" is no line of the protocol (" +
                        describe(line.error()) + "): write nothing else to the standard output");
-            else if (check(*line, asked_s))
-                out.push_back(*line);
+            }
         if (out.empty() && !m_link->isOpen())
             throw ProgramIsGone{describe(m_link->problem())};
         return out;
     }
-    bool check(const ProgramLine& line, double asked_s) {
+    void check(const ProgramLine& line, double asked_s) {
         if (line.seq != ++m_seq)
             defect("line " + std::to_string(line.seq) + " (seq) comes instead of line " +
                    std::to_string(m_seq) + ": count each line that is written, from 1");
         m_seq = line.seq;
-        const double now_s = m_clock.now_s();
-        if (!m_first)
-            m_first = {line.time_s - now_s, line.time_s - asked_s};
-        else if (!m_isClockSet) {
-            m_first = {line.time_s - now_s, line.time_s - asked_s};
-            m_isClockSet = true;
-        }
-        const double off_s =
-            std::max(line.time_s - now_s - m_first->second, m_first->first - (line.time_s - asked_s));
-        if (m_isClockSet && off_s > kClockOff_s)
+        if (std::holds_alternative<ProgramHello>(line.what)) // it may have started slowly before
+            return;
+        const double off_s = m_programClock.off_s(line.time_s, asked_s, m_clock.now_s());
+        if (off_s > kClockOff_s)
             defect("its time is off by " + seconds(off_s) +
                    " since it began: take a clock that is never set, in seconds");
-        return true;
     }
 
     const SteadyClock m_clock;
@@ -177,8 +171,7 @@ private:
     std::unique_ptr<ProgramLink> m_link;
     LineSplitter m_lines{"\n", program::kLongestLine};
     std::int64_t m_id = 0, m_seq = 0;
-    std::optional<std::pair<double, double>> m_first; ///< its clock minus ours, least and most
-    bool m_isClockSet = false;                        ///< by an answer after the hello
+    ProgramClock m_programClock;
     std::vector<double> m_answered_s;
     std::set<std::string> m_defects, m_told;
 };
@@ -236,9 +229,8 @@ private:
                             (m_hello.serial.empty() ? std::string(", no serial number")
                                                     : ", serial number \"" + m_hello.serial + "\"");
         if (m_role == ProgramRole::Robot) {
-            words += ", takes " + std::string(m_hello.takesVelocities ? "velocities" : "steps") + ", axes";
-            for (const int axis : m_hello.axes)
-                words += ' ' + std::string(kCoordinateNames[static_cast<std::size_t>(axis)]);
+            words += ", takes " + std::string(m_hello.takesVelocities ? "velocities" : "steps") + ", axes " +
+                     coordinateNames(m_hello.axes);
         } else if (m_role == ProgramRole::Thermometer) {
             words += ", " + std::to_string(m_hello.channels) + " channels";
         } else {

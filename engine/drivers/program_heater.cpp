@@ -190,7 +190,8 @@ HeatSourceDriver programHeaterDriver() {
     driver.name = QT_TRANSLATE_NOOP("bask::Device", "Program of your own");
     driver.link = DriverLink::Program;
     driver.make = [](DriverLinks& links, const HeatSourceDeviceSpec& spec) -> MadeDevice<HeatSource> {
-        return std::make_unique<ProgramHeater>(links.program(), links.clock(), spec.mayHeatUnattended);
+        return std::make_unique<ProgramHeater>(links.program(ProgramRole::HeatSource), links.clock(),
+                                               spec.mayHeatUnattended);
     };
     return driver;
 }

@@ -5,6 +5,7 @@
 #include "engine/drivers/confirmed_programs.h"
 #include "engine/drivers/port_claim.h"
 #include "engine/drivers/program_files.h"
+#include "engine/drivers/spawn_process.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +20,6 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/eventfd.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -82,35 +82,6 @@ Pipe makePipe() {
 
 void setNonBlocking(const Descriptor& end) {
     ::fcntl(end.get(), F_SETFL, ::fcntl(end.get(), F_GETFL) | O_NONBLOCK);
-}
-
-/// The pid, or minus the error's number.
-int spawn(const ProgramFiles& files, const Descriptor& in, const Descriptor& out, const Descriptor& err) {
-    std::vector<char*> words;
-    for (const std::string& word : files.words)
-        words.push_back(const_cast<char*>(word.c_str()));
-    words.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, in.get(), STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, out.get(), STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, err.get(), STDERR_FILENO);
-    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes,
-                             POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-    sigset_t none, all;
-    sigemptyset(&none);
-    sigfillset(&all);
-    posix_spawnattr_setsigmask(&attributes, &none);
-    posix_spawnattr_setsigdefault(&attributes, &all);
-    pid_t pid = 0;
-    const int error =
-        ::posix_spawn(&pid, files.program.c_str(), &actions, &attributes, words.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    return error == 0 ? pid : -error;
 }
 
 std::string endWords(const siginfo_t& end, const std::string& note) {
@@ -271,9 +242,16 @@ private:
         Pipe in = makePipe(), out = makePipe(), err = makePipe();
         if (in.in.get() < 0 || out.in.get() < 0 || err.in.get() < 0)
             return {MessageCode::ProgramNotStarted, {m_name, std::strerror(errno)}};
-        const int pid = spawn(*files, in.in, out.out, err.out);
-        if (pid < 0)
-            return {MessageCode::ProgramNotStarted, {m_name, std::strerror(-pid)}};
+        pid_t pid = 0;
+        const int failed = spawnProcess(
+            {files->program,
+             files->words,
+             {{in.in.get(), STDIN_FILENO}, {out.out.get(), STDOUT_FILENO}, {err.out.get(), STDERR_FILENO}},
+             STDERR_FILENO + 1,
+             environ},
+            pid);
+        if (failed != 0)
+            return {MessageCode::ProgramNotStarted, {m_name, std::strerror(failed)}};
         m_pid = pid;
         m_in = std::move(in.out);
         m_out = std::move(out.in);

@@ -27,6 +27,13 @@ double unitOf(const AxisSpec& axis) {
     return axis.coordinate < kThetaX ? kMetre_mm : degFromRad(1.0);
 }
 
+std::vector<int> coordinatesOf(const std::vector<AxisSpec>& axes) {
+    std::vector<int> out;
+    for (const AxisSpec& axis : axes)
+        out.push_back(axis.coordinate);
+    return out;
+}
+
 } // namespace
 
 ProgramRobot::ProgramRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard, bool mustHome)
@@ -89,19 +96,14 @@ void ProgramRobot::take(const ProgramLine& line, const ProgramRequest* asked) {
 
 void ProgramRobot::takeHello(const ProgramHello& hello) {
     const std::vector<AxisSpec>& axes = m_planner.map().axes();
-    std::string own, rigs;
-    for (const int axis : hello.axes)
-        own += (own.empty() ? "" : ", ") + std::string(kCoordinateNames[static_cast<std::size_t>(axis)]);
-    for (const AxisSpec& axis : axes)
-        rigs += (rigs.empty() ? "" : ", ") +
-                std::string(kCoordinateNames[static_cast<std::size_t>(axis.coordinate)]);
     for (const int axis : hello.axes) {
         const auto found = std::ranges::find(axes, axis, &AxisSpec::coordinate);
         if (found != axes.end())
             m_order.push_back(static_cast<std::size_t>(found - axes.begin()));
     }
     if (m_order.size() != hello.axes.size() || m_order.size() != axes.size())
-        return m_talk.refuse("it moves " + own + ", and the rig's axes are " + rigs);
+        return m_talk.refuse("it moves " + coordinateNames(hello.axes) + ", and the rig's axes are " +
+                             coordinateNames(coordinatesOf(axes)));
     m_halted_s = m_clock.now_s();
     tellStop(); // before anything else
 }
@@ -111,8 +113,8 @@ void ProgramRobot::takeState(const ProgramRobotState& state, double at_s, bool i
         return m_talk.complain("a position of " + std::to_string(state.position.size()) +
                                " axes instead of " + std::to_string(m_order.size()));
     m_at.resize(m_order.size());
-    for (std::size_t i = 0; i < m_order.size();
-         ++i) { // as the planner rounds: at a limit it is not beyond it
+    // As the planner rounds: at a limit it is not beyond it.
+    for (std::size_t i = 0; i < m_order.size(); ++i) {
         const double position = state.position[i] * unitOf(m_planner.map().axes()[m_order[i]]);
         m_at[m_order[i]] = std::round(position * 1000.0) / 1000.0;
     }
@@ -172,11 +174,14 @@ void ProgramRobot::move() {
         return;
     if (m_clock.now_s() - m_at_s > kKnown_s)
         return;
-    if (!m_talk.hello()->takesVelocities && !m_talk.isWaitingFor(Kind::Step))
-        sendStep();
-    else if (m_talk.hello()->takesVelocities &&
-             !m_talk.isWaitingFor(Kind::Velocity)) // or they would queue up
+    // One at a time, or they would queue up.
+    const bool takesVelocities = m_talk.hello()->takesVelocities;
+    if (m_talk.isWaitingFor(takesVelocities ? Kind::Velocity : Kind::Step))
+        return;
+    if (takesVelocities)
         sendVelocity();
+    else
+        sendStep();
 }
 
 /// From where it is by now, as it was told to move.
@@ -345,8 +350,8 @@ Result<void> ProgramRobot::setTwist(const Vector6d& twist, double validFor_s) {
 
 Result<void> ProgramRobot::halt() {
     m_planner.forget();
-    if (m_talk.isLive() &&
-        !isMoving()) // it stands; or a fault, which halts it again and again, could not be homed
+    // One that stands is left alone: a fault halts it again and again, and it could not be homed.
+    if (m_talk.isLive() && !isMoving())
         return {};
     const bool wasHalted = std::exchange(m_isHalted, true);
     m_ratesUntil_s = -1e300;
@@ -403,8 +408,8 @@ RobotDriver programRobotDriver() {
     driver.canHome = true;
     driver.make = [](DriverLinks& links, const RobotDeviceSpec& spec, const AxisMap& axes,
                      MotionGuard mayGo) -> MadeDevice<Robot> {
-        return std::make_unique<ProgramRobot>(links.program(), links.clock(), axes, std::move(mayGo),
-                                              spec.mustHome.value_or(false));
+        return std::make_unique<ProgramRobot>(links.program(ProgramRole::Robot), links.clock(), axes,
+                                              std::move(mayGo), spec.mustHome.value_or(false));
     };
     return driver;
 }

@@ -60,7 +60,7 @@ void ProgramTalk::begin() {
     m_misfit.clear();
     m_asked.clear();
     m_bad_s.clear();
-    m_offset_s.reset();
+    m_programClock = {};
     m_rate.clear();
     m_id = m_seq = 0;
     m_nextRead_s = m_clock.now_s();
@@ -106,7 +106,7 @@ void ProgramTalk::takeLine(const std::string& text, const Take& take) {
     const double now_s = m_clock.now_s();
     if (request != nullptr)
         m_replyTime_s = now_s - request->sent_s;
-    if (line->what.index() >= 3 && mayWrite()) { // a state
+    if (line->isState() && mayWrite()) {
         m_state_s = now_s;
         m_rate.answered(now_s);
         m_wasLive = true;
@@ -145,11 +145,10 @@ bool ProgramTalk::answers(const ProgramLine& line, std::optional<ProgramRequest>
         return false;
     }
     const bool isRefusal = std::holds_alternative<ProgramRefusal>(line.what);
-    const bool isState = line.what.index() >= 3;
     const bool isHello = std::holds_alternative<ProgramHello>(line.what);
-    if (isRefusal || isHello == (asked->kind == Kind::Hello))
-        if (isRefusal || isHello || isState == (asked->kind == Kind::Read))
-            return true;
+    if (isRefusal ||
+        (isHello == (asked->kind == Kind::Hello) && line.isState() == (asked->kind == Kind::Read)))
+        return true;
     complain("request " + std::to_string(*line.id) + " is answered with something else");
     return false;
 }
@@ -160,14 +159,8 @@ bool ProgramTalk::checkClock(const ProgramLine& line, const ProgramRequest* aske
     if (asked == nullptr || asked->kind == Kind::Hello)
         return true;
     const double now_s = m_clock.now_s();
-    const double min_s = line.time_s - now_s, max_s = line.time_s - asked->sent_s;
-    if (!m_offset_s) {
-        m_offset_s = {min_s, max_s};
-        m_offsetFrom_s = now_s;
-        return true;
-    }
-    const double room_s = kClockOff_s + kClockDrift * (now_s - m_offsetFrom_s);
-    const double off_s = std::max(min_s - (*m_offset_s)[1], (*m_offset_s)[0] - max_s);
+    const double off_s = m_programClock.off_s(line.time_s, asked->sent_s, now_s);
+    const double room_s = kClockOff_s + kClockDrift * m_programClock.since_s(now_s);
     if (off_s <= room_s)
         return true;
     end("its clock is off by " + formatNumber(off_s, 2) + " s");

@@ -5,6 +5,7 @@
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/link_keeper.h"
+#include "engine/drivers/program_clock.h"
 #include "engine/drivers/reply_rate.h"
 #include "engine/protocols/line_splitter.h"
 #include "engine/protocols/program_lines.h"
@@ -104,9 +105,7 @@ private:
     double m_period_s = 0.05, m_nextRead_s = 0.0;
     double m_hello_s = -1e300, m_state_s = -1e300, m_replyTime_s = 0.0;
     bool m_wasLive = false;
-    /// The program's clock minus the engine's, as far as it is known, and since when.
-    std::optional<std::array<double, 2>> m_offset_s;
-    double m_offsetFrom_s = 0.0;
+    ProgramClock m_programClock;
     std::deque<double> m_bad_s;
     int m_discards = 0;
     Message m_ended, m_complaint;

@@ -5,30 +5,11 @@
 #include "engine/drivers/driver_catalogue.h"
 #include "engine/drivers/driver_make.h"
 #include "engine/drivers/picked_channels.h"
+#include "engine/drivers/sensor_fault.h"
 
 #include <algorithm>
 
 namespace bask {
-namespace {
-
-SensorFault faultOf(ProgramFault fault) {
-    switch (fault) {
-    case ProgramFault::None:
-        return SensorFault::None;
-    case ProgramFault::Open:
-        return SensorFault::Open;
-    case ProgramFault::Short:
-        return SensorFault::Short;
-    case ProgramFault::OutOfRange:
-        return SensorFault::OutOfRange;
-    case ProgramFault::Other:
-        break;
-    }
-    return SensorFault::Other;
-}
-
-} // namespace
-
 ProgramThermometer::ProgramThermometer(ByteLink& link, const Clock& clock, int channels)
     : m_talk(link, clock, ProgramRole::Thermometer), m_wanted(channels) {}
 
@@ -52,7 +33,7 @@ void ProgramThermometer::take(const ProgramLine& line, const ProgramRequest* ask
     m_readings.clear();
     for (const ProgramChannel& channel : *channels) {
         Reading reading{at_s, channel.temperature_K.value_or(0.0), channel.temperature_K.has_value(),
-                        faultOf(channel.fault)};
+                        sensorFault(channel.fault)};
         reading.standardUncertainty_K = channel.standardUncertainty_K;
         m_readings.push_back(reading);
     }
@@ -71,7 +52,8 @@ ThermometerDriver programThermometerDriver() {
     driver.link = DriverLink::Program;
     driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec) -> MadeDevice<Thermometer> {
         const int channels = spec.channels.empty() ? 0 : 1 + *std::ranges::max_element(spec.channels);
-        auto all = std::make_unique<ProgramThermometer>(links.program(), links.clock(), channels);
+        auto all = std::make_unique<ProgramThermometer>(links.program(ProgramRole::Thermometer),
+                                                        links.clock(), channels);
         if (spec.channels.empty())
             return all;
         Device& device = *all;

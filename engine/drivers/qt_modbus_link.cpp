@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/drivers/modbus_pdu.h"
+#include "engine/drivers/modbus_replies.h"
 #include "engine/drivers/serial_port.h"
 
 #include <QModbusReply>
@@ -68,7 +69,7 @@ struct QtModbusLink::Line {
     bool isLost = false;     ///< about to be closed
     bool isAnswered = false; ///< by the bytes that are being read
     std::optional<Asked> asked;
-    std::map<int, ModbusReply> replies;
+    ModbusReplies replies;
     std::map<int, std::vector<ModbusRequest>> unanswered; ///< by unit: answers to them may still come
     double quietUntil_s = -1e300;
     int lastNumber = 0, silent = 0, discarded = 0;
@@ -166,9 +167,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
 }
 
 void QtModbusLink::Line::deliver(ModbusReply reply) {
-    replies.emplace(asked->number, std::move(reply));
-    if (replies.size() > kMaxReplies)
-        replies.erase(replies.begin());
+    replies.deliver(asked->number, std::move(reply));
 }
 
 void QtModbusLink::Line::giveUp() {
@@ -269,12 +268,7 @@ int QtModbusLink::send(const ModbusRequest& request) {
 
 std::optional<ModbusReply> QtModbusLink::takeReply(int number) {
     m_line->look();
-    const auto it = m_line->replies.find(number);
-    if (it == m_line->replies.end())
-        return std::nullopt;
-    std::optional<ModbusReply> out(std::move(it->second));
-    m_line->replies.erase(it);
-    return out;
+    return m_line->replies.take(number);
 }
 
 std::string QtModbusLink::portId() const {

@@ -1,6 +1,7 @@
 #include "engine/drivers/rtu_link.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/modbus_replies.h"
 #include "engine/protocols/modbus_frame.h"
 
 #include <algorithm>
@@ -92,7 +93,7 @@ struct RtuLink::Line {
     double replyTime_s;
     std::string heard{};
     std::optional<Asked> asked{};
-    std::map<int, ModbusReply> replies{};
+    ModbusReplies replies{};
     std::map<int, std::vector<ModbusRequest>> unanswered{}; ///< by unit: answers to them may still come
     Message problem{}; ///< nobody has answered for long; None: that of the bytes counts
     double quietUntil_s = -1e300;
@@ -213,9 +214,7 @@ ModbusReply RtuLink::Line::judged(const std::string& frame) {
 }
 
 void RtuLink::Line::deliver(ModbusReply reply) {
-    replies.emplace(asked->number, std::move(reply));
-    if (replies.size() > kMaxReplies)
-        replies.erase(replies.begin());
+    replies.deliver(asked->number, std::move(reply));
 }
 
 /// Its answer may still come.
@@ -277,12 +276,7 @@ int RtuLink::overtake(const ModbusRequest& request) {
 
 std::optional<ModbusReply> RtuLink::takeReply(int number) {
     m_line->look();
-    const auto it = m_line->replies.find(number);
-    if (it == m_line->replies.end())
-        return std::nullopt;
-    std::optional<ModbusReply> out(std::move(it->second));
-    m_line->replies.erase(it);
-    return out;
+    return m_line->replies.take(number);
 }
 
 std::string RtuLink::name() const {

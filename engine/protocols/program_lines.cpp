@@ -2,6 +2,7 @@
 
 #include "engine/base/json_fields.h"
 #include "engine/base/pose.h"
+#include "engine/protocols/register_values.h"
 
 #include <nlohmann/json.hpp>
 
@@ -66,6 +67,17 @@ public:
     void orNull(const char* key, double max, std::optional<double>& out, bool required) {
         if (const json* j = find(key, required))
             orNull(*j, pathOf(key), max, out);
+    }
+    /// One of the words for a sensor's fault, or none.
+    void fault(const json& j, const std::string& path, std::string& out) const {
+        std::string known;
+        for (const std::string& word : sensorFaultWords()) {
+            known += ", " + word;
+            if (j == word)
+                out = word;
+        }
+        if (out.empty() && j != "")
+            fail(MessageCode::ValueUnknown, path, {plainWords(j.dump()), known});
     }
     /// The list of a key; null if it is missing or none.
     const json* list(const char* key, std::size_t max, bool required) {
@@ -178,11 +190,6 @@ ProgramRobotState readRobotState(LineFields& fields) {
 }
 
 std::vector<ProgramChannel> readChannels(LineFields& fields) {
-    static const std::map<std::string, ProgramFault> kFaults{{"", ProgramFault::None},
-                                                             {"open", ProgramFault::Open},
-                                                             {"short", ProgramFault::Short},
-                                                             {"out_of_range", ProgramFault::OutOfRange},
-                                                             {"other", ProgramFault::Other}};
     std::vector<ProgramChannel> out;
     const json* temperatures = fields.list("temperatures", kMaxChannels, true);
     if (temperatures == nullptr)
@@ -198,15 +205,8 @@ std::vector<ProgramChannel> readChannels(LineFields& fields) {
                       out[i].temperature_K);
     if (const json* faults = fields.list("faults", kMaxChannels, false);
         faults && isAsLong("faults", faults->size()))
-        for (std::size_t i = 0; i < out.size(); ++i) {
-            const json& fault = (*faults)[i];
-            const auto known = fault.is_string() ? kFaults.find(fault.get<std::string>()) : kFaults.end();
-            if (known == kFaults.end())
-                fields.fail(MessageCode::ValueUnknown, placeOf(fields, "faults", i),
-                            {plainWords(fault.dump()), Fields::joined(kFaults)});
-            else
-                out[i].fault = known->second;
-        }
+        for (std::size_t i = 0; i < out.size(); ++i)
+            fields.fault((*faults)[i], placeOf(fields, "faults", i), out[i].fault);
     std::vector<double> uncertainties;
     fields.read("uncertainties", uncertainties);
     if (!uncertainties.empty() && isAsLong("uncertainties", uncertainties.size()))
@@ -215,10 +215,10 @@ std::vector<ProgramChannel> readChannels(LineFields& fields) {
             fields.check(placeOf(fields, "uncertainties", i), uncertainties[i], 0.0, kMaxKelvin);
         }
     for (ProgramChannel& channel : out) // one with a fault and a number is not believed
-        if (channel.fault != ProgramFault::None)
+        if (!channel.fault.empty())
             channel.temperature_K.reset();
         else if (!channel.temperature_K)
-            channel.fault = ProgramFault::Other;
+            channel.fault = "other";
     return out;
 }
 
@@ -290,6 +290,14 @@ std::string written(const Line& line) {
 }
 
 } // namespace
+
+std::string coordinateNames(const std::vector<int>& coordinates) {
+    std::string out;
+    for (const int coordinate : coordinates)
+        out +=
+            (out.empty() ? "" : ", ") + std::string(kCoordinateNames[static_cast<std::size_t>(coordinate)]);
+    return out;
+}
 
 const char* programRoleWord(ProgramRole role) {
     switch (role) {

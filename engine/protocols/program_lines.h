@@ -22,6 +22,9 @@ inline constexpr double kDeadMan_s = 1.0;
 
 enum class ProgramRole { Robot, Thermometer, HeatSource };
 
+/// "x, y, theta_z"
+std::string coordinateNames(const std::vector<int>& coordinates);
+
 /// "robot", "thermometer", "heater": the role in lines and commands.
 const char* programRoleWord(ProgramRole role);
 
@@ -46,12 +49,9 @@ struct ProgramRobotState {
     std::string alarm;
 };
 
-/// What a program says of a channel without a temperature.
-enum class ProgramFault { None, Open, Short, OutOfRange, Other };
-
 struct ProgramChannel {
     std::optional<double> temperature_K;
-    ProgramFault fault = ProgramFault::None;
+    std::string fault; ///< why it has no temperature, one of sensorFaultWords(); empty if it has one
     double standardUncertainty_K = 0.0; ///< 0: not told
 };
 
@@ -76,6 +76,11 @@ struct ProgramLine {
     std::variant<ProgramDone, ProgramRefusal, ProgramHello, ProgramRobotState, std::vector<ProgramChannel>,
                  ProgramHeaterState>
         what;
+
+    bool isState() const {
+        return !std::holds_alternative<ProgramDone>(what) && !std::holds_alternative<ProgramRefusal>(what) &&
+               !std::holds_alternative<ProgramHello>(what);
+    }
 };
 
 /// Reads a line of a program of this role. Whatever does not follow the protocol is an error with its place

@@ -16,6 +16,7 @@
 #include "engine/drivers/tcp_link.h"
 #include "engine/protocols/modbus_frame.h"
 #include "engine/protocols/network_address.h"
+#include "engine/protocols/program_lines.h"
 #include "engine/rig/missing_devices.h"
 
 #include <QCoreApplication>
@@ -70,10 +71,6 @@ DeviceStatus statusOf(ThermalCamera& camera) {
         status.link = status.problem.code == MessageCode::CameraLost ? LinkState::Lost : LinkState::Opening;
     }
     return status;
-}
-
-const char* roleName(DeviceRole role) {
-    return role == DeviceRole::Robot ? "robot" : role == DeviceRole::Thermometer ? "thermometer" : "heater";
 }
 
 /// One that looks at its port on a thread of its own; an empty `portId` takes whatever port has that name.
@@ -132,8 +129,8 @@ struct RealRig::Parts {
             return *link;
         }
         ByteLink& tcp(int port) override { return add(std::make_unique<TcpLink>(m_spec.port, port)); }
-        ByteLink& program() override {
-            return add(std::make_unique<ProgramLink>(m_spec.port, roleName(m_role), m_parts.programs));
+        ByteLink& program(ProgramRole role) override {
+            return add(std::make_unique<ProgramLink>(m_spec.port, programRoleWord(role), m_parts.programs));
         }
 
     private:

@@ -18,6 +18,13 @@
 
 namespace bask::test {
 
+/// In memory where there is such a place: a busy disk would hold the engine, or what it talks to, up.
+inline QString folderInMemory() {
+    return (QFileInfo(QStringLiteral("/dev/shm")).isWritable() ? QStringLiteral("/dev/shm")
+                                                               : QDir::tempPath()) +
+           QStringLiteral("/bask-XXXXXX");
+}
+
 /// The engine on its thread, with everything it told.
 class LiveEngine : public QObject {
 public:
@@ -278,10 +285,7 @@ protected:
     bool m_isBenchStopped = false;
 
 private:
-    /// In memory where there is such a place: a busy disk would hold the engine up.
-    QTemporaryDir m_recordings{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
-                                   ? QStringLiteral("/dev/shm/bask-XXXXXX")
-                                   : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
+    QTemporaryDir m_recordings{folderInMemory()};
 
 protected:
     bool m_isLoaded = false;

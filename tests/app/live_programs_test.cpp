@@ -89,10 +89,7 @@ protected:
     }
     bool isHot() const { return world("plate").toDouble() > kelvinFromCelsius(150.0); }
 
-    /// In memory where there is such a place: a busy disk would hold the programs up.
-    QTemporaryDir m_folder{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
-                               ? QStringLiteral("/dev/shm/bask-XXXXXX")
-                               : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
+    QTemporaryDir m_folder{folderInMemory()};
     QProcess engine;
 };
 
