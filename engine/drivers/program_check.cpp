@@ -33,6 +33,7 @@ constexpr double kSettle_s = 0.3;                       ///< until a robot that 
 constexpr double kSwitched_s = 2.0;                     ///< until a relay has switched and the device says so
 constexpr double kWarmer_K = 5.0;
 constexpr double kClockOff_s = 0.5;
+constexpr double kTooCold_K = 150.0; ///< for a laboratory: degrees Celsius, probably
 
 /// What cannot go on.
 struct ProgramIsGone {
@@ -79,8 +80,8 @@ public:
                     m_answered_s.push_back(m_clock.now_s() - sent_s);
                     return std::move(line);
                 } else if (line.id) {
-                    defect("it answers request " + std::to_string(*line.id) + " (id) instead of " +
-                           std::to_string(id) + ": answer each request once, with its own id");
+                    defect("id", "it answers request " + std::to_string(*line.id) + " (id) instead of " +
+                                     std::to_string(id) + ": answer each request once, with its own id");
                 }
             rest();
         }
@@ -133,8 +134,9 @@ public:
 
 private:
     std::string lastDefect() const { return m_defects.empty() ? std::string() : "; " + *m_defects.rbegin(); }
-    void defect(const std::string& words) {
-        if (m_told.insert(words).second)
+    /// One of a kind is enough: the numbers in its words differ each time.
+    void defect(const char* kind, const std::string& words) {
+        if (m_told.insert(kind).second)
             m_defects.insert(words);
     }
     std::vector<ProgramLine> take(double asked_s) {
@@ -145,8 +147,10 @@ private:
                 check(*line, asked_s);
                 out.push_back(*line);
             } else {
-                defect("\"" + plainWords(text->substr(0, 80)) + "\" is no line of the protocol (" +
-                       describe(line.error()) + "): write nothing else to the standard output");
+                defect("line",
+                       "\"" + plainWords(text->substr(0, 80)) + "\" is no line of the protocol (" +
+                           describe(line.error()) +
+                           "): write lines of the protocol, and nothing else, to the standard output");
             }
         if (out.empty() && !m_link->isOpen())
             throw ProgramIsGone{describe(m_link->problem())};
@@ -154,15 +158,15 @@ private:
     }
     void check(const ProgramLine& line, double asked_s) {
         if (line.seq != ++m_seq)
-            defect("line " + std::to_string(line.seq) + " (seq) comes instead of line " +
-                   std::to_string(m_seq) + ": count each line that is written, from 1");
+            defect("seq", "line " + std::to_string(line.seq) + " (seq) comes instead of line " +
+                              std::to_string(m_seq) + ": count each line that is written, from 1");
         m_seq = line.seq;
         if (std::holds_alternative<ProgramHello>(line.what)) // it may have started slowly before
             return;
         const double off_s = m_programClock.off_s(line.time_s, asked_s, m_clock.now_s());
         if (off_s > kClockOff_s)
-            defect("its time is off by " + seconds(off_s) +
-                   " since it began: take a clock that is never set, in seconds");
+            defect("time", "its time is off by " + seconds(off_s) +
+                               " since it began: take a clock that is never set, in seconds");
     }
 
     const SteadyClock m_clock;
@@ -273,12 +277,21 @@ private:
               "answers read " + words + ", but " + seconds(kPrompt_s) +
                   " is the limit: read a slow device in the background, and give \"age\"");
         if (m_role == ProgramRole::Thermometer)
-            for (std::size_t i = 0; i < m_channels.size(); ++i)
+            for (std::size_t i = 0; i < m_channels.size(); ++i) {
+                checkKelvins("channel " + std::to_string(i), m_channels[i].temperature_K);
                 kept("channel " + std::to_string(i) + ": " +
                      (m_channels[i].temperature_K
                           ? formatNumber(*m_channels[i].temperature_K, 5) + " K (" +
                                 formatNumber(*m_channels[i].temperature_K - 273.15, 4) + " degC)"
                           : std::string("no temperature")));
+            }
+        if (m_role == ProgramRole::HeatSource)
+            checkKelvins("its surface", m_heater.temperature_K);
+    }
+    void checkKelvins(const std::string& of, const std::optional<double>& temperature_K) {
+        if (temperature_K && *temperature_K < kTooCold_K)
+            broken(of + " has " + formatNumber(*temperature_K, 5) +
+                   " K, which is too cold: tell kelvins (add 273.15 to degrees Celsius)");
     }
     void checkNonsense() {
         const auto unknown = m_program->ask("dance");
@@ -286,7 +299,13 @@ private:
               "refuses a request that it does not know", "does not answer an unknown request with \"error\"");
         m_program->write("this is no JSON\n");
         m_program->write("[]\n");
-        (void)m_program->listen(0.2);
+        const auto answers = m_program->listen(0.2);
+        judge(std::ranges::any_of(answers,
+                                  [](const ProgramLine& line) {
+                                      return !line.id && std::holds_alternative<ProgramRefusal>(line.what);
+                                  }),
+              "says that it cannot read a line",
+              R"(does not answer a line that it cannot read with "id": null and "error")");
         readState();
         kept("goes on after lines that it cannot read");
     }
@@ -322,9 +341,18 @@ private:
         }
         if (const auto* refusal = std::get_if<ProgramRefusal>(&answer->what)) {
             broken("refuses " + name + ": " + refusal->words);
+            if (m_role == ProgramRole::Robot && drift() > kStill)
+                broken("refuses " + name + ", and moves nevertheless");
             return false;
         }
         return true;
+    }
+    /// A command that must not be carried out.
+    bool isRefused(const std::string& what, const std::string& rest) {
+        const auto answer = m_program->ask([&](std::int64_t id) {
+            return R"({"id": )" + std::to_string(id) + R"(, "do": ")" + what + "\", " + rest + "}\n";
+        });
+        return answer && std::holds_alternative<ProgramRefusal>(answer->what);
     }
     void readFor(double for_s) {
         const double until_s = m_clock.now_s() + for_s;
@@ -360,8 +388,11 @@ private:
                             std::string(m_hello.canHome ? ", or take --home" : ""));
         judge(isStanding(), "stands before it is told to move",
               "moves, or says so, although nobody has told it to");
+        checkWrongCount();
         checkMotion();
         checkStop();
+        (void)m_program->ask("clear");
+        judge(isStanding(), "stands after clear", "moves after clear, which may only clear an alarm");
         checkRobotDeadMan();
         checkLimits();
     }
@@ -376,6 +407,23 @@ private:
         judge(m_wasMoving, "says that it moves while it homes",
               "\"moving\" is false right after home: set it until homing has ended");
         judge(m_robot.isSure, "is sure of its place after homing", "is not sure of its place after homing");
+    }
+    /// One number more than it has axes.
+    void checkWrongCount() {
+        std::vector<double> goal = m_robot.position;
+        goal[m_axis] += ratesOf(0.5)[m_axis];
+        std::string numbers;
+        for (const double number : m_hello.takesVelocities ? ratesOf(1.0) : goal)
+            numbers += formatNumber(number, 17) + ", ";
+        numbers += "0.0";
+        const bool isNo = m_hello.takesVelocities
+                              ? isRefused("velocity", "\"rates\": [" + numbers + "], \"valid_for\": 0.5")
+                              : isRefused("step", "\"to\": [" + numbers + "], \"duration\": 0.5");
+        judge(
+            isNo && isStanding(), "refuses a command of a wrong length",
+            "does not refuse a command with one number too many, or moves for it: answer it with \"error\"");
+        (void)m_program->ask("stop");
+        readFor(kSettle_s);
     }
     /// There and back, by as much.
     void checkMotion() {
@@ -466,6 +514,8 @@ private:
         judge(above && std::holds_alternative<ProgramRefusal>(above->what),
               "refuses a set point above max_temperature",
               "does not refuse a set point above max_temperature");
+        judge(isRefused("heat", R"("set_point": "w", "valid_for": 1.0)") && waitsFor(false, 0.2),
+              "refuses a set point that is no number", "does not refuse a set point that is no number");
         (void)m_program->ask("off");
         m_setPoint_K = std::min(m_heater.temperature_K.value_or(295.0) + kWarmer_K, m_hello.maxTemperature_K);
         heat(5.0);
@@ -508,14 +558,16 @@ private:
         judge(isByItself, "ends " + seconds(took_s) + " after the end of its input",
               "does not end within 1 s of the end of its input: it was ended by a signal after " +
                   seconds(took_s));
-        if (!moves && !heats)
-            return;
         m_program = std::make_unique<CheckedProgram>(m_command, m_role, m_confirmed, m_options.isStopped);
-        m_hello = m_program->hello();
+        const ProgramHello before = std::exchange(m_hello, m_program->hello());
+        judge(m_hello.name == before.name && m_hello.serial == before.serial,
+              "is the same device after a new start",
+              "has another name or serial number after a new start (\"" + m_hello.name + "\", \"" +
+                  m_hello.serial + "\"): Bask would take it for another device");
         readState();
         if (moves)
             judge(isStanding(), "has stopped at the end of its input", "goes on after the end of its input");
-        else
+        else if (heats)
             judge(!m_heater.isHeating, "has switched off at the end of its input",
                   "heats on after the end of its input");
         (void)m_program->end();
