@@ -165,4 +165,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>bask::TrafficModel</name>
+    <message numerus="yes">
+        <source>%1… (%n bytes)</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

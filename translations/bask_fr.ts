@@ -1931,6 +1931,18 @@
         <source>The program &quot;%1&quot; is confirmed on this computer</source>
         <translation>Le programme «&#xa0;%1&#xa0;» est confirmé sur cet ordinateur</translation>
     </message>
+    <message>
+        <source>the link to &quot;%1&quot; is in the hands of a person at the console: Bask takes it back 3 s after the last that is sent by hand.</source>
+        <translation>la liaison avec «&#xa0;%1&#xa0;» est entre les mains d’une personne à la console&#xa0;: Bask la reprend 3 s après le dernier envoi à la main.</translation>
+    </message>
+    <message>
+        <source>The source was set to %1 but reads back %2, which is %3 times that: its numbers mean something else than its profile says. It is not heated. Set device and profile to the same scale, then reset.</source>
+        <translation>La source a été réglée sur %1 mais relit %2, soit %3 fois cela&#xa0;: ses nombres signifient autre chose que ce que dit son profil. Elle n’est pas chauffée. Mettez l’appareil et le profil à la même échelle, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>Sent by hand to &quot;%1&quot;: %2</source>
+        <translation>Envoyé à la main à «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3881,6 +3893,109 @@
     <message>
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>Voir ce qui serait lancé, et l’autoriser sur cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceConsole</name>
+    <message>
+        <source>Nothing is sent by hand while a run is armed or on, the heat is on or the robot moves.</source>
+        <translation>Rien n’est envoyé à la main tant qu’un essai est armé ou en cours, que le chauffage est en marche ou que le robot bouge.</translation>
+    </message>
+    <message>
+        <source>Bask sends this as it is and checks no limit: the robot can move and the source can heat. Bask lets the device go meanwhile, and takes it back 3 s later.</source>
+        <translation>Bask envoie ceci tel quel et ne vérifie aucune limite&#xa0;: le robot peut bouger et la source peut chauffer. Bask lâche l’appareil pendant ce temps et le reprend 3 s plus tard.</translation>
+    </message>
+    <message>
+        <source>No link to a device is open.</source>
+        <translation>Aucune liaison avec un appareil n’est ouverte.</translation>
+    </message>
+    <message>
+        <source>Device console</source>
+        <translation>Console des appareils</translation>
+    </message>
+    <message>
+        <source>All links</source>
+        <translation>Toutes les liaisons</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>Les deux sens</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>Envoyé</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>Reçu</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Show only rows with this text</source>
+        <translation>N’afficher que les lignes avec ce texte</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtre</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>The traffic of the last 10 minutes is kept meanwhile</source>
+        <translation>Le trafic des 10 dernières minutes est conservé pendant ce temps</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copies the selected rows, or all that are shown: the newest 8 million characters</source>
+        <translation>Copie les lignes choisies, ou toutes celles qui sont affichées&#xa0;: les 8 millions de caractères les plus récents</translation>
+    </message>
+    <message>
+        <source>Link to send to</source>
+        <translation>Liaison vers laquelle envoyer</translation>
+    </message>
+    <message>
+        <source>Text to send</source>
+        <translation>Texte à envoyer</translation>
+    </message>
+    <message>
+        <source>ends with \n</source>
+        <translation>se termine par \n</translation>
+    </message>
+    <message>
+        <source>ends with \r</source>
+        <translation>se termine par \r</translation>
+    </message>
+    <message>
+        <source>ends with \r\n</source>
+        <translation>se termine par \r\n</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>tel quel</translation>
+    </message>
+    <message>
+        <source>hexadecimal</source>
+        <translation>hexadécimal</translation>
+    </message>
+    <message>
+        <source>End of the text</source>
+        <translation>Fin du texte</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Envoyer</translation>
     </message>
 </context>
 <context>
@@ -7147,6 +7262,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Write these devices to a rig file, for other experiments</source>
         <translation>Écrire ces appareils dans un fichier de banc, pour d’autres expériences</translation>
     </message>
+    <message>
+        <source>Console…</source>
+        <translation>Console…</translation>
+    </message>
+    <message>
+        <source>What goes over the links to the devices</source>
+        <translation>Ce qui passe par les liaisons avec les appareils</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigPage</name>
@@ -9574,6 +9697,56 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
 </context>
 <context>
+    <name>bask::TrafficModel</name>
+    <message>
+        <source>sent</source>
+        <translation>envoyé</translation>
+    </message>
+    <message>
+        <source>sent by hand</source>
+        <translation>envoyé à la main</translation>
+    </message>
+    <message>
+        <source>received</source>
+        <translation>reçu</translation>
+    </message>
+    <message>
+        <source>error output</source>
+        <translation>sortie d’erreur</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>ouvert</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>fermé</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1… (%n bytes)</source>
+        <translation>
+            <numerusform>%1… (%n octet)</numerusform>
+            <numerusform>%1… (%n octets)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Heure</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Liaison</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>Octets</translation>
+    </message>
+</context>
+<context>
     <name>bask::TransportBar</name>
     <message>
         <source>Pause</source>
@@ -9650,6 +9823,41 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>bask::UnitFinder</name>
+    <message>
+        <source>Unit %1: %2 (%3)</source>
+        <translation>Unité %1&#xa0;: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Unit %1 answers, but no profile of this role fits</source>
+        <translation>L’unité %1 répond, mais aucun profil de ce rôle ne convient</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Find devices</source>
+        <translation>Chercher les appareils</translation>
+    </message>
+    <message>
+        <source>Asks units 1 to 16 at this port. Nothing is written.</source>
+        <translation>Interroge les unités 1 à 16 à ce port. Rien n’est écrit.</translation>
+    </message>
+    <message>
+        <source>%1 %, unit %2, %3</source>
+        <translation>%1 %, unité %2, %3</translation>
+    </message>
+    <message>
+        <source>No unit from 1 to 16 answers.</source>
+        <translation>Aucune unité de 1 à 16 ne répond.</translation>
+    </message>
+    <message>
+        <source>Choose one:</source>
+        <translation>Choisissez-en un&#xa0;:</translation>
     </message>
 </context>
 <context>

@@ -1931,6 +1931,18 @@
         <source>The program &quot;%1&quot; is confirmed on this computer</source>
         <translation>程序“%1”已在本计算机上确认</translation>
     </message>
+    <message>
+        <source>the link to &quot;%1&quot; is in the hands of a person at the console: Bask takes it back 3 s after the last that is sent by hand.</source>
+        <translation>与“%1”的链路正由控制台前的人使用：最后一次手动发送 3 s 后，Bask 取回它。</translation>
+    </message>
+    <message>
+        <source>The source was set to %1 but reads back %2, which is %3 times that: its numbers mean something else than its profile says. It is not heated. Set device and profile to the same scale, then reset.</source>
+        <translation>热源设定为 %1，但读回 %2，是设定值的 %3 倍：它的数值含义与其配置文件所述不同。不对它加热。请使设备与配置文件的比例一致，然后复位。</translation>
+    </message>
+    <message>
+        <source>Sent by hand to &quot;%1&quot;: %2</source>
+        <translation>手动发送到“%1”：%2</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3876,6 +3888,109 @@
     <message>
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>查看将启动的内容，并在本计算机上允许</translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceConsole</name>
+    <message>
+        <source>Nothing is sent by hand while a run is armed or on, the heat is on or the robot moves.</source>
+        <translation>运行已预备或进行中、加热开启或机器人运动时，不能手动发送。</translation>
+    </message>
+    <message>
+        <source>Bask sends this as it is and checks no limit: the robot can move and the source can heat. Bask lets the device go meanwhile, and takes it back 3 s later.</source>
+        <translation>Bask 原样发送，不检查任何限值：机器人可能运动，热源可能加热。期间 Bask 放开该设备，3 s 后取回。</translation>
+    </message>
+    <message>
+        <source>No link to a device is open.</source>
+        <translation>没有打开的设备链路。</translation>
+    </message>
+    <message>
+        <source>Device console</source>
+        <translation>设备控制台</translation>
+    </message>
+    <message>
+        <source>All links</source>
+        <translation>全部链路</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>双向</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>接收</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Show only rows with this text</source>
+        <translation>只显示含此文字的行</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>The traffic of the last 10 minutes is kept meanwhile</source>
+        <translation>期间仍保留最近 10 分钟的通信</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copies the selected rows, or all that are shown: the newest 8 million characters</source>
+        <translation>复制选中的行，或所有显示的行：最新的 800 万个字符</translation>
+    </message>
+    <message>
+        <source>Link to send to</source>
+        <translation>发送到的链路</translation>
+    </message>
+    <message>
+        <source>Text to send</source>
+        <translation>要发送的文字</translation>
+    </message>
+    <message>
+        <source>ends with \n</source>
+        <translation>以 \n 结尾</translation>
+    </message>
+    <message>
+        <source>ends with \r</source>
+        <translation>以 \r 结尾</translation>
+    </message>
+    <message>
+        <source>ends with \r\n</source>
+        <translation>以 \r\n 结尾</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>原样</translation>
+    </message>
+    <message>
+        <source>hexadecimal</source>
+        <translation>十六进制</translation>
+    </message>
+    <message>
+        <source>End of the text</source>
+        <translation>文字结尾</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>发送</translation>
     </message>
 </context>
 <context>
@@ -7139,6 +7254,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Write these devices to a rig file, for other experiments</source>
         <translation>将这些设备写入装置文件，供其他实验使用</translation>
     </message>
+    <message>
+        <source>Console…</source>
+        <translation>控制台…</translation>
+    </message>
+    <message>
+        <source>What goes over the links to the devices</source>
+        <translation>设备链路上往来的内容</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigPage</name>
@@ -9555,6 +9678,55 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::TrafficModel</name>
+    <message>
+        <source>sent</source>
+        <translation>发送</translation>
+    </message>
+    <message>
+        <source>sent by hand</source>
+        <translation>手动发送</translation>
+    </message>
+    <message>
+        <source>received</source>
+        <translation>接收</translation>
+    </message>
+    <message>
+        <source>error output</source>
+        <translation>错误输出</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>关闭</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1… (%n bytes)</source>
+        <translation>
+            <numerusform>%1…（%n 字节）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>链路</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>字节</translation>
+    </message>
+</context>
+<context>
     <name>bask::TransportBar</name>
     <message>
         <source>Pause</source>
@@ -9631,6 +9803,41 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>这将允许装置超出现在的范围。机器人、热源、物体和传感器能承受吗？</translation>
+    </message>
+</context>
+<context>
+    <name>bask::UnitFinder</name>
+    <message>
+        <source>Unit %1: %2 (%3)</source>
+        <translation>单元 %1：%2（%3）</translation>
+    </message>
+    <message>
+        <source>Unit %1 answers, but no profile of this role fits</source>
+        <translation>单元 %1 有应答，但没有适合此角色的配置文件</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Find devices</source>
+        <translation>查找设备</translation>
+    </message>
+    <message>
+        <source>Asks units 1 to 16 at this port. Nothing is written.</source>
+        <translation>在此端口询问单元 1 到 16。不写入任何内容。</translation>
+    </message>
+    <message>
+        <source>%1 %, unit %2, %3</source>
+        <translation>%1 %，单元 %2，%3</translation>
+    </message>
+    <message>
+        <source>No unit from 1 to 16 answers.</source>
+        <translation>单元 1 到 16 均无应答。</translation>
+    </message>
+    <message>
+        <source>Choose one:</source>
+        <translation>请选择一项：</translation>
     </message>
 </context>
 <context>

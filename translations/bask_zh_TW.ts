@@ -1931,6 +1931,18 @@
         <source>The program &quot;%1&quot; is confirmed on this computer</source>
         <translation>程式「%1」已在本電腦上確認</translation>
     </message>
+    <message>
+        <source>the link to &quot;%1&quot; is in the hands of a person at the console: Bask takes it back 3 s after the last that is sent by hand.</source>
+        <translation>與「%1」的連線正由主控台前的人使用：最後一次手動傳送 3 s 後，Bask 取回它。</translation>
+    </message>
+    <message>
+        <source>The source was set to %1 but reads back %2, which is %3 times that: its numbers mean something else than its profile says. It is not heated. Set device and profile to the same scale, then reset.</source>
+        <translation>熱源設定為 %1，但讀回 %2，是設定值的 %3 倍：它的數值含義與其設定檔所述不同。不對它加熱。請使裝置與設定檔的比例一致，然後復歸。</translation>
+    </message>
+    <message>
+        <source>Sent by hand to &quot;%1&quot;: %2</source>
+        <translation>手動傳送到「%1」：%2</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3876,6 +3888,109 @@
     <message>
         <source>Look at what would be started, and allow it on this computer</source>
         <translation>查看將啟動的內容，並在本電腦上允許</translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceConsole</name>
+    <message>
+        <source>Nothing is sent by hand while a run is armed or on, the heat is on or the robot moves.</source>
+        <translation>執行已預備或進行中、加熱開啟或機器人移動時，不能手動傳送。</translation>
+    </message>
+    <message>
+        <source>Bask sends this as it is and checks no limit: the robot can move and the source can heat. Bask lets the device go meanwhile, and takes it back 3 s later.</source>
+        <translation>Bask 原樣傳送，不檢查任何限值：機器人可能移動，熱源可能加熱。期間 Bask 放開該裝置，3 s 後取回。</translation>
+    </message>
+    <message>
+        <source>No link to a device is open.</source>
+        <translation>沒有開啟的裝置連線。</translation>
+    </message>
+    <message>
+        <source>Device console</source>
+        <translation>裝置主控台</translation>
+    </message>
+    <message>
+        <source>All links</source>
+        <translation>全部連線</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>連線</translation>
+    </message>
+    <message>
+        <source>Both directions</source>
+        <translation>雙向</translation>
+    </message>
+    <message>
+        <source>Sent</source>
+        <translation>傳送</translation>
+    </message>
+    <message>
+        <source>Received</source>
+        <translation>接收</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Show only rows with this text</source>
+        <translation>只顯示含此文字的列</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>篩選</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暫停</translation>
+    </message>
+    <message>
+        <source>The traffic of the last 10 minutes is kept meanwhile</source>
+        <translation>期間仍保留最近 10 分鐘的通訊</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Copies the selected rows, or all that are shown: the newest 8 million characters</source>
+        <translation>複製選取的列，或所有顯示的列：最新的 800 萬個字元</translation>
+    </message>
+    <message>
+        <source>Link to send to</source>
+        <translation>傳送到的連線</translation>
+    </message>
+    <message>
+        <source>Text to send</source>
+        <translation>要傳送的文字</translation>
+    </message>
+    <message>
+        <source>ends with \n</source>
+        <translation>以 \n 結尾</translation>
+    </message>
+    <message>
+        <source>ends with \r</source>
+        <translation>以 \r 結尾</translation>
+    </message>
+    <message>
+        <source>ends with \r\n</source>
+        <translation>以 \r\n 結尾</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>原樣</translation>
+    </message>
+    <message>
+        <source>hexadecimal</source>
+        <translation>十六進位</translation>
+    </message>
+    <message>
+        <source>End of the text</source>
+        <translation>文字結尾</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>傳送</translation>
     </message>
 </context>
 <context>
@@ -7139,6 +7254,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Write these devices to a rig file, for other experiments</source>
         <translation>將這些裝置寫入實驗台檔案，供其他實驗使用</translation>
     </message>
+    <message>
+        <source>Console…</source>
+        <translation>主控台…</translation>
+    </message>
+    <message>
+        <source>What goes over the links to the devices</source>
+        <translation>裝置連線上往來的內容</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigPage</name>
@@ -9555,6 +9678,55 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::TrafficModel</name>
+    <message>
+        <source>sent</source>
+        <translation>傳送</translation>
+    </message>
+    <message>
+        <source>sent by hand</source>
+        <translation>手動傳送</translation>
+    </message>
+    <message>
+        <source>received</source>
+        <translation>接收</translation>
+    </message>
+    <message>
+        <source>error output</source>
+        <translation>錯誤輸出</translation>
+    </message>
+    <message>
+        <source>opened</source>
+        <translation>開啟</translation>
+    </message>
+    <message>
+        <source>closed</source>
+        <translation>關閉</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1… (%n bytes)</source>
+        <translation>
+            <numerusform>%1…（%n 位元組）</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>時間</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>連線</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>方向</translation>
+    </message>
+    <message>
+        <source>Bytes</source>
+        <translation>位元組</translation>
+    </message>
+</context>
+<context>
     <name>bask::TransportBar</name>
     <message>
         <source>Pause</source>
@@ -9631,6 +9803,41 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
         <translation>這將允許實驗台超出現在的範圍。機器人、熱源、物體和感測器能承受嗎？</translation>
+    </message>
+</context>
+<context>
+    <name>bask::UnitFinder</name>
+    <message>
+        <source>Unit %1: %2 (%3)</source>
+        <translation>單元 %1：%2（%3）</translation>
+    </message>
+    <message>
+        <source>Unit %1 answers, but no profile of this role fits</source>
+        <translation>單元 %1 有回應，但沒有適合此角色的設定檔</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Find devices</source>
+        <translation>尋找裝置</translation>
+    </message>
+    <message>
+        <source>Asks units 1 to 16 at this port. Nothing is written.</source>
+        <translation>在此連接埠詢問單元 1 到 16。不寫入任何內容。</translation>
+    </message>
+    <message>
+        <source>%1 %, unit %2, %3</source>
+        <translation>%1 %，單元 %2，%3</translation>
+    </message>
+    <message>
+        <source>No unit from 1 to 16 answers.</source>
+        <translation>單元 1 到 16 均無回應。</translation>
+    </message>
+    <message>
+        <source>Choose one:</source>
+        <translation>請選擇一項：</translation>
     </message>
 </context>
 <context>

@@ -21,6 +21,8 @@ constexpr double kHysteresis_K = 2.0; ///< for the limits of objects and source
 /// a sensor with exactly the same value is frozen beyond this expected change
 constexpr double kWhileSame_K = 0.5;
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
+constexpr double kSameScale = 0.01;       ///< of a set point read back as a multiple of the one written
+constexpr double kReadBack_s = 3.0;       ///< until a controller has taken a new set point
 constexpr double kColder_K = 5.0;         ///< below room temperature
 constexpr double kHandWarm_K = 30.0;      ///< above room temperature: a source that needs a warning
 constexpr double kLate_s = 1.0;           ///< delay of the loop
@@ -399,8 +401,9 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
                                        {temperatureArg(*seen.asked_K), temperatureArg(*seen.readBack_K)}});
 }
 
-// A controller that uses another unit than its profile heats far beyond its command, or reports far more than
-// the true temperature. No source is colder than the room.
+// A controller that uses another unit or scale than its profile heats far beyond its command, or reports far
+// more than the true temperature. No source is colder than the room. A scale shows where the set point is
+// read back from another register than it was written to; where it is the same one, both are wrong alike.
 void SafetyMonitor::addUnit(const SafetyObservation& seen) {
     if (!seen.isSourceSwitched)
         return;
@@ -420,7 +423,20 @@ void SafetyMonitor::addUnit(const SafetyObservation& seen) {
     const double back_degC = celsiusFromKelvin(*seen.readBack_K);
     if (std::abs(back_degC - displayTemperature(*seen.asked_K, TemperatureUnit::Fahrenheit)) <=
         kSetPointTrifle_K)
-        tellsOtherUnit(back_degC, *seen.asked_K);
+        return tellsOtherUnit(back_degC, *seen.asked_K);
+    if (std::abs(*seen.asked_K - m_asked_K) > kSetPointTrifle_K) {
+        m_asked_K = *seen.asked_K;
+        m_askedFrom_s = seen.now_s;
+    }
+    if (seen.now_s - m_askedFrom_s < kReadBack_s)
+        return; // what is read back may be the one before
+    const double asked_degC = celsiusFromKelvin(*seen.asked_K);
+    for (const double factor : {0.1, 0.5, 2.0, 10.0})
+        if (std::abs(back_degC - factor * asked_degC) <= kSameScale * factor * asked_degC &&
+            std::abs(back_degC - asked_degC) > kSetPointTrifle_K)
+            add(Condition::SourceUnit,
+                {MessageCode::SafetySourceScale,
+                 {temperatureArg(*seen.asked_K), temperatureArg(*seen.readBack_K), formatNumber(factor)}});
 }
 
 void SafetyMonitor::addRig(const SafetyObservation& seen) {

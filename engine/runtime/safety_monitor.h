@@ -206,6 +206,7 @@ private:
     Neighbours m_neighbours;
     double m_coldAfter_s; ///< after this time without heat all objects are at the room's temperature
     double m_lastHeat_s = -1e300;
+    double m_asked_K = 0.0, m_askedFrom_s = 0.0; ///< set point, and since when it is about this
     double m_now_s = 0.0;
     double m_lostSince_s = 0.0;
     double m_lostLast_s = -1e300;

@@ -129,6 +129,33 @@ TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
     EXPECT_EQ(changes.raised[0].message, (Message{MessageCode::SafetySourceUnit, {"392", "200"}}));
 }
 
+// Catches a controller whose numbers are half degrees, and is heated twice as far as it says.
+TEST(SafetyMonitor, ASourceThatReadsBackAMultipleIsNotHeated) {
+    Monitor m;
+    m.seen.isSourceSwitched = true;
+    m.seen.asked_K = kelvinFromCelsius(200.0);
+    m.seen.readBack_K = kelvinFromCelsius(100.0); // still the one before
+    m.after(1.0);
+    m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceUnit));
+    m.seen.readBack_K = kelvinFromCelsius(180.0); // its own limit
+    for (int i = 0; i < 5; ++i)
+        m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceUnit));
+    for (const double back_degC : {20.0, 100.0, 400.0}) {
+        m.seen.readBack_K = kelvinFromCelsius(200.0);
+        m.after(1.0);
+        m.after(1.0);
+        EXPECT_FALSE(m.isActive(SafetyCondition::SourceUnit));
+        m.seen.readBack_K = kelvinFromCelsius(back_degC);
+        m.after(1.0);
+        const SafetyChanges changes = m.after(1.0);
+        ASSERT_EQ(changes.raised.size(), 1U) << back_degC;
+        EXPECT_EQ(changes.raised[0].message.code, MessageCode::SafetySourceScale);
+        EXPECT_EQ(argTexts(changes.raised[0].message).at(2), formatNumber(back_degC / 200.0));
+    }
+}
+
 // Catches a robot whose retreat takes far longer than the experiment says, and nobody knows before the run.
 TEST(SafetyMonitor, ARobotThatCannotFollowIsToldWithTheTimeOfARetreat) {
     Monitor m;
