@@ -76,7 +76,7 @@ def qt_in_engine(path):
         return path.suffix not in HEADER_SUFFIXES
     if path.parts[:2] == ("engine", "recipe"):
         return name == "recipe_file.cpp"
-    if path.parts[:2] == ("engine", "drivers"):  # serial ports, sockets, QtSerialBus
+    if path.parts[:2] == ("engine", "drivers"):  # serial ports, sockets
         return path.suffix not in HEADER_SUFFIXES
     if path.parts[:2] == ("engine", "runtime"):
         return name.startswith("engine_worker")

@@ -12,7 +12,7 @@ run_packages="
     g++ cmake ninja-build pkg-config
     libeigen3-dev nlohmann-json3-dev libopencv-dev libvtk9-dev libqcustomplot-dev libdxflib-dev libceres-dev libhdf5-dev
     qt6-base-dev libqt6opengl6-dev? qt6-svg-dev|libqt6svg6-dev libqt6sql6-sqlite
-    qt6-serialport-dev|libqt6serialport6-dev qt6-serialbus-dev|libqt6serialbus6-dev
+    qt6-serialport-dev|libqt6serialport6-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
     libgl-dev libgl1-mesa-dri fonts-dejavu-core"
 test_packages="

@@ -25,8 +25,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kName = "scan-modbus";
 constexpr const char* kUsualLines = "19200-8E1,9600-8N1";
-constexpr const char* kCommonLines =
-    "19200-8E1,9600-8N1,9600-8E1,19200-8N1,38400-8N1,57600-8N1,115200-8N1,4800-8N1";
 
 int refuse(const std::string& words) {
     std::fprintf(stderr, "bask %s: %s\n", kName, words.c_str());
@@ -36,6 +34,13 @@ int refuse(const std::string& words) {
 std::string lineText(const SerialSettings& line) {
     return std::to_string(line.baud) + '-' + std::to_string(line.dataBits) + line.parity +
            std::to_string(line.stopBits);
+}
+
+QString commonLines() {
+    QStringList out;
+    for (const SerialSettings& line : kCommonModbusLines)
+        out << QString::fromStdString(lineText(line));
+    return out.join(u',');
 }
 
 /// "9600-8N1,19200-8E1"; empty if one of them is none.
@@ -125,7 +130,7 @@ int scanModbusCommand(const QStringList& arguments) {
          {"line",
           QStringLiteral("Settings of the serial line, tried until a unit answers: %1 if none are given, "
                          "\"common\" for %2.")
-              .arg(QLatin1String(kUsualLines), QLatin1String(kCommonLines)),
+              .arg(QLatin1String(kUsualLines), commonLines()),
           "BAUD-8N1[,...]", kUsualLines},
          {"json", "Prints what was found as JSON."}});
     if (const auto code = parseCommand(parser, kName, arguments, 1))
@@ -140,7 +145,7 @@ int scanModbusCommand(const QStringList& arguments) {
     const QString lines = parser.value("line");
     spec.port = parser.positionalArguments().first().toStdString();
     spec.isNetwork = !spec.port.starts_with('/') && !spec.port.starts_with('.');
-    spec.lines = linesOf(lines == QLatin1String("common") ? QString::fromLatin1(kCommonLines) : lines);
+    spec.lines = lines == QLatin1String("common") ? kCommonModbusLines : linesOf(lines);
     if (spec.lines.empty())
         return refuse("--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1, several with commas, or common");
     if (spec.isNetwork)

@@ -1,6 +1,7 @@
 #pragma once
 // Finds the Modbus units that answer at a port, and which of the shipped profiles fit. It only reads.
 
+#include "engine/drivers/found_units.h"
 #include "engine/drivers/modbus_link.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_ranges.h"
@@ -8,31 +9,10 @@
 #include <deque>
 #include <map>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <vector>
 
 namespace bask {
-
-/// A profile all of whose registers a unit has, with temperatures that a laboratory can have.
-struct ProfileFit {
-    std::string profile;
-    std::vector<double> temperatures_K; ///< of its channels, or process value and set point; NaN: none
-    std::string signature;              ///< what its identity registers hold; empty if it names none
-    bool isTypeTold = false;            ///< the unit itself reports that it is such a device
-    int registers = 0;                  ///< number of registers that were read for it
-
-    bool operator==(const ProfileFit&) const = default;
-};
-
-struct FoundUnit {
-    int unit = 0;
-    std::vector<ProfileFit> fits; ///< the most probable one first
-    /// The first unit with the same signature: a device on a network may answer to every number. 0: none.
-    int sameAs = 0;
-
-    bool operator==(const FoundUnit&) const = default;
-};
 
 /// Asks one unit after the other for one register by function 3. One that answers, also by an exception, is
 /// asked for the registers of each profile by functions 3 and 4. Nothing is ever written. A unit that does

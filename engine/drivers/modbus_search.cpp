@@ -11,7 +11,8 @@
 
 namespace bask {
 
-ModbusSearch::ModbusSearch(ModbusSearchSpec spec) : m_spec(std::move(spec)) {
+ModbusSearch::ModbusSearch(ModbusSearchSpec spec, std::shared_ptr<TrafficLog> traffic)
+    : m_spec(std::move(spec)), m_traffic(std::move(traffic)) {
     if (m_spec.isNetwork && !networkAddress(m_spec.port, kModbusTcpPort))
         end({MessageCode::LinkNotOpened,
              {m_spec.port, "it is no address such as 192.168.1.20, logger:1502 or [fe80::1]:502"}});
@@ -21,19 +22,25 @@ ModbusSearch::ModbusSearch(ModbusSearchSpec spec) : m_spec(std::move(spec)) {
 
 ModbusSearch::~ModbusSearch() = default;
 
+std::unique_ptr<ByteLink> ModbusSearch::logged(std::unique_ptr<ByteLink> link) const {
+    if (!m_traffic)
+        return link;
+    return std::make_unique<LoggedLink>(std::move(link), m_traffic, m_clock, nullptr);
+}
+
 void ModbusSearch::begin() {
     m_scan.reset();
     m_link.reset(); // its port is free before it is opened again
     m_state.line = m_spec.lines.at(m_line);
     if (const auto address = networkAddress(m_spec.port, kModbusTcpPort); m_spec.isNetwork && address)
-        m_link =
-            std::make_unique<ModbusTcpLink>(std::make_unique<TcpLink>(address->host, address->port), m_clock);
+        m_link = std::make_unique<ModbusTcpLink>(
+            logged(std::make_unique<TcpLink>(address->host, address->port)), m_clock);
     else
         m_link = std::make_unique<RtuLink>(
-            std::make_unique<ByteLinkOnThread>(m_spec.port,
-                                               [port = m_spec.port, line = m_state.line] {
-                                                   return std::make_unique<SerialLink>(port, line);
-                                               }),
+            logged(std::make_unique<ByteLinkOnThread>(m_spec.port,
+                                                      [port = m_spec.port, line = m_state.line] {
+                                                          return std::make_unique<SerialLink>(port, line);
+                                                      })),
             m_state.line, m_clock);
     m_scan = std::make_unique<ModbusScan>(*m_link, m_spec.firstUnit, m_spec.lastUnit);
     m_link->open();

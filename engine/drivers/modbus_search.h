@@ -3,38 +3,20 @@
 // other, and closes it.
 
 #include "engine/base/clock.h"
+#include "engine/drivers/found_units.h"
+#include "engine/drivers/logged_link.h"
 #include "engine/drivers/modbus_scan.h"
-#include "engine/protocols/serial_settings.h"
 
 #include <memory>
 
 namespace bask {
 
-struct ModbusSearchSpec {
-    std::string port; ///< path of a serial port, or address of a host
-    bool isNetwork = false;
-    /// Settings of a serial port, tried until a unit answers; at least one, also for a network.
-    std::vector<SerialSettings> lines{{}};
-    int firstUnit = 1, lastUnit = 16;
-
-    bool operator==(const ModbusSearchSpec&) const = default;
-};
-
-/// The state of a search; `found` is complete if it is over.
-struct ModbusSearchState {
-    std::vector<FoundUnit> found;
-    double progress = 0.0; ///< 0 to 1
-    int unit = 0;          ///< the one that is asked now
-    SerialSettings line;   ///< the setting that is tried now, or was last
-    bool isOver = false;
-    Message problem; ///< why it ended early; code None if it did not
-};
-
 /// Needs a thread with Qt's event loop; a search of a network belongs to that thread. Its end closes the
 /// port.
 class ModbusSearch {
 public:
-    explicit ModbusSearch(ModbusSearchSpec spec);
+    /// What goes over its link is added to `traffic`; null: it is not kept.
+    explicit ModbusSearch(ModbusSearchSpec spec, std::shared_ptr<TrafficLog> traffic = nullptr);
     ~ModbusSearch();
 
     /// Sends what is due and takes what has come; never waits.
@@ -49,7 +31,10 @@ private:
     void begin();
     void end(const Message& problem);
 
+    std::unique_ptr<ByteLink> logged(std::unique_ptr<ByteLink> link) const;
+
     ModbusSearchSpec m_spec;
+    std::shared_ptr<TrafficLog> m_traffic;
     SteadyClock m_clock;
     std::size_t m_line = 0;
     std::unique_ptr<ModbusLink> m_link;

@@ -6,6 +6,7 @@
 #include "engine/drivers/port_claim.h"
 #include "engine/drivers/program_files.h"
 #include "engine/drivers/spawn_process.h"
+#include "engine/drivers/traffic_log.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,8 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMaxUnread = 128 * 1024; ///< more waits in the pipe
+constexpr std::size_t kMaxUnread = 128 * 1024;    ///< more waits in the pipe
+constexpr std::size_t kMaxNotesPerSecond = 16384; ///< bytes that are kept of its standard error
 constexpr std::size_t kMaxNote = 300;
 constexpr int kMaxLooks = 16;
 constexpr double kFirstPause_s = 0.5, kLongestPause_s = 8.0;
@@ -95,10 +97,11 @@ std::string endWords(const siginfo_t& end, const std::string& note) {
 
 class ProgramLink::Runner : public std::enable_shared_from_this<Runner> {
 public:
-    Runner(std::string command, std::string device, std::shared_ptr<const ConfirmedPrograms> confirmed)
+    Runner(std::string command, std::string device, std::shared_ptr<const ConfirmedPrograms> confirmed,
+           std::shared_ptr<TrafficLog> traffic)
         : m_command(std::move(command)), m_device(std::move(device)),
           m_name(programName(m_command) + " (" + m_device + ')'), m_confirmed(std::move(confirmed)),
-          m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+          m_traffic(std::move(traffic)), m_wake(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
 
     void start() {
         {
@@ -332,6 +335,17 @@ private:
                 return;
         }
     }
+    void keep(std::string_view note) {
+        const double now_s = m_clock.now_s();
+        if (!m_traffic || (now_s - m_noteSecond_s < 1.0 && m_notesInSecond > kMaxNotesPerSecond))
+            return;
+        if (now_s - m_noteSecond_s >= 1.0) {
+            m_noteSecond_s = now_s;
+            m_notesInSecond = 0;
+        }
+        m_notesInSecond += note.size();
+        m_traffic->add(TrafficKind::ErrorOutput, m_name, note, now_s);
+    }
     /// The last line of what it tells people.
     void readNotes() {
         std::array<char, 4096> bytes;
@@ -341,7 +355,9 @@ private:
                 return;
             if (got == 0)
                 return m_err.reset();
-            for (const char c : std::string_view(bytes.data(), static_cast<std::size_t>(got))) {
+            const std::string_view note(bytes.data(), static_cast<std::size_t>(got));
+            keep(note);
+            for (const char c : note) {
                 if (c == '\n') {
                     m_isNoteDone = true;
                     continue;
@@ -392,6 +408,7 @@ private:
 
     const std::string m_command, m_device, m_name;
     const std::shared_ptr<const ConfirmedPrograms> m_confirmed;
+    const std::shared_ptr<TrafficLog> m_traffic;
     const Descriptor m_wake;
     const SteadyClock m_clock;
 
@@ -411,12 +428,16 @@ private:
     double m_begun_s = 0.0, m_ended_s = 0.0, m_second_s = 0.0, m_lookedAt_s = 0.0;
     std::size_t m_inSecond = 0;
     std::string m_note;
+    double m_noteSecond_s = -1e300;
+    std::size_t m_notesInSecond = 0;
     bool m_isNoteDone = false;
 };
 
 ProgramLink::ProgramLink(std::string command, std::string device,
-                         std::shared_ptr<const ConfirmedPrograms> confirmed) {
-    m_runner = std::make_shared<Runner>(std::move(command), std::move(device), std::move(confirmed));
+                         std::shared_ptr<const ConfirmedPrograms> confirmed,
+                         std::shared_ptr<TrafficLog> traffic) {
+    m_runner = std::make_shared<Runner>(std::move(command), std::move(device), std::move(confirmed),
+                                        std::move(traffic));
     m_runner->start();
 }
 

@@ -8,6 +8,7 @@
 namespace bask {
 
 class ConfirmedPrograms;
+class TrafficLog;
 
 /// Runs the program on a thread of its own, so that nothing here waits: without a shell or a terminal, in a
 /// session and process group of its own. A program that ends is started again after 0.5 s, then 1, 2, 4 and
@@ -18,8 +19,10 @@ public:
     static constexpr std::size_t kMaxPerSecond = 256 * 1024;
 
     /// `command` as in programFiles(). Only one program of a command runs for a `device` ("robot") on this
-    /// computer. It is started only if `confirmed` has its fingerprint; null: never.
-    ProgramLink(std::string command, std::string device, std::shared_ptr<const ConfirmedPrograms> confirmed);
+    /// computer. It is started only if `confirmed` has its fingerprint; null: never. What it writes to its
+    /// standard error is added to `traffic`; null: only its last line is kept.
+    ProgramLink(std::string command, std::string device, std::shared_ptr<const ConfirmedPrograms> confirmed,
+                std::shared_ptr<TrafficLog> traffic = nullptr);
     /// Returns at once; the program is ended as by close().
     ~ProgramLink() override;
 

@@ -10,12 +10,14 @@
 
 namespace bask {
 
-/// Follows the rules of QtModbusLink: a reply that may answer an earlier request is not used, and the line
-/// stays silent after a request without a valid reply.
+/// A reply contains its unit and function but not the request, so a late reply also fits the next request.
+/// Therefore the line stays silent after a request without a valid reply for the time that a reply may take,
+/// and longer while bytes still arrive. The next reply of that unit is used only if the same request was
+/// repeated; then the line is silent once more, because another reply may be late.
 class RtuLink final : public ModbusLink {
 public:
-    /// `settings` are those of the line, for the time that bytes take; replyTime_s as in QtModbusLink.
-    /// `clock` must outlive it.
+    /// `settings` are those of the line, for the time that bytes take; replyTime_s is the time until the
+    /// slowest device starts its answer. `clock` must outlive it.
     RtuLink(std::unique_ptr<ByteLink> line, const SerialSettings& settings, const Clock& clock,
             double replyTime_s = 0.3);
     ~RtuLink() override;

@@ -7,10 +7,9 @@
 #include "engine/drivers/driver_make.h"
 #include "engine/drivers/guarded_heater.h"
 #include "engine/drivers/guarded_link.h"
-#include "engine/drivers/modbus_link_on_thread.h"
+#include "engine/drivers/logged_link.h"
 #include "engine/drivers/modbus_tcp_link.h"
 #include "engine/drivers/program_link.h"
-#include "engine/drivers/qt_modbus_link.h"
 #include "engine/drivers/rtu_link.h"
 #include "engine/drivers/serial_link.h"
 #include "engine/drivers/tcp_link.h"
@@ -80,11 +79,11 @@ std::unique_ptr<ByteLink> serialLink(const std::string& port, const SerialSettin
         port, [=] { return std::make_unique<SerialLink>(port, settings, PortCheck(portId)); });
 }
 
-std::unique_ptr<ModbusLink> modbusTcpLink(const std::string& address, const Clock& clock) {
+std::unique_ptr<ByteLink> modbusTcpBytes(const std::string& address) {
     // What is no address is no host either: the link says so.
     const auto [host, port] =
         networkAddress(address, kModbusTcpPort).value_or(NetworkAddress{address, kModbusTcpPort});
-    return std::make_unique<ModbusTcpLink>(std::make_unique<TcpLink>(host, port), clock);
+    return std::make_unique<TcpLink>(host, port);
 }
 
 } // namespace
@@ -98,8 +97,9 @@ struct RealRig::Parts {
         std::function<std::string()> portId;
     };
 
-    Parts(const Clock& now, std::optional<std::string> log, std::shared_ptr<const ConfirmedPrograms> allowed)
-        : clock(now), guardLog(std::move(log)), programs(std::move(allowed)) {}
+    Parts(const Clock& now, std::optional<std::string> log, std::shared_ptr<const ConfirmedPrograms> allowed,
+          std::shared_ptr<TrafficLog> kept)
+        : clock(now), guardLog(std::move(log)), programs(std::move(allowed)), traffic(std::move(kept)) {}
 
     /// Of one device.
     class Links final : public DriverLinks {
@@ -108,34 +108,37 @@ struct RealRig::Parts {
             : m_parts(parts), m_role(role), m_kind(kind), m_spec(spec), m_portId(std::move(portId)) {}
 
         const Clock& clock() const override { return m_parts.clock; }
-        ByteLink& serial() override {
-            if (m_parts.isGuarded(m_spec.port))
-                return add(m_parts.guarded(m_spec.serial));
-            return add(serialLink(m_spec.port, m_spec.serial, m_portId));
-        }
+        ByteLink& serial() override { return add(line()); }
         ModbusLink& modbus() override {
             auto& link = m_parts.modbusLinks[m_spec.port];
             if (!link && m_kind == DriverLink::Network)
-                link = modbusTcpLink(m_spec.port, clock());
-            if (!link && m_parts.isGuarded(m_spec.port))
-                link = std::make_unique<RtuLink>(m_parts.guarded(m_spec.serial), m_spec.serial, clock());
+                link = std::make_unique<ModbusTcpLink>(logged(modbusTcpBytes(m_spec.port)), clock());
             if (!link)
-                link = std::make_unique<ModbusLinkOnThread>(
-                    m_spec.port,
-                    [&now = clock(), port = m_spec.port, settings = m_spec.serial, portId = m_portId] {
-                        return std::make_unique<QtModbusLink>(port, settings, now, QtModbusLink::kReply_s,
-                                                              PortCheck(portId));
-                    });
+                link = std::make_unique<RtuLink>(logged(line()), m_spec.serial, clock());
             return *link;
         }
         ByteLink& tcp(int port) override { return add(std::make_unique<TcpLink>(m_spec.port, port)); }
         ByteLink& program(ProgramRole role) override {
-            return add(std::make_unique<ProgramLink>(m_spec.port, programRoleWord(role), m_parts.programs));
+            // A program counts its lines from its start.
+            return add(std::make_unique<ProgramLink>(m_spec.port, programRoleWord(role), m_parts.programs,
+                                                     m_parts.traffic),
+                       LoggedLink::After::Restarted);
         }
 
     private:
-        ByteLink& add(std::unique_ptr<ByteLink> link) {
-            return *m_parts.byteLinks[m_role].emplace_back(std::move(link));
+        std::unique_ptr<ByteLink> line() {
+            return m_parts.isGuarded(m_spec.port) ? m_parts.guarded(m_spec.serial)
+                                                  : serialLink(m_spec.port, m_spec.serial, m_portId);
+        }
+        std::unique_ptr<ByteLink> logged(std::unique_ptr<ByteLink> link,
+                                         LoggedLink::After after = LoggedLink::After::Same) {
+            if (!m_parts.traffic)
+                return link;
+            return std::make_unique<LoggedLink>(std::move(link), m_parts.traffic, clock(), &m_parts.desk,
+                                                after);
+        }
+        ByteLink& add(std::unique_ptr<ByteLink> link, LoggedLink::After after = LoggedLink::After::Same) {
+            return *m_parts.byteLinks[m_role].emplace_back(logged(std::move(link), after));
         }
 
         Parts& m_parts;
@@ -256,6 +259,8 @@ struct RealRig::Parts {
     const Clock& clock;
     const std::optional<std::string> guardLog; ///< empty: heaters have no guard
     const std::shared_ptr<const ConfirmedPrograms> programs;
+    const std::shared_ptr<TrafficLog> traffic; ///< null: nobody keeps it
+    LinkDesk desk;                             ///< longer than the links
     StepGuard guard;
     std::optional<HeaterGuard> heaterGuard;                                 ///< longer than the links
     std::map<DeviceRole, std::vector<std::unique_ptr<ByteLink>>> byteLinks; ///< longer than the drivers
@@ -273,14 +278,15 @@ struct RealRig::Parts {
 };
 
 RealRig::RealRig(const Experiment& experiment, const Clock& clock, const std::string& guardLog,
-                 const DeviceMemory& memory, std::shared_ptr<const ConfirmedPrograms> programs)
-    : m_parts(std::make_unique<Parts>(clock, guardLog, std::move(programs))) {
+                 const DeviceMemory& memory, std::shared_ptr<const ConfirmedPrograms> programs,
+                 std::shared_ptr<TrafficLog> traffic)
+    : m_parts(std::make_unique<Parts>(clock, guardLog, std::move(programs), std::move(traffic))) {
     change(experiment, memory);
 }
 
 RealRig::RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory,
-                 std::shared_ptr<const ConfirmedPrograms> programs)
-    : m_parts(std::make_unique<Parts>(clock, std::nullopt, std::move(programs))) {
+                 std::shared_ptr<const ConfirmedPrograms> programs, std::shared_ptr<TrafficLog> traffic)
+    : m_parts(std::make_unique<Parts>(clock, std::nullopt, std::move(programs), std::move(traffic))) {
     m_parts->memory = memory;
     m_parts->change({rig, Vector6d::Zero()});
 }
@@ -337,7 +343,16 @@ bool RealRig::sayLastWords() {
     return isOff();
 }
 
+Result<void> RealRig::sendByHand(const std::string& link, const std::string& bytes) {
+    return m_parts->desk.send(link, bytes);
+}
+
+void RealRig::endByHand() {
+    m_parts->desk.end();
+}
+
 void RealRig::work() {
+    m_parts->desk.work();
     if (m_parts->heaterGuard)
         m_parts->heaterGuard->work();
     for (const Parts::Entry& entry : m_parts->entries)

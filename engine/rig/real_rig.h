@@ -19,6 +19,7 @@
 namespace bask {
 
 class ConfirmedPrograms;
+class TrafficLog;
 
 /// Returns whether two specifications are of one camera: its lens and its pose are no matter of the device.
 bool isSameDevice(const std::optional<ThermalCameraSpec>& a, const std::optional<ThermalCameraSpec>& b);
@@ -33,12 +34,14 @@ public:
     /// Opens the links; `clock` must outlive it. The robot does not move before setGuard(). The heater's
     /// guard appends its actions to `guardLog`; empty: to no file. Devices in `memory` are expected again: a
     /// different device receives only the request for its name. Only programs in `programs` are started;
-    /// null: none.
+    /// null: none. What goes over the links is added to `traffic`; null: it is not kept.
     RealRig(const Experiment& experiment, const Clock& clock, const std::string& guardLog = {},
-            const DeviceMemory& memory = {}, std::shared_ptr<const ConfirmedPrograms> programs = nullptr);
+            const DeviceMemory& memory = {}, std::shared_ptr<const ConfirmedPrograms> programs = nullptr,
+            std::shared_ptr<TrafficLog> traffic = nullptr);
     /// Opens only one device, to test it: nothing is moved or heated.
     RealRig(const RigSpec& rig, const Clock& clock, const DeviceMemory& memory = {},
-            std::shared_ptr<const ConfirmedPrograms> programs = nullptr);
+            std::shared_ptr<const ConfirmedPrograms> programs = nullptr,
+            std::shared_ptr<TrafficLog> traffic = nullptr);
     ~RealRig();
 
     /// Returns whether every device is the one that this experiment would make.
@@ -59,6 +62,9 @@ public:
 
     /// Lets the devices read what has arrived and send what is due.
     void work();
+    /// Sends bytes of a person on an open link, which is closed for its driver meanwhile (LoggedLink).
+    Result<void> sendByHand(const std::string& link, const std::string& bytes);
+    void endByHand(); ///< gives the links back to the drivers
 
     Robot& robot();
     /// Returns one channel for each object with a sensor on it, in their order; for a test, all channels of

@@ -1,13 +1,12 @@
 // Links on threads of their own: whatever holds them up, the engine's calls do not wait, and what they say is
 // what they would say by themselves.
 
+#include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/device_simulators/pty_server.h"
 #include "engine/drivers/byte_link_on_thread.h"
-#include "engine/drivers/modbus_link_on_thread.h"
 #include "engine/drivers/serial_link.h"
 #include "tests/support/echo_device.h"
-#include "tests/support/scripted_modbus_link.h"
 #include "tests/support/wait_for.h"
 
 #include <gtest/gtest.h>
@@ -210,64 +209,6 @@ TEST(LinkOnThreadOnAPort, GoesThereAndBackAndIsToldUnplugged) {
     EXPECT_TRUE(test::waitFor([&] { return !link.isOpen(); }));
     EXPECT_EQ(link.problem().code, MessageCode::LinkLost);
     std::filesystem::remove_all(folder);
-}
-
-// Catches a request that gets no reply, or another's, or two; and a line that is free too early.
-TEST(ModbusOnThread, EachRequestGetsItsReply) {
-    const SteadyClock clock;
-    ModbusLinkOnThread link("line", [&] {
-        return std::make_unique<test::ScriptedModbusLink>(
-            clock, [](const ModbusRequest& request) -> std::optional<ModbusReply> {
-                if (request.address == 99)
-                    return std::nullopt;
-                return ModbusReply(std::vector{static_cast<std::uint16_t>(request.address)});
-            });
-    });
-    EXPECT_FALSE(link.isFree());
-    EXPECT_THROW(link.send({}), std::logic_error);
-    link.open();
-    for (const int address : {1, 99, 3, 4}) {
-        ASSERT_TRUE(test::waitFor([&] { return link.isFree(); }));
-        const int number = link.send({1, 3, address, 1});
-        EXPECT_FALSE(link.isFree());
-        EXPECT_THROW(link.send({}), std::logic_error);
-        std::optional<ModbusReply> reply;
-        ASSERT_TRUE(test::waitFor([&] { return (reply = link.takeReply(number)).has_value(); }));
-        if (address == 99)
-            EXPECT_EQ(reply->error().code(), MessageCode::DeviceSilent);
-        else
-            EXPECT_EQ(reply->value(), std::vector{static_cast<std::uint16_t>(address)});
-        EXPECT_FALSE(link.takeReply(number).has_value()) << "once";
-    }
-    ASSERT_TRUE(test::waitFor([&] { return link.isFree(); }));
-    const int number = link.send({1, 3, 5, 1});
-    link.close();
-    const auto reply = link.takeReply(number);
-    ASSERT_TRUE(reply.has_value()) << "none is left open";
-    EXPECT_EQ(reply->error().code(), MessageCode::DeviceSilent);
-    EXPECT_FALSE(link.isOpen());
-    link.open();
-    EXPECT_TRUE(test::waitFor([&] { return link.isFree(); }));
-}
-
-// Catches an opening that failed and is not told, or not tried again.
-TEST(ModbusOnThread, APortThatIsNotThereIsTold) {
-    const SteadyClock clock;
-    std::atomic<test::ScriptedModbusLink*> inner = nullptr;
-    ModbusLinkOnThread link("line", [&] {
-        auto made = std::make_unique<test::ScriptedModbusLink>(
-            clock, [](const ModbusRequest&) { return std::nullopt; });
-        made->isPlugged = false;
-        inner = made.get();
-        return made;
-    });
-    link.open();
-    EXPECT_TRUE(test::waitFor([&] { return link.problem().code == MessageCode::LinkNotOpened; }));
-    EXPECT_FALSE(link.isOpen());
-    inner.load()->isPlugged = true; // nothing looks at it now
-    link.open();
-    EXPECT_TRUE(test::waitFor([&] { return link.isFree(); }));
-    EXPECT_EQ(link.problem().code, MessageCode::None);
 }
 
 } // namespace bask

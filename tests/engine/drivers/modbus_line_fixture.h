@@ -2,7 +2,8 @@
 // The link to Modbus devices by real time: a port, questions, and programs at the far end.
 
 #include "engine/base/message_code.h"
-#include "engine/drivers/qt_modbus_link.h"
+#include "engine/drivers/rtu_link.h"
+#include "engine/drivers/serial_link.h"
 #include "tests/support/wait_for.h"
 
 #include <QProcess>
@@ -45,7 +46,8 @@ protected:
         until([&] { return clock.now_s() >= end_s; }, 60000);
     }
     void openLink(const SerialSettings& settings = {19200, 8, 'N', 1}, double replyTime_s = 0.3) {
-        link = std::make_unique<QtModbusLink>(port, settings, clock, replyTime_s);
+        link = std::make_unique<RtuLink>(std::make_unique<SerialLink>(port, settings), settings, clock,
+                                         replyTime_s);
         link->open();
     }
     /// Sends as soon as the line is free, and waits for its reply.
@@ -82,7 +84,7 @@ protected:
     std::string port = folder / "port", farPort = folder / "far";
     SteadyClock clock;
     QProcess wires, peer;
-    std::unique_ptr<QtModbusLink> link;
+    std::unique_ptr<RtuLink> link;
 };
 
 } // namespace bask::test

@@ -207,7 +207,8 @@ TEST(AnyModbusDevice, AnswersForASecond) {
     const QStringList words = QString(where).split(',');
     ASSERT_EQ(words.size(), 6);
     const SteadyClock clock;
-    QtModbusLink link(words[0].toStdString(), {words[1].toInt(), 8, words[2].toStdString().at(0), 1}, clock);
+    const SerialSettings settings{words[1].toInt(), 8, words[2].toStdString().at(0), 1};
+    RtuLink link(std::make_unique<SerialLink>(words[0].toStdString(), settings), settings, clock);
     link.open();
     ASSERT_TRUE(link.isOpen()) << describe(link.problem());
     int fitting = 0;

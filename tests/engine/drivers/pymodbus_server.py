@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""An independent Modbus RTU server for qt_modbus_link's tests: pymodbus_server.py PORT, or --check.
+"""An independent Modbus RTU server for modbus_peers_test: pymodbus_server.py PORT, or --check.
 
 Unit 1. Holding and input registers 0 to 99: register k holds 1000 + k (holding) and 2000 + k (input); 3 holds 32767.
 """
