@@ -44,6 +44,8 @@ void appendField(QByteArray& out, const SqlValue& value) {
         if (isQuoted)
             field = '"' + field + '"';
         out.append(field);
+    } else if (const auto* blob = std::get_if<SqlBlob>(&value)) {
+        out.append(QByteArray::fromStdString(blob->bytes).toHex());
     }
 }
 

@@ -2,6 +2,7 @@
 // A recorded run in one SQLite file (*.bask): the experiment and every sample, command, event and note in
 // order of time.
 
+#include "engine/drivers/traffic_log.h"
 #include "engine/model/experiment.h"
 #include "engine/model/trace.h"
 
@@ -39,6 +40,9 @@ public:
     Result<void> add(const CommandRow& command);
     /// Adds a picture of the experiment's thermal camera, without loss.
     Result<void> add(const TraceFrame& frame);
+    /// Adds what went over a link to a device; `start_s` is the time of Start on its clock. The first one
+    /// makes the table.
+    Result<void> add(const TrafficLine& line, double start_s);
     Result<void> flush();                            ///< commits now
     Result<void> finish(const std::string& outcome); ///< marks the run complete ("settled", "not-settled",
                                                      ///< "stopped", "fault")

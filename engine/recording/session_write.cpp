@@ -44,6 +44,10 @@ constexpr std::array kStatements{
     "INSERT INTO note VALUES(?, ?)",           "INSERT OR REPLACE INTO meta VALUES(?, ?)",
 };
 
+constexpr const char* kCreateTraffic = "CREATE TABLE IF NOT EXISTS traffic(time_s REAL NOT NULL, "
+                                       "link TEXT NOT NULL, kind TEXT NOT NULL, bytes BLOB NOT NULL)";
+constexpr const char* kInsertTraffic = "INSERT INTO traffic VALUES(?, ?, ?, ?)";
+
 std::string nowUtc() {
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
 }
@@ -106,6 +110,7 @@ struct SessionWriter::Impl {
     std::vector<std::optional<double>> targets_K; ///< as recorded last
     TraceOverview overview;                       ///< of the samples since the last row of its table
     bool pending = false;                         ///< a transaction is open
+    std::optional<std::size_t> insertTraffic;     ///< statement, once the table is there
     QElapsedTimer sinceCommit;
     QTimer timer; ///< commits what was added last when nothing follows it
     std::optional<Error> failed;
@@ -259,6 +264,22 @@ Result<void> SessionWriter::add(const TraceFrame& frame) {
         throw std::invalid_argument("SessionWriter: a picture of a thermal camera that is not there");
     std::string png = pngOfCounts(countsOfPicture(*frame.picture, *m_impl->profile));
     return m_impl->add([&] { return m_impl->put(kInsertFrame, frame.time_s, SqlBlob{std::move(png)}); });
+}
+
+Result<void> SessionWriter::add(const TrafficLine& line, double start_s) {
+    return m_impl->add([&]() -> Result<void> {
+        if (!m_impl->insertTraffic) {
+            if (auto made = m_impl->store->execute(kCreateTraffic); !made)
+                return made;
+            auto prepared = m_impl->store->prepare(kInsertTraffic);
+            if (!prepared)
+                return prepared.error();
+            m_impl->insertTraffic = *prepared;
+        }
+        const std::array<SqlValue, 4> row{line.time_s - start_s, line.link,
+                                          std::string(trafficKindWord(line.kind)), SqlBlob{line.bytes}};
+        return m_impl->store->run(*m_impl->insertTraffic, row);
+    });
 }
 
 Result<void> SessionWriter::flush() {

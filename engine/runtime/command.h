@@ -4,6 +4,7 @@
 #include "engine/calibration/board.h"
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
+#include "engine/drivers/found_units.h"
 #include "engine/model/experiment.h"
 
 #include <cstddef>
@@ -141,6 +142,22 @@ struct TryDevice {
     RigSpec rig; ///< with this one device
 };
 
+/// Looks for Modbus units at a port, and for the profiles that fit; it only reads. Answered by
+/// Snapshot::search until another search begins, or this command is sent without one. Refused while a run is
+/// armed or on, the heat is on or the robot moves; ended by what begins one of these. No device of the rig
+/// may have the port.
+struct FindUnits {
+    std::optional<ModbusSearchSpec> spec;
+    int number = 0; ///< that its answers have
+};
+/// Sends up to LoggedLink::kMaxByHand bytes of a person to a device, as they are: Bask does not know what
+/// they do. Its driver has the link back 3 s later. Refused while a run is armed or on, the heat is on or the
+/// robot moves, and if the link is not open.
+struct SendByHand {
+    std::string link; ///< its name, one of TrafficLog::openLinks()
+    std::string bytes;
+};
+
 /// Accepts the device that answers in the place of the remembered one. After that the position of the robot
 /// is unsure. Refused while a run is armed or on, and while heat is on.
 struct AcceptDevice {
@@ -155,11 +172,12 @@ struct ConfirmProgram {
     bool isKept = true;
 };
 
-using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
-                             Retreat, EndRecording, SetTargets, ReportInfeasible, SetController, AddNote,
-                             SetSimulationSpeed, SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm,
-                             UnshelveAlarm, SetVision, WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo,
-                             Jog, HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ZeroSensors,
-                             ConfirmSensor, ListPorts, TryDevice, AcceptDevice, ConfirmProgram>;
+using Command =
+    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, Retreat,
+                 EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
+                 SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm, UnshelveAlarm, SetVision,
+                 WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm,
+                 SetHeat, TypeSourceTemperature, ZeroSensors, ConfirmSensor, ListPorts, TryDevice, FindUnits,
+                 SendByHand, AcceptDevice, ConfirmProgram>;
 
 } // namespace bask

@@ -26,10 +26,11 @@ constexpr double kThermal_s = 0.1; // between two pictures of the thermal camera
 constexpr double kLongestGap_s =
     1.0; ///< longest real time that is caught up after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
-constexpr double kDisk_s = 5.0;     ///< between checks of the free disk space
-constexpr double kDelayed_s = 0.3;  ///< between two services of real devices: longer is a delay
-constexpr double kHearing_s = 0.15; ///< until the devices have reported their state again
-constexpr int kLongestStep_ms = 50; ///< of the rig, between checks of the command queue
+constexpr std::size_t kTrafficAtOnce = 2000; ///< lines of a fault that one control step records
+constexpr double kDisk_s = 5.0;              ///< between checks of the free disk space
+constexpr double kDelayed_s = 0.3;           ///< between two services of real devices: longer is a delay
+constexpr double kHearing_s = 0.15;          ///< until the devices have reported their state again
+constexpr int kLongestStep_ms = 50;          ///< of the rig, between checks of the command queue
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
@@ -123,6 +124,7 @@ KeptRig EngineWorker::closeSession(bool isRigKept) {
     }
     closeRecording();
     endTrial();
+    endSearch();
     m_session.reset();
     m_isClosing = false;
     if (m_isEnding) {
@@ -249,7 +251,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
         kept = {};
     else if (!kept.rig)
         kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices.memory(),
-                                             m_devices.programs());
+                                             m_devices.programs(), m_traffic);
     else if (!isSameRig)
         kept.rig->change(experiment, m_devices.memory());
     m_session = std::make_unique<EngineSession>(experiment, m_steady, std::move(kept));
@@ -300,9 +302,7 @@ void EngineWorker::endTrial() {
         return;
     m_closer.dispose(m_tried->takeCamera());
     m_closer.dispose(m_tried->takeThermalCamera());
-    const bool isLive =
-        m_session && (m_session->loop.heat().isOn() || m_session->loop.motion().isMoving() || isInUse());
-    if (isLive && m_tried->mayEndElsewhere())
+    if (m_session && isHotOrMoving() && m_tried->mayEndElsewhere())
         m_closer.dispose(std::move(m_tried));
     m_tried.reset();
 }
@@ -318,8 +318,46 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty() || rig.thermalCamera)
-        m_tried = std::make_unique<DeviceTrial>(rig, m_devices);
+        m_tried = std::make_unique<DeviceTrial>(rig, m_devices, m_traffic);
     return {};
+}
+
+bool EngineWorker::isHotOrMoving() const {
+    return isInUse() || m_session->loop.heat().isOn() || m_session->loop.motion().isMoving();
+}
+
+void EngineWorker::endSearch() {
+    if (m_search && m_session && isHotOrMoving() && m_search->mayEndElsewhere())
+        m_closer.dispose(std::move(m_search));
+    m_search.reset();
+}
+
+Result<void> EngineWorker::findUnits(const FindUnits& find) {
+    endSearch();
+    if (!find.spec)
+        return {};
+    if (isHotOrMoving())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    if (m_session->real)
+        for (const RigDeviceState& device : m_session->real->devices())
+            if (device.port == find.spec->port)
+                return Error(MessageCode::LinkNotOpened, {}, {device.port, "a device of the rig has it"});
+    m_search = std::make_unique<ModbusSearch>(*find.spec, m_traffic);
+    m_searchNumber = find.number;
+    return {};
+}
+
+Result<void> EngineWorker::sendByHand(const SendByHand& send) {
+    if (isHotOrMoving())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    Result<void> sent = Error(MessageCode::LinkNotOpened, {}, {send.link, "it is not open now"});
+    if (m_session->real)
+        sent = m_session->real->sendByHand(send.link, send.bytes);
+    if (!sent && m_tried)
+        sent = m_tried->sendByHand(send.link, send.bytes);
+    if (sent)
+        m_session->loop.reportByHand(send.link, shownBytes(send.bytes));
+    return sent;
 }
 
 Result<void> EngineWorker::accept(DeviceRole role) {
@@ -384,10 +422,12 @@ void EngineWorker::finishArming() {
         return;
     if (*done)
         *done = armNow();
-    if (*done)
+    if (*done) {
         m_recordings.takeBegun();
-    else
+        m_nextTraffic = 0;
+    } else {
         m_recordings.dropBegun();
+    }
     answer(*done);
 }
 
@@ -421,6 +461,11 @@ void EngineWorker::finishJudging() {
 }
 
 Result<void> EngineWorker::apply(const Command& command) {
+    if (isBegin(command) || isEnd(command)) {
+        endSearch();
+        if (m_session && m_session->real)
+            m_session->real->endByHand();
+    }
     if (const auto* experiment = std::get_if<LoadExperiment>(&command))
         return load(experiment->experiment);
     if (const auto* speed = std::get_if<SetSimulationSpeed>(&command)) {
@@ -468,6 +513,8 @@ Result<void> EngineWorker::apply(const Command& command) {
             [&](const ConfirmSensor& confirm) { return loop.confirmSensor(confirm.object); },
             [&](const ListPorts&) { return m_ports = m_system.ask(serialPorts), Result<void>(); },
             [&](const TryDevice& device) { return tryDevice(device.rig); },
+            [&](const FindUnits& find) { return findUnits(find); },
+            [&](const SendByHand& send) { return sendByHand(send); },
             [&](const AcceptDevice& device) { return accept(device.role); },
             [&](const Arm& arm) { return armWith(arm.recordingPath); },
             [&](const Disarm&) { return loop.disarm(); },
@@ -607,9 +654,12 @@ void EngineWorker::onTimer() {
     try {
         if (m_tried)
             m_tried->work();
+        if (m_search)
+            m_search->work();
     } catch (const std::exception& exception) {
         tell({MessageCode::ReasonInternalFault, {exception.what()}});
         endTrial();
+        endSearch();
     }
     hearBackground();
     carryOutWaiting();
@@ -718,6 +768,7 @@ void EngineWorker::record() {
     if (!m_session)
         return;
     LoopRecord rows = m_session->loop.takeRecord();
+    addTraffic(rows, kTrafficAtOnce);
     if (m_recordings.isOn())
         if (const auto added = m_recordings.add(rows); !added)
             m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(added.error())}});
@@ -726,7 +777,22 @@ void EngineWorker::record() {
     append(rows.notes, m_pending.newNotes);
 }
 
+/// With a fault, what led to it and what follows.
+void EngineWorker::addTraffic(LoopRecord& rows, std::size_t max) {
+    if (!m_session->real || !m_recordings.isOn() || m_session->loop.state() != RunState::Fault || m_isEnding)
+        return;
+    rows.traffic = m_traffic->from(m_nextTraffic, max);
+    rows.start_s = m_session->clock().now_s() - m_session->loop.runTime_s();
+    if (!rows.traffic.empty())
+        m_nextTraffic = rows.traffic.back()->number + 1;
+}
+
 void EngineWorker::closeRecording() {
+    if (m_session && m_recordings.isOn()) {
+        LoopRecord rest;
+        addTraffic(rest, SIZE_MAX);
+        (void)m_recordings.add(std::move(rest));
+    }
     m_recordings.close(m_session ? m_session->loop.outcome() : std::string());
 }
 
@@ -747,6 +813,11 @@ void EngineWorker::publish() {
     }
     if (m_tried)
         snapshot.tried = m_tried->state();
+    if (m_search) {
+        snapshot.search = m_search->state();
+        snapshot.search->number = m_searchNumber;
+    }
+    snapshot.traffic = m_traffic;
     if (const SessionRecorder* recorder = m_recordings.newest()) {
         snapshot.recordingPath = recorder->path();
         snapshot.recordedRows = recorder->rows();

@@ -3,6 +3,7 @@
 // publishes snapshots.
 
 #include "engine/base/suspend_watch.h"
+#include "engine/drivers/modbus_search.h"
 #include "engine/drivers/sleep_inhibitor.h"
 #include "engine/runtime/alarm_keeper.h"
 #include "engine/runtime/alarm_log.h"
@@ -111,6 +112,11 @@ private:
     Result<void> choose(const std::string& camera);
     Result<void> type(double sourceTemperature_K);
     Result<void> tryDevice(const RigSpec& rig);
+    Result<void> findUnits(const FindUnits& find);
+    Result<void> sendByHand(const SendByHand& send);
+    void endSearch();
+    bool isHotOrMoving() const; ///< or a run is armed or on
+    void addTraffic(LoopRecord& rows, std::size_t max);
     void endTrial();
     Result<void> accept(DeviceRole role);
     void watchSleep();
@@ -146,6 +152,10 @@ private:
     CameraWatch m_cameras;
     std::shared_ptr<const VisionView> m_view; ///< sent last
     std::unique_ptr<DeviceTrial> m_tried;
+    std::unique_ptr<ModbusSearch> m_search;
+    int m_searchNumber = 0;
+    std::shared_ptr<TrafficLog> m_traffic = std::make_shared<TrafficLog>();
+    std::uint64_t m_nextTraffic = 0; ///< number of the first line that the recording does not have
     bool m_isClosing = false, m_isEnding = false;
     bool m_isHeatLeft = false;
     std::deque<Command> m_waiting; ///< received while isBusy()

@@ -14,6 +14,9 @@ Result<void> write(const LoopRecord& rows, SessionWriter& writer) {
     addAll(rows.notes);
     addAll(rows.commands);
     addAll(rows.frames);
+    for (const TrafficLog::Line& line : rows.traffic)
+        if (result.ok())
+            result = writer.add(*line, rows.start_s);
     return result;
 }
 

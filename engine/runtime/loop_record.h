@@ -1,6 +1,7 @@
 #pragma once
 // The rows that a servo loop has recorded since they were last taken, and writing them into the session file.
 
+#include "engine/drivers/traffic_log.h"
 #include "engine/model/trace.h"
 #include "engine/recording/session_file.h"
 
@@ -14,6 +15,8 @@ struct LoopRecord {
     std::vector<TraceNote> notes;
     std::vector<CommandRow> commands;
     std::vector<TraceFrame> frames;
+    std::vector<TrafficLog::Line> traffic; ///< with a fault
+    double start_s = 0.0;                  ///< time of Start on the clock of `traffic`
 };
 
 /// Adds all rows, kind by kind; stops at the first failure.

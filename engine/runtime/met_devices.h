@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace bask {
 
@@ -43,10 +44,13 @@ private:
 /// One device alone. It may be closed after the engine has ended.
 class DeviceTrial {
 public:
-    DeviceTrial(const RigSpec& spec, const MetDevices& met)
-        : m_rig(spec, m_clock, met.memory(), met.programs()) {}
+    DeviceTrial(const RigSpec& spec, const MetDevices& met, std::shared_ptr<TrafficLog> traffic)
+        : m_rig(spec, m_clock, met.memory(), met.programs(), std::move(traffic)) {}
 
     void work() { m_rig.work(); }
+    Result<void> sendByHand(const std::string& link, const std::string& bytes) {
+        return m_rig.sendByHand(link, bytes);
+    }
     TriedDevice state();
     std::unique_ptr<Camera> takeCamera() { return m_rig.takeCamera(); }
     std::unique_ptr<ThermalCamera> takeThermalCamera() { return m_rig.takeThermalCamera(); }

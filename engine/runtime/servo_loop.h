@@ -95,6 +95,9 @@ public:
     /// Reports that the computer was suspended for this time: a fault if there was heat or motion.
     void reportSuspended(double slept_s);
     /// Reports why the computer cannot be kept awake: an event.
+    void reportByHand(const std::string& link, const std::string& what) {
+        event(MessageCode::EventSentByHand, {link, what});
+    }
     void reportMaySleep(const std::string& why) { event(MessageCode::EventMaySleep, {why}); }
     /// Adds an event while a run is on and does not stop.
     void reportInfeasible(const Message& reason);

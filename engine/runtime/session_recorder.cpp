@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <condition_variable>
@@ -49,7 +50,8 @@ struct SessionRecorder::Shared {
     Result<void> writeAll(SessionWriter& writer);
 
     std::atomic<std::size_t> rows = 0;
-    std::mutex mutex; ///< protects all members below
+    std::atomic<Steady::time_point> written = Steady::time_point::min(); ///< the last rows until now
+    std::mutex mutex;                                                    ///< protects all members below
     std::condition_variable wake;
     std::vector<LoopRecord> waiting;
     std::size_t pictures = 0; ///< bytes of the pictures in them
@@ -86,8 +88,10 @@ Result<void> SessionRecorder::Shared::writeAll(SessionWriter& writer) {
         lock.unlock();
         Result<void> done;
         for (const LoopRecord& each : taken)
-            if (done)
+            if (done) {
                 done = write(each, writer);
+                written = Steady::now();
+            }
         if (done && !taken.empty())
             done = writer.flush();
         if (done && isLast && last)
@@ -114,7 +118,7 @@ Result<void> SessionRecorder::add(LoopRecord rows) {
         return *m_shared->finished;
     if (m_shared->waiting.empty())
         m_shared->waits = now;
-    else if (now - m_shared->waits > kStuck)
+    else if (now - std::max(m_shared->waits, m_shared->written.load()) > kStuck)
         return stuck(m_path);
     std::erase_if(rows.frames, [&](const TraceFrame& frame) {
         const bool isRoom = m_shared->pictures + bytesOf(frame) <= kMaxPictures;
@@ -137,7 +141,8 @@ void SessionRecorder::finish(const std::string& outcome) {
 
 std::optional<Result<void>> SessionRecorder::finished() const {
     const std::lock_guard lock(m_shared->mutex);
-    if (!m_shared->finished && m_shared->isOver && Steady::now() - m_ended > kStuck)
+    if (!m_shared->finished && m_shared->isOver &&
+        Steady::now() - std::max(m_ended, m_shared->written.load()) > kStuck)
         return Result<void>(stuck(m_path));
     return m_shared->finished;
 }

@@ -6,6 +6,7 @@
 #include "engine/base/run_state.h"
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
+#include "engine/drivers/found_units.h"
 #include "engine/drivers/serial_ports.h"
 #include "engine/model/alarm.h"
 #include "engine/model/trace.h"
@@ -13,11 +14,14 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace bask {
+
+class TrafficLog;
 
 bool isRunOn(RunState state); ///< true also in a hold and in the retreat
 
@@ -108,8 +112,10 @@ struct Snapshot {
     bool isSourceManual = false;                  ///< a person heats the source and types its temperature
     std::optional<std::vector<SerialPort>> ports; ///< once, after ListPorts
     std::optional<TriedDevice> tried;
-    std::optional<Zeroing> zeroing; ///< newest zeroing of the sensors
-    Message zeroProblem;            ///< why the sensors cannot be zeroed now; code None if they can
+    std::optional<ModbusSearchState> search;   ///< the one that FindUnits began
+    std::shared_ptr<const TrafficLog> traffic; ///< of all links to real devices; lives as long as the engine
+    std::optional<Zeroing> zeroing;            ///< newest zeroing of the sensors
+    Message zeroProblem; ///< why the sensors cannot be zeroed now; code None if they can
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< the last refused command; code None if there was none since the last snapshot

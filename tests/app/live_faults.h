@@ -6,7 +6,9 @@
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/recording/session_file.h"
+#include "engine/recording/session_store.h"
 #include "engine/runtime/engine_worker.h"
+#include "engine/runtime/lateness.h"
 #include "tests/app/rig_processes.h"
 
 #include <QDir>
@@ -38,6 +40,7 @@ public:
             if (snapshot.refusal.code != MessageCode::None)
                 refusal = snapshot.refusal;
         });
+        connect(&m_worker, &EngineWorker::stepped, this, [this](double late_s) { lateness.add(late_s); });
         m_thread.start();
     }
     ~LiveEngine() override {
@@ -82,6 +85,7 @@ public:
     Message refusal;
     std::vector<TraceSample> samples;
     std::vector<TraceEvent> events;
+    Lateness lateness; ///< of the control steps
 
 private:
     QThread m_thread;
@@ -280,6 +284,22 @@ protected:
                 });
             EXPECT_TRUE(isThere) << name << " is not in the record";
         }
+    }
+
+    /// What went over the three links is in the record, from before the run on.
+    void expectTraffic() {
+        const auto store = SessionStore::open(lastRecording());
+        ASSERT_TRUE(store) << describe(store.error());
+        std::vector<double> row;
+        const auto take = [&](SessionStore::Row columns) {
+            for (const SqlValue& value : columns)
+                row.push_back(numberOf(value));
+        };
+        const auto read = (*store)->select("SELECT min(time_s) < 0, max(time_s) > 0, "
+                                           "count(DISTINCT link), count(DISTINCT kind) >= 3 FROM traffic",
+                                           take);
+        ASSERT_TRUE(read) << describe(read.error());
+        EXPECT_EQ(row, (std::vector{1.0, 1.0, 3.0, 1.0})) << "opened, sent, received";
     }
 
     bool m_isBenchStopped = false;

@@ -124,6 +124,49 @@ TEST_F(LiveProgramsTest, areNotStartedBeforeTheyAreConfirmed) {
     EXPECT_FALSE(QFile::exists(m_folder.filePath(QStringLiteral("world")))) << "nothing has run";
 }
 
+// Catches a program that babbles 1 MB/s and holds the control loop up, or is not told.
+TEST_F(LiveProgramsTest, aBabblerDoesNotHoldTheLoopUp) {
+    const QString script = m_folder.filePath(QStringLiteral("babbler.py"));
+    QFile file(script);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("import json, sys, time\n"
+               "json.loads(sys.stdin.readline())\n"
+               "while True:\n"
+               "    sys.stdout.write(10 * ('x' * 999 + '\\n'))\n"
+               "    sys.stdout.flush()\n"
+               "    time.sleep(0.01)\n");
+    file.close();
+    Experiment experiment = readExperiment(this->experiment().toStdString()).value();
+    experiment.rig->thermometer->port = "python3 " + script.toStdString();
+    const auto lateness = [&](bool isBabbling) {
+        LiveEngine live;
+        Experiment used = experiment;
+        if (!isBabbling)
+            used.rig->thermometer.reset();
+        for (const std::string& command : {used.rig->robot->port, used.rig->source->port,
+                                           used.rig->thermometer ? used.rig->thermometer->port : ""})
+            if (!command.empty())
+                live.send(ConfirmProgram{command, programFiles(command).value().hash, false});
+        live.send(LoadExperiment{used});
+        bool isTold = false;
+        waitFor(
+            [&] {
+                isTold = isTold || live.alarm(MessageCode::ProgramStopped) != nullptr;
+                return false;
+            },
+            10000);
+        EXPECT_EQ(isTold, isBabbling);
+        EXPECT_GT(live.lateness.count(), 80U);
+        return live.lateness;
+    };
+    const Lateness alone = lateness(false), beside = lateness(true);
+    std::printf("| late steps, alone: median %.1f ms, 99 %% %.1f ms, worst %.1f ms; beside a babbler: %.1f, "
+                "%.1f, %.1f ms\n",
+                1e3 * alone.quantile_s(0.5), 1e3 * alone.quantile_s(0.99), 1e3 * alone.worst_s(),
+                1e3 * beside.quantile_s(0.5), 1e3 * beside.quantile_s(0.99), 1e3 * beside.worst_s());
+    EXPECT_LT(beside.quantile_s(0.9), 0.02);
+}
+
 // Catches programs that go on, with their heat on, when Bask is killed.
 TEST_F(LiveProgramsTest, endWithBask) {
     startBask({QStringLiteral("--allow-program"), QStringLiteral("--duration"), QStringLiteral("90")});

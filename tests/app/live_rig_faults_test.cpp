@@ -172,12 +172,18 @@ TEST_F(LiveRigFaults, ofAPlateThatHeatsByItselfAreToldInIdle) {
     EXPECT_EQ(live.last.state, RunState::Fault);
 }
 
-// Catches a rig that stops as a whole, or dies, unnoticed; and one that goes on by itself when it is back.
+// Catches a rig that stops as a whole, or dies, unnoticed; a fault without what went over the links before;
+// and one that goes on by itself when it is back.
 TEST_F(LiveRigFaults, ofAllDevicesAtOnceEndTheRun) {
     startBench();
     load(read());
     ASSERT_NO_FATAL_FAILURE(begin());
     const auto pid = static_cast<pid_t>(bench.processId());
+    for (const Command& command : {Command(SendByHand{portOf("robot").toStdString(), "?"}),
+                                   Command(FindUnits{ModbusSearchSpec{"/dev/elsewhere"}})}) {
+        live.send(command);
+        EXPECT_EQ(live.refusal.code, MessageCode::SessionAlreadyRunning) << "while a run is on";
+    }
     const auto stopIt = [&] {
         m_isBenchStopped = true;
         ::kill(pid, SIGSTOP);
@@ -187,6 +193,7 @@ TEST_F(LiveRigFaults, ofAllDevicesAtOnceEndTheRun) {
     EXPECT_NE(live.alarm(MessageCode::ReasonSensorStale), nullptr) << "seen first";
     ASSERT_TRUE(waitFor([&] { return live.last.devices.at(2).status.link == LinkState::Lost; }, 5000));
     expectRecorded("fault");
+    expectTraffic();
     ::kill(pid, SIGCONT);
     m_isBenchStopped = false;
     QElapsedTimer back;

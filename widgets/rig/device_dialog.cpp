@@ -10,6 +10,7 @@
 #include "widgets/rig/profile_choice.h"
 #include "widgets/rig/serial_form.h"
 #include "widgets/rig/thermal_camera_form.h"
+#include "widgets/rig/unit_finder.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -79,7 +80,8 @@ DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vecto
       m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
       m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
       m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_thermal(new ThermalCameraForm(this)),
-      m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)), m_message(new MessageBar(this)) {
+      m_finder(new UnitFinder(this)), m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)),
+      m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
     build();
@@ -176,6 +178,10 @@ void DeviceDialog::buildConnection() {
     m_form->addRow(m_portLabel, m_portPart);
     m_form->addRow(m_lineLabel, m_line);
     addParameters(SetupStep::Connection);
+    m_form->addRow(QString(), m_finder);
+    connect(m_finder, &UnitFinder::findWanted, this, &DeviceDialog::search);
+    connect(m_finder, &UnitFinder::stopWanted, this, &DeviceDialog::searchEnded);
+    connect(m_finder, &UnitFinder::chosen, this, &DeviceDialog::takeFound);
 }
 
 /// A row for each that some driver of the role has.
@@ -279,6 +285,10 @@ void DeviceDialog::offerProfiles() {
             listAndChoose(*m_profile, m_profiles, profile);
     }
     m_profile->setCurrentIndex(m_profiles.empty() ? -1 : 0);
+    std::vector<std::pair<std::string, std::string>> titles;
+    for (const ModbusProfile& profile : m_profiles)
+        titles.emplace_back(profile.name, profile.title);
+    m_finder->setProfiles(titles);
 }
 
 void DeviceDialog::chooseProfileFile() {
@@ -310,6 +320,7 @@ void DeviceDialog::takeDriver() {
     if (m_role == DeviceRole::Robot && areUsualAxes(m_axes->axes()))
         m_axes->setAxes(driverOf(*device().robot).usualAxes);
     m_isTried = false;
+    endSearch();
     showParts();
 }
 
@@ -381,9 +392,52 @@ RigSpec DeviceDialog::device() const {
 
 void DeviceDialog::tryDevice() {
     m_message->clear();
+    m_finder->reset(); // the trial needs the port
     m_isTried = true;
     m_result->setText(tr("Asking…"));
     emit tryWanted(device());
+}
+
+void DeviceDialog::endSearch() {
+    m_finder->reset();
+    emit searchEnded();
+}
+
+void DeviceDialog::search() {
+    m_message->clear();
+    ModbusSearchSpec spec;
+    spec.port = m_port->currentText().trimmed().toStdString();
+    spec.isNetwork = !hasLine();
+    spec.lines = {m_line->line()};
+    if (hasLine() && spec.lines.front().baud <= 0)
+        spec.lines.clear();
+    if (hasLine())
+        std::ranges::copy_if(kCommonModbusLines, std::back_inserter(spec.lines),
+                             [first = m_line->line()](const SerialSettings& line) { return line != first; });
+    emit searchWanted(spec);
+}
+
+void DeviceDialog::setSearch(const ModbusSearchState& state) {
+    if (m_finder->setState(state))
+        adjustSize();
+}
+
+void DeviceDialog::takeFound(int unit, const QString& profile, const SerialSettings& line) {
+    for (auto& [facts, si] : m_values)
+        if (facts->name == std::string_view("unit")) {
+            si = unit;
+            m_parameters->setValue(*facts, si);
+        }
+    const auto known = std::ranges::find(m_profiles, profile.toStdString(), &ModbusProfile::name);
+    if (known != m_profiles.end())
+        m_profile->setCurrentIndex(static_cast<int>(known - m_profiles.begin()));
+    if (hasLine())
+        m_line->setLine(line);
+}
+
+void DeviceDialog::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_finder->setTemperatureUnit(unit);
 }
 
 void DeviceDialog::setPorts(const std::vector<SerialPort>& ports) {
@@ -453,6 +507,7 @@ void DeviceDialog::sayNotTried() {
 void DeviceDialog::showError(const QString& sentence) {
     m_isTried = false;
     sayNotTried();
+    m_finder->reset();
     m_message->say(MessageBar::Kind::Problem, sentence);
 }
 
@@ -479,6 +534,7 @@ void DeviceDialog::showParts() {
     showRow(m_axes, m_role == DeviceRole::Robot);
     showRow(m_homing, rig.robot && driverOf(*rig.robot).canHome);
     showRow(m_profilePart, isModbus());
+    showRow(m_finder, isModbus());
     showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
     showRow(m_probe, rig.source && driverOf(*rig.source).hasProbe);
     showRow(m_unattended, m_role == DeviceRole::HeatSource && hasPort() && !isWatched);

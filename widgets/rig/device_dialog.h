@@ -25,9 +25,10 @@ class MessageBar;
 class ParameterForm;
 class SerialForm;
 class ThermalCameraForm;
+class UnitFinder;
 
 /// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
-/// AxisTable and ThermalCameraForm, "homing", "profile", "profileFile", "channel.0" ..., "probe",
+/// AxisTable, ThermalCameraForm and UnitFinder, "homing", "profile", "profileFile", "channel.0" ..., "probe",
 /// "tryDevice", "tryResult", "useDevice", "cancelDevice", "deviceMessage"; and those of the drivers'
 /// parameters: "unit", "watchdog" ...
 class DeviceDialog : public QDialog {
@@ -45,14 +46,18 @@ public:
     void setPorts(const std::vector<SerialPort>& ports);
     /// Shows the answer of the tried device.
     void setTried(const TriedDevice& tried);
+    /// Shows the state of the search for units.
+    void setSearch(const ModbusSearchState& state);
     void showError(const QString& sentence);
-    void setTemperatureUnit(TemperatureUnit unit) { m_unit = unit; }
+    void setTemperatureUnit(TemperatureUnit unit);
     /// Uses a Modbus device described by its own file.
     void useProfileFile(const QString& path);
 
 signals:
     void portsWanted();
     void tryWanted(const bask::RigSpec& device);
+    void searchWanted(const bask::ModbusSearchSpec& spec);
+    void searchEnded();
     void useWanted(const bask::RigSpec& device);
 
 protected:
@@ -71,6 +76,9 @@ private:
     void chooseProfileFile();
     void takeDriver();
     void tryDevice();
+    void search();
+    void endSearch();
+    void takeFound(int unit, const QString& profile, const SerialSettings& line);
     /// Facts of the chosen driver; a camera has one without a link.
     const DriverFacts& driver() const;
     bool isCamera() const { return m_role == DeviceRole::Camera || m_role == DeviceRole::ThermalCamera; }
@@ -103,6 +111,7 @@ private:
     SerialForm* m_line;
     AxisTable* m_axes;
     ThermalCameraForm* m_thermal;
+    UnitFinder* m_finder;
     QCheckBox *m_probe, *m_unattended;
     ParameterForm* m_parameters = nullptr;
     std::vector<QSpinBox*> m_channels;

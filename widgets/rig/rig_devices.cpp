@@ -14,13 +14,15 @@ namespace bask {
 
 RigDevices::RigDevices(QWidget* parent)
     : QWidget(parent), m_simulated(new QRadioButton(this)), m_real(new QRadioButton(this)),
-      m_name(new QLineEdit(this)), m_open(new QPushButton(this)), m_save(new QPushButton(this)) {
+      m_name(new QLineEdit(this)), m_open(new QPushButton(this)), m_save(new QPushButton(this)),
+      m_console(new QPushButton(this)) {
     m_simulated->setObjectName("useSimulated");
     m_real->setObjectName("useReal");
     m_name->setObjectName("rigName");
     m_name->setMaxLength(60);
     m_open->setObjectName("openRig");
     m_save->setObjectName("saveRig");
+    m_console->setObjectName("openConsole");
     auto* choice = new QHBoxLayout;
     choice->setSpacing(14);
     choice->addWidget(m_simulated);
@@ -30,6 +32,7 @@ RigDevices::RigDevices(QWidget* parent)
     file->addWidget(m_name, 1);
     file->addWidget(m_open);
     file->addWidget(m_save);
+    file->addWidget(m_console);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
@@ -60,6 +63,7 @@ RigDevices::RigDevices(QWidget* parent)
     });
     connect(m_open, &QPushButton::clicked, this, &RigDevices::openWanted);
     connect(m_save, &QPushButton::clicked, this, &RigDevices::saveWanted);
+    connect(m_console, &QPushButton::clicked, this, &RigDevices::consoleWanted);
     retranslate();
     setRig({});
 }
@@ -111,6 +115,8 @@ void RigDevices::retranslate() {
     m_open->setText(tr("Open rig…"));
     m_open->setToolTip(tr("Take the devices from a rig file"));
     m_save->setText(tr("Save rig…"));
+    m_console->setText(tr("Console…"));
+    m_console->setToolTip(tr("What goes over the links to the devices"));
     m_save->setToolTip(tr("Write these devices to a rig file, for other experiments"));
 }
 

@@ -16,7 +16,8 @@ namespace bask {
 
 class DeviceCard;
 
-/// Object names: "useSimulated", "useReal", "rigName", "openRig", "saveRig" and those of DeviceCard.
+/// Object names: "useSimulated", "useReal", "rigName", "openRig", "saveRig", "openConsole" and those of
+/// DeviceCard.
 class RigDevices : public QWidget {
     Q_OBJECT
 
@@ -36,6 +37,7 @@ signals:
     void named(const QString& name);
     void openWanted();
     void saveWanted();
+    void consoleWanted();
     void setUpWanted(bask::DeviceRole role);
     void removeWanted(bask::DeviceRole role);
     void acceptWanted(bask::DeviceRole role);
@@ -52,7 +54,7 @@ private:
     bool m_editable = true;
     QRadioButton *m_simulated, *m_real;
     QLineEdit* m_name;
-    QPushButton *m_open, *m_save;
+    QPushButton *m_open, *m_save, *m_console;
     std::array<DeviceCard*, kDeviceRoles.size()> m_cards{};
 };
 

@@ -5,6 +5,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/check_list.h"
+#include "widgets/rig/device_console.h"
 #include "widgets/rig/device_dialog.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/rig/heat_panel.h"
@@ -118,6 +119,7 @@ void RigPage::connectAll() {
     connect(m_devices, &RigDevices::realWanted, this, [this] { useRig(m_kept.value_or(RigSpec())); });
     connect(m_devices, &RigDevices::openWanted, this, &RigPage::openRigRequested);
     connect(m_devices, &RigDevices::saveWanted, this, &RigPage::saveRigRequested);
+    connect(m_devices, &RigDevices::consoleWanted, this, &RigPage::openConsole);
     connect(m_devices, &RigDevices::setUpWanted, this, &RigPage::setUp);
     connect(m_devices, &RigDevices::removeWanted, this, &RigPage::remove);
     connect(m_devices, &RigDevices::acceptWanted, this,
@@ -211,10 +213,17 @@ void RigPage::setUp(DeviceRole role) {
     m_dialog->setTemperatureUnit(m_unit);
     connect(m_dialog, &DeviceDialog::portsWanted, this, [this] { emit commandIssued(ListPorts{}); });
     connect(m_dialog, &DeviceDialog::tryWanted, this, [this](const RigSpec& device) {
+        endTrial();
         m_isTrying = true;
         m_isProgramAsked = false;
         emit commandIssued(TryDevice{device});
     });
+    connect(m_dialog, &DeviceDialog::searchWanted, this, [this](const ModbusSearchSpec& spec) {
+        endTrial();
+        m_isSearching = true;
+        emit commandIssued(FindUnits{spec, ++m_searchNumber});
+    });
+    connect(m_dialog, &DeviceDialog::searchEnded, this, &RigPage::endTrial);
     connect(m_dialog, &DeviceDialog::useWanted, this,
             [this, role](const RigSpec& device) { take(role, device); });
     connect(m_dialog, &QDialog::finished, this, &RigPage::endTrial);
@@ -226,6 +235,20 @@ void RigPage::setUp(DeviceRole role) {
 void RigPage::endTrial() {
     if (std::exchange(m_isTrying, false))
         emit commandIssued(TryDevice{});
+    if (std::exchange(m_isSearching, false))
+        emit commandIssued(FindUnits{});
+}
+
+void RigPage::openConsole() {
+    if (!m_console) {
+        m_console = new DeviceConsole(this);
+        m_console->setAttribute(Qt::WA_DeleteOnClose);
+        connect(m_console, &DeviceConsole::sendWanted, this,
+                [this](const SendByHand& send) { emit commandIssued(send); });
+    }
+    m_console->show();
+    m_console->raise();
+    m_console->activateWindow();
 }
 
 void RigPage::take(DeviceRole role, const RigSpec& device) {
@@ -318,12 +341,16 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
     m_jog->apply(snapshot, isFree);
     m_heat->apply(snapshot, isFree);
     m_limits->setMeasured(sourceTemperature_K(snapshot));
+    if (m_console)
+        m_console->apply(snapshot, editable && !snapshot.heatOn && !snapshot.isMoving);
     if (!m_dialog)
         return;
     if (snapshot.ports)
         m_dialog->setPorts(*snapshot.ports);
     if (snapshot.tried && m_isTrying)
         showTried(*snapshot.tried);
+    if (snapshot.search && m_isSearching && snapshot.search->number == m_searchNumber)
+        m_dialog->setSearch(*snapshot.search);
     if (!editable)
         closeDialog();
 }

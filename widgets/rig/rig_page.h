@@ -22,6 +22,7 @@ class QTabWidget;
 namespace bask {
 
 class CheckList;
+class DeviceConsole;
 class DeviceDialog;
 class HeatPanel;
 class JogPanel;
@@ -73,6 +74,7 @@ private:
     void useSimulated();
     void setUp(DeviceRole role);
     void endTrial();
+    void openConsole();
     void closeDialog();
     void showTried(const TriedDevice& tried);
     void confirmProgram(const std::string& command);
@@ -89,8 +91,10 @@ private:
     std::map<std::string, int> m_channels;    ///< of sensors that are or were used, by their objects
     RunState m_state = RunState::Idle;
     bool m_editable = true;
-    QString m_refusal;             ///< refusal of the newest edit; empty if it was accepted
-    bool m_isTrying = false;       ///< the engine keeps a device open for the dialog
+    QString m_refusal;          ///< refusal of the newest edit; empty if it was accepted
+    bool m_isTrying = false;    ///< the engine keeps a device open for the dialog
+    bool m_isSearching = false; ///< for Modbus units, for the dialog
+    int m_searchNumber = 0;
     bool m_isProgramAsked = false; ///< about the program that is tried
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
@@ -106,6 +110,7 @@ private:
     ZeroPanel* m_zero;
     ReadingPanel* m_readings;
     QPointer<DeviceDialog> m_dialog;
+    QPointer<DeviceConsole> m_console;
 };
 
 } // namespace bask

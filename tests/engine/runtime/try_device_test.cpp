@@ -7,6 +7,7 @@
 #include "engine/device_simulators/pty_server.h"
 #include "engine/device_simulators/tcp_server.h"
 #include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/traffic_log.h"
 #include "tests/engine/runtime/engine_thread.h"
 
 #include <QTemporaryDir>
@@ -117,6 +118,64 @@ TEST_F(TryDeviceTest, AModbusThermometerAtAnAddressTellsItsChannels) {
     rig.thermometer->port = "two words";
     engine.send(TryDevice{rig});
     ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkNotOpened; }));
+}
+
+// Catches a search that finds nothing, does not end, or writes.
+TEST_F(TryDeviceTest, UnitsAreFoundWithTheirProfiles) {
+    ModbusSimulator module(ModbusSimulator::Frames::Tcp);
+    module.addThermometer(5, profile("waveshare-8ch-4-20ma"), kelvinFromCelsius(25.0));
+    const auto host = TcpServer::create(module).value();
+    ModbusSearchSpec spec{"127.0.0.1:" + std::to_string(host->port()), true};
+    spec.firstUnit = 4;
+    spec.lastUnit = 6;
+    const auto works = [&](auto condition) {
+        return sees([&] {
+            host->work(clock.now_s());
+            return condition();
+        });
+    };
+    engine.send(FindUnits{spec, 7});
+    ASSERT_TRUE(works([&] { return engine.last.search && engine.last.search->isOver; }));
+    const ModbusSearchState& state = *engine.last.search;
+    EXPECT_EQ(state.problem, Message{});
+    EXPECT_EQ(state.number, 7);
+    EXPECT_FALSE(engine.last.traffic->from(0).empty()) << "its traffic is kept, too";
+    ASSERT_EQ(state.found.size(), 1U);
+    EXPECT_EQ(state.found[0].unit, 5);
+    EXPECT_TRUE(std::ranges::any_of(
+        state.found[0].fits, [](const ProfileFit& fit) { return fit.profile == "waveshare-8ch-4-20ma"; }));
+    EXPECT_EQ(module.writes(), 0);
+    engine.send(FindUnits{});
+    ASSERT_TRUE(works([&] { return !engine.last.search; }));
+}
+
+// Catches a console that shows nothing of a device, or sends where nobody listens.
+TEST_F(TryDeviceTest, TheTrafficIsKeptAndAPersonMaySend) {
+    GrblSimulator robot;
+    serve(robot);
+    RigSpec rig;
+    rig.robot.emplace().port = port;
+    engine.send(SendByHand{port, "$$\n"});
+    ASSERT_TRUE(sees([&] { return engine.refusal.code == MessageCode::LinkNotOpened; }));
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees([&] { return isLive(); }));
+    engine.send(SendByHand{port, "G21\n"});
+    ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkByHand; }));
+    const auto has = [&](TrafficKind kind, const char* bytes) {
+        return std::ranges::any_of(engine.last.traffic->from(0), [&](const TrafficLog::Line& line) {
+            return line->kind == kind && line->link == port && line->bytes.find(bytes) != std::string::npos;
+        });
+    };
+    ASSERT_TRUE(sees([&] { return has(TrafficKind::SentByHand, "G21\n"); }));
+    EXPECT_TRUE(has(TrafficKind::Sent, "?"));
+    EXPECT_TRUE(has(TrafficKind::Received, "[VER:"));
+    ASSERT_TRUE(sees([&] {
+        return std::ranges::any_of(engine.events, [](const TraceEvent& event) {
+            return event.message.code == MessageCode::EventSentByHand;
+        });
+    }));
+    ASSERT_TRUE(sees([&] { return isLive(); }, 10000)) << "its driver has it back";
+    EXPECT_EQ(problem(), MessageCode::None);
 }
 
 // Catches a robot that is moved or homed by being tried.

@@ -11,6 +11,7 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QListWidget>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -26,6 +27,8 @@ namespace {
 struct DeviceDialogTest : testing::Test {
     std::unique_ptr<DeviceDialog> dialog;
     std::vector<RigSpec> tried, used;
+    std::vector<ModbusSearchSpec> searches;
+    int searchesEnded = 0;
 
     void open(DeviceRole role, const RigSpec& rig = {}) {
         dialog = std::make_unique<DeviceDialog>(role, rig, std::vector<std::string>{"left", "right"});
@@ -33,6 +36,9 @@ struct DeviceDialogTest : testing::Test {
                          [this](const RigSpec& device) { tried.push_back(device); });
         QObject::connect(dialog.get(), &DeviceDialog::useWanted, dialog.get(),
                          [this](const RigSpec& device) { used.push_back(device); });
+        QObject::connect(dialog.get(), &DeviceDialog::searchWanted, dialog.get(),
+                         [this](const ModbusSearchSpec& spec) { searches.push_back(spec); });
+        QObject::connect(dialog.get(), &DeviceDialog::searchEnded, dialog.get(), [this] { ++searchesEnded; });
         dialog->show();
     }
     template <class T> T* child(const char* name) {
@@ -246,6 +252,40 @@ TEST_F(DeviceDialogTest, EachObjectHasItsChannel) {
     choose("driver", 0);
     const int last = dialog->device().thermometer->profile.channels - 1;
     EXPECT_EQ(child<QSpinBox>("channel.0")->maximum(), last);
+}
+
+// Catches a choice that sets another unit, profile or line than were found, and a search that keeps the port.
+TEST_F(DeviceDialogTest, AUnitThatWasFoundIsChosen) {
+    open(DeviceRole::Thermometer);
+    typePort("/dev/ttyUSB7");
+    click("findUnits");
+    ASSERT_EQ(searches.size(), 1U);
+    EXPECT_EQ(searches[0].port, "/dev/ttyUSB7");
+    EXPECT_FALSE(searches[0].isNetwork);
+    EXPECT_EQ(searches[0].lines.front(), dialog->device().thermometer->serial) << "as it is set first";
+    EXPECT_EQ(searches[0].lines.size(), kCommonModbusLines.size()) << "each once";
+    ModbusSearchState state;
+    state.unit = 5;
+    state.found = {{3, {{"pixsys-drr245", {300.0}, ""}}}, {5, {}}};
+    dialog->setSearch(state);
+    auto* list = child<QListWidget>("foundUnits");
+    EXPECT_EQ(list->count(), 1) << "unit 5 is not complete yet";
+    EXPECT_FALSE(list->item(0)->flags() & Qt::ItemIsEnabled) << "a controller is no thermometer";
+    EXPECT_TRUE(child<QLabel>("findProgress")->text().contains("unit 5"));
+    state.found[1].fits = {{"waveshare-8ch-4-20ma", {295.0, 296.0}, ""}};
+    state.line = {9600, 8, 'N', 1};
+    state.isOver = true;
+    dialog->setSearch(state);
+    ASSERT_EQ(list->count(), 2);
+    list->setCurrentRow(1);
+    const ThermometerDeviceSpec chosen = *dialog->device().thermometer;
+    EXPECT_EQ(chosen.unit, 5);
+    EXPECT_EQ(chosen.profile.name, "waveshare-8ch-4-20ma");
+    EXPECT_EQ(chosen.serial, state.line);
+    click("findUnits");
+    click("findUnits"); // stop
+    EXPECT_EQ(searchesEnded, 1);
+    EXPECT_EQ(list->count(), 0);
 }
 
 } // namespace bask
