@@ -45,10 +45,14 @@ def state():
 def obey(what, request):
     global rate, until, heating, heat_until
     if what == "velocity":
+        if len(request["rates"]) != 1:
+            raise ValueError("one rate is wanted")
         rate, until = request["rates"][0], time.monotonic() + request["valid_for"]
     elif what == "stop" and defect != "stop":
         rate = 0.0
     elif what == "heat":
+        if not isinstance(request["set_point"], float):
+            raise ValueError("no set point")
         if request["set_point"] > 600.0 and defect != "max_temperature":
             raise ValueError("too hot")
         heating, heat_until = True, time.monotonic() + request["valid_for"]
@@ -80,6 +84,7 @@ while True:
     except (ValueError, KeyError, TypeError):
         if defect == "crashes":
             raise
+        write({"id": None, "error": "not a request"})
         continue
     if what == "hello":
         if defect == "no hello":
