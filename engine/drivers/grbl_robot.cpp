@@ -101,6 +101,8 @@ void GrblRobot::lose(const Message& why, double now_s) {
     if (m_linkState == LinkState::Live)
         m_linkState = LinkState::Lost;
     m_problem = why;
+    if (why.code == MessageCode::LinkByHand) // whatever a person does there
+        m_isHomed = m_isConfirmed = false;
     const bool isHoming = m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
     if (isHoming || m_homeStop_s) { // nobody could stop it any more
         doubtPlace();

@@ -20,7 +20,8 @@ void GuardedHeater::work() {
     if (std::exchange(m_wasGuarded, isGuarded) && !isGuarded)
         (void)m_heater->heatOff(); // as soon as the port is there again
     const double now_s = m_clock.now_s();
-    if (m_heater->heating()) { // also one that was found on
+    m_isDoubted = m_isDoubted && m_heater->heatState() != HeatState::Off;
+    if (m_heater->heating() || m_isDoubted) { // also one that was found on
         m_heated_s = now_s;
         m_guard.arm(m_off());
     } else if (now_s - m_heated_s >= kSeenOff_s) {

@@ -24,13 +24,15 @@ public:
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
     Result<void> heatOff() override { return m_heater->heatOff(); }
     /// True if the heater says so, and until the guard has been told that it is off.
-    bool heating() const override { return m_heater->heating() || m_guard.isArmed(); }
+    bool heating() const override { return m_heater->heating() || m_isDoubted || m_guard.isArmed(); }
     std::optional<double> setPoint_K() const override { return m_heater->setPoint_K(); }
     HeatState heatState() const override;
     bool hasWatchdog() const override { return m_heater->hasWatchdog(); }
     Message cannotHeat() const override;
     Message guardProblem() const override;
     void renewGuard() override;
+    /// A person may have switched it on: the guard watches it until the heater says that it is off.
+    void doubt() { m_isDoubted = true; }
 
 private:
     /// It must be off for this long: a set point is read back by then.
@@ -42,7 +44,7 @@ private:
     std::function<guard::OffProgram()> m_off;
     const Clock& m_clock;
     double m_heated_s = 0.0; ///< when it was last on
-    bool m_wasGuarded = false;
+    bool m_wasGuarded = false, m_isDoubted = false;
 };
 
 } // namespace bask

@@ -29,7 +29,10 @@ LinkKeeper::Found LinkKeeper::work(double now_s) {
         m_tried_s = now_s;
         return Found::Lost;
     }
-    const bool hasFailed = m_link.problem().code != MessageCode::None;
+    const MessageCode problem = m_link.problem().code;
+    const bool hasFailed = problem != MessageCode::None;
+    if (problem == MessageCode::LinkByHand) // the port is open: it is free as soon as the person has done
+        m_tried_s = -1e300;
     if (now_s - m_tried_s >= (hasFailed || !m_isOpening ? kReopen_s : kOpening_s)) {
         m_tried_s = now_s;
         m_isOpening = true;

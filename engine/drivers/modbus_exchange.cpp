@@ -22,7 +22,8 @@ std::optional<ModbusReply> ModbusExchange::work() {
         m_begun_s = now_s;
     m_isBegun = true;
     m_mayContinue = true;
-    if (!m_link.isOpen() && now_s >= m_opened_s + kOpenAgain_s) {
+    const bool isByHand = m_link.problem().code == MessageCode::LinkByHand; // free at once when it is over
+    if (!m_link.isOpen() && (isByHand || now_s >= m_opened_s + kOpenAgain_s)) {
         m_opened_s = now_s;
         m_link.open();
         m_silent = 0;

@@ -114,6 +114,7 @@ void RtuLink::open() {
     m_line->forget();
     m_line->problem = {};
     m_line->bytes->open();
+    m_line->keepSilent(); // for an answer to whoever had the line before
 }
 
 void RtuLink::close() {

@@ -269,6 +269,7 @@ struct RealRig::Parts {
     std::unique_ptr<Thermometer> thermometer;
     std::unique_ptr<HeatSource> source;
     GuardedHeater* guardedHeater = nullptr; ///< source, where it is one
+    bool isSourceDoubted = false;
     std::unique_ptr<VideoCamera> camera;
     std::unique_ptr<VideoThermalCamera> thermalCamera;
     std::vector<Entry> entries;
@@ -331,7 +332,9 @@ DeviceMemory RealRig::met() const {
 bool RealRig::sayLastWords() {
     const SteadyClock wall;
     const double begun_s = wall.now_s();
-    const auto isOff = [&] { return heatSource().isManual() || !heatSource().heating(); };
+    const auto isOff = [&] {
+        return heatSource().isManual() || (!heatSource().heating() && !m_parts->isSourceDoubted);
+    };
     const auto spent_s = [&] { return wall.now_s() - begun_s; };
     while (!m_parts->entries.empty() && spent_s() < (isOff() ? kFarewell_s : kLongestFarewell_s)) {
         work();
@@ -344,7 +347,17 @@ bool RealRig::sayLastWords() {
 }
 
 Result<void> RealRig::sendByHand(const std::string& link, const std::string& bytes) {
-    return m_parts->desk.send(link, bytes);
+    auto sent = m_parts->desk.send(link, bytes);
+    if (sent && m_parts->source && !m_parts->source->isManual()) {
+        m_parts->isSourceDoubted = true;
+        if (m_parts->guardedHeater != nullptr)
+            m_parts->guardedHeater->doubt();
+    }
+    return sent;
+}
+
+bool RealRig::isSourceDoubted() const {
+    return m_parts->isSourceDoubted;
 }
 
 void RealRig::endByHand() {
@@ -357,6 +370,7 @@ void RealRig::work() {
         m_parts->heaterGuard->work();
     for (const Parts::Entry& entry : m_parts->entries)
         entry.device->work();
+    m_parts->isSourceDoubted = m_parts->isSourceDoubted && heatSource().heatState() != HeatState::Off;
     if (m_parts->guardedHeater != nullptr)
         m_parts->guardedHeater->work();
 }

@@ -65,6 +65,8 @@ public:
     /// Sends bytes of a person on an open link, which is closed for its driver meanwhile (LoggedLink).
     Result<void> sendByHand(const std::string& link, const std::string& bytes);
     void endByHand(); ///< gives the links back to the drivers
+    /// Returns whether a person has sent something by hand since the source was last seen off.
+    bool isSourceDoubted() const;
 
     Robot& robot();
     /// Returns one channel for each object with a sensor on it, in their order; for a test, all channels of

@@ -27,6 +27,7 @@ constexpr double kLongestGap_s =
     1.0; ///< longest real time that is caught up after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
 constexpr std::size_t kTrafficAtOnce = 2000; ///< lines of a fault that one control step records
+constexpr double kTrafficAfter_s = 60.0;     ///< after a fault
 constexpr double kDisk_s = 5.0;              ///< between checks of the free disk space
 constexpr double kDelayed_s = 0.3;           ///< between two services of real devices: longer is a delay
 constexpr double kHearing_s = 0.15;          ///< until the devices have reported their state again
@@ -113,16 +114,17 @@ KeptRig EngineWorker::closeSession(bool isRigKept) {
         dropBegun();
     KeptRig kept;
     if (m_session) {
+        endByHand();
         m_session->loop.makeSafe();
         if (m_session->real && !isRigKept && !m_session->real->sayLastWords())
             tellHeatNotOff();
         record();
+        closeRecording();
         kept.watcher = isRigKept ? std::move(m_session->vision) : nullptr;
         kept.rig = std::move(m_session->real);
         if (kept.rig)
             kept.rig->setGuard({});
     }
-    closeRecording();
     endTrial();
     endSearch();
     m_session.reset();
@@ -322,39 +324,62 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     return {};
 }
 
-bool EngineWorker::isHotOrMoving() const {
-    return isInUse() || m_session->loop.heat().isOn() || m_session->loop.motion().isMoving();
+bool EngineWorker::isMoving() const {
+    const RigReadings& readings = m_session->loop.readings();
+    return m_session->loop.motion().isMoving() || (readings.isRobotTelling() && readings.robot().moving);
 }
 
+bool EngineWorker::isHotOrMoving() const {
+    return isInUse() || m_session->loop.heat().isOn() || isMoving() || m_session->loop.pending();
+}
+
+/// Never waits for the port; who began the search is told that it is over.
 void EngineWorker::endSearch() {
-    if (m_search && m_session && isHotOrMoving() && m_search->mayEndElsewhere())
-        m_closer.dispose(std::move(m_search));
+    if (m_search) {
+        m_searchEnd = m_search->state();
+        m_searchEnd->isOver = true;
+        m_searchEnd->problem = {MessageCode::SessionAlreadyRunning, {}};
+        if (m_search->mayEndElsewhere())
+            m_closer.dispose(std::move(m_search));
+    }
     m_search.reset();
 }
 
 Result<void> EngineWorker::findUnits(const FindUnits& find) {
     endSearch();
+    m_searchEnd.reset();
+    m_searchNumber = find.number;
     if (!find.spec)
         return {};
+    const auto refuse = [this](const Message& why) {
+        m_searchEnd.emplace();
+        m_searchEnd->isOver = true;
+        m_searchEnd->problem = why;
+        return Error(why.code, {}, why.args);
+    };
     if (isHotOrMoving())
-        return Error(MessageCode::SessionAlreadyRunning, {});
+        return refuse({MessageCode::SessionAlreadyRunning, {}});
     if (m_session->real)
         for (const RigDeviceState& device : m_session->real->devices())
             if (device.port == find.spec->port)
-                return Error(MessageCode::LinkNotOpened, {}, {device.port, "a device of the rig has it"});
+                return refuse({MessageCode::LinkNotOpened, {device.port, "a device of the rig has it"}});
     m_search = std::make_unique<ModbusSearch>(*find.spec, m_traffic);
-    m_searchNumber = find.number;
     return {};
 }
 
+void EngineWorker::endByHand() {
+    if (m_session && m_session->real)
+        m_session->real->endByHand();
+}
+
 Result<void> EngineWorker::sendByHand(const SendByHand& send) {
-    if (isHotOrMoving())
+    const bool isHot =
+        m_session->loop.heat().isOn() && !(m_session->real && m_session->real->isSourceDoubted());
+    if (isInUse() || isHot || isMoving() || m_session->loop.pending())
         return Error(MessageCode::SessionAlreadyRunning, {});
-    Result<void> sent = Error(MessageCode::LinkNotOpened, {}, {send.link, "it is not open now"});
-    if (m_session->real)
-        sent = m_session->real->sendByHand(send.link, send.bytes);
-    if (!sent && m_tried)
-        sent = m_tried->sendByHand(send.link, send.bytes);
+    if (!m_session->real)
+        return Error(MessageCode::RigMissing, {});
+    auto sent = m_session->real->sendByHand(send.link, send.bytes);
     if (sent)
         m_session->loop.reportByHand(send.link, shownBytes(send.bytes));
     return sent;
@@ -425,6 +450,7 @@ void EngineWorker::finishArming() {
     if (*done) {
         m_recordings.takeBegun();
         m_nextTraffic = 0;
+        m_trafficUntil_s.reset();
     } else {
         m_recordings.dropBegun();
     }
@@ -463,8 +489,7 @@ void EngineWorker::finishJudging() {
 Result<void> EngineWorker::apply(const Command& command) {
     if (isBegin(command) || isEnd(command)) {
         endSearch();
-        if (m_session && m_session->real)
-            m_session->real->endByHand();
+        endByHand();
     }
     if (const auto* experiment = std::get_if<LoadExperiment>(&command))
         return load(experiment->experiment);
@@ -747,6 +772,10 @@ void EngineWorker::workReal() {
     m_lateSteps += static_cast<std::uint64_t>(behind);
     m_nextTick_s += (1.0 + behind) * period_s;
     tick();
+    if (m_session->loop.pending() || isInUse() || isMoving()) {
+        endSearch();
+        endByHand();
+    }
     m_devices.remember(*m_session->real, m_system);
     m_session->real->work(); // sends what the tick has asked for
 }
@@ -777,12 +806,19 @@ void EngineWorker::record() {
     append(rows.notes, m_pending.newNotes);
 }
 
-/// With a fault, what led to it and what follows.
+/// With a fault, what led to it and what follows for a while.
 void EngineWorker::addTraffic(LoopRecord& rows, std::size_t max) {
-    if (!m_session->real || !m_recordings.isOn() || m_session->loop.state() != RunState::Fault || m_isEnding)
+    if (!m_session->real || !m_recordings.isOn())
+        return;
+    const double now_s = m_session->clock().now_s();
+    if (m_session->loop.state() == RunState::Fault && !m_trafficUntil_s && !m_isEnding)
+        m_trafficUntil_s = now_s + kTrafficAfter_s;
+    if (!m_trafficUntil_s)
         return;
     rows.traffic = m_traffic->from(m_nextTraffic, max);
-    rows.start_s = m_session->clock().now_s() - m_session->loop.runTime_s();
+    while (!rows.traffic.empty() && rows.traffic.back()->time_s > *m_trafficUntil_s)
+        rows.traffic.pop_back();
+    rows.start_s = now_s - m_session->loop.runTime_s();
     if (!rows.traffic.empty())
         m_nextTraffic = rows.traffic.back()->number + 1;
 }
@@ -790,7 +826,7 @@ void EngineWorker::addTraffic(LoopRecord& rows, std::size_t max) {
 void EngineWorker::closeRecording() {
     if (m_session && m_recordings.isOn()) {
         LoopRecord rest;
-        addTraffic(rest, SIZE_MAX);
+        addTraffic(rest, m_isEnding ? kTrafficAtOnce : SIZE_MAX);
         (void)m_recordings.add(std::move(rest));
     }
     m_recordings.close(m_session ? m_session->loop.outcome() : std::string());
@@ -813,10 +849,9 @@ void EngineWorker::publish() {
     }
     if (m_tried)
         snapshot.tried = m_tried->state();
-    if (m_search) {
-        snapshot.search = m_search->state();
+    snapshot.search = m_search ? std::optional(m_search->state()) : m_searchEnd;
+    if (snapshot.search)
         snapshot.search->number = m_searchNumber;
-    }
     snapshot.traffic = m_traffic;
     if (const SessionRecorder* recorder = m_recordings.newest()) {
         snapshot.recordingPath = recorder->path();

@@ -115,7 +115,9 @@ private:
     Result<void> findUnits(const FindUnits& find);
     Result<void> sendByHand(const SendByHand& send);
     void endSearch();
-    bool isHotOrMoving() const; ///< or a run is armed or on
+    void endByHand();
+    bool isMoving() const;      ///< as ordered, or as the robot says
+    bool isHotOrMoving() const; ///< or a run is armed or on, or a retreat is announced
     void addTraffic(LoopRecord& rows, std::size_t max);
     void endTrial();
     Result<void> accept(DeviceRole role);
@@ -154,8 +156,10 @@ private:
     std::unique_ptr<DeviceTrial> m_tried;
     std::unique_ptr<ModbusSearch> m_search;
     int m_searchNumber = 0;
+    std::optional<ModbusSearchState> m_searchEnd; ///< of one that was refused or ended
     std::shared_ptr<TrafficLog> m_traffic = std::make_shared<TrafficLog>();
-    std::uint64_t m_nextTraffic = 0; ///< number of the first line that the recording does not have
+    std::uint64_t m_nextTraffic = 0;        ///< number of the first line that the recording does not have
+    std::optional<double> m_trafficUntil_s; ///< with a fault: the last time whose traffic is recorded
     bool m_isClosing = false, m_isEnding = false;
     bool m_isHeatLeft = false;
     std::deque<Command> m_waiting; ///< received while isBusy()

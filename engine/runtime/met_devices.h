@@ -48,9 +48,6 @@ public:
         : m_rig(spec, m_clock, met.memory(), met.programs(), std::move(traffic)) {}
 
     void work() { m_rig.work(); }
-    Result<void> sendByHand(const std::string& link, const std::string& bytes) {
-        return m_rig.sendByHand(link, bytes);
-    }
     TriedDevice state();
     std::unique_ptr<Camera> takeCamera() { return m_rig.takeCamera(); }
     std::unique_ptr<ThermalCamera> takeThermalCamera() { return m_rig.takeThermalCamera(); }

@@ -405,6 +405,8 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
 // more than the true temperature. No source is colder than the room. A scale shows where the set point is
 // read back from another register than it was written to; where it is the same one, both are wrong alike.
 void SafetyMonitor::addUnit(const SafetyObservation& seen) {
+    if (!seen.asked_K)
+        m_asked_K = 0.0;
     if (!seen.isSourceSwitched)
         return;
     const double room_K = m_experiment.environment_K;

@@ -28,7 +28,7 @@ class DeviceConsole : public QDialog {
 public:
     explicit DeviceConsole(QWidget* parent = nullptr);
 
-    /// `maySend`: no run is armed or on, the heat is off and the robot stands.
+    /// `maySend`: no run is armed or on, and the robot stands.
     void apply(const Snapshot& snapshot, bool maySend);
 
 signals:

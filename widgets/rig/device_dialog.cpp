@@ -136,6 +136,10 @@ void DeviceDialog::build() {
     connect(m_profile, &QComboBox::currentIndexChanged, this, &DeviceDialog::showParts);
     connect(m_profileFile, &QPushButton::clicked, this, &DeviceDialog::chooseProfileFile);
     connect(m_port, &QComboBox::editTextChanged, this, &DeviceDialog::showPort);
+    connect(m_port, &QComboBox::editTextChanged, this, [this](const QString& text) {
+        if (text.trimmed().toStdString() != m_searched)
+            endSearch(); // what was found is not there
+    });
     connect(m_refresh, &QPushButton::clicked, this, &DeviceDialog::portsWanted);
     connect(m_try, &QPushButton::clicked, this, &DeviceDialog::tryDevice);
     connect(m_use, &QPushButton::clicked, this, [this] {
@@ -180,7 +184,7 @@ void DeviceDialog::buildConnection() {
     addParameters(SetupStep::Connection);
     m_form->addRow(QString(), m_finder);
     connect(m_finder, &UnitFinder::findWanted, this, &DeviceDialog::search);
-    connect(m_finder, &UnitFinder::stopWanted, this, &DeviceDialog::searchEnded);
+    connect(m_finder, &UnitFinder::stopWanted, this, &DeviceDialog::endSearch);
     connect(m_finder, &UnitFinder::chosen, this, &DeviceDialog::takeFound);
 }
 
@@ -392,13 +396,16 @@ RigSpec DeviceDialog::device() const {
 
 void DeviceDialog::tryDevice() {
     m_message->clear();
-    m_finder->reset(); // the trial needs the port
+    endSearch(); // the trial needs the port
     m_isTried = true;
     m_result->setText(tr("Asking…"));
     emit tryWanted(device());
 }
 
 void DeviceDialog::endSearch() {
+    if (m_searched.empty())
+        return;
+    m_searched.clear();
     m_finder->reset();
     emit searchEnded();
 }
@@ -408,6 +415,9 @@ void DeviceDialog::search() {
     ModbusSearchSpec spec;
     spec.port = m_port->currentText().trimmed().toStdString();
     spec.isNetwork = !hasLine();
+    m_searched = spec.port;
+    m_isTried = false;
+    sayNotTried();
     spec.lines = {m_line->line()};
     if (hasLine() && spec.lines.front().baud <= 0)
         spec.lines.clear();
@@ -507,7 +517,6 @@ void DeviceDialog::sayNotTried() {
 void DeviceDialog::showError(const QString& sentence) {
     m_isTried = false;
     sayNotTried();
-    m_finder->reset();
     m_message->say(MessageBar::Kind::Problem, sentence);
 }
 

@@ -96,6 +96,7 @@ private:
     std::vector<std::string> m_objects;
     std::vector<ModbusProfile> m_profiles; ///< the listed profiles
     std::vector<SerialPort> m_ports;
+    std::string m_searched; ///< port of the search, of which units are shown; empty: none
     bool m_arePortsKnown = false;
     bool m_isTried = false;                           ///< its answer is shown
     std::map<const ParameterFacts*, double> m_values; ///< values of all drivers' parameters, SI

@@ -342,7 +342,7 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
     m_heat->apply(snapshot, isFree);
     m_limits->setMeasured(sourceTemperature_K(snapshot));
     if (m_console)
-        m_console->apply(snapshot, editable && !snapshot.heatOn && !snapshot.isMoving);
+        m_console->apply(snapshot, editable && !snapshot.isMoving);
     if (!m_dialog)
         return;
     if (snapshot.ports)

@@ -55,7 +55,8 @@ UnitFinder::UnitFinder(QWidget* parent)
         emit findWanted();
         retranslate();
     });
-    connect(m_found, &QListWidget::currentRowChanged, this, &UnitFinder::choose);
+    connect(m_found, &QListWidget::itemClicked, this, &UnitFinder::choose);
+    connect(m_found, &QListWidget::itemActivated, this, &UnitFinder::choose);
     retranslate();
 }
 
@@ -122,9 +123,8 @@ void UnitFinder::list() {
     m_found->setVisible(m_found->count() > 0);
 }
 
-void UnitFinder::choose(int row) {
-    const QListWidgetItem* const item = m_found->item(row);
-    if (item != nullptr && item->data(kProfile).isValid())
+void UnitFinder::choose(const QListWidgetItem* item) {
+    if (item->data(kProfile).isValid())
         emit chosen(item->data(kUnit).toInt(), item->data(kProfile).toString(), m_state.line);
 }
 

@@ -8,6 +8,7 @@
 
 class QLabel;
 class QListWidget;
+class QListWidgetItem;
 class QPushButton;
 
 namespace bask {
@@ -37,7 +38,7 @@ protected:
 
 private:
     void list();
-    void choose(int row);
+    void choose(const QListWidgetItem* item);
     void retranslate();
     bool isOn() const { return m_isAsked && !m_state.isOver; }
 

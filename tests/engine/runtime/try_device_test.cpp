@@ -149,33 +149,48 @@ TEST_F(TryDeviceTest, UnitsAreFoundWithTheirProfiles) {
     ASSERT_TRUE(works([&] { return !engine.last.search; }));
 }
 
-// Catches a console that shows nothing of a device, or sends where nobody listens.
+// Catches a console that shows nothing of a device, a person who sends past its driver, and a robot whose
+// place is sure after that.
 TEST_F(TryDeviceTest, TheTrafficIsKeptAndAPersonMaySend) {
     GrblSimulator robot;
     serve(robot);
-    RigSpec rig;
-    rig.robot.emplace().port = port;
-    engine.send(SendByHand{port, "$$\n"});
-    ASSERT_TRUE(sees([&] { return engine.refusal.code == MessageCode::LinkNotOpened; }));
-    engine.send(TryDevice{rig});
-    ASSERT_TRUE(sees([&] { return isLive(); }));
-    engine.send(SendByHand{port, "G21\n"});
-    ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkByHand; }));
+    Experiment experiment = bareDisk();
+    experiment.rig.emplace().robot.emplace().port = port;
+    experiment.robot.free = {true, true, true, false, false, false};
+    experiment.rig->robot->axes = {{'X', kX}, {'Y', kY}, {'Z', kZ}};
     const auto has = [&](TrafficKind kind, const char* bytes) {
         return std::ranges::any_of(engine.last.traffic->from(0), [&](const TrafficLog::Line& line) {
             return line->kind == kind && line->link == port && line->bytes.find(bytes) != std::string::npos;
         });
     };
-    ASSERT_TRUE(sees([&] { return has(TrafficKind::SentByHand, "G21\n"); }));
+    const auto status = [&] {
+        return engine.last.devices.empty() ? DeviceStatus() : engine.last.devices[0].status;
+    };
+    engine.send(TryDevice{*experiment.rig});
+    ASSERT_TRUE(sees([&] { return isLive(); }));
     EXPECT_TRUE(has(TrafficKind::Sent, "?"));
     EXPECT_TRUE(has(TrafficKind::Received, "[VER:"));
-    ASSERT_TRUE(sees([&] {
-        return std::ranges::any_of(engine.events, [](const TraceEvent& event) {
-            return event.message.code == MessageCode::EventSentByHand;
-        });
+    engine.send(SendByHand{port, "G21\n"});
+    ASSERT_TRUE(sees([&] { return engine.refusal.code == MessageCode::RigMissing; })) << "it is only tried";
+    engine.send(TryDevice{});
+    ASSERT_TRUE(sees([&] { return !engine.last.tried; }));
+
+    engine.send(LoadExperiment{experiment});
+    ASSERT_TRUE(sees([&] { return status().link == LinkState::Live; })) << describe(engine.refusal);
+    engine.send(ClearRobotAlarm{});
+    ASSERT_TRUE(sees([&] { return engine.last.isPlaceSure; }));
+    engine.send(SendByHand{port, "G21\n"});
+    ASSERT_TRUE(sees([&] { return status().problem.code == MessageCode::LinkByHand; }));
+    EXPECT_TRUE(has(TrafficKind::SentByHand, "G21\n"));
+    EXPECT_TRUE(std::ranges::any_of(engine.events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventSentByHand;
     }));
-    ASSERT_TRUE(sees([&] { return isLive(); }, 10000)) << "its driver has it back";
-    EXPECT_EQ(problem(), MessageCode::None);
+    ASSERT_TRUE(sees([&] { return status().link == LinkState::Live; }, 10000)) << "its driver has it back";
+    EXPECT_TRUE(sees([&] { return !engine.last.isPlaceSure; }, 3000)) << "whatever the person has done";
+    engine.send(SendByHand{port, "?"});
+    ASSERT_TRUE(sees([&] { return status().problem.code == MessageCode::LinkByHand; }));
+    engine.send(EmergencyStop{});
+    ASSERT_TRUE(sees([&] { return status().link == LinkState::Live; }, 2000)) << "a stop has it at once";
 }
 
 // Catches a robot that is moved or homed by being tried.

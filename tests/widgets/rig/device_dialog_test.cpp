@@ -278,6 +278,8 @@ TEST_F(DeviceDialogTest, AUnitThatWasFoundIsChosen) {
     dialog->setSearch(state);
     ASSERT_EQ(list->count(), 2);
     list->setCurrentRow(1);
+    EXPECT_EQ(dialog->device().thermometer->unit, 1) << "only looked at";
+    emit list->itemClicked(list->item(1));
     const ThermometerDeviceSpec chosen = *dialog->device().thermometer;
     EXPECT_EQ(chosen.unit, 5);
     EXPECT_EQ(chosen.profile.name, "waveshare-8ch-4-20ma");
@@ -286,6 +288,12 @@ TEST_F(DeviceDialogTest, AUnitThatWasFoundIsChosen) {
     click("findUnits"); // stop
     EXPECT_EQ(searchesEnded, 1);
     EXPECT_EQ(list->count(), 0);
+    click("findUnits");
+    dialog->setSearch(state);
+    EXPECT_EQ(list->count(), 2);
+    typePort("/dev/ttyUSB8");
+    EXPECT_EQ(list->count(), 0) << "they are at another port";
+    EXPECT_EQ(searchesEnded, 2);
 }
 
 } // namespace bask
