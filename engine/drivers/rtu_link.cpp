@@ -111,10 +111,12 @@ RtuLink::~RtuLink() = default;
 void RtuLink::open() {
     if (isOpen())
         return;
+    const bool wasByHand = m_line->bytes->problem().code == MessageCode::LinkByHand;
     m_line->forget();
     m_line->problem = {};
     m_line->bytes->open();
-    m_line->keepSilent(); // for an answer to whoever had the line before
+    if (wasByHand)
+        m_line->keepSilent(); // an answer to the person may still come
 }
 
 void RtuLink::close() {

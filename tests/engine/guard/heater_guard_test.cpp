@@ -250,6 +250,22 @@ protected:
 
 } // namespace
 
+// Catches a plate that a person has switched on past its driver, with no guard until the driver knows.
+TEST_F(GuardTest, WhatAPersonMayHaveSwitchedOnIsWatched) {
+    makeNamur();
+    ASSERT_TRUE(until([&] { return heater->heatState() == HeatState::Off; }));
+    ASSERT_TRUE(until([&] { return heater->cannotHeat().code == MessageCode::None; }));
+    EXPECT_FALSE(heater->heating());
+    namurLink->close();
+    work();
+    heater->doubt();
+    work();
+    EXPECT_TRUE(heater->heating());
+    EXPECT_TRUE(guard->isArmed());
+    EXPECT_TRUE(until([&] { return !heater->heating() && !guard->isArmed(); }, 10000))
+        << "the plate says that it is off";
+}
+
 // Catches a plate that stays hot when the engine's thread hangs, and a guard that acts before its time.
 TEST_F(GuardTest, AnEngineThatHangsIsSwitchedOffWithinThreeSeconds) {
     makeNamur();
