@@ -218,12 +218,8 @@ std::optional<std::string> DeviceConsole::typed() const {
         return text.toStdString() + "\r\n";
     case End::Nothing:
         return text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
-    case End::Hexadecimal: {
-        const QByteArray digits = text.simplified().remove(u' ').toLatin1();
-        const QByteArray bytes = QByteArray::fromHex(digits);
-        const bool isHex = !digits.isEmpty() && bytes.toHex() == digits.toLower();
-        return isHex ? std::optional(bytes.toStdString()) : std::nullopt;
-    }
+    case End::Hexadecimal:
+        return bytesOfDigits(text);
     }
     return std::nullopt;
 }

@@ -418,12 +418,14 @@ void DeviceDialog::search() {
     m_searched = spec.port;
     m_isTried = false;
     sayNotTried();
-    spec.lines = {m_line->line()};
-    if (hasLine() && spec.lines.front().baud <= 0)
-        spec.lines.clear();
-    if (hasLine())
+    const SerialSettings own = m_line->line();
+    spec.lines = {own};
+    if (hasLine()) {
+        if (own.baud <= 0)
+            spec.lines.clear();
         std::ranges::copy_if(kCommonModbusLines, std::back_inserter(spec.lines),
-                             [first = m_line->line()](const SerialSettings& line) { return line != first; });
+                             [&](const SerialSettings& line) { return line != own; });
+    }
     emit searchWanted(spec);
 }
 

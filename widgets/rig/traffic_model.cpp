@@ -32,6 +32,13 @@ bool contains(const std::string& bytes, const std::string& part) {
 
 } // namespace
 
+std::optional<std::string> bytesOfDigits(const QString& text) {
+    const QByteArray digits = text.simplified().remove(u' ').toLatin1().toLower();
+    const QByteArray bytes = QByteArray::fromHex(digits);
+    const bool isHex = !digits.isEmpty() && bytes.toHex() == digits;
+    return isHex ? std::optional(bytes.toStdString()) : std::nullopt;
+}
+
 int TrafficModel::take(const TrafficLog& log) {
     const auto kept = log.from(0, 1);
     const std::uint64_t oldest = kept.empty() ? 0 : kept.front()->number;
@@ -130,9 +137,7 @@ void TrafficFilter::setFilter(const QString& link, TrafficDirection direction, c
     m_link = link.toStdString();
     m_direction = direction;
     m_text = text.toStdString();
-    const QByteArray digits = text.simplified().remove(u' ').toLatin1().toLower();
-    const QByteArray bytes = QByteArray::fromHex(digits);
-    m_bytes = bytes.toHex() == digits ? bytes.toStdString() : std::string();
+    m_bytes = bytesOfDigits(text).value_or(std::string());
     invalidateFilter();
 }
 

@@ -11,6 +11,9 @@
 
 namespace bask {
 
+/// Returns the bytes that a text writes as hexadecimal digits, with or without spaces; empty if it is none.
+std::optional<std::string> bytesOfDigits(const QString& text);
+
 class TrafficModel : public QAbstractTableModel {
     Q_OBJECT
 
