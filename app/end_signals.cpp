@@ -1,5 +1,7 @@
 #include "app/end_signals.h"
 
+#include "engine/base/thread_name.h"
+
 #include <QCoreApplication>
 
 #include <array>
@@ -25,7 +27,10 @@ void told(int) {
 EndSignals::EndSignals() {
     if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, g_ends.data()) != 0)
         return; // the signals then end the program at once, as they do by themselves
-    m_thread = std::thread([this] { listen(); });
+    m_thread = std::thread([this] {
+        nameThread("end signals");
+        listen();
+    });
     for (const int each : kSignals)
         std::signal(each, told);
 }

@@ -5,6 +5,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"
+#include "engine/base/thread_name.h"
 
 #include <algorithm>
 #include <atomic>
@@ -111,6 +112,7 @@ private:
                 return;
             }
             std::thread([thread, opener = std::move(opener)] {
+                nameThread("capture");
                 thread->run(opener);
                 thread->end();
             }).detach();

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"
+#include "engine/base/thread_name.h"
 #include "engine/drivers/spawn_process.h"
 
 #include <array>
@@ -47,6 +48,7 @@ int startProcess(const std::string& program, int socket, const std::vector<std::
 struct HeaterGuard::Process {
     /// There. `socket` is its own, and closed.
     void live(const std::string& program, int socket, const std::vector<std::string>& arguments) {
+        nameThread("heater guard");
         pid_t started = -1;
         const int failed = startProcess(program, socket, arguments, started);
         set(failed == 0 ? started : -1, failed);

@@ -2,6 +2,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
+#include "engine/base/thread_name.h"
 #include "engine/drivers/confirmed_programs.h"
 #include "engine/drivers/port_claim.h"
 #include "engine/drivers/program_files.h"
@@ -109,6 +110,7 @@ public:
             ++running().count;
         }
         std::thread([self = shared_from_this()]() mutable {
+            nameThread("device program");
             self->run();
             self.reset();
             const std::lock_guard lock(running().mutex);

@@ -1,5 +1,7 @@
 #include "engine/runtime/background_thread.h"
 
+#include "engine/base/thread_name.h"
+
 #include <condition_variable>
 #include <deque>
 #include <mutex>
@@ -36,7 +38,10 @@ struct BackgroundThread::Queue {
 };
 
 BackgroundThread::BackgroundThread() : m_queue(std::make_shared<Queue>()) {
-    std::thread([queue = m_queue] { queue->work(); }).detach();
+    std::thread([queue = m_queue] {
+        nameThread("background");
+        queue->work();
+    }).detach();
 }
 
 BackgroundThread::~BackgroundThread() {

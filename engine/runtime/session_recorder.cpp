@@ -1,6 +1,7 @@
 #include "engine/runtime/session_recorder.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/thread_name.h"
 
 #include <algorithm>
 #include <atomic>
@@ -65,6 +66,7 @@ SessionRecorder::SessionRecorder(const std::string& path, const Experiment& expe
                                  double minFree_MB)
     : m_path(path), m_shared(std::make_shared<Shared>()) {
     std::thread([shared = m_shared, path, experiment, simulated, minFree_MB] {
+        nameThread("recorder");
         shared->record(makeFile(path, experiment, simulated, minFree_MB));
     }).detach();
 }

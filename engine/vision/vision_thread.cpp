@@ -1,6 +1,7 @@
 #include "engine/vision/vision_thread.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/thread_name.h"
 #include "engine/vision/camera_source_tracker.h"
 
 #include <algorithm>
@@ -36,7 +37,10 @@ ViewedMarker viewed(const FoundMarker& found, const VisionTask& task) {
 
 VisionThread::VisionThread(Camera& camera, std::string cameraName, const Clock& clock)
     : m_camera(camera), m_name(std::move(cameraName)), m_clock(clock),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+      m_thread([this](const std::stop_token& stop) {
+          nameThread("vision");
+          run(stop);
+      }) {}
 
 VisionThread::~VisionThread() {
     m_thread.request_stop();

@@ -14,15 +14,16 @@
 namespace bask::test {
 namespace {
 
-/// The engine's thread in a process that runs on. 0: there is none.
-pid_t engineThread(const QProcess& process) {
+/// The threads of that name in a process that runs on.
+std::vector<pid_t> threadsNamed(const char* wanted, const QProcess& process) {
+    std::vector<pid_t> out;
     const QDir tasks(QStringLiteral("/proc/%1/task").arg(process.processId()));
     for (const QString& each : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
         QFile name(tasks.filePath(each + QStringLiteral("/comm")));
-        if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == "engine")
-            return each.toInt();
+        if (name.open(QIODevice::ReadOnly) && name.readAll().trimmed() == wanted)
+            out.push_back(each.toInt());
     }
-    return 0;
+    return out;
 }
 
 /// What the run does when its engine ends.
@@ -161,8 +162,9 @@ protected:
     }
     /// The engine's thread stands still, the others do not.
     void hang() {
-        m_thread = engineThread(engine);
-        ASSERT_GT(m_thread, 0);
+        const std::vector<pid_t> threads = threadsNamed("engine", engine);
+        ASSERT_EQ(threads.size(), 1U);
+        m_thread = threads.front();
         ASSERT_EQ(::ptrace(PTRACE_SEIZE, m_thread, nullptr, nullptr), 0);
         ASSERT_EQ(::ptrace(PTRACE_INTERRUPT, m_thread, nullptr, nullptr), 0);
         ASSERT_EQ(::waitpid(m_thread, nullptr, __WALL), m_thread);
