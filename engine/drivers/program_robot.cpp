@@ -29,6 +29,7 @@ double unitOf(const AxisSpec& axis) {
 
 std::vector<int> coordinatesOf(const std::vector<AxisSpec>& axes) {
     std::vector<int> out;
+    out.reserve(axes.size());
     for (const AxisSpec& axis : axes)
         out.push_back(axis.coordinate);
     return out;

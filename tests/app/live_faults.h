@@ -274,13 +274,13 @@ protected:
         ASSERT_TRUE(record) << describe(record.error());
         EXPECT_EQ(record->outcome, outcome);
         for (const auto& [as, name, run_s] : std::exchange(m_expected, {})) {
-            const bool isThere =
-                std::ranges::any_of(record->events, [&, from_s = run_s](const TraceEvent& e) {
+            const bool isThere = std::ranges::any_of(
+                record->events, [&, from_s = run_s, code = as.code,
+                                 by_s = run_s + 1e-3 * as.within_ms + 0.5](const TraceEvent& e) {
                     // An alarm is recorded as it was raised: a port is lost before it cannot be opened again.
-                    const bool isThis =
-                        e.message.code == as.code ||
-                        (as.code == MessageCode::LinkNotOpened && e.message.code == MessageCode::LinkLost);
-                    return isThis && e.time_s > from_s - 0.2 && e.time_s < from_s + 1e-3 * as.within_ms + 0.5;
+                    const bool isThis = e.message.code == code || (code == MessageCode::LinkNotOpened &&
+                                                                   e.message.code == MessageCode::LinkLost);
+                    return isThis && e.time_s > from_s - 0.2 && e.time_s < by_s;
                 });
             EXPECT_TRUE(isThere) << name << " is not in the record";
         }

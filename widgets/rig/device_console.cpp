@@ -90,10 +90,10 @@ void DeviceConsole::build() {
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     const QFontMetrics& metrics = m_table->fontMetrics();
-    m_table->setColumnWidth(TrafficModel::Time,
+    m_table->setColumnWidth(TrafficModel::kTime,
                             metrics.horizontalAdvance(QStringLiteral("00:00:00.000")) + 48);
-    m_table->setColumnWidth(TrafficModel::Link, metrics.horizontalAdvance(QString(20, u'x')));
-    m_table->setColumnWidth(TrafficModel::Direction, metrics.horizontalAdvance(QString(14, u'x')));
+    m_table->setColumnWidth(TrafficModel::kLink, metrics.horizontalAdvance(QString(20, u'x')));
+    m_table->setColumnWidth(TrafficModel::kDirection, metrics.horizontalAdvance(QString(14, u'x')));
 
     auto* top = new QHBoxLayout;
     top->addWidget(m_link);

@@ -1,5 +1,6 @@
 #include "widgets/rig/rig_page.h"
 
+#include "engine/base/message_code.h"
 #include "engine/model/limits_widened.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"

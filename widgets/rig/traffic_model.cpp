@@ -27,7 +27,7 @@ bool contains(const std::string& bytes, const std::string& part) {
     const auto isSame = [](char a, char b) {
         return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
     };
-    return std::ranges::search(bytes, part, isSame).begin() != bytes.end();
+    return std::search(bytes.begin(), bytes.end(), part.begin(), part.end(), isSame) != bytes.end();
 }
 
 } // namespace
@@ -74,16 +74,16 @@ QVariant TrafficModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::FontRole))
         return {};
     if (role == Qt::FontRole)
-        return index.column() == Bytes || index.column() == Time
+        return index.column() == kBytes || index.column() == kTime
                    ? QVariant(QFontDatabase::systemFont(QFontDatabase::FixedFont))
                    : QVariant();
     const TrafficLine& at = line(index.row());
     switch (index.column()) {
-    case Time:
+    case kTime:
         return timeText(at);
-    case Link:
+    case kLink:
         return QString::fromStdString(at.link);
-    case Direction:
+    case kDirection:
         switch (at.kind) {
         case TrafficKind::Sent:
             return tr("sent");
@@ -110,11 +110,11 @@ QVariant TrafficModel::headerData(int section, Qt::Orientation orientation, int 
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (section) {
-    case Time:
+    case kTime:
         return tr("Time");
-    case Link:
+    case kLink:
         return tr("Link");
-    case Direction:
+    case kDirection:
         return tr("Direction");
     default:
         return tr("Bytes");

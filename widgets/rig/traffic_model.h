@@ -18,7 +18,7 @@ class TrafficModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Time, Link, Direction, Bytes, kColumns };
+    enum Column { kTime, kLink, kDirection, kBytes, kColumns };
 
     using QAbstractTableModel::QAbstractTableModel;
 
