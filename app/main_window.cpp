@@ -21,10 +21,10 @@
 #include "engine/experiment/rig_file.h"
 #include "engine/recipe/recipe.h"
 #include "widgets/calibrate/calibration_age.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/point_at.h"
 #include "widgets/common/run_state_chip.h"
-#include "widgets/rig/device_words.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QApplication>

@@ -4,17 +4,17 @@
 #include "app/error_text.h"
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/countdown_bar.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/scrolling.h"
+#include "widgets/common/verdict_words.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/review_page.h"
-#include "widgets/rig/device_words.h"
 #include "widgets/rig/rig_page.h"
 #include "widgets/rig/way_up_question.h"
 #include "widgets/run/run_page.h"
 #include "widgets/targets/targets_page.h"
-#include "widgets/targets/verdict_text.h"
 
 #include <QEvent>
 #include <QFileInfo>

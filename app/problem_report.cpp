@@ -3,7 +3,7 @@
 #include "app/about.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include <QDateTime>
 #include <QDialogButtonBox>

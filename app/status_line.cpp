@@ -1,10 +1,10 @@
 #include "app/status_line.h"
 
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/language.h"
-#include "widgets/rig/device_words.h"
 
 #include <QEvent>
 #include <QFileInfo>

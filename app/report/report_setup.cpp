@@ -5,11 +5,11 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/mounting_check.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/evenness_words.h"
 #include "widgets/common/parameter_form.h"
-#include "widgets/rig/device_words.h"
-#include "widgets/targets/verdict_text.h"
+#include "widgets/common/verdict_words.h"
 
 #include <QCoreApplication>
 #include <QDateTime>

@@ -1,11 +1,11 @@
 #include "widgets/rig/check_list.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 #include "widgets/rig/check_mark.h"
-#include "widgets/rig/device_words.h"
 
 #include <QEvent>
 #include <QGridLayout>

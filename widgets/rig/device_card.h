@@ -2,7 +2,7 @@
 // One device of the rig: its kind, port and present state.
 
 #include "engine/base/message_code.h"
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include <QWidget>
 

@@ -2,7 +2,7 @@
 // Sets up one device in steps: which device, its connection, a test reading, which of its parts are used.
 
 #include "engine/base/units.h"
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include <QDialog>
 

@@ -1,9 +1,9 @@
 #include "widgets/rig/heat_panel.h"
 
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
-#include "widgets/rig/device_words.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QEvent>

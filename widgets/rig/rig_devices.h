@@ -1,7 +1,7 @@
 #pragma once
 // The choice of the rig: the simulated one, or a real one with a device for each role.
 
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include <QWidget>
 

@@ -1,7 +1,7 @@
 #pragma once
 // The settings of a serial line: speed, data bits, parity, stop bits.
 
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include <QWidget>
 

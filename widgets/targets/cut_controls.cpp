@@ -1,7 +1,7 @@
 #include "widgets/targets/cut_controls.h"
 
+#include "widgets/common/verdict_words.h"
 #include "widgets/targets/coordinate_slider.h"
-#include "widgets/targets/verdict_text.h"
 
 #include <QComboBox>
 #include <QEvent>

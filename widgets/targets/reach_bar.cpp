@@ -2,7 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
-#include "widgets/targets/verdict_text.h"
+#include "widgets/common/verdict_words.h"
 
 #include <QApplication>
 #include <QEvent>

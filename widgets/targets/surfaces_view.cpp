@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/verdict_words.h"
 #include "widgets/scene/target_scene.h"
 #include "widgets/targets/cut_controls.h"
 #include "widgets/targets/export_bar.h"
@@ -9,7 +10,6 @@
 #include "widgets/targets/picked_panel.h"
 #include "widgets/targets/picture_dialog.h"
 #include "widgets/targets/surface_geometry.h"
-#include "widgets/targets/verdict_text.h"
 #include "widgets/targets/view_bar.h"
 
 #include <QComboBox>

@@ -4,10 +4,10 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/verdict_words.h"
 #include "widgets/targets/pairs_view.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/surfaces_view.h"
-#include "widgets/targets/verdict_text.h"
 
 #include <QCheckBox>
 #include <QEvent>

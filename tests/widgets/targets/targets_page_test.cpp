@@ -5,8 +5,8 @@
 #include "tests/support/longer_translator.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/verdict_words.h"
 #include "widgets/targets/reach_bar.h"
-#include "widgets/targets/verdict_text.h"
 
 #include <QApplication>
 #include <QCheckBox>

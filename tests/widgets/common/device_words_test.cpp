@@ -1,6 +1,6 @@
 // Devices in words, and the channels that follow their objects.
 
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include "tests/widgets/rig/rig_bench.h"
 

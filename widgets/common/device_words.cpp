@@ -1,4 +1,4 @@
-#include "widgets/rig/device_words.h"
+#include "widgets/common/device_words.h"
 
 #include "widgets/common/display.h"
 
@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct DeviceWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Device)
 };
 
@@ -29,15 +29,15 @@ const char* roleName(DeviceRole role) {
 QString roleWord(DeviceRole role) {
     switch (role) {
     case DeviceRole::Robot:
-        return Words::tr("Robot");
+        return DeviceWords::tr("Robot");
     case DeviceRole::Thermometer:
-        return Words::tr("Thermometer");
+        return DeviceWords::tr("Thermometer");
     case DeviceRole::HeatSource:
-        return Words::tr("Heat source");
+        return DeviceWords::tr("Heat source");
     case DeviceRole::Camera:
-        return Words::tr("Camera");
+        return DeviceWords::tr("Camera");
     case DeviceRole::ThermalCamera:
-        return Words::tr("Thermal camera");
+        return DeviceWords::tr("Thermal camera");
     }
     return {};
 }
@@ -45,13 +45,13 @@ QString roleWord(DeviceRole role) {
 QString linkWord(LinkState state) {
     switch (state) {
     case LinkState::Closed:
-        return Words::tr("Closed");
+        return DeviceWords::tr("Closed");
     case LinkState::Opening:
-        return Words::tr("Opening");
+        return DeviceWords::tr("Opening");
     case LinkState::Live:
-        return Words::tr("Live");
+        return DeviceWords::tr("Live");
     case LinkState::Lost:
-        return Words::tr("Lost");
+        return DeviceWords::tr("Lost");
     }
     return {};
 }
@@ -92,7 +92,7 @@ QString driverText(const RigSpec& rig, DeviceRole role) {
     case DeviceRole::HeatSource:
         return withTitle(*rig.source);
     case DeviceRole::Camera:
-        return Words::tr("Pictures");
+        return DeviceWords::tr("Pictures");
     case DeviceRole::ThermalCamera:
         return QString::fromStdString(rig.thermalCamera->profile.title);
     }
@@ -149,7 +149,7 @@ double sourceTemperature_K(const Snapshot& snapshot) {
 QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit) {
     if (snapshot.source_K || !std::isfinite(snapshot.sourceAge_s))
         return formatTemperature(sourceTemperature_K(snapshot), unit);
-    return Words::tr("%1, %2", "a temperature and how old it is")
+    return DeviceWords::tr("%1, %2", "a temperature and how old it is")
         .arg(formatTemperature(snapshot.latest.source_K, unit), formatAge(snapshot.sourceAge_s));
 }
 
@@ -157,8 +157,9 @@ QString ageText(double age_s) {
     if (!(age_s < kLongestAge_s))
         return {};
     if (age_s < 0.9995)
-        return Words::tr("%1 ms").arg(std::max(0.0, 1000.0 * age_s), 0, 'f', 0);
-    return age_s < 99.95 ? Words::tr("%1 s").arg(QLocale().toString(age_s, 'f', 1)) : formatDuration(age_s);
+        return DeviceWords::tr("%1 ms").arg(std::max(0.0, 1000.0 * age_s), 0, 'f', 0);
+    return age_s < 99.95 ? DeviceWords::tr("%1 s").arg(QLocale().toString(age_s, 'f', 1))
+                         : formatDuration(age_s);
 }
 
 std::vector<std::string> withSensors(const std::vector<ObjectSpec>& objects) {

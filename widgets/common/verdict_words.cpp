@@ -1,4 +1,4 @@
-#include "widgets/targets/verdict_text.h"
+#include "widgets/common/verdict_words.h"
 
 #include "widgets/common/display.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kSameTemperature_K = 0.01;
 
-struct Words {
+struct VerdictWords {
     Q_DECLARE_TR_FUNCTIONS(bask::VerdictText)
 };
 
@@ -44,37 +44,37 @@ FeasibilityVerdict verdictHere(const TargetVerdict& v) {
 QString verdictWord(FeasibilityVerdict verdict) {
     switch (verdict) {
     case FeasibilityVerdict::TooHot:
-        return Words::tr("Too hot");
+        return VerdictWords::tr("Too hot");
     case FeasibilityVerdict::TooCold:
-        return Words::tr("Too cold");
+        return VerdictWords::tr("Too cold");
     case FeasibilityVerdict::Reachable:
         break;
     }
-    return Words::tr("Reachable");
+    return VerdictWords::tr("Reachable");
 }
 
 QString verdictDetail(const TargetVerdict& v, double environment_K, TemperatureUnit unit) {
     switch (verdictHere(v)) {
     case FeasibilityVerdict::TooHot: {
         const Pair f = viewFactors(v.neededViewFactor, v.reachableMax_F);
-        return Words::tr("needs F = %1, at most %2 here; at most %3")
+        return VerdictWords::tr("needs F = %1, at most %2 here; at most %3")
             .arg(f.needed, f.bound, formatTemperature(v.reachableMax_K, unit));
     }
     case FeasibilityVerdict::TooCold: {
         if (v.target_K < v.lowest_K && std::abs(v.lowest_K - environment_K) < kSameTemperature_K)
-            return Words::tr("below the room's %1").arg(formatTemperature(environment_K, unit));
+            return VerdictWords::tr("below the room's %1").arg(formatTemperature(environment_K, unit));
         if (v.target_K < v.lowest_K)
-            return Words::tr("below the %1 it settles at far from the source")
+            return VerdictWords::tr("below the %1 it settles at far from the source")
                 .arg(formatTemperature(v.lowest_K, unit));
         const Pair f = viewFactors(v.neededViewFactor, v.reachableMin_F);
-        return Words::tr("needs F = %1, at least %2 here; at least %3")
+        return VerdictWords::tr("needs F = %1, at least %2 here; at least %3")
             .arg(f.needed, f.bound, formatTemperature(v.reachableMin_K, unit));
     }
     case FeasibilityVerdict::Reachable:
         break;
     }
     const Pair f = viewFactors(v.neededViewFactor, v.reachableMax_F);
-    return Words::tr("needs F = %1, up to %2 here").arg(f.needed, f.bound);
+    return VerdictWords::tr("needs F = %1, up to %2 here").arg(f.needed, f.bound);
 }
 
 double nearestReachable_K(const TargetVerdict& v, TemperatureUnit unit) {
@@ -121,8 +121,9 @@ QString marginText(const PoseMargin& margin) {
 }
 
 QString limitWord(const PoseMargin& margin) {
-    return margin.limit == Limit::Clearance ? Words::tr("clearance")
-                                            : Words::tr("workspace %1").arg(axisName(margin.coordinate));
+    return margin.limit == Limit::Clearance
+               ? VerdictWords::tr("clearance")
+               : VerdictWords::tr("workspace %1").arg(axisName(margin.coordinate));
 }
 
 } // namespace bask
