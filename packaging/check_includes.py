@@ -85,7 +85,7 @@ def qt_in_engine(path):
     return False
 
 
-OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices"), ("engine", "simulation"),
+OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices"), ("engine", "media"), ("engine", "simulation"),
                   ("engine", "thermography")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}

@@ -2,6 +2,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
+#include "engine/media/media.h"
 #include "engine/shape/contour_import.h"
 
 #include <opencv2/core/utils/logger.hpp>
@@ -122,20 +123,20 @@ public:
             return captureRefusal(m_name, m_kind == VideoKind::Device ? "no camera answers there"
                                           : m_kind == VideoKind::File ? "not a video that can be read"
                                                                       : "no video comes from there");
-        const double rate_Hz = m_capture.get(cv::CAP_PROP_FPS);
+        const double rate_Hz = m_capture->get(cv::CAP_PROP_FPS);
         m_period_s = m_kind != VideoKind::File            ? 0.0
                      : rate_Hz >= 1.0 && rate_Hz <= 240.0 ? 1.0 / rate_Hz
                                                           : kPicturePeriod_s;
-        return checkSize(static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_WIDTH)),
-                         static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_HEIGHT)));
+        return checkSize(static_cast<int>(m_capture->get(cv::CAP_PROP_FRAME_WIDTH)),
+                         static_cast<int>(m_capture->get(cv::CAP_PROP_FRAME_HEIGHT)));
     }
 
     Result<CaughtPicture> next() override {
         cv::Mat image;
-        if (!m_capture.read(image) && m_kind == VideoKind::File) {
+        if (!m_capture->read(image) && m_kind == VideoKind::File) {
             if (auto opened = open(); !opened)
                 return opened.error();
-            m_capture.read(image);
+            m_capture->read(image);
         }
         const double now_s = SteadyClock().now_s();
         if (image.empty())
@@ -149,7 +150,7 @@ public:
         CaughtPicture caught{{grey.cols, grey.rows, {grey.begin<std::uint8_t>(), grey.end<std::uint8_t>()}},
                              now_s};
         const double stamp_s =
-            m_kind == VideoKind::Device ? 1e-3 * m_capture.get(cv::CAP_PROP_POS_MSEC) : 0.0;
+            m_kind == VideoKind::Device ? 1e-3 * m_capture->get(cv::CAP_PROP_POS_MSEC) : 0.0;
         if (stamp_s <= now_s && stamp_s >= now_s - kOldestStamp_s)
             caught.caught_s = stamp_s;
         return caught;
@@ -161,17 +162,17 @@ public:
 
 private:
     bool openDevice() {
-        if (!m_capture.open(cameraDevice(m_name), cv::CAP_V4L2))
+        if (!m_capture->open(cameraDevice(m_name), cv::CAP_V4L2, {}))
             return false;
         // Uncompressed, USB 2 has room for some 10 such pictures a second only.
-        m_capture.set(cv::CAP_PROP_FOURCC, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'));
-        m_capture.set(cv::CAP_PROP_FRAME_WIDTH, 1280);
-        m_capture.set(cv::CAP_PROP_FRAME_HEIGHT, 720);
+        m_capture->set(cv::CAP_PROP_FOURCC, fourCharacterCode("MJPG"));
+        m_capture->set(cv::CAP_PROP_FRAME_WIDTH, 1280);
+        m_capture->set(cv::CAP_PROP_FRAME_HEIGHT, 720);
         return true;
     }
 
     bool openByFfmpeg() {
-        return m_capture.open(
+        return m_capture->open(
             m_name, cv::CAP_FFMPEG,
             std::vector<int>{cv::CAP_PROP_OPEN_TIMEOUT_MSEC, 5000, cv::CAP_PROP_READ_TIMEOUT_MSEC, 2000});
     }
@@ -189,7 +190,7 @@ private:
 
     std::string m_name;
     VideoKind m_kind;
-    cv::VideoCapture m_capture;
+    std::unique_ptr<VideoInput> m_capture = makeVideoInput();
     double m_period_s = 0.0;
     int m_width = 0, m_height = 0;
 };

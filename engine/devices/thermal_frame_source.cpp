@@ -2,6 +2,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/devices/frame_source.h"
+#include "engine/media/media.h"
 #include "engine/thermography/frame_file.h"
 
 #include <opencv2/videoio.hpp>
@@ -49,19 +50,18 @@ public:
         : m_name(std::move(name)), m_profile(std::move(profile)) {}
 
     Result<void> open() {
-        if (!m_capture.open(cameraDevice(m_name), cv::CAP_V4L2))
+        if (!m_capture->open(cameraDevice(m_name), cv::CAP_V4L2, {}))
             return captureRefusal(m_name, "no camera answers there");
         // The numbers themselves, not a picture made of them; another format might have as many bytes.
-        m_capture.set(cv::CAP_PROP_CONVERT_RGB, 0);
-        const std::string& format = m_profile.pixelFormat;
-        const int fourcc = cv::VideoWriter::fourcc(format[0], format[1], format[2], format[3]);
+        m_capture->set(cv::CAP_PROP_CONVERT_RGB, 0);
+        const int fourcc = fourCharacterCode(m_profile.pixelFormat);
         const int rows = m_profile.skipTop + m_profile.height + m_profile.skipBottom;
-        m_capture.set(cv::CAP_PROP_FOURCC, fourcc);
-        m_capture.set(cv::CAP_PROP_FRAME_WIDTH, m_profile.width);
-        m_capture.set(cv::CAP_PROP_FRAME_HEIGHT, rows);
-        const int given = static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_HEIGHT));
-        if (static_cast<int>(m_capture.get(cv::CAP_PROP_FOURCC)) != fourcc ||
-            static_cast<int>(m_capture.get(cv::CAP_PROP_FRAME_WIDTH)) != m_profile.width ||
+        m_capture->set(cv::CAP_PROP_FOURCC, fourcc);
+        m_capture->set(cv::CAP_PROP_FRAME_WIDTH, m_profile.width);
+        m_capture->set(cv::CAP_PROP_FRAME_HEIGHT, rows);
+        const int given = static_cast<int>(m_capture->get(cv::CAP_PROP_FRAME_HEIGHT));
+        if (static_cast<int>(m_capture->get(cv::CAP_PROP_FOURCC)) != fourcc ||
+            static_cast<int>(m_capture->get(cv::CAP_PROP_FRAME_WIDTH)) != m_profile.width ||
             (given != rows && given != rows + m_profile.optionalBottom))
             return captureRefusal(m_name, "it gives no frames of \"" + m_profile.name + "\"");
         if (const auto first = next(); !first)
@@ -71,7 +71,7 @@ public:
 
     Result<CaughtThermalFrame> next() override {
         cv::Mat image;
-        if (!m_capture.read(image) || image.empty())
+        if (!m_capture->read(image) || image.empty())
             return captureRefusal(m_name, "it has ended");
         if (!image.isContinuous())
             image = image.clone();
@@ -83,7 +83,7 @@ public:
 private:
     std::string m_name;
     ThermalProfile m_profile;
-    cv::VideoCapture m_capture;
+    std::unique_ptr<VideoInput> m_capture = makeVideoInput();
 };
 
 FramesOpened openLive(const std::string& name, const ThermalProfile& profile) {

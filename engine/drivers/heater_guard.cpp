@@ -1,6 +1,7 @@
 #include "engine/drivers/heater_guard.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/program_part.h"
 #include "engine/base/result.h"
 #include "engine/base/thread_name.h"
 #include "engine/drivers/spawn_process.h"
@@ -85,16 +86,7 @@ struct HeaterGuard::Process {
 };
 
 const std::string& guardProgram() {
-    static const std::string found = [] {
-        namespace fs = std::filesystem;
-        std::error_code code;
-        const fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
-        for (const fs::path& each : {folder / "bask-guard", folder.parent_path() / "libexec/bask/bask-guard",
-                                     fs::path(BASK_GUARD_BUILT)})
-            if (!each.empty() && ::access(each.c_str(), X_OK) == 0)
-                return each.string();
-        return std::string();
-    }();
+    static const std::string found = programPart("bask-guard", BASK_GUARD_BUILT);
     return found;
 }
 

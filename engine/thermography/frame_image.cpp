@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/calibration/camera_model.h"
+#include "engine/media/media.h"
 #include "engine/shape/image_header.h"
 #include "engine/thermography/frame_picture_file.h"
 
@@ -55,7 +56,7 @@ Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile&
         return above.error();
     try {
         const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
-        const cv::Mat image = cv::imdecode(raw, cv::IMREAD_UNCHANGED);
+        const cv::Mat image = pictureCodecs().decode(raw, cv::IMREAD_UNCHANGED);
         if (image.type() != CV_16UC1 || image.cols != profile.width || image.rows < *above + profile.height)
             return Error{MessageCode::ImageUnreadable, where};
         CountPicture counts{profile.width, profile.height, {}};

@@ -1,5 +1,7 @@
 #include "engine/thermography/frame_picture_file.h"
 
+#include "engine/media/media.h"
+
 #include <opencv2/imgcodecs.hpp>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ std::string encoded(const CountPicture& counts, const char* ending, const std::v
     const cv::Mat image(counts.height, counts.width, CV_16U,
                         const_cast<unsigned short*>(counts.counts.data()));
     std::vector<unsigned char> bytes;
-    if (!cv::imencode(ending, image, bytes, options))
+    if (!pictureCodecs().encode(ending, image, bytes, options))
         throw std::runtime_error("the picture cannot be encoded");
     return {bytes.begin(), bytes.end()};
 }

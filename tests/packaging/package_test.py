@@ -57,7 +57,8 @@ class Package(unittest.TestCase):
         examples = ROOT / "resources/examples"
         docs += [f"share/doc/bask/examples/{path.relative_to(examples)}" for path in examples.rglob("*") if path.is_file()]
         self.assertEqual(found, sorted(docs + [
-            "bin/bask", "libexec/bask/bask-guard", "lib/udev/rules.d/60-bask.rules", "share/applications/bask.desktop",
+            "bin/bask", "libexec/bask/bask-guard", "libexec/bask/bask-pictures.so",
+            "libexec/bask/bask-video.so", "lib/udev/rules.d/60-bask.rules", "share/applications/bask.desktop",
             "share/doc/bask/changelog.gz", "share/doc/bask/copyright", "share/icons/hicolor/scalable/apps/bask.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-experiment.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-recipe.svg",

@@ -1,6 +1,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/pose.h"
+#include "engine/base/program_part.h"
 #include "engine/base/result.h"
 #include "engine/base/units.h"
 #include "engine/base/words.h"
@@ -8,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -20,6 +22,15 @@ TEST(Units, TemperaturesGoThereAndBack) {
         EXPECT_NEAR(kelvinFromDisplay(displayTemperature(313.15, unit), unit), 313.15, 1e-9);
     EXPECT_NEAR(displayTemperature(313.15, TemperatureUnit::Fahrenheit), 104.0, 1e-9);
     EXPECT_NEAR(displayDifference(0.5, TemperatureUnit::Fahrenheit), 0.9, 1e-12); // no offset in a difference
+}
+
+// Catches a part that is missed where tests have it, and one that is said to be where it is not.
+TEST(ProgramPart, IsFoundBesideTheProgramAndWhereItWasBuilt) {
+    const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe");
+    EXPECT_EQ(programPart(own.filename(), ""), own.string());
+    EXPECT_EQ(programPart("null", "/dev"), "/dev/null");
+    EXPECT_EQ(programPart("null", ""), "");
+    EXPECT_EQ(programPart("no-such-part", "/dev"), "");
 }
 
 TEST(Pose, CoordinatesAreRzRyRx) {

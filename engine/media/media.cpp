@@ -1,0 +1,48 @@
+#include "engine/media/media.h"
+
+#include "engine/base/program_part.h"
+
+#include <cstdio>
+#include <dlfcn.h>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+[[noreturn]] void fail(const std::string& what) {
+    std::fprintf(stderr, "bask: %s; install Bask again\n", what.c_str());
+    throw std::runtime_error(what);
+}
+
+/// A function of a module, which stays loaded.
+template <class Function> Function* functionOf(const char* module, const char* name) {
+    const std::string path = programPart(module, BASK_MODULES_BUILT);
+    if (path.empty())
+        fail(std::string(module) + " is missing");
+    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+    void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
+    if (found == nullptr)
+        fail(::dlerror());
+    return reinterpret_cast<Function*>(found);
+}
+
+} // namespace
+
+const PictureCodecs& pictureCodecs() {
+    static const auto codecs = functionOf<const PictureCodecs*()>("bask-pictures.so", "baskPictureCodecs");
+    return *codecs();
+}
+
+std::unique_ptr<VideoInput> makeVideoInput() {
+    static const auto make = functionOf<VideoInput*()>("bask-video.so", "baskMakeVideoInput");
+    return std::unique_ptr<VideoInput>(make());
+}
+
+int fourCharacterCode(const std::string& letters) {
+    int code = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+        code |= static_cast<int>(static_cast<unsigned char>(letters[k])) << (8 * k);
+    return code;
+}
+
+} // namespace bask
