@@ -1,18 +1,12 @@
 #include "app/about.h"
 
-#include "engine/base/version.h"
+#include "app/exact_version.h"
 
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QSysInfo>
 
 namespace bask {
-
-QString exactVersion() {
-    const QString revision = QStringLiteral(BASK_REVISION);
-    return revision.isEmpty() ? QStringLiteral(BASK_VERSION)
-                              : QStringLiteral("%1 (%2)").arg(QStringLiteral(BASK_VERSION), revision);
-}
 
 void showAbout(QWidget* parent) {
     // Not named tr: lupdate would take the calls for its own and find no string.

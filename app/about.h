@@ -1,14 +1,9 @@
 #pragma once
-// Help > About: the exact version, so that a problem report can name it.
-
-#include <QString>
+// Help > About.
 
 class QWidget;
 
 namespace bask {
-
-/// Returns "0.1.0 (a1b2c3d)"; without the revision if the source was not a checkout.
-QString exactVersion();
 
 void showAbout(QWidget* parent);
 

@@ -1,13 +1,13 @@
 #include "app/command_dispatch.h"
 
-#include "app/about.h"
 #include "app/commands/command_line.h"
+#include "app/exact_version.h"
 #include "app/resources.h"
+#include "engine/base/program_part.h"
 
 #include <QApplication>
 #include <QFileInfo>
 #include <QLocale>
-#include <QLoggingCategory>
 
 #include <array>
 #include <cerrno>
@@ -16,6 +16,8 @@
 #include <cstring>
 #include <memory>
 #include <string>
+#include <unistd.h>
+#include <vector>
 
 namespace bask {
 namespace {
@@ -107,49 +109,11 @@ int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
     return finished(subcommand.run(arguments));
 }
 
-} // namespace
-
-Dispatch dispatch(int& argc, char** argv) {
-    // A line for each answer that does not fit; the devices' states tell of them.
-    QLoggingCategory::setFilterRules(QStringLiteral("qt.modbus*.warning=false"));
-    Dispatch result;
-    if (const std::string sentence = notUtf8(argc, argv); !sentence.empty()) {
-        std::fprintf(stderr, "bask: %s\n", sentence.c_str());
-        return {kExitBadInput, {}};
-    }
-    for (int i = 1; i < argc; ++i) {
-        const QString word = QString::fromLocal8Bit(argv[i]);
-        if (isQtOptionWithValue(word)) {
-            ++i;
-            continue;
-        }
-        if (i == 1)
-            for (const Subcommand& each : subcommands())
-                if (word == QLatin1String(each.name))
-                    return {runSubcommand(each, argc, argv), {}};
-        if (word == QLatin1String("-h") || word == QLatin1String("--help"))
-            return {finished(printHelp()), {}};
-        if (word == QLatin1String("-v") || word == QLatin1String("--version")) {
-            std::printf("Bask %s\n", qPrintable(exactVersion()));
-            return {finished(kExitDone), {}};
-        }
-        const bool isFile = word.endsWith(QLatin1String(".json")) || word.endsWith(QLatin1String(".bask")) ||
-                            QFileInfo(word).isFile();
-        if (!isFile || word.startsWith(u'-'))
-            return {unknown(word), {}};
-        if (!QFileInfo(word).isFile()) {
-            std::fprintf(stderr, "bask: %s: there is no such file; check the path\n", qPrintable(word));
-            return {kExitBadInput, {}};
-        }
-        if (!result.file.isEmpty()) {
-            std::fprintf(stderr, "bask: %s: one file at a time\n", qPrintable(word));
-            return {kExitBadInput, {}};
-        }
-        result.file = QFileInfo(word).absoluteFilePath();
-    }
-    return result;
+Dispatch ended(int exitCode) {
+    return {exitCode, {}, {}};
 }
 
+/// Empty, or why no window can open here.
 QString missingDisplay() {
     for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         if (!qEnvironmentVariableIsEmpty(variable))
@@ -157,6 +121,71 @@ QString missingDisplay() {
     return QStringLiteral(
         "bask: the window needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set. Log in to a "
         "desktop, use ssh -X or xvfb-run, or work without a window: bask --help");
+}
+
+} // namespace
+
+Dispatch dispatch(int& argc, char** argv) {
+    Dispatch result;
+    if (const std::string sentence = notUtf8(argc, argv); !sentence.empty()) {
+        std::fprintf(stderr, "bask: %s\n", sentence.c_str());
+        return ended(kExitBadInput);
+    }
+    for (int i = 1; i < argc; ++i) {
+        const QString word = QString::fromLocal8Bit(argv[i]);
+        if (isQtOptionWithValue(word)) {
+            result.options << word;
+            if (++i < argc)
+                result.options << QString::fromLocal8Bit(argv[i]);
+            continue;
+        }
+        if (i == 1)
+            for (const Subcommand& each : subcommands())
+                if (word == QLatin1String(each.name))
+                    return ended(runSubcommand(each, argc, argv));
+        if (word == QLatin1String("-h") || word == QLatin1String("--help"))
+            return ended(finished(printHelp()));
+        if (word == QLatin1String("-v") || word == QLatin1String("--version")) {
+            std::printf("Bask %s\n", qPrintable(exactVersion()));
+            return ended(finished(kExitDone));
+        }
+        const bool isFile = word.endsWith(QLatin1String(".json")) || word.endsWith(QLatin1String(".bask")) ||
+                            QFileInfo(word).isFile();
+        if (!isFile || word.startsWith(u'-'))
+            return ended(unknown(word));
+        if (!QFileInfo(word).isFile()) {
+            std::fprintf(stderr, "bask: %s: there is no such file; check the path\n", qPrintable(word));
+            return ended(kExitBadInput);
+        }
+        if (!result.file.isEmpty()) {
+            std::fprintf(stderr, "bask: %s: one file at a time\n", qPrintable(word));
+            return ended(kExitBadInput);
+        }
+        result.file = QFileInfo(word).absoluteFilePath();
+    }
+    return result;
+}
+
+int becomeWindow(char* program, const Dispatch& asked) {
+    if (const QString sentence = missingDisplay(); !sentence.isEmpty()) {
+        std::fprintf(stderr, "%s\n", qPrintable(sentence));
+        return kExitFault;
+    }
+    std::vector<QByteArray> words;
+    for (const QString& option : asked.options)
+        words.push_back(option.toLocal8Bit());
+    if (!asked.file.isEmpty())
+        words.insert(words.end(), {"--", asked.file.toLocal8Bit()});
+    std::vector<char*> arguments{program};
+    for (QByteArray& word : words)
+        arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const std::string window = programPart("bask-window", {});
+    ::execv(window.c_str(), arguments.data());
+    std::fprintf(stderr,
+                 "bask: the window's program, bask-window, cannot be started: %s; install Bask again\n",
+                 std::strerror(errno));
+    return kExitFault;
 }
 
 } // namespace bask

@@ -7,17 +7,19 @@
 
 namespace bask {
 
-/// What to do. If it has an exit code, everything has been done.
+/// What to do. If it has an exit code, everything has been done; if not, a window is wanted.
 struct Dispatch {
     std::optional<int> exitCode;
-    QString file; ///< file for the window; empty for the first example
+    QString file;        ///< absolute; empty for the first example
+    QStringList options; ///< Qt's own, with their values
 };
 
 /// Takes the arguments of main(). Prints --help, --version and complaints; runs subcommands on a
 /// QCoreApplication.
 Dispatch dispatch(int& argc, char** argv);
 
-/// Returns the sentence to print if there is no display for the window; empty if there is one.
-QString missingDisplay();
+/// Replaces this program by the window, `bask-window`, which keeps its process and its first argument.
+/// Returns an exit code, after a sentence, if there is no display or the window's program cannot be started.
+int becomeWindow(char* program, const Dispatch& asked);
 
 } // namespace bask

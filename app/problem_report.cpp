@@ -1,6 +1,6 @@
 #include "app/problem_report.h"
 
-#include "app/about.h"
+#include "app/exact_version.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "widgets/common/device_words.h"

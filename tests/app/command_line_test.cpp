@@ -65,6 +65,19 @@ TEST(CommandLine, HelpAndVersion) {
 }
 
 // Catches: a subcommand that needs a display, or has no help.
+// Catches a command that loads at its start what only the window, a picture or a camera needs: 200 libraries.
+TEST(CommandLine, LoadsNeitherViewsNorCodecsNorCameras) {
+    QProcess ldd;
+    ldd.start(QStringLiteral("ldd"), {QStringLiteral(BASK_PROGRAM)});
+    ASSERT_TRUE(ldd.waitForFinished());
+    const QString libraries = QString::fromUtf8(ldd.readAllStandardOutput());
+    EXPECT_TRUE(libraries.contains(QStringLiteral("libQt6Core")));
+    for (const char* heavy :
+         {"libvtkRendering", "libopencv_imgcodecs", "libopencv_videoio", "libgdal", "libavcodec"})
+        EXPECT_FALSE(libraries.contains(QLatin1String(heavy))) << heavy;
+    std::printf("| %lld libraries\n", static_cast<long long>(libraries.count(u'\n')));
+}
+
 TEST(CommandLine, EverySubcommandHasHelp) {
     for (const QString& name : subcommandNames()) {
         const Answer help = bask({name, QStringLiteral("--help")});
