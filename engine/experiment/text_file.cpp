@@ -10,7 +10,9 @@ namespace bask {
 Result<void> writeTextFile(const std::string& path, const std::string& text) {
     QSaveFile file(QString::fromStdString(path));
     const auto size = static_cast<qint64>(text.size());
-    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
+    // Qt 6.4's commit() does not see that its last bytes found no room.
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.flush() ||
+        !file.commit())
         return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
     return {};
 }

@@ -41,7 +41,8 @@ std::string sizeText(int width, int height) {
 Result<void> writeFile(const QString& path, const std::string& text) {
     QSaveFile file(path);
     const auto size = static_cast<qint64>(text.size());
-    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), size) == size && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), size) == size && file.flush() &&
+        file.commit()) // commit() alone: see writeTextFile()
         return {};
     return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }

@@ -178,7 +178,8 @@ void SheetPanel::say(const QString& sentence, bool isProblem) {
 void SheetPanel::saveTo(const QString& path) {
     const QByteArray pdf = sheetPdf(m_sheets);
     QSaveFile file(path);
-    const bool isSaved = file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size() && file.commit();
+    const bool isSaved = file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size() && file.flush() &&
+                         file.commit(); // commit() alone: see writeTextFile()
     say(isSaved ? tr("Saved. Print it at 100 % (actual size) and measure its ruler.")
                 : messageText({MessageCode::FileUnwritable, {file.errorString().toStdString()}}),
         !isSaved);

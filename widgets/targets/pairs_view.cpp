@@ -49,7 +49,8 @@ bool mayReplace(const QString& path) {
 
 template <class Write> Result<void> writeWhole(const QString& path, Write write) {
     QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
+    if (file.open(QIODevice::WriteOnly) && write(file) && file.flush() &&
+        file.commit()) // commit() alone: see writeTextFile()
         return {};
     return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }
