@@ -800,8 +800,8 @@
         <translation>il n’y a aucun objet&#xa0;; ajoutez-en au moins un</translation>
     </message>
     <message>
-        <source>control characters, and spaces at either end, are not allowed in a name</source>
-        <translation>les caractères de contrôle et les espaces aux extrémités ne sont pas admis dans un nom</translation>
+        <source>control characters, invisible ones (of no width, or that turn the direction of writing) and spaces at either end are not allowed here</source>
+        <translation>les caractères de contrôle, les caractères invisibles (sans largeur, ou qui changent le sens d’écriture) et les espaces aux extrémités ne sont pas admis ici</translation>
     </message>
     <message>
         <source>the axis &quot;%1&quot; is given twice</source>
@@ -922,6 +922,14 @@
     <message>
         <source>not an SVG drawing</source>
         <translation>n’est pas un dessin SVG</translation>
+    </message>
+    <message>
+        <source>line %1: the path data of the drawing are damaged from &quot;%2&quot; on</source>
+        <translation>ligne&#xa0;%1&#xa0;: les données de tracé du dessin sont endommagées à partir de «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which holds it</source>
+        <translation>ligne&#xa0;%1&#xa0;: &lt;use&gt; dessine «&#xa0;%2&#xa0;», qui le contient</translation>
     </message>
     <message>
         <source>the drawing&apos;s size &quot;%1&quot; cannot be used</source>
@@ -1122,6 +1130,10 @@
     <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>Les objets ne sont pas stables à la température ambiante (%1), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
+    </message>
+    <message>
+        <source>The workspace lets %1 go to %2, but the robot says that it goes to %3 only. Make the workspace smaller, or correct what the robot says.</source>
+        <translation>L’espace de travail laisse&#xa0;%1 aller jusqu’à&#xa0;%2, mais le robot dit n’aller que jusqu’à&#xa0;%3. Réduisez l’espace de travail, ou corrigez ce que dit le robot.</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1552,8 +1564,8 @@
         <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>La position du robot n’est pas sûre&#xa0;: sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
+        <source>The robot&apos;s place is not sure: Bask has not seen it homed since it connected, or its place was lost in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>La position du robot n’est pas sûre&#xa0;: depuis la connexion Bask n’a vu aucune prise d’origine, ou elle a été perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
     </message>
     <message>
         <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>

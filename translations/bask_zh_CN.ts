@@ -800,8 +800,8 @@
         <translation>没有物体；请至少添加一个</translation>
     </message>
     <message>
-        <source>control characters, and spaces at either end, are not allowed in a name</source>
-        <translation>名称中不允许有控制字符，首尾也不允许有空格</translation>
+        <source>control characters, invisible ones (of no width, or that turn the direction of writing) and spaces at either end are not allowed here</source>
+        <translation>此处不允许有控制字符、不可见字符（零宽或改变书写方向的字符），首尾也不允许有空格</translation>
     </message>
     <message>
         <source>the axis &quot;%1&quot; is given twice</source>
@@ -922,6 +922,14 @@
     <message>
         <source>not an SVG drawing</source>
         <translation>不是 SVG 图形</translation>
+    </message>
+    <message>
+        <source>line %1: the path data of the drawing are damaged from &quot;%2&quot; on</source>
+        <translation>第 %1 行：图形的路径数据从“%2”起已损坏</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which holds it</source>
+        <translation>第 %1 行：&lt;use&gt; 绘制的“%2”包含它自身</translation>
     </message>
     <message>
         <source>the drawing&apos;s size &quot;%1&quot; cannot be used</source>
@@ -1122,6 +1130,10 @@
     <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>物体未静置于室温（%1），因此传感器无法校零。请等待冷却，或更正环境温度。</translation>
+    </message>
+    <message>
+        <source>The workspace lets %1 go to %2, but the robot says that it goes to %3 only. Make the workspace smaller, or correct what the robot says.</source>
+        <translation>工作空间允许 %1 到 %2，但机器人称其只能到 %3。请缩小工作空间，或更正机器人所报告的限值。</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1552,8 +1564,8 @@
         <translation>机器人与按步进应到的位置相差 %1 mm，超过 %2 mm。它可能被推动过或丢步：请检查并回零，然后复位。</translation>
     </message>
     <message>
-        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>机器人的位置不确定：它未曾回零，或在重启或停止时丢失了位置。请使其回零，或确认其位置。</translation>
+        <source>The robot&apos;s place is not sure: Bask has not seen it homed since it connected, or its place was lost in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>机器人的位置不确定：自连接以来 Bask 未见其回零，或其位置在重启或停止时丢失。请使其回零，或确认其位置。</translation>
     </message>
     <message>
         <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>

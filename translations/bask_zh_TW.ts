@@ -800,8 +800,8 @@
         <translation>沒有物體；請至少新增一個</translation>
     </message>
     <message>
-        <source>control characters, and spaces at either end, are not allowed in a name</source>
-        <translation>名稱中不允許有控制字元，首尾也不允許有空格</translation>
+        <source>control characters, invisible ones (of no width, or that turn the direction of writing) and spaces at either end are not allowed here</source>
+        <translation>此處不允許有控制字元、不可見字元（零寬或改變書寫方向的字元），首尾也不允許有空格</translation>
     </message>
     <message>
         <source>the axis &quot;%1&quot; is given twice</source>
@@ -922,6 +922,14 @@
     <message>
         <source>not an SVG drawing</source>
         <translation>不是 SVG 圖形</translation>
+    </message>
+    <message>
+        <source>line %1: the path data of the drawing are damaged from &quot;%2&quot; on</source>
+        <translation>第 %1 行：圖形的路徑資料從「%2」起已損壞</translation>
+    </message>
+    <message>
+        <source>line %1: &lt;use&gt; draws &quot;%2&quot;, which holds it</source>
+        <translation>第 %1 行：&lt;use&gt; 繪製的「%2」包含它自身</translation>
     </message>
     <message>
         <source>the drawing&apos;s size &quot;%1&quot; cannot be used</source>
@@ -1122,6 +1130,10 @@
     <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>物體未靜置於室溫（%1），因此感測器無法歸零。請等待冷卻，或更正環境溫度。</translation>
+    </message>
+    <message>
+        <source>The workspace lets %1 go to %2, but the robot says that it goes to %3 only. Make the workspace smaller, or correct what the robot says.</source>
+        <translation>工作空間允許 %1 到 %2，但機器人稱其只能到 %3。請縮小工作空間，或更正機器人所回報的限值。</translation>
     </message>
     <message>
         <source>Held by the operator. Resume or stop.</source>
@@ -1552,8 +1564,8 @@
         <translation>機器人與按步進應到的位置相差 %1 mm，超過 %2 mm。它可能被推動過或失步：請檢查並使其回原點，然後復歸。</translation>
     </message>
     <message>
-        <source>The robot&apos;s place is not sure: it was not homed, or lost its place in a restart or a stop. Home it, or confirm its place.</source>
-        <translation>機器人的位置不確定：它未曾回原點，或在重新啟動或停止時失去了位置。請使其回原點，或確認其位置。</translation>
+        <source>The robot&apos;s place is not sure: Bask has not seen it homed since it connected, or its place was lost in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>機器人的位置不確定：自連線以來 Bask 未見其回原點，或其位置在重新啟動或停止時失去。請使其回原點，或確認其位置。</translation>
     </message>
     <message>
         <source>The source warmed by %1 in %2 s although its heat is off; at most %3 is allowed. Its relay may be stuck, or somebody heats it at its own panel. Switch it off at its mains, then reset.</source>

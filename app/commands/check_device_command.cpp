@@ -28,7 +28,8 @@ int checkDeviceCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         "Starts the program of a device and tries whether it keeps the rules of program drivers, one after\n"
-        "the other. A robot moves by 2 mm, a heat source heats by 5 K: stand by.\n"
+        "the other. Each axis of a robot moves by 1 or 2 mm, or half a degree, a heat source heats by 5 K: "
+        "stand by.\n"
         "Exit code: 0 all rules are kept, 2 bad input, 3 some are not.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("COMMAND", "The program and its arguments, after --.", "-- COMMAND...");
@@ -50,7 +51,7 @@ int checkDeviceCommand(const QStringList& arguments) {
         std::fprintf(stderr, "bask check-device: %s\n", describe(files.error()).c_str());
         return kExitBadInput;
     }
-    int broken = 0, all = 0;
+    int broken = 0, all = 0, untried = 0;
     const SignalCount signalCount; // an interrupted program is ended, too
     ProgramCheckOptions options;
     options.mayMove = !parser.isSet("no-motion");
@@ -60,13 +61,15 @@ int checkDeviceCommand(const QStringList& arguments) {
         static constexpr std::array kMarks{"ok    ", "WRONG ", "?     "};
         const bool isTried = finding.kind != ProgramFinding::Kind::NotTried;
         all += isTried ? 1 : 0;
+        untried += isTried ? 0 : 1;
         broken += finding.kind == ProgramFinding::Kind::Broken ? 1 : 0;
         std::printf("%s %s%s\n", kMarks[static_cast<std::size_t>(finding.kind)],
                     isTried ? "" : "not tried: ", finding.words.c_str());
         std::fflush(stdout);
     });
     if (broken == 0)
-        std::printf("All %d rules that were tried are kept.\n", all);
+        std::printf("All %d rules that were tried are kept%s.\n", all,
+                    untried > 0 ? "; what is marked with ? was not tried" : "");
     else
         std::printf("%d of %d rules that were tried are broken.\n", broken, all);
     return broken == 0 ? kExitDone : kExitNegative;

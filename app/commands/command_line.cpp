@@ -6,7 +6,7 @@ namespace bask {
 
 std::span<const Subcommand> subcommands() {
     static constexpr std::array kSubcommands{
-        Subcommand{"run", "run an experiment on the simulated rig, as fast as the machine goes",
+        Subcommand{"run", "run an experiment on the simulated rig, or on its own one (--live)",
                    runExperimentCommand},
         Subcommand{"feasibility", "whether all targets of an experiment can be held together, and why not",
                    feasibilityCommand},

@@ -82,6 +82,8 @@ private:
             return;
         if (snapshot.refusal.code != MessageCode::None && mayNotBeRefused(snapshot.refusal))
             return end(Error(snapshot.refusal.code, {}, snapshot.refusal.args));
+        if (snapshot.refusal.code != MessageCode::None && snapshot.refusal.code != MessageCode::CommandNotNow)
+            m_resetRefused = snapshot.refusal;
         switch (snapshot.state) {
         case RunState::Fault:
             return faulted(snapshot);
@@ -91,8 +93,12 @@ private:
             return;
         case RunState::Armed:
             m_armed_s = m_armed_s.value_or(m_clock.now_s());
-            if (m_wish == Wish::Start && m_clock.now_s() - *m_armed_s >= kArmed_s)
+            if (m_wish == Wish::Start && m_clock.now_s() - *m_armed_s >= kArmed_s) {
+                // What was wrong before the run is not any more.
+                std::erase_if(m_outcome.events,
+                              [](const TraceEvent& event) { return alarmPriority(event.message.code) > 0; });
                 go(Wish::Run, Start{true});
+            }
             return;
         case RunState::Running:
             m_hasBegun = true;
@@ -133,8 +139,10 @@ private:
         if (!snapshot.isPlaceSure)
             return end(Error(MessageCode::RobotPlaceUnsure, {}));
         for (const Message& reason : snapshot.reasons)
-            if (!isNotThereYet(reason.code) || m_clock.now_s() - m_began_s > kReadyWithin_s)
+            if (!isNotThereYet(reason.code))
                 return end(Error(reason.code, {}, reason.args));
+        if (m_clock.now_s() - m_began_s > kReadyWithin_s)
+            return endNotReady();
         if (m_clock.now_s() - m_reset_s > kBetweenResets_s) {
             m_reset_s = m_clock.now_s();
             post(Reset{});
@@ -186,8 +194,8 @@ private:
             stop();
         }
         const double now_s = m_clock.now_s();
-        if (m_wish == Wish::Arm && now_s - m_began_s > kReadyWithin_s && !m_last.reasons.empty())
-            end(Error(m_last.reasons.front().code, {}, m_last.reasons.front().args));
+        if (m_wish == Wish::Arm && now_s - m_began_s > kReadyWithin_s)
+            endNotReady();
         if (m_wish == Wish::End && now_s - m_stopped_s > kStoppedWithin_s)
             over();
     }
@@ -225,6 +233,16 @@ private:
                  std::isfinite(m_withinSince_s[i]) ? std::optional(m_withinSince_s[i]) : std::nullopt});
     }
 
+    /// With what kept it from being ready: why a reset was refused says more than that one is needed.
+    void endNotReady() {
+        std::vector<Message> why = m_last.reasons;
+        if (m_resetRefused.code != MessageCode::None)
+            why.insert(why.begin(), m_resetRefused);
+        std::ranges::stable_partition(
+            why, [](const Message& each) { return each.code != MessageCode::SafetyStartUp; });
+        if (!why.empty())
+            end(Error(why.front().code, {}, why.front().args));
+    }
     void end(Error error) {
         m_error = std::move(error);
         over();
@@ -246,7 +264,8 @@ private:
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
     CoolingWatch m_cooling{m_experiment.environment_K};
     bool m_isWatchTold = false;
-    int m_stops = 0; ///< signals until then
+    int m_stops = 0;        ///< signals until then
+    Message m_resetRefused; ///< why; code None: it was not
     std::optional<double> m_armed_s, m_over_s;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
     TraceSample m_sample;

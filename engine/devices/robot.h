@@ -4,6 +4,7 @@
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,13 @@ struct RobotLag {
     double mean_m_s = 0.0; ///< its speed on a long way
 };
 
+/// How far a robot goes by its own account: the end-effector's coordinates in R, m and rad; infinite where it
+/// does not tell.
+struct RobotReach {
+    Vector6d lower = Vector6d::Constant(-std::numeric_limits<double>::infinity());
+    Vector6d upper = Vector6d::Constant(std::numeric_limits<double>::infinity());
+};
+
 /// Use it only on the engine thread. A call returns an Error if the link is down; the robot then stands
 /// still.
 class Robot {
@@ -46,6 +54,7 @@ public:
         (void)speed_m_s, (void)rotation_rad_s, (void)validFor_s;
         return std::nullopt;
     }
+    virtual RobotReach reach() const { return {}; }
     /// Sets zero velocity at once.
     virtual Result<void> halt() = 0;
     /// Finds its position again by its switches; moves. Refused if it cannot.

@@ -3,6 +3,8 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
+#include "engine/base/pose.h"
+#include "engine/base/units.h"
 #include "engine/drivers/confirmed_programs.h"
 #include "engine/drivers/program_clock.h"
 #include "engine/drivers/program_files.h"
@@ -29,6 +31,8 @@ constexpr int kReads = 40;
 constexpr double kRate_m_s = 0.002, kRate_rad_s = 0.02; ///< slow enough for any robot
 constexpr double kSlow = 0.2;                           ///< of these rates, where a program may not end it
 constexpr double kStill = 2e-5;                         ///< m or rad: noise of a place at rest
+constexpr double kOther = 2e-4;                         ///< m or rad: of an axis that is to stand
+constexpr double kMaxTurn_rad = 6.4, kUnlimited = 50.0; ///< a program that tells no limit has a larger one
 constexpr double kSettle_s = 0.3;                       ///< until a robot that was told to stand does
 constexpr double kSwitched_s = 2.0;                     ///< until a relay has switched and the device says so
 constexpr double kWarmer_K = 5.0;
@@ -235,6 +239,7 @@ private:
         if (m_role == ProgramRole::Robot) {
             words += ", takes " + std::string(m_hello.takesVelocities ? "velocities" : "steps") + ", axes " +
                      coordinateNames(m_hello.axes);
+            checkAngleLimits();
         } else if (m_role == ProgramRole::Thermometer) {
             words += ", " + std::to_string(m_hello.channels) + " channels";
         } else {
@@ -371,8 +376,19 @@ private:
     }
     bool isStanding() { return drift() < kStill && !m_robot.isMoving; }
     std::string far(double way) const {
-        return isTurning() ? formatNumber(way * 57.29577951308232, 3) + " degrees"
+        return isTurning() ? formatNumber(degFromRad(way), 3) + " degrees"
                            : formatNumber(1e3 * way, 3) + " mm";
+    }
+    std::string axisName() const { return coordinateNames({m_hello.axes[m_axis]}); }
+    void checkAngleLimits() {
+        for (const int axis : m_hello.axes) {
+            const auto& [min, max] = m_hello.limits[static_cast<std::size_t>(axis)];
+            const double most = std::max(std::abs(min), std::abs(max));
+            if (axis >= kThetaX && most > kMaxTurn_rad && most < kUnlimited)
+                broken("its limits of " + coordinateNames({axis}) + " are " + formatNumber(min, 4) + " to " +
+                       formatNumber(max, 4) +
+                       " rad, more than a turn: tell radians (degrees times 0.017453)");
+        }
     }
 
     void checkRobot() {
@@ -395,6 +411,9 @@ private:
         judge(isStanding(), "stands after clear", "moves after clear, which may only clear an alarm");
         checkRobotDeadMan();
         checkLimits();
+        for (m_axis = 1; m_axis < m_hello.axes.size(); ++m_axis)
+            checkWay(0.5);
+        m_axis = 0;
     }
     void home() {
         if (!command([](std::int64_t id) { return programRequest(id, "home"); }, "home"))
@@ -425,29 +444,37 @@ private:
         (void)m_program->ask("stop");
         readFor(kSettle_s);
     }
-    /// There and back, by as much.
     void checkMotion() {
-        constexpr double kGo_s = 1.0;
-        const double from = place(), wanted = ratesOf(1.0)[m_axis] * kGo_s;
         m_wasMoving = false;
-        go(1.0, kGo_s);
-        readFor(kGo_s);
+        checkWay(1.0);
         judge(m_wasMoving, "says that it moves", "\"moving\" stays false while it moves");
-        readFor(kSettle_s);
+    }
+    /// There, away from a limit that is near, and back by as much.
+    void checkWay(double for_s) {
+        const std::vector<double> began = m_robot.position;
+        const double from = place(), width = ratesOf(1.0)[m_axis] * for_s;
+        const bool isNear = from + width > m_hello.limits[static_cast<std::size_t>(m_hello.axes[m_axis])][1];
+        const double share = isNear ? -1.0 : 1.0, wanted = share * width;
+        go(share, for_s);
+        readFor(for_s + kSettle_s);
         const double way = place() - from;
-        const double room = m_hello.takesVelocities ? 0.5 * std::abs(wanted) : 0.25 * std::abs(wanted);
-        judge(std::abs(way - wanted) <= room,
-              "goes " + far(way) + " where " + far(wanted) + " were asked for",
-              "goes " + far(way) + " where " + far(wanted) +
-                  " were asked for: check the units (m, rad, s), " + "the order of the axes and the sign");
+        const double room = m_hello.takesVelocities ? 0.5 * width : 0.25 * width;
+        const std::string words = axisName() + " goes " + far(way) + ", from " + far(from) + " to " +
+                                  far(place()) + ", where " + far(wanted) + " were asked for";
+        judge(std::abs(way - wanted) <= room, words,
+              words + ": check the units (m, rad, s), the order of the axes and the sign");
+        for (std::size_t k = 0; k < began.size(); ++k)
+            if (k != m_axis && std::abs(m_robot.position[k] - began[k]) > kOther)
+                broken(coordinateNames({m_hello.axes[k]}) + " moves, too, while only " + axisName() +
+                       " was to move: check the order of the axes");
         judge(isStanding(),
-              std::string("stands ") +
+              axisName() + " stands " +
                   (m_hello.takesVelocities ? "when valid_for is over" : "at the end of a step"),
-              std::string("does not stand ") +
+              axisName() + " does not stand " +
                   (m_hello.takesVelocities ? "when valid_for is over: stop then, without another command"
                                            : "at the end of a step, or \"moving\" stays true"));
-        go(-1.0, kGo_s);
-        readFor(kGo_s + kSettle_s);
+        go(-share, for_s);
+        readFor(for_s + kSettle_s);
     }
     void checkStop() {
         go(1.0, 3.0);
@@ -474,7 +501,7 @@ private:
     }
     void checkLimits() {
         const auto& limit = m_hello.limits[static_cast<std::size_t>(m_hello.axes[m_axis])];
-        if (m_hello.takesVelocities || limit[1] > 50.0)
+        if (m_hello.takesVelocities || limit[1] > kUnlimited)
             return;
         std::vector<double> beyond = m_robot.position;
         beyond[m_axis] = limit[1] + 0.1;

@@ -273,6 +273,25 @@ bool ProgramRobot::isWithinLimits(const Vector6d& target) const {
     return true;
 }
 
+RobotReach ProgramRobot::reach() const {
+    RobotReach out;
+    if (!m_talk.hello())
+        return out;
+    const std::vector<AxisSpec>& axes = m_planner.map().axes();
+    std::vector<double> first, last;
+    for (const AxisSpec& axis : axes) {
+        const auto& [min, max] = m_talk.hello()->limits[static_cast<std::size_t>(axis.coordinate)];
+        first.push_back(min * unitOf(axis));
+        last.push_back(max * unitOf(axis));
+    }
+    const Vector6d a = m_planner.map().coordinates(first), b = m_planner.map().coordinates(last);
+    for (const AxisSpec& axis : axes) { // an axis may be reversed
+        out.lower[axis.coordinate] = std::min(a[axis.coordinate], b[axis.coordinate]);
+        out.upper[axis.coordinate] = std::max(a[axis.coordinate], b[axis.coordinate]);
+    }
+    return out;
+}
+
 bool ProgramRobot::isMoving() const {
     const double now_s = m_clock.now_s();
     const bool isCommanded = m_talk.isWaitingFor(Kind::Step) || m_talk.isWaitingFor(Kind::Velocity) ||

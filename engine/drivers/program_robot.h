@@ -24,6 +24,7 @@ public:
     DeviceStatus status() const override;
     void expect(const std::string& signature) override { m_talk.expect(signature); }
 
+    RobotReach reach() const override;
     Result<RobotState> state() override;
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     void setRetreating(bool isRetreating) override;

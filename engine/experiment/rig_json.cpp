@@ -86,10 +86,11 @@ void readAxis(const json& j, const std::string& path, Failure& failure, AxisSpec
     out.letter = letter.front();
 }
 
-void readAxes(Fields& robot, std::vector<AxisSpec>& out) {
+/// Those of a program of one's own are told: no directions are usual.
+void readAxes(Fields& robot, bool isRequired, std::vector<AxisSpec>& out) {
     if (robot.find("axes") != nullptr)
         out.clear();
-    readEach(robot, "axes", false, [&](const json& j, const std::string& path) {
+    readEach(robot, "axes", isRequired, [&](const json& j, const std::string& path) {
         readAxis(j, path, robot.failure(), out.emplace_back());
     });
 }
@@ -121,7 +122,7 @@ template <class Spec> void readDeviceParameters(Fields& fields, ParameterTable<S
 void readRobotDevice(const json& j, const std::string& path, Failure& failure, RobotDeviceSpec& out) {
     Fields fields(j, path, failure);
     readDevice(fields, DeviceRole::Robot, true, out);
-    readAxes(fields, out.axes);
+    readAxes(fields, driverOf(out).link == DriverLink::Program, out.axes);
     if (fields.find("must_home") != nullptr)
         fields.read("must_home", out.mustHome.emplace());
     readDeviceParameters(fields, {}, out);

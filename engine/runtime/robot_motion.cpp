@@ -1,5 +1,6 @@
 #include "engine/runtime/robot_motion.h"
 
+#include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/base/words.h"
@@ -110,6 +111,26 @@ std::optional<RobotLag> RobotMotion::lag() const {
     const RobotLimits& limits = m_experiment.robot;
     return m_devices.robot.lagAt(limits.maxSpeed_m_s, limits.maxRotation_rad_s,
                                  kVelocityPeriods * m_experiment.sampling.period_s);
+}
+
+Result<void> RobotMotion::checkReach() const {
+    const RobotLimits& workspace = m_experiment.robot;
+    const RobotReach reach = m_devices.robot.reach();
+    for (int k = 0; k < 6; ++k) {
+        const bool isLow = workspace.lower[k] < reach.lower[k] - kThere_m;
+        if (!workspace.free[static_cast<std::size_t>(k)] ||
+            (!isLow && workspace.upper[k] <= reach.upper[k] + kThere_m))
+            continue;
+        const EdgeUnit unit = coordinateUnit(k);
+        const auto text = [unit](double si) {
+            return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
+        };
+        return Error(MessageCode::ReasonReachShort, {},
+                     {kCoordinateNames[static_cast<std::size_t>(k)],
+                      text(isLow ? workspace.lower[k] : workspace.upper[k]),
+                      text(isLow ? reach.lower[k] : reach.upper[k])});
+    }
+    return {};
 }
 
 Message RobotMotion::goOn() {

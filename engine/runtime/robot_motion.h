@@ -36,6 +36,9 @@ public:
     /// Returns how the robot falls behind the experiment's largest speed; empty if it follows, or is not
     /// known.
     std::optional<RobotLag> lag() const;
+    /// Refuses a workspace that is larger than what the robot says that it reaches: a retreat would end
+    /// there.
+    Result<void> checkReach() const;
     /// Continues towards the goal of moveTo(). Returns why the robot does not come nearer; code None if it
     /// does.
     Message goOn();

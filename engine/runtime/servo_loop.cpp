@@ -489,8 +489,9 @@ std::vector<Message> ServoLoop::reasons() const {
     if (m_state == RunState::NotReady && !sensors.full())
         out.push_back({MessageCode::ReasonEstimatorFilling,
                        {std::to_string(sensors.minCount()), std::to_string(m_experiment.sampling.window)}});
-    if (const auto fit = checkTargets(m_experiment); !fit)
-        out.push_back(fit.error().message);
+    for (const auto& fit : {checkTargets(m_experiment), m_motion.checkReach()})
+        if (!fit)
+            out.push_back(fit.error().message);
     if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (Message aim = m_control.compromise(); running() && aim.code != MessageCode::None)
@@ -509,7 +510,7 @@ void ServoLoop::updateReadiness() {
     if (m_state != RunState::NotReady && m_state != RunState::Ready)
         return;
     const bool isReady = m_readings.sensors().full() && m_readings.missing().empty() &&
-                         requireFreshReadings() && checkTargets(m_experiment);
+                         requireFreshReadings() && checkTargets(m_experiment) && m_motion.checkReach();
     m_state = isReady ? RunState::Ready : RunState::NotReady;
 }
 

@@ -41,6 +41,42 @@ class Machine:
             return "%.4f %.4f %.4f %s" % (*self.at, "STANDING" if self.at == self.goal else "MOVING")
 
 
+class HomingMachine:
+    """Four axes, one of which tilts; its place is not known before it was homed."""
+
+    def __init__(self):
+        self.at, self.goal, self.speed = [12.0, -8.0, 170.0, 3.0], [12.0, -8.0, 170.0, 3.0], 0.0
+        self.seen, self.homing, self.homed = time.monotonic(), False, False
+        self.lock = threading.Lock()
+
+    def answer(self, line):
+        with self.lock:
+            now = time.monotonic()
+            left = max(abs(g - a) for a, g in zip(self.at, self.goal))
+            share = min(1.0, self.speed * (now - self.seen) / left) if left > 0.0 else 1.0
+            self.seen = now
+            self.at = [a + share * (g - a) for a, g in zip(self.at, self.goal)]
+            if share == 1.0:
+                self.at = list(self.goal)
+                self.homed, self.homing = self.homed or self.homing, False
+            words = line.split()
+            if words[0] == "POS?":
+                return "%.4f %.4f %.4f %.4f" % tuple(self.at)
+            if words[0] == "STATUS?":
+                motion = "HOMING" if self.homing else "IDLE" if self.at == self.goal else "BUSY"
+                return motion + (" HOMED" if self.homed else " UNHOMED")
+            if words[0] == "HOME":
+                self.goal, self.speed, self.homing, self.homed = [0.0, 0.0, 150.0, 0.0], 60.0, True, False
+            elif words[0] == "STOP":
+                self.goal, self.homing = list(self.at), False
+            else:
+                goal, speed = [float(w) for w in words[1:5]], float(words[5])
+                if not self.homed or not 50.0 <= goal[2] <= 250.0 or speed > 60.0:
+                    return "ERROR not homed" if not self.homed else "ERROR range"
+                self.goal, self.speed = goal, speed
+            return "OK"
+
+
 class Controller:
     def __init__(self):
         self.set_point, self.is_on = 20.0, False
@@ -74,10 +110,12 @@ def serve(device):
 
 
 class PagesTest(unittest.TestCase):
-    def check(self, role, page, device, port):
-        """The page's program passes `bask check-device`."""
+    def check(self, role, page, device, port, *options, programs=1):
+        """The page's program passes `bask check-device`; of several the last, which continues those before it."""
         with open(os.path.join(ROOT, "docs", page)) as file:
-            code = re.search(r"```python\n(.*?)```", file.read(), re.S).group(1)
+            parts = re.findall(r"```python\n(.*?)```", file.read(), re.S)[:programs]
+        run = r'bask_device\.run\(\w+\("192\.168\.1\.\d+"\)\)\n'
+        code = "".join(re.sub(run, "", part) for part in parts[:-1]) + parts[-1]
         code, count = re.subn(r'\("192\.168\.1\.\d+"\)', '("127.0.0.1")', code)
         self.assertEqual(count, 1)
         code, count = re.subn(r"\b%d\b" % port, str(serve(device)), code)
@@ -87,12 +125,18 @@ class PagesTest(unittest.TestCase):
             path = os.path.join(folder, "my_device.py")
             with open(path, "w") as file:
                 file.write(code)
-            found = subprocess.run([BASK, "check-device", "--role", role, "--", "python3", path],
+            found = subprocess.run([BASK, "check-device", "--role", role, *options, "--", "python3", path],
                                    capture_output=True, text=True, timeout=120)
         self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
+        return found.stdout
 
     def test_robot(self):
-        self.check("robot", "program-robot.md", Machine(), 9000)
+        said = self.check("robot", "program-robot.md", Machine(), 9000)
+        self.assertIn("z goes 1 mm, from 150 mm to 151 mm", said)
+
+    def test_robot_that_homes_and_tilts(self):
+        said = self.check("robot", "program-robot.md", HomingMachine(), 9000, "--home", programs=2)
+        self.assertIn("theta_x goes 0.573 degrees", said)
 
     def test_thermometer(self):
         self.check("thermometer", "program-thermometer.md", None, 7000)

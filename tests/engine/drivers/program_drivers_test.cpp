@@ -46,7 +46,7 @@ protected:
                            {"axes", {"theta_z", "x"}},
                            {"moves", moves},
                            {"can_home", true},
-                           {"limits", {{"x", {-0.05, 0.05}}}}};
+                           {"limits", {{"x", {-0.05, 0.05}}, {"theta_z", {-30.0, 40.0}}}}};
         m_program.state = [this] {
             return Json{{"position", {at[0], at[1]}},
                         {"moving", isMoving},
@@ -128,6 +128,20 @@ TEST_F(ProgramRobotTest, TellsWhereItIs) {
     EXPECT_EQ(robot->status().link, LinkState::Live);
     run(*robot, 2.0);
     EXPECT_GE(robot->status().rate_Hz, 10.0);
+}
+
+// Catches limits that are those of the program's own counting, where the rig says that an axis is reversed or
+// begins elsewhere.
+TEST_F(ProgramRobotTest, TellsItsReachInTheFrameOfTheRig) {
+    make("steps");
+    EXPECT_TRUE(std::isinf(robot->reach().upper[kX])) << "before it has said hello";
+    run(*robot, 0.3);
+    const RobotReach reach = robot->reach();
+    EXPECT_NEAR(reach.lower[kX], 0.05, 1e-12);
+    EXPECT_NEAR(reach.upper[kX], 0.15, 1e-12);
+    EXPECT_NEAR(reach.lower[kThetaZ], -40.0, 1e-12);
+    EXPECT_NEAR(reach.upper[kThetaZ], 30.0, 1e-12);
+    EXPECT_TRUE(std::isinf(reach.lower[kZ]));
 }
 
 // Catches motion that does not follow, and one that goes on when nobody asks for it.

@@ -35,8 +35,10 @@ struct WeakRobot final : Robot {
         asked_s = validFor_s;
         return lag;
     }
+    RobotReach reach() const override { return own; }
     Robot& inner;
     std::optional<RobotLag> lag;
+    RobotReach own;
     mutable double asked_m_s = 0.0, asked_s = 0.0;
     bool isOff = false, isHoming = false, isRetreat = false;
 };
@@ -86,6 +88,27 @@ struct Bench {
 };
 
 } // namespace
+
+// Catches a workspace beyond what the robot reaches: the retreat would end where the robot's own limits are.
+TEST(Retreat, AWorkspaceBeyondTheRobotsReachIsNotReady) {
+    Bench rig;
+    ASSERT_EQ(rig.loop.state(), RunState::Ready);
+    rig.robot.own.upper[kZ] = rig.experiment.robot.upper[kZ] - 0.05;
+    rig.periods(1);
+    EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+    const auto reasons = rig.loop.reasons();
+    ASSERT_EQ(reasons.size(), 1U);
+    EXPECT_EQ(reasons.front().code, MessageCode::ReasonReachShort);
+    EXPECT_FALSE(rig.loop.arm());
+    rig.robot.own.upper[kZ] = rig.experiment.robot.upper[kZ];
+    rig.robot.own.lower[kY] = rig.experiment.robot.lower[kY] + 0.001;
+    rig.periods(1);
+    EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+    rig.robot.own.lower[kY] = rig.experiment.robot.lower[kY];
+    rig.robot.own.upper[kThetaZ] = -1.0; // it is not free
+    rig.periods(1);
+    EXPECT_EQ(rig.loop.state(), RunState::Ready);
+}
 
 // Catches an object over its limit before a plate that stays hot, with no way out but by hand.
 TEST(Retreat, TheVerbTakesObjectsAwayInEveryState) {
