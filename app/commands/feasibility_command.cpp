@@ -28,6 +28,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What the experiment's controller does on the simulated rig.
+struct Prediction {
+    std::optional<double> settled_s; ///< empty: it does not settle within its time
+};
+
 /// Everything asked for on the command line, checked.
 struct Request {
     Experiment experiment;
@@ -140,7 +145,7 @@ Json shadeJson(const Experiment& experiment, const Vector6d& pose) {
 }
 
 std::string summaryJson(const Experiment& experiment, const JointVerdict& verdict,
-                        const std::optional<double>& predicted_s) {
+                        const std::optional<Prediction>& prediction) {
     Json summary;
     summary["feasible"] = verdict.feasible;
     summary["reason"] = describe(verdict.reason);
@@ -165,7 +170,8 @@ std::string summaryJson(const Experiment& experiment, const JointVerdict& verdic
     summary["nearest_feasible_C"] = celsiusJson(verdict.nearest_K);
     summary["held_kept"] = verdict.fixedKept;
     summary["surface_gap_cm"] = verdict.surfaceGap_m ? Json(*verdict.surfaceGap_m * 100.0) : Json(nullptr);
-    summary["predicted_time_s"] = predicted_s ? Json(*predicted_s) : Json(nullptr);
+    const bool settles = prediction && prediction->settled_s;
+    summary["predicted_time_s"] = settles ? Json(*prediction->settled_s) : Json(nullptr);
     summary["condition1"] = condition1Json(experiment, verdict.conditions1);
     summary["condition2"] = condition2Json(experiment, verdict.conditions2);
     return summary.dump(2) + "\n";
@@ -189,7 +195,7 @@ void printShade(const Experiment& experiment, const Vector6d& pose, ShadedPose w
 }
 
 void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
-                  const std::optional<double>& predicted_s) {
+                  const std::optional<Prediction>& prediction) {
     if (!experiment.source.uneven.isEven())
         std::printf("source: %s\n", unevennessWords(experiment).c_str());
     std::printf("%-16s %10s %10s %10s %10s   %s\n", "object", "target_C", "steady_C", "nearest_C", "needed_F",
@@ -214,10 +220,13 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
     printShade(experiment, experiment.start, ShadedPose::Start);
     if (verdict.anyPose)
         printShade(experiment, verdict.pose, ShadedPose::Here);
-    if (verdict.feasible)
+    if (verdict.feasible && prediction)
         std::printf("feasible; on the simulated rig the experiment's controller %s\n",
-                    predicted_s ? ("settles after " + formatNumber(*predicted_s) + " s").c_str()
-                                : "does not settle within its time");
+                    prediction->settled_s
+                        ? ("settles after " + formatNumber(*prediction->settled_s) + " s").c_str()
+                        : "does not settle within its time");
+    else if (verdict.feasible)
+        std::printf("feasible\n");
     else
         std::printf("not feasible: %s\n", describe(verdict.reason).c_str());
     if (verdict.caveat != Message{})
@@ -265,10 +274,11 @@ int feasibilityCommand(const QStringList& arguments) {
         {{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"source-model", "gray or paper, instead of the experiment's.", "MODEL"},
          {"hold", "Keeps this object's target in the nearest ones; may be given more than once.", "NAME"},
+         {"no-prediction", "Leave out the run on the simulated rig, which takes most of the time."},
          {"summary", "Write the answer as JSON.", "SUMMARY.json"},
          {"reachable", "Write a CSV for each pair of objects: which of their temperatures go together.",
           "DIR"}});
-    if (const auto code = parseCommand(parser, "feasibility", arguments, 1))
+    if (const auto code = parseCommand(parser, "feasibility", arguments, 1, {"hold"}))
         return *code;
     const auto request = readRequest(parser);
     if (!request) {
@@ -287,20 +297,20 @@ int feasibilityCommand(const QStringList& arguments) {
     FeasibilityRequest question = feasibilityRequest(request->experiment);
     question.fixed = request->fixed;
     const JointVerdict verdict = jointFeasibility(question).value();
-    std::optional<double> predicted_s;
-    if (verdict.feasible) {
+    std::optional<Prediction> prediction;
+    if (verdict.feasible && !parser.isSet("no-prediction")) {
         const auto predicted = predictedSettling_s(request->experiment);
         if (!predicted)
             return refuse(predicted.error());
-        predicted_s = *predicted;
+        prediction = Prediction{*predicted};
     }
     warnOfOverlaps("feasibility", request->experiment);
     for (const MountingRemark& remark : overlapsInPlane(request->experiment))
         std::printf("%s\n", describe(remark.message).c_str());
-    printVerdict(request->experiment, verdict, predicted_s);
+    printVerdict(request->experiment, verdict, prediction);
     if (!request->summaryPath.empty())
         if (const auto written =
-                writeTextFile(request->summaryPath, summaryJson(request->experiment, verdict, predicted_s));
+                writeTextFile(request->summaryPath, summaryJson(request->experiment, verdict, prediction));
             !written)
             return refuse(written.error());
     if (!maps.empty())

@@ -264,7 +264,7 @@ int isosurfaceCommand(const QStringList& arguments) {
          {"step", "Of the grid, in cm or degrees; 1 cm or 5 degrees unless given.", "STEP"},
          {"source-model", "gray or paper, instead of the experiment's.", "MODEL"},
          {{"o", "output"}, "The file to write.", "FILE.vtp"}});
-    if (const auto code = parseCommand(parser, "isosurface", arguments, 1))
+    if (const auto code = parseCommand(parser, "isosurface", arguments, 1, {"value"}))
         return *code;
     try {
         auto request = readRequest(parser);

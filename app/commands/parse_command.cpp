@@ -8,7 +8,7 @@
 namespace bask {
 
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
-                                int positionals) {
+                                int positionals, const QStringList& repeatable) {
     const QString program = QStringLiteral("bask ") + name;
     if (!parser.parse(QStringList(program) + arguments)) {
         std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", name, qPrintable(parser.errorText()),
@@ -24,6 +24,13 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
         std::fputs(qPrintable(usage + text.mid(firstLineEnd)), stdout);
         return kExitDone;
     }
+    for (const QString& option : parser.optionNames())
+        if ((parser.values(option).size() > 1 || parser.optionNames().count(option) > 1) &&
+            !repeatable.contains(option)) {
+            std::fprintf(stderr, "bask %s: %s%s is given twice\n", name, option.size() == 1 ? "-" : "--",
+                         qPrintable(option));
+            return kExitBadInput;
+        }
     const int given = static_cast<int>(parser.positionalArguments().size()), min = std::abs(positionals);
     if (positionals < 0 ? given < min : given != positionals) {
         std::fprintf(stderr, "bask %s: %s%d argument%s expected, %d given (see bask %s --help)\n", name,

@@ -8,8 +8,9 @@
 namespace bask {
 
 /// Parses a subcommand's arguments. An exit code means that it is done (help was printed) or refused
-/// (reported on standard error). A negative `positionals` is a minimum number.
+/// (reported on standard error). A negative `positionals` is a minimum number. Only the options that are
+/// `repeatable` may come twice.
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
-                                int positionals);
+                                int positionals, const QStringList& repeatable = {});
 
 } // namespace bask

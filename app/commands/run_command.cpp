@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <unistd.h>
 
 namespace bask {
@@ -44,7 +45,15 @@ Result<void> readOutputs(const QCommandLineParser& parser, const std::string& pa
         outputs.push_back({request.options.sessionPath}); // SessionWriter has its rule for what is replaced
     if (parser.isSet("summary"))
         outputs.push_back({request.summaryPath, "objects", "a summary written by Bask"});
-    return checkOutputs(inputsOf(path, request.experiment), outputs);
+    const auto checked = checkOutputs(inputsOf(path, request.experiment), outputs);
+    request.options.mayReplace = parser.isSet("overwrite");
+    std::error_code isNotThere;
+    const auto size = std::filesystem::file_size(request.options.sessionPath, isNotThere);
+    if (checked && parser.isSet("o") && !request.options.mayReplace && !isNotThere && size > 0)
+        return Error(MessageCode::FileUnwritable, request.options.sessionPath,
+                     {"there is a file of that name; choose another name, or take --overwrite to replace a "
+                      "recording"});
+    return checked;
 }
 
 Result<Request> readRequest(const QCommandLineParser& parser) {
@@ -190,10 +199,11 @@ int runExperimentCommand(const QStringList& arguments) {
                            "them on this computer."},
          {"home", "With --live: homes the robot first; it moves."},
          {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
-         {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
+         {"duration", "Seconds of the run; without it the run ends when all have been settled for 120 s.",
           "SECONDS"},
          {"seed", "Seed of noise, sensor offsets and wrong estimates.", "N"},
          {"o", "Record the run into this session file.", "SESSION.bask"},
+         {"overwrite", "With -o: replaces an earlier recording of that name."},
          {"summary", "Write the outcome as JSON.", "SUMMARY.json"},
          {"recipe",
           "Instead of one experiment those of a recipe, one after another with its waits. Exit code: 0 only\n"
@@ -207,14 +217,17 @@ int runExperimentCommand(const QStringList& arguments) {
     });
     if (const auto code = parseCommand(parser, "run", arguments, isRecipe ? 0 : 1))
         return *code;
-    for (const char* option : {"targets", "duration", "seed", "o"})
+    for (const char* option : {"targets", "duration", "seed", "o", "overwrite"})
         if (isRecipe && parser.isSet(option))
             return refuseWords(QStringLiteral("%1 is not for recipes")
                                    .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
-    if ((parser.isSet("home") || parser.isSet("confirm-place")) && !parser.isSet("live"))
-        return refuseWords(QStringLiteral("--home and --confirm-place are for --live"));
-    if (parser.isSet("allow-program") && !parser.isSet("live"))
-        return refuseWords(QStringLiteral("--allow-program is for --live"));
+    for (const char* option : {"home", "confirm-place", "allow-program", "accept-limits"})
+        if (parser.isSet(option) && !parser.isSet("live"))
+            return refuseWords(QStringLiteral("--%1 is for --live").arg(QLatin1String(option)));
+    if (parser.isSet("seed") && parser.isSet("live"))
+        return refuseWords(QStringLiteral("--seed is for the simulated rig, not for --live"));
+    if (parser.isSet("overwrite") && !parser.isSet("o"))
+        return refuseWords(QStringLiteral("--overwrite is for -o"));
     if (parser.isSet("home") && parser.isSet("confirm-place"))
         return refuseWords(QStringLiteral("--home and --confirm-place exclude each other"));
     if (isRecipe && parser.value("recipe").isEmpty())
@@ -244,6 +257,10 @@ int runExperimentCommand(const QStringList& arguments) {
     timer.start();
     const bool isLive = parser.isSet("live");
     LiveStart start{livePlace(parser)};
+    const std::optional<RigSpec>& rig = request->experiment.rig;
+    if (start.place == LivePlace::Confirmed && rig && rig->robot && rig->robot->mustHome.value_or(false))
+        return refuseWords(
+            QStringLiteral("--confirm-place is not enough: this rig's robot must be homed; use --home"));
     if (parser.isSet("allow-program")) {
         auto allowed = allowedPrograms(request->experiment);
         if (!allowed)

@@ -29,9 +29,15 @@ struct CommandRow {
 /// it.
 class SessionWriter {
 public:
+    /// What becomes of a recording that has the name already.
+    enum class Earlier { Replaced, Kept };
+
+    /// Of several processes that make one file at a time, one gets it; the others are refused.
+    /// Errors: SessionBusy, FileUnwritable, also where an earlier recording is to be kept.
     static Result<std::unique_ptr<SessionWriter>> create(const std::string& path,
                                                          const Experiment& experiment, bool simulated,
-                                                         double commitInterval_s = 0.5);
+                                                         double commitInterval_s = 0.5,
+                                                         Earlier earlier = Earlier::Replaced);
     ~SessionWriter(); ///< commits and closes
 
     Result<void> add(const TraceSample& sample);

@@ -12,6 +12,7 @@
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QFileInfo>
 #include <QTimer>
 
 #include <nlohmann/json.hpp>
@@ -22,6 +23,11 @@
 #include <iterator>
 #include <optional>
 #include <stdexcept>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace bask {
 namespace {
@@ -82,9 +88,39 @@ Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
     return {};
 }
 
+/// The folder, locked while a session is made in it: between the look at what is there and the new file
+/// nobody else makes one. Where folders cannot be locked (some network drives) it goes without.
+class LockedFolder {
+public:
+    explicit LockedFolder(const std::string& file)
+        : m_folder(::open(QFileInfo(QString::fromStdString(file)).absolutePath().toLocal8Bit().constData(),
+                          O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+        for (int k = 0; k < kLooks && isTaken(); ++k)
+            ::poll(nullptr, 0, kLook_ms);
+    }
+    ~LockedFolder() {
+        if (m_folder >= 0)
+            ::close(m_folder);
+    }
+    LockedFolder(const LockedFolder&) = delete;
+    LockedFolder& operator=(const LockedFolder&) = delete;
+
+private:
+    static constexpr int kLooks = 250, kLook_ms = 20;
+
+    bool isTaken() const {
+        return m_folder >= 0 && ::flock(m_folder, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    }
+
+    int m_folder;
+};
+
 /// Until the new one is made the old one stays, for there may be no room for it.
-Result<void> clearPlace(const std::string& path, ReplacedFiles& replaced) {
+Result<void> clearPlace(const std::string& path, SessionWriter::Earlier earlier, ReplacedFiles& replaced) {
     auto clear = checkReplaceable(path);
+    if (clear && earlier == SessionWriter::Earlier::Kept &&
+        QFileInfo(QString::fromStdString(path)).size() > 0)
+        return Error(MessageCode::FileUnwritable, path, {"there is a recording of that name"});
     if (clear)
         clear = removeLog(path);
     if (clear)
@@ -193,11 +229,12 @@ SessionWriter::~SessionWriter() {
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path,
                                                              const Experiment& experiment, bool simulated,
-                                                             double commitInterval_s) {
+                                                             double commitInterval_s, Earlier earlier) {
     if (auto valid = validate(experiment); !valid)
         return valid.error();
+    const LockedFolder folder(path);
     ReplacedFiles replaced;
-    if (auto clear = clearPlace(path, replaced); !clear)
+    if (auto clear = clearPlace(path, earlier, replaced); !clear)
         return clear.error();
     auto store = SessionStore::create(path);
     if (!store)
@@ -226,6 +263,8 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
         if (made)
             made = impl->store->execute(sql);
     }
+    if (made) // its log is there from here on: who looks sees that it is being written
+        made = impl->put(kPutMeta, std::string(facts[0].first), facts[0].second);
     if (!made)
         return made.error();
     replaced.keepNew();

@@ -50,7 +50,9 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         return armed.error();
     std::unique_ptr<SessionWriter> writer;
     if (!options.sessionPath.empty()) {
-        auto created = SessionWriter::create(options.sessionPath, experiment, true);
+        using Earlier = SessionWriter::Earlier;
+        auto created = SessionWriter::create(options.sessionPath, experiment, true, 0.5,
+                                             options.mayReplace ? Earlier::Replaced : Earlier::Kept);
         if (!created)
             return created.error();
         writer = std::move(*created);

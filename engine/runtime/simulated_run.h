@@ -21,6 +21,7 @@ struct SimulatedRunOptions {
     /// called for every sample; may be empty
     std::function<void(double time_s, const TraceSample&)> progress;
     std::stop_token stop = {}; ///< ends the run at once
+    bool mayReplace = true;    ///< an earlier recording of that name
 };
 
 /// Outcome for one object, judged by the plant's true temperature.

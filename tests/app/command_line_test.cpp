@@ -2,6 +2,7 @@
 #include "engine/base/version.h"
 // The program as a script sees it: exit codes, help and refusals, with no display and no QT_QPA_PLATFORM.
 
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -10,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
 
 namespace bask::test {
@@ -182,11 +184,70 @@ TEST(CommandLine, RunReplacesNothingButItsOwnOutputs) {
         EXPECT_TRUE(answer.out.isEmpty()) << outputs.join(' ').toStdString();
         EXPECT_FALSE(QFile::exists(session)) << outputs.join(' ').toStdString();
     }
-    for (int i = 0; i < 2; ++i) // the second time over its own
-        EXPECT_EQ(run({"-o", session, "--summary", summary}).exitCode, 3);
-    EXPECT_EQ(run({"-o", summary}).exitCode, 2) << "a summary is no session";
+    EXPECT_EQ(run({"-o", session, "--summary", summary}).exitCode, 3);
+    const qint64 size = QFile(session).size();
+    const Answer again = run({"-o", session, "--summary", summary});
+    EXPECT_EQ(again.exitCode, 2);
+    EXPECT_TRUE(again.err.contains("--overwrite")) << again.err.toStdString();
+    EXPECT_EQ(QFile(session).size(), size);
+    EXPECT_EQ(run({"-o", session, "--overwrite", "--summary", summary}).exitCode, 3);
+    EXPECT_EQ(run({"-o", summary, "--overwrite"}).exitCode, 2) << "a summary is no session";
     EXPECT_EQ(run({"--summary", session}).exitCode, 2) << "a session is no summary";
     EXPECT_EQ(QFile(experiment).size(), QFile(BASK_EXAMPLES "/two-circles.json").size());
+}
+
+// Catches two runs into one file, of which both fail, or one is lost.
+TEST(CommandLine, OfTwoRunsIntoOneFileOneIsRecorded) {
+    const QTemporaryDir folder;
+    const QString session = folder.filePath("s.bask");
+    for (const bool mayReplace : {false, true}) {
+        for (int round = 0; round < 3; ++round) {
+            QFile::remove(session);
+            std::array<QProcess, 2> runs;
+            for (QProcess& each : runs)
+                each.start(QStringLiteral(BASK_PROGRAM),
+                           QStringList{"run", BASK_EXAMPLES "/two-circles.json", "--duration", "3000", "-o",
+                                       session} +
+                               (mayReplace ? QStringList{"--overwrite"} : QStringList()));
+            int recorded = 0;
+            for (QProcess& each : runs) {
+                ASSERT_TRUE(each.waitForFinished(60000));
+                ASSERT_EQ(each.exitStatus(), QProcess::NormalExit);
+                const QString said = QString::fromUtf8(each.readAllStandardError());
+                recorded += each.exitCode() == 2 ? 0 : 1;
+                if (each.exitCode() == 2) {
+                    EXPECT_TRUE(said.contains("in use") || said.contains("of that name"))
+                        << said.toStdString();
+                }
+            }
+            // With --overwrite the second may come after the first one's end, and replace it as it is told.
+            EXPECT_TRUE(recorded == 1 || (mayReplace && recorded == 2)) << recorded;
+            EXPECT_EQ(
+                bask({"export", session, "--csv", folder.filePath(QString::number(round) + "csv")}).exitCode,
+                0);
+        }
+        QDir(folder.path()).removeRecursively();
+        QDir().mkpath(folder.path());
+    }
+}
+
+// Catches options that are given twice, or do nothing, and are passed over in silence.
+TEST(CommandLine, OptionsThatComeTwiceOrDoNothingAreRefused) {
+    const QString experiment = BASK_EXAMPLES "/two-circles.json";
+    for (const QStringList& arguments :
+         {QStringList{"run", experiment, "--duration", "2", "--duration", "3"},
+          QStringList{"feasibility", experiment, "--targets", "50,40", "--targets", "40,40"},
+          QStringList{"run", experiment, "--live", "--live"},
+          QStringList{"run", experiment, "--accept-limits"}, QStringList{"run", experiment, "--overwrite"},
+          QStringList{"run", experiment, "--live", "--seed", "3"}}) {
+        const Answer answer = bask(arguments);
+        EXPECT_EQ(answer.exitCode, 2) << arguments.join(' ').toStdString();
+        EXPECT_TRUE(answer.err.contains("is given twice") || answer.err.contains("is for"))
+            << answer.err.toStdString();
+    }
+    EXPECT_EQ(
+        bask({"feasibility", experiment, "--no-prediction", "--hold", "left", "--hold", "right"}).exitCode,
+        0);
 }
 
 // Catches a simulated run or recipe that Ctrl+C kills: no outcome, and a recording without its end.

@@ -37,22 +37,18 @@ protected:
                  m_folder.filePath(QStringLiteral("world")), experiment(), QLatin1String(moves));
     }
     void write(const char* moves) const {
-        QFile source(QStringLiteral(BASK_TEST_DATA "/rig/three-thin-disks.json"));
+        QFile source(QStringLiteral(BASK_PROGRAM_DRIVERS "/simulated_rig.json"));
         ASSERT_TRUE(source.open(QIODevice::ReadOnly));
         QJsonObject root = QJsonDocument::fromJson(source.readAll()).object();
-        QJsonArray axes;
-        for (std::size_t k = 0; k < kCoordinateNames.size(); ++k)
-            axes.append(QJsonObject{{"letter", QString(QLatin1Char("XYZABC"[k]))},
-                                    {"coordinate", kCoordinateNames[k]}});
-        const auto device = [&](const char* role) {
-            return QJsonObject{{"driver", "program"}, {"command", command(role, moves)}};
-        };
-        QJsonObject robot = device("robot"), thermometer = device("thermometer");
-        robot["axes"] = axes;
-        thermometer["channels"] = QJsonArray{0, 1, 2};
-        root["rig"] =
-            QJsonObject{{"robot", robot}, {"thermometer", thermometer}, {"source", device("heater")}};
-        root["safety"] = QJsonObject{{"stale_periods", 5}};
+        QJsonObject rig = root["rig"].toObject();
+        for (const auto& [key, role] :
+             {std::pair("robot", "robot"), {"thermometer", "thermometer"}, {"source", "heater"}}) {
+            QJsonObject device = rig[QLatin1String(key)].toObject();
+            EXPECT_TRUE(device["command"].toString().startsWith("python3 simulated_devices.py --role "));
+            device["command"] = command(role, moves);
+            rig[QLatin1String(key)] = device;
+        }
+        root["rig"] = rig;
         QFile file(experiment());
         ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QJsonDocument(root).toJson()) > 0);
     }
@@ -82,8 +78,8 @@ protected:
         engine.setProcessChannelMode(QProcess::MergedChannels);
         engine.start(QStringLiteral(BASK_PROGRAM),
                      QStringList{QStringLiteral("run"), QStringLiteral("--live"),
-                                 QStringLiteral("--accept-limits"), experiment(), QStringLiteral("-o"),
-                                 session()} +
+                                 QStringLiteral("--accept-limits"), experiment(),
+                                 QStringLiteral("--overwrite"), QStringLiteral("-o"), session()} +
                          more);
         ASSERT_TRUE(engine.waitForStarted());
     }

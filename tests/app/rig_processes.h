@@ -111,7 +111,7 @@ protected:
         engine.start(QStringLiteral(BASK_PROGRAM),
                      QStringList{QStringLiteral("run"), experiment(), QStringLiteral("--live"),
                                  QStringLiteral("--confirm-place"), QStringLiteral("--accept-limits"),
-                                 QStringLiteral("-o"), session()} +
+                                 QStringLiteral("--overwrite"), QStringLiteral("-o"), session()} +
                          arguments);
     }
     /// The heat is on: the run has begun.
