@@ -189,6 +189,14 @@ cv::Mat1b imageOf(const GreyPicture& picture) {
     return {picture.height, picture.width, const_cast<std::uint8_t*>(picture.values.data())};
 }
 
+// Whether a picture changes from nearly each pixel to the next, as a chessboard of two pixels a square does.
+bool isTooFine(const cv::Mat1b& image) {
+    constexpr double kStep = 40.0, kMaxShare = 0.25;
+    cv::Mat1b steps;
+    cv::absdiff(image.colRange(1, image.cols), image.colRange(0, image.cols - 1), steps);
+    return cv::countNonZero(steps > kStep) > kMaxShare * static_cast<double>(image.total());
+}
+
 // The markers in the picture at so many times its size, in its own pixels. OpenCV's memory goes with what
 // looks like a quadrangle: pictures are made smaller rather than take gigabytes.
 std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary,
@@ -199,8 +207,15 @@ std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictiona
         return markers;
     times = std::min(times, std::sqrt(kMaxPixels / static_cast<double>(image.total())));
     cv::Mat1b looked = image;
-    if (times != 1.0)
+    const auto resize = [&] {
         cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
+    };
+    if (times != 1.0)
+        resize();
+    while (isTooFine(looked) && std::min(looked.cols, looked.rows) / 2 >= dictionary.markerSize + 4) {
+        times *= 0.5;
+        resize();
+    }
     Quads quads;
     std::vector<int> ids;
     detect(looked, dictionary, quads, ids);

@@ -153,7 +153,7 @@ private:
         if (!isGroup(name)) {
             if (isShape(name))
                 write(name, attributes);
-            else if (name == "use" && !m_survey.recursive.contains(m_uses++))
+            else if (name == "use")
                 writeUse(attributes);
             return reader.skipCurrentElement();
         }
@@ -287,7 +287,6 @@ private:
     QSet<QString> m_ids;
     std::vector<Box> m_ports; // of the open elements
     std::vector<int> m_ends;  // ends that each will need
-    int m_uses = 0;
 };
 
 // Seen before a reader is trusted with the bytes; without zeros, UTF-16 looks like ASCII.

@@ -1,12 +1,15 @@
 #include "engine/shape/svg_survey.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/plain_text.h"
 #include "engine/shape/svg_filter.h"
+#include "engine/shape/svg_path_data.h"
 
 #include <QRegularExpression>
 #include <QXmlStreamReader>
 
 #include <algorithm>
+#include <optional>
 
 namespace bask::svg {
 namespace {
@@ -60,10 +63,10 @@ private:
     // such.
     struct Node {
         struct Part {
-            int level = 0; // below the node
-            int node = -1; // contained
-            QString link;  // or used
-            int use = -1;
+            int level = 0;      // below the node
+            int node = -1;      // contained
+            QString link;       // or used
+            qint64 useLine = 0; // 0: it is none
         };
         std::vector<Part> parts;
         double elements = 0.0, characters = 0.0; // drawn
@@ -89,16 +92,24 @@ private:
         if (++m_elements > kMaxSvgElements || m_pairs > kMaxPairs)
             return tooFull();
         Opened opened = m_open.empty() ? Opened{-1, 0, Opened::Group} : m_open.back();
-        if (opened.kind == Opened::Group)
-            look(name, reader.attributes(), opened);
+        const bool isLooked = opened.kind == Opened::Group;
+        if (isLooked)
+            look(name, reader, opened);
         else
             opened.kind = Opened::Skipped;
         m_open.push_back(opened);
+        if (const QString data = reader.attributes().value("d").toString(); isLooked && name == "path")
+            if (const auto damage = damageOf(data))
+                return Error{
+                    MessageCode::SvgPathDamaged,
+                    m_where,
+                    {std::to_string(reader.lineNumber()), plainWords(data.mid(*damage, 20).toStdString())}};
         return {};
     }
 
     // An element in a group: what it is, and what is to be done with its content.
-    void look(const QString& name, const QXmlStreamAttributes& attributes, Opened& opened) {
+    void look(const QString& name, const QXmlStreamReader& reader, Opened& opened) {
+        const QXmlStreamAttributes attributes = reader.attributes();
         const QString id = attributes.value("id").toString();
         ++opened.level;
         opened.kind = isGroup(name) ? Opened::Group : name == "style" ? Opened::Style : Opened::Skipped;
@@ -116,7 +127,7 @@ private:
         node.elements += 1.0;
         node.characters += double(attributes.value("d").size() + attributes.value("points").size());
         if (name == "use")
-            node.parts.push_back({opened.level, -1, linkOf(attributes), m_uses++});
+            node.parts.push_back({opened.level, -1, linkOf(attributes), reader.lineNumber()});
         else if (name == "symbol" && !m_found.symbols.contains(id))
             m_found.symbols.insert(
                 id, {viewBoxOf(attributes), attributes.value("preserveAspectRatio").toString()});
@@ -130,16 +141,21 @@ private:
     Opened addNode(const Opened& opened, const QString& id) {
         const int number = static_cast<int>(m_nodes.size());
         if (opened.node >= 0)
-            m_nodes[opened.node].parts.push_back({opened.level, number, {}, -1});
+            m_nodes[opened.node].parts.push_back({opened.level, number, {}, 0});
         m_nodes.emplace_back();
         if (!id.isEmpty())
             m_byId.insert(id, number);
         return {number, 0, opened.kind};
     }
 
-    // What is drawn from the root, and how deep; finds the uses that lead back to what holds them.
+    // What is drawn from the root, and how deep; refuses uses that lead back to what holds them.
     Result<void> measure() {
-        if (!walk(0, 0))
+        const bool isWalked = walk(0, 0);
+        if (m_ofItself)
+            return Error{MessageCode::SvgUseOfItself,
+                         m_where,
+                         {std::to_string(m_ofItself->useLine), plainWords(m_ofItself->link.toStdString())}};
+        if (!isWalked)
             return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMaxSvgLevels)}};
         if (m_nodes[0].levels > kMaxSvgLevels)
             return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMaxSvgLevels)}};
@@ -154,12 +170,12 @@ private:
         m_nodes[number].state = Node::Open;
         for (std::size_t k = 0; k < m_nodes[number].parts.size(); ++k) {
             const Node::Part& part = m_nodes[number].parts[k];
-            const int next = part.use < 0 ? part.node : m_byId.value(part.link, -1);
+            const int next = part.useLine == 0 ? part.node : m_byId.value(part.link, -1);
             if (next < 0)
                 continue;
             if (m_nodes[next].state == Node::Open) {
-                m_found.recursive.insert(part.use);
-                continue;
+                m_ofItself = part;
+                return false;
             }
             if (m_nodes[next].state == Node::Unknown && !walk(next, depth + 1))
                 return false;
@@ -176,7 +192,8 @@ private:
     std::vector<Node> m_nodes;
     QHash<QString, int> m_byId;
     std::vector<Opened> m_open;
-    int m_elements = 0, m_uses = 0;
+    int m_elements = 0;
+    std::optional<Node::Part> m_ofItself; // a use that draws what holds it
     double m_pairs = 0.0;
 };
 

@@ -22,12 +22,11 @@ struct Survey {
     QString css;
     QSet<QString> paints; ///< ids of gradients and patterns
     QHash<QString, Symbol> symbols;
-    QSet<int> recursive; ///< numbers of `<use>` elements to leave out
     std::vector<std::string> unread;
 };
 
-/// Surveys a drawing; refuses what Qt's readers cannot process. Errors: XmlBroken, XmlTooDeep, NotSvg,
-/// DrawingTooFull.
+/// Surveys a drawing; refuses what Qt's readers cannot process, and what they would make another drawing of.
+/// Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull, SvgPathDamaged, SvgUseOfItself.
 Result<Survey> survey(const QByteArray& bytes, const std::string& where);
 
 } // namespace bask::svg

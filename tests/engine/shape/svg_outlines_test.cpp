@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(All, SvgFile, testing::ValuesIn(expectedNames()), [](co
 
 // Catches a file that is dropped from the table without notice.
 TEST(SvgOutlines, AllFilesAreExpectedToSaySomething) {
-    EXPECT_EQ(expectedNames().size(), 31U);
+    EXPECT_EQ(expectedNames().size(), 29U);
 }
 
 // Catches broken files that are read in part, and refusals without their reason.
@@ -396,8 +396,8 @@ std::vector<HostileSvg> hostileSvgs() {
         {"uses of uses", MessageCode::DrawingTooFull, laughingUses(10, 12)},
         {"uses of uses of nothing", MessageCode::DrawingTooFull, laughingUses(10, 12, "")},
         {"chain of uses", MessageCode::XmlTooDeep, laughingUses(1, 40'000)},
-        {"use of itself", MessageCode::NoOutline, drawing("<use id='u' href='#u'/>")},
-        {"uses of each other", MessageCode::NoOutline,
+        {"use of itself", MessageCode::SvgUseOfItself, drawing("<use id='u' href='#u'/>")},
+        {"uses of each other", MessageCode::SvgUseOfItself,
          drawing("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>")},
         {"use of a large shape", MessageCode::DrawingTooFull,
          drawing("<polygon id='p' points='" + textTimes("1 2 3 1 ", 100'000) + "'/>" +
@@ -418,7 +418,7 @@ std::vector<HostileSvg> hostileSvgs() {
          drawing("<style>" + textTimes(".a{fill:red}", 1'000'000) + "</style>" + textTimes(rect, 1000))},
         {"long rule", MessageCode::DrawingTooFull,
          drawing("<style>rect{fill:" + textTimes("a ", 100'000) + "}</style>" + textTimes(rect, 3000))},
-        {"not a number", MessageCode::NoOutline, drawing("<path d='Mnan nanLnan nanL inf 1e999z'/>")},
+        {"not a number", MessageCode::SvgPathDamaged, drawing("<path d='Mnan nanLnan nanL inf 1e999z'/>")},
         {"infinite", MessageCode::NoOutline,
          drawing("<path d='M0 0L1e400 5L1e-400 1e308L-1e308 1e308z' transform='scale(1e308)'/>")},
         {"wide", MessageCode::DrawingTooWide, drawing("<path d='M0 0h99999999v1z'/>")},
@@ -452,6 +452,34 @@ TEST(SvgOutlines, LargeDrawingIsReadInTwoSeconds) {
     ASSERT_TRUE(file.ok());
     EXPECT_EQ(file->outlines.size(), 6342U);
     EXPECT_LT(seconds, 2.0);
+}
+
+// Catches path data that break off, of which QtSvg draws the part before: another shape.
+TEST(SvgOutlines, DamagedPathDataAreRefused) {
+    const auto file = readSvgOutlines(svgPath("resvg_invalid_data_in_L.svg"));
+    ASSERT_FALSE(file.ok());
+    EXPECT_EQ(file.error().code(), MessageCode::SvgPathDamaged);
+    const auto path = [](const std::string& data) { return drawing("<path d=\"" + data + "\"/>"); };
+    for (const char* data :
+         {"M 10 10 L 90 10 L 90 Z", "M 10 10 L 90 10 foo", "L 10 10 90 10 Z", "M 10 10 L 90 1e Z",
+          "M 10 10 A 5 5 0 2 0 20 20 Z", "M 10 10 C 1 2 3 4 5 Z", "10 10", "M 10 10 L 5 5 #"})
+        EXPECT_EQ(refusalOf(path(data)), MessageCode::SvgPathDamaged) << data;
+    for (const char* data : {"M10 10h5v5H10z", " M10,10,20-5.5.5e1 30zm5 5l1 0 0 1z", "M1 1a5 5 0 013 3.5z",
+                             "M.5.5L1e1,1E+1\n-3-3z", "m1 1 2 2 3 0t4 4q1 1 2 2s3 3 4 4c1 1 2 2 3 3Z"})
+        EXPECT_NE(refusalOf(path(data)), MessageCode::SvgPathDamaged) << data;
+    EXPECT_NE(refusalOf(drawing("<path d=''/><rect width='5' height='5'/>")), MessageCode::SvgPathDamaged);
+}
+
+// Catches a drawing that draws itself, and is accepted without that part.
+TEST(SvgOutlines, UsesThatDrawWhatHoldsThemAreRefused) {
+    const auto file = readSvgOutlines(svgPath("resvg_use_self_recursive.svg"));
+    ASSERT_FALSE(file.ok());
+    EXPECT_EQ(file.error().code(), MessageCode::SvgUseOfItself);
+    EXPECT_EQ(
+        refusalOf(drawing("<g id='a'><use xlink:href='#b'/></g>\n<g id='b'><use xlink:href='#a'/></g>")),
+        MessageCode::SvgUseOfItself);
+    EXPECT_EQ(refusalOf(drawing("<rect id='a' width='5' height='5'/><use xlink:href='#a'/>")),
+              MessageCode::None);
 }
 
 // Catches crashes on files that break off or are damaged; their answer may be anything.
