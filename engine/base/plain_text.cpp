@@ -2,8 +2,11 @@
 
 #include "engine/base/message_code.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace bask {
 
@@ -32,6 +35,29 @@ std::string printable(std::string text) {
             text.replace(i, 2, "  ");
     }
     return text;
+}
+
+bool hasInvisible(const std::string& text) {
+    // Soft hyphen, Arabic letter mark, Mongolian vowel separator; zero width and marks of direction; line and
+    // paragraph separators, embeddings and overrides; word joiner to isolates; byte order mark.
+    struct Range {
+        std::string_view first, last;
+    };
+    constexpr std::array kRanges{Range{"\u00ad", "\u00ad"}, Range{"\u061c", "\u061c"},
+                                 Range{"\u180e", "\u180e"}, Range{"\u200b", "\u200f"},
+                                 Range{"\u2028", "\u202e"}, Range{"\u2060", "\u206f"},
+                                 Range{"\ufeff", "\ufeff"}};
+    for (std::size_t i = 0; i < text.size(); ++i)
+        for (const auto& [first, last] : kRanges)
+            if (const std::string_view here = std::string_view(text).substr(i, first.size());
+                here.size() == first.size() && here >= first && here <= last)
+                return true;
+    return false;
+}
+
+std::size_t characterCount(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0U) != 0x80U; }));
 }
 
 Result<std::string> readTextFile(const std::string& path, std::uintmax_t max) {

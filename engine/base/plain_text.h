@@ -16,6 +16,12 @@ std::string plainWords(const std::string& words);
 /// any script. A terminal would interpret them, and XML does not allow them.
 std::string printable(std::string text);
 
+/// Returns whether a text (UTF-8) has characters that nobody sees or that turn the direction of writing: two
+/// names that differ in such look the same.
+bool hasInvisible(const std::string& text);
+/// Returns the number of characters (code points) of a text in UTF-8.
+std::size_t characterCount(const std::string& text);
+
 /// Reads a whole file of at most the given number of bytes. Errors: FileNotFound, FileUnreadable,
 /// FileTooLarge.
 Result<std::string> readTextFile(const std::string& path, std::uintmax_t max);

@@ -366,7 +366,6 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     Fields root(j, "", failure);
     readHeader(root, "bask-experiment", kExperimentFormat);
     root.read("title", e.title);
-    e.title = printable(std::move(e.title));
     const auto part = [&](const std::string& key, bool required, auto read, auto& out) {
         readPart(root, key, required,
                  [&](const json& value, const std::string& where) { read(value, where, failure, out); });

@@ -93,9 +93,9 @@ void checkName(Checker& check, const std::string& where, const std::string& name
     const bool blank = name.find_first_not_of(" \t\r\n") == std::string::npos;
     if (blank)
         check.fail(MessageCode::NameEmpty, where);
-    else if (name.size() > kMaxNameLength)
-        check.range(where, static_cast<double>(name.size()), 1.0, kMaxNameLength, "characters");
-    else if (!isPlain(name))
+    else if (const std::size_t length = characterCount(name); length > kMaxNameLength)
+        check.range(where, static_cast<double>(length), 1.0, kMaxNameLength, "characters");
+    else if (!isPlain(name) || hasInvisible(name))
         check.fail(MessageCode::NameNotPlain, where);
     else if (!names.insert(name).second)
         check.fail(MessageCode::DuplicateName, where, {name});
@@ -544,8 +544,10 @@ Result<void> checkTargets(const Experiment& experiment) {
 
 Result<void> validate(const Experiment& e) {
     Checker check;
-    if (e.title.size() > kMaxTitleLength)
-        check.range("title", static_cast<double>(e.title.size()), 0.0, kMaxTitleLength, "characters");
+    if (const std::size_t length = characterCount(e.title); length > kMaxTitleLength)
+        check.range("title", static_cast<double>(length), 0.0, kMaxTitleLength, "characters");
+    if (printable(e.title) != e.title)
+        check.fail(MessageCode::NameNotPlain, "title");
     checkSource(check, e);
     checkObjects(check, e);
     checkPlates(check, e);

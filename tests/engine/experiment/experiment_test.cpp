@@ -308,13 +308,18 @@ TEST(Reading, TheAirIsANumberOrAWord) {
     EXPECT_EQ(read().error().where, "simulation.convection");
 }
 
+// Catches a title that commands a terminal, and one in another script that is refused.
 TEST(Reading, ATitleCannotCommandATerminal) {
     auto json = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
-    json["title"] = "a\x1b[31m\xc2\x9b"
-                    "b\n\u00e4\u4e2d";
+    json["title"] = "a\x1b[31m\xc2\x9b";
+    const auto refused = experimentFromJson(json.dump(), "made up", kExamples);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::NameNotPlain);
+    EXPECT_EQ(refused.error().message.args.size(), 0U);
+    json["title"] = "b\n\u00e4\u4e2d\u200f";
     const auto read = experimentFromJson(json.dump(), "made up", kExamples);
     ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->title, "a [31m  b\n\u00e4\u4e2d");
+    EXPECT_EQ(read->title, json["title"]);
 }
 
 TEST(Reading, PutsClockwiseAndOffCentreOutlinesRight) {
