@@ -65,6 +65,8 @@ def is_json_inside(path):
 
 # Shared by exchange's own writers of VTK files; nobody else includes it.
 VTK_INSIDE = {"engine/exchange/vtk_inside.h"}
+# Hands pictures of OpenCV over to the folders that may use it.
+OPENCV_INSIDE = {"engine/media/media.h"}
 
 
 def qt_in_engine(path):
@@ -89,7 +91,7 @@ OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "de
                   ("engine", "thermography")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
-SYSTEM_HEADER = re.compile(r"(unistd|dirent|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
+SYSTEM_HEADER = re.compile(r"(unistd|dirent|dlfcn|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\b(?!QT_TRANSLATE_NOOP\b)Q(?:t(?=::)|[A-Z]\w*)")  # that one macro is of engine/base/translated.h
@@ -187,7 +189,7 @@ class Checker:
         elif target.startswith("opencv2/") or target == "opencv.hpp":
             if home not in OPENCV_FOLDERS or header:
                 self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of "
-                                                  "engine/shape, engine/calibration, engine/devices, engine/simulation and engine/thermography")
+                                                  "engine/shape, engine/calibration, engine/devices, engine/media, engine/simulation and engine/thermography")
         elif re.match(r"vtk[A-Z]", target) or target.startswith("QVTK"):
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "
@@ -242,7 +244,7 @@ class Checker:
             return
         for pattern, what in ENGINE_HEADER_TYPES:
             match = pattern.search(text)
-            known = is_json_inside(path) if what.startswith("a JSON") else path.as_posix() in VTK_INSIDE
+            known = is_json_inside(path) if what.startswith("a JSON") else path.as_posix() in VTK_INSIDE | OPENCV_INSIDE
             if match and not known:
                 self.report(path, line, "type", f"{match.group(0)}: {what} in an engine header")
         if not qt_in_engine(path):
