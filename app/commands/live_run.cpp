@@ -238,8 +238,8 @@ private:
         std::vector<Message> why = m_last.reasons;
         if (m_resetRefused.code != MessageCode::None)
             why.insert(why.begin(), m_resetRefused);
-        std::ranges::stable_partition(
-            why, [](const Message& each) { return each.code != MessageCode::SafetyStartUp; });
+        std::stable_partition(why.begin(), why.end(),
+                              [](const Message& each) { return each.code != MessageCode::SafetyStartUp; });
         if (!why.empty())
             end(Error(why.front().code, {}, why.front().args));
     }

@@ -45,7 +45,7 @@ Result<void> readOutputs(const QCommandLineParser& parser, const std::string& pa
         outputs.push_back({request.options.sessionPath}); // SessionWriter has its rule for what is replaced
     if (parser.isSet("summary"))
         outputs.push_back({request.summaryPath, "objects", "a summary written by Bask"});
-    const auto checked = checkOutputs(inputsOf(path, request.experiment), outputs);
+    auto checked = checkOutputs(inputsOf(path, request.experiment), outputs);
     request.options.mayReplace = parser.isSet("overwrite");
     std::error_code isNotThere;
     const auto size = std::filesystem::file_size(request.options.sessionPath, isNotThere);

@@ -29,13 +29,13 @@ template <class Function> Function* functionOf(const char* module, const char* n
 } // namespace
 
 const PictureCodecs& pictureCodecs() {
-    static const auto codecs = functionOf<const PictureCodecs*()>("bask-pictures.so", "baskPictureCodecs");
-    return *codecs();
+    static const auto kCodecs = functionOf<const PictureCodecs*()>("bask-pictures.so", "baskPictureCodecs");
+    return *kCodecs();
 }
 
 std::unique_ptr<VideoInput> makeVideoInput() {
-    static const auto make = functionOf<VideoInput*()>("bask-video.so", "baskMakeVideoInput");
-    return std::unique_ptr<VideoInput>(make());
+    static const auto kMake = functionOf<VideoInput*()>("bask-video.so", "baskMakeVideoInput");
+    return std::unique_ptr<VideoInput>(kMake());
 }
 
 int fourCharacterCode(const std::string& letters) {

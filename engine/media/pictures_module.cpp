@@ -20,6 +20,6 @@ public:
 } // namespace bask
 
 extern "C" const bask::PictureCodecs* baskPictureCodecs() {
-    static const bask::OpenCvCodecs codecs;
-    return &codecs;
+    static const bask::OpenCvCodecs kCodecs;
+    return &kCodecs;
 }

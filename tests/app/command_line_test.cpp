@@ -200,14 +200,14 @@ TEST(CommandLine, RunReplacesNothingButItsOwnOutputs) {
 TEST(CommandLine, OfTwoRunsIntoOneFileOneIsRecorded) {
     const QTemporaryDir folder;
     const QString session = folder.filePath("s.bask");
+    const QString experiment = QStringLiteral(BASK_EXAMPLES "/two-circles.json");
     for (const bool mayReplace : {false, true}) {
         for (int round = 0; round < 3; ++round) {
             QFile::remove(session);
             std::array<QProcess, 2> runs;
             for (QProcess& each : runs)
                 each.start(QStringLiteral(BASK_PROGRAM),
-                           QStringList{"run", BASK_EXAMPLES "/two-circles.json", "--duration", "3000", "-o",
-                                       session} +
+                           QStringList{"run", experiment, "--duration", "3000", "-o", session} +
                                (mayReplace ? QStringList{"--overwrite"} : QStringList()));
             int recorded = 0;
             for (QProcess& each : runs) {
