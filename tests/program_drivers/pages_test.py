@@ -118,31 +118,33 @@ class PagesTest(unittest.TestCase):
         code = "".join(re.sub(run, "", part) for part in parts[:-1]) + parts[-1]
         code, count = re.subn(r'\("192\.168\.1\.\d+"\)', '("127.0.0.1")', code)
         self.assertEqual(count, 1)
-        code, count = re.subn(r"\b%d\b" % port, str(serve(device)), code)
-        self.assertEqual(count, 1)
-        with tempfile.TemporaryDirectory() as folder:
-            shutil.copy(os.path.join(ROOT, "resources/program_drivers/bask_device.py"), folder)
-            path = os.path.join(folder, "my_device.py")
-            with open(path, "w") as file:
-                file.write(code)
-            found = subprocess.run([BASK, "check-device", "--role", role, *options, "--", "python3", path],
-                                   capture_output=True, text=True, timeout=120)
-        self.assertEqual(found.returncode, 0, found.stdout + found.stderr)
-        return found.stdout
+        for attempt in range(3):  # a machine that stands still for a second breaks any program's promises
+            own, count = re.subn(r"\b%d\b" % port, str(serve(device and device())), code)
+            self.assertEqual(count, 1)
+            with tempfile.TemporaryDirectory() as folder:
+                shutil.copy(os.path.join(ROOT, "resources/program_drivers/bask_device.py"), folder)
+                path = os.path.join(folder, "my_device.py")
+                with open(path, "w") as file:
+                    file.write(own)
+                found = subprocess.run([BASK, "check-device", "--role", role, *options, "--", "python3", path],
+                                       capture_output=True, text=True, timeout=120)
+            if found.returncode == 0:
+                return found.stdout
+        self.fail(found.stdout + found.stderr)
 
     def test_robot(self):
-        said = self.check("robot", "program-robot.md", Machine(), 9000)
+        said = self.check("robot", "program-robot.md", Machine, 9000)
         self.assertIn("z goes 1 mm, from 150 mm to 151 mm", said)
 
     def test_robot_that_homes_and_tilts(self):
-        said = self.check("robot", "program-robot.md", HomingMachine(), 9000, "--home", programs=2)
+        said = self.check("robot", "program-robot.md", HomingMachine, 9000, "--home", programs=2)
         self.assertIn("theta_x goes 0.573 degrees", said)
 
     def test_thermometer(self):
         self.check("thermometer", "program-thermometer.md", None, 7000)
 
     def test_heater(self):
-        self.check("heater", "program-heater.md", Controller(), 5000)
+        self.check("heater", "program-heater.md", Controller, 5000)
 
 
 class ExamplesTest(unittest.TestCase):
