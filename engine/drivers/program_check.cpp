@@ -405,7 +405,7 @@ private:
         judge(isStanding(), "stands before it is told to move",
               "moves, or says so, although nobody has told it to");
         checkWrongCount();
-        checkMotion();
+        checkWay(1.0);
         checkStop();
         (void)m_program->ask("clear");
         judge(isStanding(), "stands after clear", "moves after clear, which may only clear an alarm");
@@ -444,19 +444,18 @@ private:
         (void)m_program->ask("stop");
         readFor(kSettle_s);
     }
-    void checkMotion() {
-        m_wasMoving = false;
-        checkWay(1.0);
-        judge(m_wasMoving, "says that it moves", "\"moving\" stays false while it moves");
-    }
     /// There, away from a limit that is near, and back by as much.
     void checkWay(double for_s) {
         const std::vector<double> began = m_robot.position;
         const double from = place(), width = ratesOf(1.0)[m_axis] * for_s;
         const bool isNear = from + width > m_hello.limits[static_cast<std::size_t>(m_hello.axes[m_axis])][1];
         const double share = isNear ? -1.0 : 1.0, wanted = share * width;
+        m_wasMoving = false;
         go(share, for_s);
-        readFor(for_s + kSettle_s);
+        readFor(for_s);
+        judge(m_wasMoving, axisName() + " says that it moves",
+              "\"moving\" stays false while " + axisName() + " moves");
+        readFor(kSettle_s);
         const double way = place() - from;
         const double room = m_hello.takesVelocities ? 0.5 * width : 0.25 * width;
         const std::string words = axisName() + " goes " + far(way) + ", from " + far(from) + " to " +
