@@ -94,6 +94,37 @@ void sample(benchmark::State& state, const FieldRequest& request, int threads) {
     state.counters["beside_kB"] = static_cast<double>(beside) / 1e3;
 }
 
+FieldRequest withGradient(FieldRequest request) {
+    request.withGradient = true;
+    return request;
+}
+
+/// The baseline: the same poses, each by itself, on one thread.
+void oneByOne(benchmark::State& state, bool withGradient) {
+    const FieldRequest request = translations();
+    std::vector<Pose> poses;
+    for (int k = 0; k < request.axes[2].count; ++k)
+        for (int j = 0; j < request.axes[1].count; ++j)
+            for (int i = 0; i < request.axes[0].count; ++i) {
+                Pose X = Pose::Identity();
+                X.translation() << request.axes[0].at(i), request.axes[1].at(j), request.axes[2].at(k);
+                poses.push_back(X);
+            }
+    for (auto _ : state)
+        for (const Pose& X : poses)
+            if (withGradient)
+                benchmark::DoNotOptimize(viewFactor(request.source, request.object, X).gradient);
+            else
+                benchmark::DoNotOptimize(viewFactorValue(request.source, request.object, X));
+    state.counters["samples/s"] =
+        benchmark::Counter(static_cast<double>(poses.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+BENCHMARK_CAPTURE(oneByOne, translations48000, false)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(oneByOne, translations48000_gradient, true)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sample, translations48000_gradient_oneThread, withGradient(translations()), 1)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sample, translations48000, translations(), 0)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(sample, translations48000_oneThread, translations(), 1)
     ->UseRealTime()

@@ -1,6 +1,7 @@
 #include "engine/radiation/field_sampler.h"
 
 #include "engine/base/message_code.h"
+#include "engine/radiation/pose_batch.h"
 
 #include <algorithm>
 #include <array>
@@ -17,8 +18,9 @@
 namespace bask {
 namespace {
 
-constexpr int kOutlinePoints = 64;  // points of a curved outline, for its height
-constexpr std::size_t kChunk = 256; // samples that a thread takes at a time
+constexpr int kOutlinePoints = 64; // points of a curved outline, for its height
+constexpr std::size_t kRow = PoseBatch::kPoses;
+constexpr std::size_t kChunk = 256; // samples that a thread takes at a time: whole rows
 constexpr double kProgressStep = 0.01;
 constexpr double kMinStep = 1e-11; // relative to the largest value: smaller steps are lost in rounding
 constexpr double kMinTolerance = 1e-14;
@@ -53,7 +55,7 @@ Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
     return checkRange(where + ": step", axis.step, min, 2.0 * kFieldReach, unit);
 }
 
-Result<void> check(const FieldRequest& request, const FieldRun& run) {
+Result<void> check(const FieldRequest& request, double maxNumbers) {
     if (auto axes = checkRange("axes", static_cast<double>(request.axes.size()), 1, kMaxAxes, "axes"); !axes)
         return axes;
     std::array<bool, 6> isAxis{};
@@ -66,7 +68,7 @@ Result<void> check(const FieldRequest& request, const FieldRun& run) {
             return valid;
         samples *= axis.count;
     }
-    const double max = request.withGradient ? std::floor(kMaxFieldNumbers / 7.0) : kMaxFieldNumbers;
+    const double max = request.withGradient ? std::floor(maxNumbers / 7.0) : maxNumbers;
     if (samples > max)
         return tooLarge("axes", samples, max);
     for (std::size_t i = 0; i < isAxis.size(); ++i)
@@ -76,8 +78,6 @@ Result<void> check(const FieldRequest& request, const FieldRun& run) {
                                         coordinateUnit(static_cast<Coordinate>(i)));
                 !fixed)
                 return fixed;
-    if (auto threads = checkRange("threads", run.threads, 0, kMaxThreads, ""); !threads)
-        return threads;
     return checkRange("tolerance", request.tolerance, kMinTolerance, kMaxTolerance, "");
 }
 
@@ -94,11 +94,13 @@ bool isIdentity(const Pose& X) {
     return X.matrix() == Pose::Identity().matrix();
 }
 
+} // namespace
+
 /// The request's axes with sine and cosine of every angle on them.
-struct Grid {
-    explicit Grid(const FieldRequest& asked)
-        : request(asked), X_SR(asked.X_RS.inverse()), isMoved(!isIdentity(asked.X_RS)),
-          isMounted(!isIdentity(asked.X_EO)), turns(asked.axes.size()) {
+struct FieldSampler::Grid {
+    explicit Grid(FieldRequest asked)
+        : request(std::move(asked)), X_SR(request.X_RS.inverse()), isMoved(!isIdentity(request.X_RS)),
+          isMounted(!isIdentity(request.X_EO)), turns(request.axes.size()) {
         for (std::size_t a = 0; a < turns.size(); ++a) {
             const FieldAxis& axis = request.axes[a];
             samples *= static_cast<std::size_t>(axis.count);
@@ -111,11 +113,15 @@ struct Grid {
             held = std::move(all);
             X_OE = request.X_EO.inverse();
         }
+        tolerance =
+            held && !request.isShadeRough ? std::max(request.tolerance, kShadeTolerance) : request.tolerance;
+        if (!held && !request.minHeight_m)
+            batch = PoseBatch::of(request.source, request.object, request.tolerance);
         if (request.minHeight_m)
             outline = shapeOutline(request.object.shape(), kOutlinePoints);
     }
 
-    const FieldRequest& request;
+    const FieldRequest request;
     Pose X_SR;
     bool isMoved;   ///< false: the product with X_SR is left out, which costs more than the rest of a pose
     bool isMounted; ///< the same of X_EO
@@ -123,11 +129,13 @@ struct Grid {
     std::vector<Eigen::Vector2d> outline; ///< of the object, where its height matters
     std::optional<MountedObjects> held;   ///< the object, then the others; empty if none may shade it
     Pose X_OE = Pose::Identity();         ///< only where there is shade
+    double tolerance = 0.0;               ///< see Field
+    std::optional<PoseBatch> batch;       ///< where samples can be taken together
     std::size_t samples = 1;
 };
 
 /// Iterates over the grid, first axis fastest; the rotation is recomputed only if an angle has changed.
-class Cursor {
+class FieldSampler::Cursor {
 public:
     Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_RE(grid.request.fixed.head<3>()) {
         for (int k = 0; k < 3; ++k)
@@ -156,6 +164,24 @@ public:
     }
 
     const Pose& X_SO() const { return m_X_SO; }
+    /// Goes on by `count` - 1 samples along the first axis and writes their places, from the second on.
+    /// Returns false where it is an angle or ends before; then nothing is done.
+    bool goAlong(PoseBatch::Poses& poses, std::size_t count) {
+        const FieldAxis& axis = m_grid.request.axes.front();
+        const auto first = static_cast<std::size_t>(m_index[0]);
+        if (m_grid.isMoved || axis.coordinate >= kThetaX ||
+            first + count > static_cast<std::size_t>(axis.count))
+            return false;
+        const Eigen::Vector3d place = m_X_SO.translation();
+        for (int i = 0; i < 3; ++i)
+            std::fill_n(poses.p[i] + 1, count - 1, place[i]);
+        for (std::size_t k = 1; k < count; ++k)
+            poses.p[axis.coordinate][k] = axis.at(static_cast<int>(first + k)) + m_arm[axis.coordinate];
+        set(0, static_cast<int>(first + count) - 1);
+        translate();
+        return true;
+    }
+    unsigned turns() const { return m_turnCount; } ///< how often the rotation has changed
 
     bool isTooLow() const {
         const auto& min_m = m_grid.request.minHeight_m;
@@ -163,9 +189,9 @@ public:
     }
 
     /// Gradient by the pose coordinates, from the gradient by position and rotation in S axes about O's
-    /// origin.
+    /// origin. Depends on the rotation only.
     void writeGradient(const Vector6d& aboutO, double* out) const {
-        Vector6d aboutE = gradientAbout(aboutO, m_X_SO.translation(), m_X_SO.translation() - m_arm);
+        Vector6d aboutE = m_grid.isMounted ? gradientAbout(aboutO, m_arm, Eigen::Vector3d::Zero()) : aboutO;
         if (m_grid.isMoved) {
             const Eigen::Matrix3d R_RS = m_grid.X_SR.linear().transpose();
             aboutE << R_RS * aboutE.head<3>(), R_RS * aboutE.tail<3>();
@@ -193,6 +219,7 @@ private:
 
     // Rz Ry Rx
     void rotate() {
+        ++m_turnCount;
         const auto& [x, y, z] = m_turns;
         m_R_RE << z.cos * y.cos, z.cos * y.sin * x.sin - z.sin * x.cos,
             z.cos * y.sin * x.cos + z.sin * x.sin, //
@@ -225,26 +252,214 @@ private:
     Eigen::Vector3d m_arm = Eigen::Vector3d::Zero(); ///< from E's to O's origin, S axes
     Pose m_X_SO = Pose::Identity();
     double m_lowest_m = 0.0; ///< the outline's lowest point over O's origin
+    unsigned m_turnCount = 0;
 };
+
+void FieldTally::add(const FieldTally& more) {
+    undefined += more.undefined;
+    unreached += more.unreached;
+    largestError = std::max(largestError, more.largestError);
+}
+
+Result<FieldSampler> FieldSampler::of(FieldRequest request) {
+    if (const auto valid = check(request, kMaxStoredNumbers); !valid)
+        return valid.error();
+    return FieldSampler(std::make_unique<const Grid>(std::move(request)));
+}
+
+FieldSampler::FieldSampler(std::unique_ptr<const Grid> grid) : m_grid(std::move(grid)) {}
+FieldSampler::FieldSampler(FieldSampler&&) noexcept = default;
+FieldSampler::~FieldSampler() = default;
+
+Field FieldSampler::header() const {
+    const FieldRequest& request = m_grid->request;
+    Field field;
+    field.axes = request.axes;
+    field.fixed = request.fixed;
+    field.quantity = request.quantity.name;
+    field.unit = request.quantity.unit;
+    field.tolerance = m_grid->tolerance;
+    field.isShadeRough = m_grid->held && request.isShadeRough;
+    return field;
+}
+
+std::size_t FieldSampler::samples() const {
+    return m_grid->samples;
+}
+
+FieldTally FieldSampler::sample(std::size_t begin, std::size_t end, double* values, double* gradient) const {
+    const FieldQuantity& quantity = m_grid->request.quantity;
+    // An estimate contains the error of the rule and of rounding.
+    const double reached = 1.01 * m_grid->tolerance;
+    FieldTally tally;
+    Cursor cursor(*m_grid, begin);
+    std::array<double, kRow> F, errors;
+    for (std::size_t at = begin; at < end; at += kRow) {
+        const std::size_t count = std::min(kRow, end - at);
+        if (m_grid->batch) {
+            sampleRow(*m_grid->batch, cursor, count, F.data(), errors.data(), gradient);
+        } else {
+            for (std::size_t k = 0; k < count; ++k, cursor.advance()) {
+                errors[k] = 0.0;
+                F[k] = viewFactorAt(cursor, gradient ? gradient + 6 * k : nullptr, errors[k]);
+            }
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            tally.undefined += std::isnan(F[k]);
+            tally.unreached += errors[k] > reached;
+            tally.largestError = std::max(tally.largestError, errors[k]);
+            *values++ = quantity.fromViewFactor && !std::isnan(F[k]) ? quantity.fromViewFactor(F[k]) : F[k];
+        }
+        if (gradient != nullptr)
+            gradient += 6 * count;
+    }
+    return tally;
+}
+
+/// The next `count` samples: together where they can be, else one by one. Moves the cursor behind them.
+void FieldSampler::sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t count, double* values,
+                             double* errors, double* gradient) const {
+    PoseBatch::Poses poses;
+    std::vector<Cursor> turned; // of each rotation, where gradients are turned back
+    const auto takePlace = [&](std::size_t k) {
+        for (int i = 0; i < 3; ++i)
+            poses.p[i][k] = cursor.X_SO().translation()[i];
+    };
+    const auto takeTurn = [&](std::size_t k) {
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                poses.R[i][j][k] = cursor.X_SO().linear()(i, j);
+        if (gradient != nullptr)
+            turned.push_back(cursor);
+    };
+    takePlace(0);
+    takeTurn(0);
+    if (!cursor.goAlong(poses, count)) {
+        const unsigned turns = cursor.turns();
+        for (std::size_t k = 1; k < count; ++k) {
+            cursor.advance();
+            takePlace(k);
+            if (poses.isOneRotation && cursor.turns() != turns) {
+                poses.isOneRotation = false;
+                for (std::size_t before = 1; before < k; ++before) {
+                    poses.copyRotation(0, before);
+                    if (gradient != nullptr)
+                        turned.push_back(turned.front());
+                }
+            }
+            if (!poses.isOneRotation)
+                takeTurn(k);
+        }
+    }
+    for (std::size_t k = count; k < kRow; ++k) // of a short row
+        poses.copy(count - 1, k);
+    PoseBatch::Factors factors;
+    batch.compute(poses, static_cast<int>(count), gradient != nullptr, factors);
+    for (std::size_t k = 0; k < count; ++k) {
+        const Cursor* const at = gradient == nullptr ? nullptr : &turned[poses.isOneRotation ? 0 : k];
+        double* const slopes = gradient != nullptr ? gradient + 6 * k : nullptr;
+        if ((factors.computed >> k & 1U) != 0U) {
+            values[k] = factors.values[k];
+            errors[k] = factors.error;
+            if (slopes != nullptr) {
+                Vector6d aboutO;
+                for (int i = 0; i < 6; ++i)
+                    aboutO[i] = factors.gradients[i][k];
+                at->writeGradient(aboutO, slopes);
+            }
+        } else {
+            errors[k] = 0.0;
+            values[k] = plainAt(poses.pose(k), at, slopes, errors[k]);
+        }
+    }
+    cursor.advance();
+}
+
+namespace {
+
+/// No value and, if it is asked for, no gradient.
+double noFactor(double* gradient) {
+    constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+    if (gradient != nullptr)
+        std::fill_n(gradient, 6, kUndefined);
+    return kUndefined;
+}
+
+} // namespace
+
+/// Writes also the gradient. NaN if object and source overlap in one plane or the sample is left out.
+double FieldSampler::viewFactorAt(const Cursor& cursor, double* gradient, double& error) const {
+    if (cursor.isTooLow())
+        return noFactor(gradient);
+    if (!m_grid->held)
+        return plainAt(cursor.X_SO(), &cursor, gradient, error);
+    try {
+        return shadedAt(cursor, gradient, error);
+    } catch (const std::invalid_argument&) {
+        return noFactor(gradient);
+    }
+}
+
+/// Without shade; `cursor` is needed for the gradient only.
+double FieldSampler::plainAt(const Pose& X_SO, const Cursor* cursor, double* gradient, double& error) const {
+    const FieldRequest& request = m_grid->request;
+    try {
+        if (gradient == nullptr)
+            return viewFactorValue(request.source, request.object, X_SO, request.tolerance, &error);
+        ViewFactorOptions options;
+        options.tolerance = request.tolerance;
+        const ViewFactor factor = viewFactor(request.source, request.object, X_SO, options);
+        error = factor.errorEstimate;
+        cursor->writeGradient(factor.gradient, gradient);
+        return factor.value;
+    } catch (const std::invalid_argument&) {
+        return noFactor(gradient);
+    }
+}
+
+double FieldSampler::shadedAt(const Cursor& cursor, double* gradient, double& error) const {
+    const FieldRequest& request = m_grid->request;
+    const MountedObjects& held = *m_grid->held;
+    const Pose X_SE = cursor.X_SO() * m_grid->X_OE;
+    if (request.isShadeRough && gradient == nullptr) {
+        const double unshaded =
+            viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance, &error);
+        return unshaded * held.roughShare(request.source, 0, X_SE, unshaded);
+    }
+    if (request.isShadeRough) {
+        const RigidViewFactor factor = held.roughViewFactor(request.source, 0, X_SE, request.tolerance);
+        cursor.writeGradient(factor.gradient, gradient);
+        return factor.value;
+    }
+    const ViewFactor factor = held.viewFactor(request.source, 0, X_SE, {.tolerance = request.tolerance});
+    error = factor.errorEstimate;
+    if (gradient != nullptr)
+        cursor.writeGradient(factor.gradient, gradient);
+    return factor.value;
+}
+
+namespace {
 
 /// The work that the threads share.
 class Sampling {
 public:
-    Sampling(const Grid& grid, const FieldRun& run, Field& field)
-        : m_grid(grid), m_run(run), m_field(field) {}
+    Sampling(const FieldSampler& sampler, const FieldRun& run, Field& field)
+        : m_sampler(sampler), m_run(run), m_field(field) {}
 
     /// Takes chunks until there are none; only the thread that `reports` calls progress.
     void work(bool reports) {
         try {
             double reported = 0.0;
+            const std::size_t samples = m_field.values.size();
             while (!m_halted && !m_run.stop.stop_requested()) {
                 const std::size_t begin = m_next.fetch_add(kChunk, std::memory_order_relaxed);
-                if (begin >= m_grid.samples)
+                if (begin >= samples)
                     return;
-                const std::size_t end = std::min(begin + kChunk, m_grid.samples);
-                book(sample(begin, end));
+                const std::size_t end = std::min(begin + kChunk, samples);
+                book(m_sampler.sample(begin, end, &m_field.values[begin],
+                                      m_field.gradient.empty() ? nullptr : &m_field.gradient[6 * begin]));
                 m_done += end - begin;
-                const double done = static_cast<double>(m_done) / static_cast<double>(m_grid.samples);
+                const double done = static_cast<double>(m_done) / static_cast<double>(samples);
                 if (reports && m_run.progress && done < 1.0 && done >= reported + kProgressStep)
                     m_run.progress(reported = done);
             }
@@ -262,7 +477,7 @@ public:
         m_field.undefinedSamples = m_tally.undefined;
         m_field.unreachedSamples = m_tally.unreached;
         m_field.largestErrorEstimate = m_tally.largestError;
-        if (m_done < m_grid.samples)
+        if (m_done < m_field.values.size())
             return false;
         if (m_run.progress)
             m_run.progress(1.0);
@@ -270,93 +485,17 @@ public:
     }
 
 private:
-    struct Tally {
-        std::size_t undefined = 0, unreached = 0;
-        double largestError = 0.0;
-    };
-
-    void book(const Tally& more) {
+    void book(const FieldTally& more) {
         const std::lock_guard lock(m_mutex);
-        m_tally.undefined += more.undefined;
-        m_tally.unreached += more.unreached;
-        m_tally.largestError = std::max(m_tally.largestError, more.largestError);
+        m_tally.add(more);
     }
 
-    Tally sample(std::size_t begin, std::size_t end) {
-        const FieldQuantity& quantity = m_grid.request.quantity;
-        // An estimate contains the error of the rule and of rounding.
-        const double reached = 1.01 * m_field.tolerance;
-        Tally tally;
-        Cursor cursor(m_grid, begin);
-        for (std::size_t i = begin; i < end; ++i) {
-            double error = 0.0;
-            const double F = viewFactorAt(cursor, i, error);
-            tally.undefined += std::isnan(F);
-            tally.unreached += error > reached;
-            tally.largestError = std::max(tally.largestError, error);
-            m_field.values[i] = quantity.fromViewFactor && !std::isnan(F) ? quantity.fromViewFactor(F) : F;
-            if (i + 1 < end)
-                cursor.advance();
-        }
-        return tally;
-    }
-
-    /// Writes also the gradient of sample i. NaN if object and source overlap in one plane or the sample is
-    /// left out.
-    double viewFactorAt(const Cursor& cursor, std::size_t i, double& error) {
-        constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-        const FieldRequest& request = m_grid.request;
-        const auto none = [&] {
-            if (request.withGradient)
-                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
-            return kUndefined;
-        };
-        if (cursor.isTooLow())
-            return none();
-        try {
-            if (m_grid.held)
-                return shadedAt(cursor, i, error);
-            if (!request.withGradient)
-                return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance,
-                                       &error);
-            ViewFactorOptions options;
-            options.tolerance = request.tolerance;
-            const ViewFactor factor = viewFactor(request.source, request.object, cursor.X_SO(), options);
-            error = factor.errorEstimate;
-            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
-            return factor.value;
-        } catch (const std::invalid_argument&) {
-            return none();
-        }
-    }
-
-    double shadedAt(const Cursor& cursor, std::size_t i, double& error) {
-        const FieldRequest& request = m_grid.request;
-        const MountedObjects& held = *m_grid.held;
-        const Pose X_SE = cursor.X_SO() * m_grid.X_OE;
-        if (request.isShadeRough && !request.withGradient) {
-            const double unshaded =
-                viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance, &error);
-            return unshaded * held.roughShare(request.source, 0, X_SE, unshaded);
-        }
-        if (request.isShadeRough) {
-            const RigidViewFactor factor = held.roughViewFactor(request.source, 0, X_SE, request.tolerance);
-            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
-            return factor.value;
-        }
-        const ViewFactor factor = held.viewFactor(request.source, 0, X_SE, {.tolerance = request.tolerance});
-        error = factor.errorEstimate;
-        if (request.withGradient)
-            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
-        return factor.value;
-    }
-
-    const Grid& m_grid;
+    const FieldSampler& m_sampler;
     const FieldRun& m_run;
     Field& m_field;
     std::atomic<std::size_t> m_next{0};
     std::atomic<std::size_t> m_done{0};
-    Tally m_tally;
+    FieldTally m_tally;
     std::atomic<bool> m_halted{false};
     std::mutex m_mutex;
     std::exception_ptr m_failure;
@@ -383,21 +522,18 @@ const char* coordinateUnit(Coordinate coordinate) {
 }
 
 Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, const FieldRun& run) {
-    if (const auto valid = check(request, run); !valid)
+    if (const auto valid = check(request, kMaxFieldNumbers); !valid)
         return valid.error();
-    const Grid grid(request);
-    auto field = std::make_shared<Field>();
-    field->axes = request.axes;
-    field->fixed = request.fixed;
-    field->quantity = request.quantity.name;
-    field->unit = request.quantity.unit;
-    field->tolerance =
-        grid.held && !request.isShadeRough ? std::max(request.tolerance, kShadeTolerance) : request.tolerance;
-    field->isShadeRough = grid.held && request.isShadeRough;
-    field->values.resize(grid.samples);
-    field->gradient.resize(request.withGradient ? 6 * grid.samples : 0);
-    Sampling sampling(grid, run, *field);
-    workOnThreads(sampling, run.threads, grid.samples);
+    if (const auto threads = checkRange("threads", run.threads, 0, kMaxThreads, ""); !threads)
+        return threads.error();
+    const auto sampler = FieldSampler::of(request);
+    if (!sampler)
+        return sampler.error();
+    auto field = std::make_shared<Field>(sampler->header());
+    field->values.resize(sampler->samples());
+    field->gradient.resize(request.withGradient ? 6 * sampler->samples() : 0);
+    Sampling sampling(*sampler, run, *field);
+    workOnThreads(sampling, run.threads, sampler->samples());
     if (!sampling.finish())
         return Error(MessageCode::FieldCancelled, "");
     return std::shared_ptr<const Field>(std::move(field));

@@ -1,17 +1,19 @@
 #pragma once
-// View factors on a grid of poses: one to four of the six pose coordinates vary along axes, the others are
-// fixed.
+// View factors on a grid of poses: one to four of the pose coordinates vary along axes, the others are fixed.
 
 #include "engine/radiation/mounted_objects.h"
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 namespace bask {
+
+class PoseBatch;
 
 /// Returns "m" or "rad".
 const char* coordinateUnit(Coordinate coordinate);
@@ -29,8 +31,10 @@ struct FieldAxis {
 
 inline constexpr int kMaxAxes = 4;
 inline constexpr int kMaxAxisSamples = 100'000;
-inline constexpr double kMaxFieldNumbers = 1e8; ///< a sample has one number, or seven with its gradient
-inline constexpr double kFieldReach = 1e6;      ///< m and rad; largest absolute value of every coordinate
+/// A sample has one number, or seven with its gradient: largest count of them in memory, and of a field that
+/// is sampled range by range.
+inline constexpr double kMaxFieldNumbers = 1e8, kMaxStoredNumbers = 5e10;
+inline constexpr double kFieldReach = 1e6; ///< m and rad; largest absolute value of every coordinate
 
 /// What is sampled: the view factor, or a function of it.
 struct FieldQuantity {
@@ -89,6 +93,44 @@ struct Field {
     /// largest estimate.
     std::size_t unreachedSamples = 0;
     double largestErrorEstimate = 0.0;
+};
+
+/// What is not as usual among samples.
+struct FieldTally {
+    std::size_t undefined = 0; ///< as Field::undefinedSamples
+    std::size_t unreached = 0; ///< and the next two
+    double largestError = 0.0;
+
+    void add(const FieldTally& more);
+};
+
+/// A field that is sampled range by range, in any order and by any process: the numbers are those of
+/// sampleField.
+class FieldSampler {
+public:
+    /// Errors: those of sampleField, but for kMaxStoredNumbers samples and not kMaxFieldNumbers.
+    static Result<FieldSampler> of(FieldRequest request);
+    FieldSampler(FieldSampler&&) noexcept;
+    ~FieldSampler();
+
+    /// A field without samples, and how many it will have.
+    Field header() const;
+    std::size_t samples() const;
+    /// Writes the samples `begin` to `end` - 1 to `values`, and six numbers for each to `gradient` if it was
+    /// asked for. Thread-safe.
+    FieldTally sample(std::size_t begin, std::size_t end, double* values, double* gradient) const;
+
+private:
+    struct Grid;
+    class Cursor;
+    explicit FieldSampler(std::unique_ptr<const Grid> grid);
+    void sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t count, double* values, double* errors,
+                   double* gradient) const;
+    double viewFactorAt(const Cursor& cursor, double* gradient, double& error) const;
+    double plainAt(const Pose& X_SO, const Cursor* cursor, double* gradient, double& error) const;
+    double shadedAt(const Cursor& cursor, double* gradient, double& error) const;
+
+    std::unique_ptr<const Grid> m_grid;
 };
 
 struct FieldRun {

@@ -77,9 +77,7 @@ private:
     // factor on the error before the exponential: two for the rule, the rest for the potential's size in the
     // complex plane
     static constexpr double kSafety = 24.0;
-    static constexpr double kHalf = 0.7;    // log 2: object and source share the error
-    static constexpr int kNarrow = 40;      // step of a strip that needs more than a hundred points
-    static constexpr int kMaxForeseen = 64; // points of an outline of many harmonics, without a test
+    static constexpr double kHalf = 0.7; // log 2: object and source share the error
     static constexpr int kMaxDoubled = 512;
     static constexpr double kDense = 3.0; // spacings to the source's outline
 
@@ -118,17 +116,8 @@ private:
             const GaussTable* rule = m_exponent < kTableExponent ? m_object.gauss(nearest) : nullptr;
             return {rule ? &rule->table : nullptr, kTableExponent};
         }
-        int step = m_object.strip.fromCentre(fromCentre);
-        if (!m_object.disk || step < kNarrow)
-            step = std::max(step, m_object.strip.fromOutline(nearest));
-        if (step < 0)
-            return {nullptr, 0.0};
-        const double b = AnalyticStrip::width(step);
-        const double growth = m_object.strip.growth(step);
-        const TrapezoidTable* rule = m_object.trapezoid((m_exponent + kHalf + growth) / b);
-        if (!m_object.disk && rule && rule->points > kMaxForeseen)
-            return {nullptr, 0.0};
-        return rule ? Choice{&rule->table, rule->points * b - growth} : Choice{nullptr, 0.0};
+        const auto [rule, exponent] = m_object.foreseen(fromCentre, nearest, m_exponent + kHalf);
+        return {rule ? &rule->table : nullptr, exponent};
     }
 
     // The bound of an outline of many harmonics is far too pessimistic: there the points are doubled until

@@ -337,6 +337,22 @@ double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
     return std::clamp(open.front().min, 0.0, nearest);
 }
 
+ForeseenRule RadiatingContour::Impl::foreseen(double fromCentre, double nearest, double exponent) const {
+    constexpr int kNarrow = 40;      // step of a strip that needs more than a hundred points
+    constexpr int kMaxForeseen = 64; // points of an outline of many harmonics, without a test
+    int step = strip.fromCentre(fromCentre);
+    if (!disk || step < kNarrow)
+        step = std::max(step, strip.fromOutline(nearest));
+    if (step < 0)
+        return {};
+    const double b = AnalyticStrip::width(step);
+    const double growth = strip.growth(step);
+    const TrapezoidTable* rule = trapezoid((exponent + growth) / b);
+    if (!rule || (!disk && rule->points > kMaxForeseen))
+        return {};
+    return {rule, rule->points * b - growth};
+}
+
 PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
     if (height.z0 - reach * height.slope >= 0.0)
         return height.z0 > 0.0 ? PlaneSide::Front : PlaneSide::Behind;

@@ -111,6 +111,12 @@ struct GaussTable {
 
 class Plate;
 
+/// A rule whose error is known in advance: exp(-exponent).
+struct ForeseenRule {
+    const TrapezoidTable* rule = nullptr; ///< null: there is none
+    double exponent = 0.0;
+};
+
 /// The tables of an outline, and those of its holes, which are outlines themselves.
 struct RadiatingContour::Impl {
     explicit Impl(const Shape& outline);
@@ -139,6 +145,9 @@ struct RadiatingContour::Impl {
     /// Returns a trapezoidal rule (smooth outline) of at least `points` points, weights included; null if no
     /// rule has as many.
     const TrapezoidTable* trapezoid(double points) const;
+    /// Returns a trapezoidal rule on a whole smooth outline for an error exp(-exponent), where the source's
+    /// outline is at least `fromCentre` from O's origin and `nearest` from the outline (m).
+    ForeseenRule foreseen(double fromCentre, double nearest, double exponent) const;
     /// Returns Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding;
     /// null if none do.
     const GaussTable* gauss(double distance_m) const;

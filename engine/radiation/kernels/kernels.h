@@ -78,6 +78,13 @@ struct SeriesPoints {
     double x[kMaxSeriesPoints], y[kMaxSeriesPoints], dx[kMaxSeriesPoints], dy[kMaxSeriesPoints];
 };
 
+/// Eight poses of an object under a whole disk, as separate arrays: o = O's origin less the disk's centre, k
+/// = the disk's normal, both in O axes.
+inline constexpr int kPoses = 8;
+struct DiskPoses {
+    double o[3][kPoses], k[3][kPoses];
+};
+
 /// The functions for one kind of processor. "Value" functions do not compute the moments. `onCut`: all points
 /// are on the line where the two planes meet, and the caller adds the field of the source's parts on that
 /// line.
@@ -85,6 +92,15 @@ struct Kernels {
     const char* name;
     double (*diskValue)(const WholeDisk&, const Outline&);
     Sums (*diskSums)(const WholeDisk&, const Outline&);
+    /// The same for eight poses at once, whose points are those of one outline; sums[0] are values, then
+    /// moments.
+    void (*diskPoseValues)(double radius2, const DiskPoses&, const Outline&, double* values);
+    void (*diskPoseSums)(double radius2, const DiskPoses&, const Outline&, double (*sums)[kPoses]);
+    /// For eight disks parallel to the source's, whose centres are `away` from its axis and `height` from its
+    /// plane (m): sums of (r + away * cosine) / (a + S) over points at the given cosines, r being their
+    /// radius.
+    void (*parallelDisks)(double radius2, double objectRadius, const double* away, const double* height,
+                          const double* cosines, int count, double* sums);
     double (*segmentValue)(const Segment&, const Outline&);
     Sums (*segmentSums)(const Segment&, const Outline&, bool onCut);
     double (*loopValue)(const Loop&, const Placement&, const Outline&);

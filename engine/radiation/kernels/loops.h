@@ -16,17 +16,63 @@ BASK_INLINE Sums sumsOf(const Term& term) {
 double diskValue(const WholeDisk& disk, const Outline& outline) {
     Term term;
     for (int i = 0; i < outline.count; i += kLanes)
-        addWholeDisk<false>(disk, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
-                            load(outline.dy + i), term);
+        addWholeDisk<false>(disk.radius2, disk.o, disk.k, load(outline.x + i), load(outline.y + i),
+                            load(outline.dx + i), load(outline.dy + i), term);
     return laneSum(term.value);
 }
 
 Sums diskSums(const WholeDisk& disk, const Outline& outline) {
     Term term;
     for (int i = 0; i < outline.count; i += kLanes)
-        addWholeDisk<true>(disk, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
-                           load(outline.dy + i), term);
+        addWholeDisk<true>(disk.radius2, disk.o, disk.k, load(outline.x + i), load(outline.y + i),
+                           load(outline.dx + i), load(outline.dy + i), term);
     return sumsOf(term);
+}
+
+/// The sums of the poses from number `from` on.
+template <bool kMoments>
+Term poseTerm(double radius2, const DiskPoses& poses, int from, const Outline& outline) {
+    const Lanes o[3] = {load(poses.o[0] + from), load(poses.o[1] + from), load(poses.o[2] + from)};
+    const Lanes k[3] = {load(poses.k[0] + from), load(poses.k[1] + from), load(poses.k[2] + from)};
+    Term term;
+    for (int i = 0; i < outline.count; ++i)
+        addWholeDisk<kMoments>(radius2, o, k, outline.x[i], outline.y[i], outline.dx[i], outline.dy[i], term);
+    return term;
+}
+
+void diskPoseValues(double radius2, const DiskPoses& poses, const Outline& outline, double* values) {
+    for (int from = 0; from < kPoses; from += kLanes)
+        store(values + from, poseTerm<false>(radius2, poses, from, outline).value);
+}
+
+void diskPoseSums(double radius2, const DiskPoses& poses, const Outline& outline, double (*sums)[kPoses]) {
+    for (int from = 0; from < kPoses; from += kLanes) {
+        const Term term = poseTerm<true>(radius2, poses, from, outline);
+        const Lanes all[7] = {term.value, term.f1, term.f2, term.f3, term.t1, term.t2, term.t3};
+        for (int row = 0; row < 7; ++row)
+            store(sums[row] + from, all[row]);
+    }
+}
+
+/// The closed form of addWholeDisk where the planes are parallel: the outline is the same on both sides of
+/// the line of centres, so that half of it will do.
+void parallelDisks(double radius2, double objectRadius, const double* aways, const double* heights,
+                   const double* cosines, int count, double* sums) {
+    for (int from = 0; from < kPoses; from += kLanes) {
+        const Lanes away = load(aways + from);
+        const Lanes height = load(heights + from);
+        const Lanes z2 = height * height;
+        const Lanes middle = away * away + objectRadius * objectRadius + z2;
+        const Lanes swing = (2.0 * objectRadius) * away;
+        const Lanes rim = (4.0 * radius2) * z2 + 1e-300;
+        Lanes sum{};
+        for (int i = 0; i < count; ++i) {
+            const Lanes square = middle + swing * cosines[i];
+            const Lanes t = square - radius2;
+            sum += (objectRadius + away * cosines[i]) / (square + radius2 + laneSqrt(t * t + rim));
+        }
+        store(sums + from, sum);
+    }
 }
 
 double segmentValue(const Segment& segment, const Outline& outline) {
@@ -103,7 +149,8 @@ void seriesPoints(const Series& series, const double* cosines, const double* sin
 }
 
 constexpr Kernels kernelsNamed(const char* name) {
-    return {name, diskValue, diskSums, segmentValue, segmentSums, loopValue, loopSums, seriesPoints};
+    return {name,         diskValue,   diskSums,  diskPoseValues, diskPoseSums, parallelDisks,
+            segmentValue, segmentSums, loopValue, loopSums,       seriesPoints};
 }
 
 } // namespace

@@ -36,11 +36,14 @@ BASK_INLINE void addMoments(Term& sum, Lanes l1, Lanes l2, Lanes l3, Lanes d1, L
 
 /// Closed form W = -2 pi r^2/(a + S) k x p; sums are over -2 pi r^2, moments in **O axes**, where
 /// B = -g_z p + (B_z + z g_z) k.
-template <bool kMoments>
-BASK_INLINE void addWholeDisk(const WholeDisk& disk, Lanes x, Lanes y, Lanes dx, Lanes dy, Term& sum) {
-    const double o3 = disk.o[2], k1 = disk.k[0], k2 = disk.k[1], k3 = disk.k[2], r2 = disk.radius2;
-    const Lanes p1 = disk.o[0] + x;
-    const Lanes p2 = disk.o[1] + y;
+/// Lanes are points at one pose (OfPose = double, OfPoint = Lanes) or poses of one point (the other way
+/// round).
+template <bool kMoments, class OfPose, class OfPoint>
+BASK_INLINE void addWholeDisk(double r2, const OfPose (&o)[3], const OfPose (&k)[3], OfPoint x, OfPoint y,
+                              OfPoint dx, OfPoint dy, Term& sum) {
+    const OfPose o3 = o[2], k1 = k[0], k2 = k[1], k3 = k[2];
+    const Lanes p1 = o[0] + x;
+    const Lanes p2 = o[1] + y;
     const Lanes square = p1 * p1 + p2 * p2 + o3 * o3;
     const Lanes z = k1 * p1 + k2 * p2 + k3 * o3;
     const Lanes a = square + r2;
