@@ -4,6 +4,7 @@
 #include "app/exact_version.h"
 #include "app/resources.h"
 #include "engine/base/program_part.h"
+#include "engine/base/unfinished.h"
 
 #include <QApplication>
 #include <QFileInfo>
@@ -101,6 +102,7 @@ int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }
+    deleteUnfinishedOnSignals();
     std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: devices and files want the decimal point
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
     QStringList arguments;

@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
+#include "engine/base/unfinished.h"
 #include "engine/experiment/text_file.h"
 
 #include <QDir>
@@ -24,6 +25,10 @@ QString makeFolder(const QString& folder) {
     const QFileInfo info(folder);
     if (info.exists() && !info.isDir())
         return QStringLiteral("%1 is a file, not a folder; choose another name").arg(folder);
+    // A study that fails, or that a signal ends, leaves no empty folder.
+    static std::optional<Unfinished> made;
+    if (!info.exists())
+        made.emplace(folder.toStdString(), Unfinished::What::EmptyFolder);
     if (!QDir().mkpath(folder))
         return QStringLiteral("the folder %1 cannot be made; choose another place").arg(folder);
     return {};

@@ -1,6 +1,7 @@
 #include "engine/exchange/vtk_inside.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/unfinished.h"
 #include "engine/base/version.h"
 
 #include <vtkCallbackCommand.h>
@@ -70,16 +71,18 @@ void addOrigin(vtkDataSet* data, const std::string& title) {
 Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
     std::error_code failed;
     const fs::path target = fs::exists(path, failed) ? fs::canonical(path, failed) : fs::path(path);
-    const std::string temporary = target.string() + '.' + std::to_string(::getpid()) + ".part";
+    const std::string temporary = target.string() + '.' + std::to_string(::getpid()) + ".tmp";
+    Unfinished unfinished(temporary);
     std::string reason = writeData(writer, data, temporary);
     if (reason.empty()) {
         fs::rename(temporary, target, failed);
         if (failed)
             reason = failed.message();
     }
-    if (reason.empty())
+    if (reason.empty()) {
+        unfinished.keep();
         return {};
-    fs::remove(temporary, failed);
+    }
     return Error(MessageCode::FileUnwritable, path, {reason});
 }
 

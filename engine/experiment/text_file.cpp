@@ -1,6 +1,7 @@
 #include "engine/experiment/text_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/unfinished.h"
 
 #include <QSaveFile>
 #include <QString>
@@ -8,6 +9,7 @@
 namespace bask {
 
 Result<void> writeTextFile(const std::string& path, const std::string& text) {
+    const Uninterrupted whole;
     QSaveFile file(QString::fromStdString(path));
     const auto size = static_cast<qint64>(text.size());
     // Qt 6.4's commit() does not see that its last bytes found no room.

@@ -1,12 +1,11 @@
 #include "engine/base/message_code.h"
-#include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_facts.h"
+#include "engine/recording/staged_files.h"
 
-#include <QDir>
+#include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <array>
@@ -72,19 +71,23 @@ QByteArray rowText(SessionStore::Row row) {
     return text;
 }
 
-/// One CSV: under a temporary name until all are written.
+/// One CSV among staged files.
 class CsvFile {
 public:
-    explicit CsvFile(std::string path) : m_path(std::move(path)), m_file(QString::fromStdString(m_path)) {}
+    explicit CsvFile(std::string path) : m_path(std::move(path)) {}
 
     /// Refuses to write over what does not begin as an earlier export of the same table.
-    Result<void> open(const QByteArray& begin) {
-        const QFileInfo info(m_file.fileName());
+    Result<void> open(StagedFiles& stage, const QByteArray& begin) {
+        const QFileInfo info(QString::fromStdString(m_path));
         if (info.exists() && !info.isFile())
             return Error(MessageCode::OutputNotAFile, m_path);
         QFile old(info.filePath());
         if (info.size() > 0 && (!old.open(QIODevice::ReadOnly) || old.read(begin.size()) != begin))
             return Error(MessageCode::ExportForeign, m_path);
+        const auto place = stage.place(info.fileName().toStdString());
+        if (!place)
+            return place.error();
+        m_file.setFileName(QString::fromStdString(*place));
         m_isWritten = m_file.open(QIODevice::WriteOnly);
         return m_isWritten ? Result<void>() : unwritable();
     }
@@ -93,14 +96,12 @@ public:
         if (m_buffer.size() >= kCsvChunk)
             drain();
     }
-    /// All is on the disk but for the name.
     Result<void> end() {
         drain();
         m_isWritten = m_isWritten && m_file.flush();
+        m_file.close();
         return m_isWritten ? Result<void>() : unwritable();
     }
-    Result<void> commit() { return m_file.commit() ? Result<void>() : unwritable(); }
-    const std::string& path() const { return m_path; }
 
 private:
     void drain() {
@@ -117,23 +118,22 @@ private:
     }
 
     std::string m_path;
-    QSaveFile m_file;
+    QFile m_file;
     QByteArray m_buffer;
     bool m_isWritten = false;
 };
 
 using CsvFiles = std::vector<std::unique_ptr<CsvFile>>;
 
-Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, const QDir& folder,
+Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, StagedFiles& stage,
                         CsvFiles& files) {
     for (const std::string& table : tables) {
         const auto columns = store.columns(table);
         if (!columns)
             return columns.error();
         const std::vector<SqlValue> header(columns->begin(), columns->end());
-        files.push_back(
-            std::make_unique<CsvFile>(folder.filePath(QString::fromStdString(table + ".csv")).toStdString()));
-        if (auto opened = files.back()->open(rowText(header)); !opened)
+        files.push_back(std::make_unique<CsvFile>(stage.target(table + ".csv")));
+        if (auto opened = files.back()->open(stage, rowText(header)); !opened)
             return opened;
         files.back()->add(header);
     }
@@ -202,7 +202,9 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
     return read ? file.end() : read;
 }
 
-Result<std::vector<std::string>> writeAll(const std::string& path, const std::string& folder) {
+} // namespace
+
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -213,46 +215,21 @@ Result<std::vector<std::string>> writeAll(const std::string& path, const std::st
     if (!tables)
         return tables.error();
     std::erase_if(*tables, [](const std::string& table) { return !isPlainName(table); });
-    const QDir target(QString::fromStdString(folder));
-    if (!target.mkpath(QStringLiteral(".")))
-        return Error(MessageCode::FileUnwritable, folder, {"the folder cannot be made"});
+    auto stage = StagedFiles::into(folder);
+    if (!stage)
+        return stage.error();
     if (auto begun = (*store)->execute("BEGIN"); !begun)
         return begun.error();
+    CsvFile traces(stage->target("traces.csv"));
     CsvFiles files;
-    auto done = openTables(**store, *tables, target, files);
-    CsvFile traces(target.filePath(QStringLiteral("traces.csv")).toStdString());
+    auto done = traces.open(*stage, kTracesHeader);
     if (done)
-        done = traces.open(kTracesHeader);
+        done = openTables(**store, *tables, *stage, files);
     if (done)
         done = writeTraces(*facts, traces);
     if (done)
         done = writeTables(**store, *tables, files);
-    if (!done)
-        return done.error();
-    ReplacedFiles old;
-    std::vector<std::string> names;
-    const auto commit = [&](CsvFile& file) {
-        names.push_back(file.path());
-        auto kept = old.setAside(file.path());
-        return kept ? file.commit() : kept;
-    };
-    done = commit(traces);
-    for (std::size_t i = 0; i < files.size() && done; ++i)
-        done = commit(*files[i]);
-    if (!done)
-        return done.error();
-    old.keepNew();
-    return names;
-}
-
-} // namespace
-
-Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
-    const bool isNew = !QFileInfo::exists(QString::fromStdString(folder));
-    auto files = writeAll(path, folder);
-    if (!files && isNew)
-        QDir().rmdir(QString::fromStdString(folder)); // if nothing is in it
-    return files;
+    return done ? stage->commit() : done.error();
 }
 
 } // namespace bask

@@ -8,9 +8,11 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace bask {
@@ -20,6 +22,30 @@ namespace fs = std::filesystem;
 
 Error unwritable(const std::string& path, const std::string& reason) {
     return {MessageCode::FileUnwritable, path, {reason}};
+}
+
+constexpr const char* kStage = ".bask-export-";
+
+int openStage(const std::string& stage) {
+    return ::open(stage.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
+bool isLocked(int stage) {
+    return ::flock(stage, LOCK_EX | LOCK_NB) == 0;
+}
+
+/// A stage that can be locked was left by a process that was killed.
+void removeLeft(const std::string& folder) {
+    std::error_code failed;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
+        if (!entry.path().filename().string().starts_with(kStage))
+            continue;
+        const int stage = openStage(entry.path().string());
+        if (stage >= 0 && isLocked(stage))
+            fs::remove_all(entry.path(), failed);
+        if (stage >= 0)
+            ::close(stage);
+    }
 }
 
 /// What a disk without room says, which may come only now; empty when all is on the disk.
@@ -34,20 +60,16 @@ std::string synced(const std::string& path) {
 
 } // namespace
 
-StagedFiles::StagedFiles(std::string folder, std::string stage, bool isNew)
-    : m_folder(std::move(folder)), m_stage(std::move(stage)), m_isNew(isNew) {}
+StagedFiles::StagedFiles(std::string folder, std::optional<Unfinished> made, std::string stage, int lock)
+    : m_folder(std::move(folder)), m_made(std::move(made)), m_stage(std::move(stage)), m_lock(lock) {}
 
 StagedFiles::StagedFiles(StagedFiles&& other) noexcept
-    : m_folder(std::move(other.m_folder)), m_stage(std::exchange(other.m_stage, {})), m_isNew(other.m_isNew),
-      m_names(std::move(other.m_names)) {}
+    : m_folder(std::move(other.m_folder)), m_made(std::move(other.m_made)), m_stage(std::move(other.m_stage)),
+      m_lock(std::exchange(other.m_lock, -1)), m_names(std::move(other.m_names)) {}
 
 StagedFiles::~StagedFiles() {
-    if (m_stage.empty())
-        return;
-    std::error_code failed;
-    fs::remove_all(m_stage, failed);
-    if (m_isNew)
-        fs::remove(m_folder, failed); // only if it is empty
+    if (m_lock >= 0)
+        ::close(m_lock);
 }
 
 Result<StagedFiles> StagedFiles::into(const std::string& folder) {
@@ -56,17 +78,24 @@ Result<StagedFiles> StagedFiles::into(const std::string& folder) {
     fs::create_directories(folder, failed);
     if (failed || !fs::is_directory(folder, failed))
         return unwritable(folder, failed ? failed.message() : "it is no folder");
+    std::optional<Unfinished> made;
+    if (isNew)
+        made.emplace(folder, Unfinished::What::EmptyFolder);
     static std::atomic_int count = 0; // several may be on their way into one folder
-    const std::string name = ".bask-export-" + std::to_string(::getpid()) + '-' + std::to_string(++count);
+    static std::mutex making;         // of two threads neither takes the other's for left before it is locked
+    const std::string name = kStage + std::to_string(::getpid()) + '-' + std::to_string(++count);
     const std::string stage = (fs::path(folder) / name).string();
-    fs::remove_all(stage, failed); // of a killed process with this number
+    const std::lock_guard lock(making);
+    removeLeft(folder);
     if (!fs::create_directory(stage, failed))
         return unwritable(folder, failed ? failed.message() : "it is write-protected");
-    return StagedFiles(folder, stage, isNew);
+    const int opened = openStage(stage);
+    (void)isLocked(opened); // where there are no locks nobody takes it for left
+    return StagedFiles(folder, std::move(made), stage, opened);
 }
 
 Result<std::string> StagedFiles::place(const std::string& name) {
-    const fs::path path = fs::path(m_stage) / name;
+    const fs::path path = fs::path(m_stage.path()) / name;
     std::error_code failed;
     fs::create_directories(path.parent_path(), failed);
     if (failed)
@@ -86,7 +115,7 @@ Result<void> StagedFiles::write(const std::string& name, const std::string& cont
 }
 
 std::string StagedFiles::staged(const std::string& name) const {
-    return (fs::path(m_stage) / name).string();
+    return (fs::path(m_stage.path()) / name).string();
 }
 
 std::string StagedFiles::target(const std::string& name) const {
@@ -95,7 +124,7 @@ std::string StagedFiles::target(const std::string& name) const {
 
 Result<std::vector<std::string>> StagedFiles::commit() {
     for (const std::string& name : m_names) // before the first is moved
-        if (const std::string reason = synced((fs::path(m_stage) / name).string()); !reason.empty())
+        if (const std::string reason = synced((fs::path(m_stage.path()) / name).string()); !reason.empty())
             return unwritable(target(name), reason);
     std::error_code failed, ignored;
     for (const std::string& name : m_names) {
@@ -107,12 +136,13 @@ Result<std::vector<std::string>> StagedFiles::commit() {
             fs::remove(parent, ignored);
         return unwritable(target(name), failed ? failed.message() : "it is a folder");
     }
+    const Uninterrupted together;
     std::vector<std::string> files;
     ReplacedFiles old;
     for (const std::string& name : m_names) {
         if (auto kept = old.setAside(target(name)); !kept)
             return kept.error();
-        fs::rename(fs::path(m_stage) / name, target(name), failed);
+        fs::rename(fs::path(m_stage.path()) / name, target(name), failed);
         if (failed)
             return unwritable(target(name), failed.message());
         files.push_back(target(name));

@@ -2,7 +2,9 @@
 // Writes several files into a folder together or not at all.
 
 #include "engine/base/result.h"
+#include "engine/base/unfinished.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +14,8 @@ namespace bask {
 /// moved are deleted by the destructor.
 class StagedFiles {
 public:
-    /// Creates the folder if it does not exist. Error: FileUnwritable.
+    /// Creates the folder if it does not exist, and deletes what killed processes left in it. Error:
+    /// FileUnwritable.
     static Result<StagedFiles> into(const std::string& folder);
     StagedFiles(StagedFiles&& other) noexcept;
     StagedFiles& operator=(StagedFiles&&) = delete;
@@ -23,6 +26,8 @@ public:
     Result<std::string> place(const std::string& name);
     /// Writes a file with these contents.
     Result<void> write(const std::string& name, const std::string& contents);
+    /// Returns the names so far.
+    const std::vector<std::string>& names() const { return m_names; }
     /// Returns the path of a file that was written, until commit().
     std::string staged(const std::string& name) const;
     /// Returns the final path of a file.
@@ -31,10 +36,12 @@ public:
     Result<std::vector<std::string>> commit();
 
 private:
-    StagedFiles(std::string folder, std::string stage, bool isNew);
+    StagedFiles(std::string folder, std::optional<Unfinished> made, std::string stage, int lock);
 
-    std::string m_folder, m_stage; ///< m_stage is empty after a move
-    bool m_isNew = false;          ///< whether the folder was created here
+    std::string m_folder;
+    std::optional<Unfinished> m_made; ///< the folder, if it was created here
+    Unfinished m_stage;
+    int m_lock = -1; ///< of the stage, while it is in use
     std::vector<std::string> m_names;
 };
 

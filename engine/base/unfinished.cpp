@@ -1,0 +1,131 @@
+#include "engine/base/unfinished.h"
+
+#include "engine/base/thread_name.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <shared_mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+constexpr std::chrono::seconds kPatience{5}; // for steps that are not interrupted
+
+struct Entry {
+    std::string path;
+    Unfinished::What what;
+    bool operator==(const Entry&) const = default;
+};
+
+/// Never destroyed: a signal may come during the program's end.
+struct Registry {
+    std::mutex mutex;
+    std::vector<Entry> entries;
+    std::shared_timed_mutex steps; ///< held shared by who must not be interrupted
+};
+
+Registry& registry() {
+    static auto* const instance = new Registry;
+    return *instance;
+}
+
+void remove(const Entry& entry) {
+    std::error_code ignored;
+    if (entry.what == Unfinished::What::All)
+        fs::remove_all(entry.path, ignored);
+    else
+        fs::remove(entry.path, ignored); // of a folder only if it is empty
+}
+
+void strike(const Entry& entry) {
+    const std::lock_guard lock(registry().mutex);
+    auto& entries = registry().entries;
+    if (const auto found = std::find(entries.begin(), entries.end(), entry); found != entries.end())
+        entries.erase(found);
+}
+
+std::array<int, 2> g_ends{-1, -1};
+
+// Only what a handler may do.
+void told(int signal) {
+    const auto byte = static_cast<unsigned char>(signal);
+    [[maybe_unused]] const ssize_t written = ::write(g_ends[1], &byte, 1);
+}
+
+[[noreturn]] void endBy(int signal) {
+    Registry& all = registry();
+    // Other threads wait from here on: none begins or ends anything.
+    [[maybe_unused]] const bool isQuiet = all.steps.try_lock_for(kPatience);
+    all.mutex.lock();
+    for (auto entry = all.entries.rbegin(); entry != all.entries.rend();
+         ++entry) // contents before their folder
+        remove(*entry);
+    std::signal(signal, SIG_DFL);
+    ::kill(::getpid(), signal);
+    for (;;)
+        ::pause();
+}
+
+} // namespace
+
+Unfinished::Unfinished(std::string path, What what) : m_path(std::move(path)), m_what(what) {
+    const std::lock_guard lock(registry().mutex);
+    registry().entries.push_back({m_path, m_what});
+}
+
+Unfinished::Unfinished(Unfinished&& other) noexcept
+    : m_path(std::exchange(other.m_path, {})), m_what(other.m_what) {}
+
+Unfinished::~Unfinished() {
+    if (m_path.empty())
+        return;
+    remove({m_path, m_what});
+    strike({m_path, m_what});
+}
+
+void Unfinished::keep() {
+    strike({m_path, m_what});
+    m_path.clear();
+}
+
+Uninterrupted::Uninterrupted() {
+    registry().steps.lock_shared();
+}
+
+Uninterrupted::~Uninterrupted() {
+    registry().steps.unlock_shared();
+}
+
+void deleteUnfinishedOnSignals() {
+    if (::pipe2(g_ends.data(), O_CLOEXEC) != 0)
+        return; // the signals then end the program at once
+    std::thread([] {
+        nameThread("end signals");
+        unsigned char signal = 0;
+        while (::read(g_ends[0], &signal, 1) == 1)
+            endBy(signal);
+    }).detach();
+    struct sigaction action {};
+    action.sa_handler = told;
+    action.sa_flags = SA_RESTART;
+    for (const int each : kSignals) {
+        struct sigaction before {};
+        ::sigaction(each, nullptr, &before);
+        if (before.sa_handler != SIG_IGN) // as under nohup
+            ::sigaction(each, &action, nullptr);
+    }
+}
+
+} // namespace bask
