@@ -201,8 +201,11 @@ class Checker:
             if home != ("engine", "shape") or header:
                 self.report(path, line, "dxflib", f"{name}: dxflib only in the .cpp files of engine/shape")
         elif target == "hdf5.h":
-            if home != ("engine", "recording") or header:
-                self.report(path, line, "hdf5", f"{name}: HDF5 only in the .cpp files of engine/recording")
+            if home != ("engine", "exchange") or header:
+                self.report(path, line, "hdf5", f"{name}: HDF5 only in the .cpp files of engine/exchange")
+        elif target == "zlib.h":
+            if home != ("engine", "studies") or header:
+                self.report(path, line, "zlib", f"{name}: zlib only in the .cpp files of engine/studies")
         elif target == "qcustomplot.h":
             if home not in QCUSTOMPLOT_FOLDERS:
                 self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")

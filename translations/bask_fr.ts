@@ -1100,6 +1100,30 @@
         <translation>le fichier de session est en cours d’utilisation&#xa0;:&#xa0;%1</translation>
     </message>
     <message>
+        <source>not a part of a divided study or field</source>
+        <translation>ce n’est pas une partie d’une étude ou d’un champ divisés</translation>
+    </message>
+    <message>
+        <source>this shard was begun already; go on with --resume, or choose another folder</source>
+        <translation>cette part a déjà été commencée&#xa0;; continuez avec --resume ou choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>another process works on this shard; wait for it, or end it</source>
+        <translation>un autre processus travaille à cette part&#xa0;; attendez-le ou terminez-le</translation>
+    </message>
+    <message>
+        <source>a part of other work: %1 is %2 here and %3 there</source>
+        <translation>une partie d’un autre travail&#xa0;: %1 vaut %2 ici et %3 là</translation>
+    </message>
+    <message>
+        <source>damaged after %1 whole records; run this shard again with --resume, which keeps these</source>
+        <translation>endommagée après %1 enregistrements entiers&#xa0;; relancez cette part avec --resume, qui les garde</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases are not there yet (%3); run these shards with --resume</source>
+        <translation>%1 cas sur %2 manquent encore (%3)&#xa0;; lancez ces parts avec --resume</translation>
+    </message>
+    <message>
         <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
         <translation>%1 mesures dans des fenêtres assez longues, c’est trop peu : il faut au moins %2 fenêtres de %3 s ; enregistrez un essai plus long</translation>
     </message>

@@ -1100,6 +1100,30 @@
         <translation>会话文件正在使用：%1</translation>
     </message>
     <message>
+        <source>not a part of a divided study or field</source>
+        <translation>不是拆分的研究或场的一部分</translation>
+    </message>
+    <message>
+        <source>this shard was begun already; go on with --resume, or choose another folder</source>
+        <translation>此分片已经开始过；请用 --resume 继续，或另选一个文件夹</translation>
+    </message>
+    <message>
+        <source>another process works on this shard; wait for it, or end it</source>
+        <translation>另一个进程正在处理此分片；请等待它完成或结束它</translation>
+    </message>
+    <message>
+        <source>a part of other work: %1 is %2 here and %3 there</source>
+        <translation>属于另一项工作：%1 在这里是 %2，在那里是 %3</translation>
+    </message>
+    <message>
+        <source>damaged after %1 whole records; run this shard again with --resume, which keeps these</source>
+        <translation>在 %1 条完整记录之后损坏；请用 --resume 重新运行此分片，它会保留这些记录</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases are not there yet (%3); run these shards with --resume</source>
+        <translation>%2 个案例中还缺 %1 个（%3）；请用 --resume 运行这些分片</translation>
+    </message>
+    <message>
         <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
         <translation>足够长的窗口内只有 %1 个读数，太少：至少需要 %2 个 %3 s 的窗口；请记录更长的运行</translation>
     </message>

@@ -1100,6 +1100,30 @@
         <translation>工作階段檔案正在使用：%1</translation>
     </message>
     <message>
+        <source>not a part of a divided study or field</source>
+        <translation>不是拆分的研究或場的一部分</translation>
+    </message>
+    <message>
+        <source>this shard was begun already; go on with --resume, or choose another folder</source>
+        <translation>此分片已經開始過；請用 --resume 繼續，或另選一個資料夾</translation>
+    </message>
+    <message>
+        <source>another process works on this shard; wait for it, or end it</source>
+        <translation>另一個行程正在處理此分片；請等待它完成或結束它</translation>
+    </message>
+    <message>
+        <source>a part of other work: %1 is %2 here and %3 there</source>
+        <translation>屬於另一項工作：%1 在這裡是 %2，在那裡是 %3</translation>
+    </message>
+    <message>
+        <source>damaged after %1 whole records; run this shard again with --resume, which keeps these</source>
+        <translation>在 %1 筆完整記錄之後損壞；請用 --resume 重新執行此分片，它會保留這些記錄</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases are not there yet (%3); run these shards with --resume</source>
+        <translation>%2 個案例中還缺 %1 個（%3）；請用 --resume 執行這些分片</translation>
+    </message>
+    <message>
         <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
         <translation>足夠長的視窗內只有 %1 個讀數，太少：至少需要 %2 個 %3 s 的視窗；請記錄更長的運轉</translation>
     </message>

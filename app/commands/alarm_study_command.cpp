@@ -2,16 +2,18 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/paper_experiments.h"
+#include "app/commands/progress.h"
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
+#include "engine/base/unfinished.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/studies/alarm_study.h"
+#include "engine/studies/row_bytes.h"
 
-#include <QElapsedTimer>
+#include <QDir>
 #include <QTemporaryDir>
 
 #include <cstdio>
-#include <unistd.h>
 
 namespace bask {
 namespace {
@@ -20,6 +22,7 @@ constexpr const char* kMark = "Bask alarm study";
 
 Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
     const QTemporaryDir folder;
+    const Unfinished gone(folder.path().toStdString());
     std::vector<Experiment> rigs;
     if (draw == AlarmDraw::Paper) {
         const auto unpacked = unpackPaperExperiments(folder.path());
@@ -95,31 +98,40 @@ bool isMet(const AlarmSummary& summary) {
     return summary.falseTrips == 0 && summary.falseWords == 0;
 }
 
+int runShardOf(const AlarmStudy& study, const std::string& stem, const AlarmRequest& request,
+               const ShardOptions& options) {
+    if (const auto valid = check(study); !valid)
+        return refuseStudy(valid.error());
+    const auto compute = [&](std::int64_t index) {
+        return Result<std::string>(bytesOf(runAlarmCase(study, static_cast<int>(index))));
+    };
+    return runShard("study", stem, {request.asked, study.count, "runs", compute}, options);
+}
+
+Result<std::vector<AlarmStudyRow>> rowsOf(const AlarmStudy& study, const StudyWay& way) {
+    if (way.merged == nullptr) {
+        Progress progress(study.count, "runs");
+        return runAlarmStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
+    }
+    return mergedRows<AlarmStudyRow>(*way.merged, alarmRowOf);
+}
+
 } // namespace
 
-int alarmStudyCommand(const QString& folder, const AlarmRequest& request) {
+int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const StudyWay& way) {
     static constexpr const char* kStems[] = {"alarm_study_healthy", "alarm_study_faulty",
                                              "alarm_study_paper"};
-    const auto files = studyFiles(folder, kMark, kStems[static_cast<int>(request.draw)], {".csv"});
+    const char* stem = kStems[static_cast<int>(request.draw)];
+    const auto files = studyFiles(folder, kMark, stem, {".csv"});
     if (!files)
         return kExitBadInput;
     auto rigs = alarmRigs(request.draw);
     if (!rigs)
         return refuseStudy(rigs.error());
     const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed, request.first};
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    QElapsedTimer told;
-    told.start();
-    const auto rows = runAlarmStudy(study, 0, [&](int done) {
-        if (terminal)
-            std::fprintf(stderr, "\r%d of %d runs ", done, study.count);
-        else if (told.elapsed() > 60000) {
-            std::fprintf(stderr, "%d of %d runs\n", done, study.count);
-            told.start();
-        }
-    });
-    if (terminal)
-        std::fputc('\n', stderr);
+    if (way.shard.shard)
+        return runShardOf(study, QDir(folder).filePath(stem).toStdString(), request, way.shard);
+    const auto rows = rowsOf(study, way);
     if (!rows)
         return refuseStudy(rows.error());
     if (const auto written = writeStudyFiles(*files, {alarmCsv(study, *rows)}); !written)

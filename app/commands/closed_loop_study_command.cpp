@@ -1,26 +1,31 @@
 // bask study closed-loop: runs the study on the rig of the three-object examples, its table and figures.
 
 #include "app/commands/command_line.h"
+#include "app/commands/progress.h"
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
 
+#include "engine/base/unfinished.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/studies/row_bytes.h"
 #include "widgets/plots/figure_png.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 
 #include <algorithm>
 #include <cstdio>
-#include <unistd.h>
 
 namespace bask {
 namespace {
 
 /// In every file of the study, near its beginning: what holds it may be replaced.
 constexpr const char* kMark = "Bask closed-loop study";
+constexpr const char* kStem = "closed_loop_study";
 
 Result<Experiment> studyRig(StudyMounting mounting) {
     const QTemporaryDir folder;
+    const Unfinished gone(folder.path().toStdString());
     const auto copied = copyStudyFiles(
         folder.path(), {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
     if (!copied)
@@ -144,19 +149,10 @@ void printSummary(const Rows& rows) {
     std::printf("worst overshoot: %.2f K\n", summary.worstOvershoot_K);
 }
 
-} // namespace
-
-int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request) {
-    const auto files = studyFiles(folder, kMark, "closed_loop_study",
-                                  {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
-    if (!files)
-        return kExitBadInput;
-    auto rig = studyRig(request.mounting);
-    if (!rig)
-        return refuseStudy(rig.error());
+ClosedLoopStudy studyOf(Experiment rig, const ClosedLoopRequest& request) {
     static constexpr StudyMountings kMountings[] = {StudyMountings::AsGiven, StudyMountings::AsGiven,
                                                     StudyMountings::InPlane, StudyMountings::Heights};
-    ClosedLoopStudy study{std::move(*rig),
+    ClosedLoopStudy study{std::move(rig),
                           kMountings[static_cast<std::size_t>(request.mounting)],
                           request.count,
                           request.seed,
@@ -167,13 +163,44 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
     study.rig.controller.kind = request.controller;
     study.rig.controller.estimatedRateErrorFactor = request.rateError;
     study.rig.source.model = request.sourceModel;
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    const auto rows = runClosedLoopStudy(study, 0, [&](int done) {
-        if (terminal)
-            std::fprintf(stderr, "\r%d of %d runs ", done, study.count);
+    return study;
+}
+
+int runShardOf(const ClosedLoopStudy& study, const std::string& stem, const ClosedLoopRequest& request,
+               const ShardOptions& options) {
+    if (const auto valid = check(study); !valid)
+        return refuseStudy(valid.error());
+    const auto compute = [&](std::int64_t index) -> Result<std::string> {
+        const auto row = runClosedLoopCase(study, static_cast<int>(index));
+        return row ? Result<std::string>(bytesOf(*row)) : row.error();
+    };
+    return runShard("study", stem, {request.asked, study.count, "runs", compute}, options);
+}
+
+Result<Rows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
+    if (way.merged == nullptr) {
+        Progress progress(study.count, "runs");
+        return runClosedLoopStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
+    }
+    return mergedRows<ClosedLoopRow>(*way.merged, [&](const std::string& bytes) {
+        return closedLoopRowOf(bytes, study.rig.objects.size());
     });
-    if (terminal)
-        std::fputc('\n', stderr);
+}
+
+} // namespace
+
+int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request, const StudyWay& way) {
+    const auto files =
+        studyFiles(folder, kMark, kStem, {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
+    if (!files)
+        return kExitBadInput;
+    auto rig = studyRig(request.mounting);
+    if (!rig)
+        return refuseStudy(rig.error());
+    const ClosedLoopStudy study = studyOf(std::move(*rig), request);
+    if (way.shard.shard)
+        return runShardOf(study, QDir(folder).filePath(kStem).toStdString(), request, way.shard);
+    const auto rows = rowsOf(study, way);
     if (!rows)
         return refuseStudy(rows.error());
     const QString note = noteOf(study, request);

@@ -18,6 +18,7 @@ std::span<const Subcommand> subcommands() {
                    isosurfaceCommand},
         Subcommand{"study", "repeat the paper's study of view-factor methods: table and figures",
                    studyCommand, true},
+        Subcommand{"merge", "the parts of a divided study or field, put together", mergeCommand, true},
         Subcommand{"reproduce",
                    "the paper's experiments, by its controllers and by the level servo: a report",
                    reproduceCommand, true},

@@ -27,6 +27,7 @@ int fitContourCommand(const QStringList& arguments);
 int viewFactorCommand(const QStringList& arguments);
 int fieldCommand(const QStringList& arguments);
 int isosurfaceCommand(const QStringList& arguments);
+int mergeCommand(const QStringList& arguments);
 int studyCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 int identifyCommand(const QStringList& arguments);

@@ -3,26 +3,31 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/field_axes.h"
+#include "app/commands/field_blocks.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
+#include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
-#include "engine/exchange/field_file.h"
+#include "engine/exchange/field_store.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
 #include "engine/model/experiment_rig.h"
 #include "engine/model/uneven_source.h"
 
 #include <QCommandLineParser>
+#include <QCryptographicHash>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <new>
 #include <optional>
-
-#include <unistd.h>
+#include <thread>
 
 namespace bask {
 namespace {
@@ -34,8 +39,10 @@ constexpr double kQuiet_s = 1.0; // before progress is shown
 /// Everything asked for on the command line, checked.
 struct Request {
     FieldRequest field;
-    std::string path; ///< empty: nothing is written
-    std::string title;
+    FieldFile file = {};
+    ShardOptions shard = {};
+    std::string besides =
+        "{}"; ///< of a divided field: what the file does not say of how it was asked for, JSON object
 };
 
 Error refused(const std::string& option, const std::string& expected, const std::string& found) {
@@ -66,6 +73,16 @@ FieldQuantity steadyTemperature(const Experiment& experiment, const ObjectSpec& 
     return {"steady_temperature", "K", [rates](double F) { return rates.steadyTemperature_K(F); }};
 }
 
+/// The experiment by its hash.
+std::string besides(const std::string& experiment, const std::string& object, const QString& shade) {
+    const QByteArray hash =
+        QCryptographicHash::hash(QByteArray::fromStdString(experiment), QCryptographicHash::Sha256);
+    const nlohmann::json json{{"experiment_sha256", hash.toHex().toStdString()},
+                              {"object", object},
+                              {"shade", shade.toStdString()}};
+    return json.dump();
+}
+
 /// Source, object and quantity; axes, held values and tolerance are still those of the default.
 Result<Request> readScene(const QCommandLineParser& parser, const std::string& path) {
     std::optional<Experiment> experiment;
@@ -91,7 +108,6 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
     Request request{{experiment ? radiatingSource(*experiment) : RadiatingContour(presetSource()),
                      RadiatingContour(shape),
                      {}},
-                    {},
                     {}};
     const QString shade = parser.value("shade");
     if (shade != "rough" && shade != "exact" && shade != "none")
@@ -107,9 +123,12 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
     }
     if (quantity == "T")
         request.field.quantity = steadyTemperature(*experiment, *object);
-    request.title = (object ? "object \"" + object->name + '"' : "disk of 15 mm radius") +
-                    (experiment ? " over the source of " + std::filesystem::path(path).filename().string()
-                                : " over a disk of 100 mm radius");
+    request.besides = besides(experiment ? experimentToJson(*experiment) : std::string(),
+                              object ? object->name : std::string(), shade);
+    request.file.title =
+        (object ? "object \"" + object->name + '"' : "disk of 15 mm radius") +
+        (experiment ? " over the source of " + std::filesystem::path(path).filename().string()
+                    : " over a disk of 100 mm radius");
     return request;
 }
 
@@ -150,15 +169,21 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return request.error();
     if (const auto grid = readGrid(parser, request->field); !grid)
         return grid.error();
+    auto shard = readShardOptions(parser);
+    if (!shard)
+        return shard.error();
+    request->shard = *shard;
+    request->file.withGradient = request->field.withGradient;
     if (!parser.isSet("o"))
-        return request;
-    request->path = parser.value("o").toStdString();
-    if (const std::string extension = std::filesystem::path(request->path).extension(); extension != ".vti")
-        return Error(MessageCode::ValueUnknown, "-o " + request->path, {extension, ".vti"});
+        return request->shard.shard
+                   ? refused("--shard", "-o FILE with it, beside which the part is", "nothing")
+                   : std::move(request);
+    const std::string out = parser.value("o").toStdString();
+    request->file.path = out;
     const std::vector<std::string> inputs = path.empty() ? std::vector<std::string>{} : std::vector{path};
-    if (const auto place = checkOutputs(inputs, {{request->path}}); !place)
+    if (const auto place = checkOutputs(inputs, {{out}}); !place)
         return place.error();
-    if (const auto file = checkFieldFile(request->path, request->field.axes); !file)
+    if (const auto file = checkFieldOutput(out, request->field.axes, request->field.withGradient); !file)
         return file.error();
     return request;
 }
@@ -181,74 +206,97 @@ std::string plainSeconds(double time_s) {
     return text;
 }
 
-void printFigures(const Field& field, double time_s) {
-    double min = INFINITY;
-    double max = -INFINITY;
-    for (const double value : field.values) // comparisons with NaN are false
-        min = value < min ? value : min, max = value > max ? value : max;
-    if (min <= max)
-        std::printf("%s%s%s from %s to %s\n", field.quantity.c_str(), field.unit.empty() ? "" : "_",
-                    field.unit.c_str(), formatNumber(min, 9).c_str(), formatNumber(max, 9).c_str());
-    const std::size_t count = field.values.size();
+void printRange(const Field& header, const FieldFigures& figures) {
+    if (figures.min <= figures.max)
+        std::printf("%s%s%s from %s to %s\n", header.quantity.c_str(), header.unit.empty() ? "" : "_",
+                    header.unit.c_str(), formatNumber(figures.min, 9).c_str(),
+                    formatNumber(figures.max, 9).c_str());
+}
+
+void printSpeed(std::size_t count, double time_s) {
     std::printf("%zu samples, %s s, %s samples/s\n", count, plainSeconds(time_s).c_str(),
                 shortExponent(static_cast<double>(count) / time_s).c_str());
 }
 
-void warnOfUndefined(const Field& field) {
-    const std::size_t count = field.undefinedSamples;
-    if (count > 0)
+/// What a reader of the numbers has to know, on standard error.
+void tellOf(const char* command, const Field& header, std::size_t count, const FieldTally& tally) {
+    if (tally.undefined > 0)
         std::fprintf(stderr,
-                     "bask field: %zu of %zu samples %s no value (NaN): object and source overlap in one "
+                     "bask %s: %zu of %zu samples %s no value (NaN): object and source overlap in one "
                      "plane there\n",
-                     count, field.values.size(), count == 1 ? "has" : "have");
-}
-
-void tellOfShade(const Field& field) {
-    if (field.isShadeRough)
-        std::fprintf(stderr, "bask field: the shade of the other objects is rough, to about a hundredth of "
-                             "what they take; see --shade\n");
-}
-
-void warnOfUnreached(const Field& field) {
-    if (field.unreachedSamples > 0)
+                     command, tally.undefined, count, count == 1 ? "has" : "have");
+    if (tally.unreached > 0)
         std::fprintf(stderr,
-                     "bask field: %zu of %zu samples may err by more than the tolerance %s, by %s at most\n",
-                     field.unreachedSamples, field.values.size(), formatNumber(field.tolerance).c_str(),
-                     formatNumber(field.largestErrorEstimate).c_str());
+                     "bask %s: %zu of %zu samples may err by more than the tolerance %s, by %s at most\n",
+                     command, tally.unreached, count, formatNumber(header.tolerance).c_str(),
+                     formatNumber(tally.largestError).c_str());
+    if (header.isShadeRough)
+        std::fprintf(stderr,
+                     "bask %s: the shade of the other objects is rough, to about a hundredth of what they "
+                     "take; see --shade\n",
+                     command);
 }
 
-/// On standard error, when it is a terminal and the work takes its time.
-std::function<void(double)> progressFrom(Clock::time_point start) {
-    if (isatty(STDERR_FILENO) == 0)
-        return {};
-    return [start, shown = false](double done) mutable {
-        if (!shown && std::chrono::duration<double>(Clock::now() - start).count() < kQuiet_s)
-            return;
-        shown = true;
-        std::fprintf(stderr, "\r%3.0f %%%s", 100.0 * done, done < 1.0 ? "" : "\n");
-    };
+std::string roughBytes(double bytes) {
+    constexpr std::array kUnits{"kB", "MB", "GB", "TB"};
+    std::size_t unit = 0;
+    for (bytes /= 1e3; bytes >= 999.5 && unit + 1 < kUnits.size(); ++unit)
+        bytes /= 1e3;
+    return formatNumber(bytes, bytes < 99.5 ? 2 : 3) + ' ' + kUnits[unit];
+}
+
+/// Before it begins: how large it will be, and about how long it takes, by some samples all over the grid.
+void tellBefore(const FieldSampler& sampler, const FieldFile& file, const ShardOptions& shard) {
+    constexpr std::size_t kProbes = 64, kTogether = 16;
+    constexpr double kProbe_s = 0.5;
+    const std::size_t samples = sampler.samples();
+    std::array<double, 7 * kTogether> numbers;
+    const Clock::time_point start = Clock::now();
+    std::size_t probed = 0;
+    double took_s = 0.0;
+    for (std::size_t k = 0; k < kProbes && took_s < kProbe_s; ++k) {
+        const std::size_t begin = samples / kProbes * k;
+        const std::size_t end = std::min(begin + kTogether, samples);
+        (void)sampler.sample(begin, end, numbers.data(),
+                             file.withGradient ? numbers.data() + kTogether : nullptr);
+        probed += end - begin;
+        took_s = std::chrono::duration<double>(Clock::now() - start).count();
+    }
+    const double threads =
+        shard.threads > 0 ? shard.threads : std::max(1U, std::thread::hardware_concurrency());
+    const double all_s = took_s * static_cast<double>(samples) / static_cast<double>(probed) / threads;
+    const double share = shard.shard ? 1.0 / shard.shard->of : 1.0;
+    if (all_s * share < kQuiet_s)
+        return;
+    std::fprintf(stderr, "bask field: %zu samples", samples);
+    if (!file.path.empty())
+        std::fprintf(stderr, ", %s",
+                     roughBytes(fieldStoreBytes(sampler.header(), file.withGradient)).c_str());
+    std::fprintf(stderr, "; this takes about %s\n", roughDuration(all_s * share).c_str());
 }
 
 int refuse(const Error& error) {
-    std::fprintf(stderr, "bask field: %s\n", describe(error).c_str());
-    return kExitBadInput;
+    return refuse("field", error);
 }
 
 int sampleAndWrite(const Request& request) {
+    const auto sampler = FieldSampler::of(request.field);
+    if (!sampler)
+        return refuse(sampler.error());
+    tellBefore(*sampler, request.file, request.shard);
+    if (request.shard.shard)
+        return runShard("field", request.file.path,
+                        fieldWork(*sampler, request.file.withGradient,
+                                  fieldAsked(request.file, sampler->header(), request.besides)),
+                        request.shard);
     const Clock::time_point start = Clock::now();
-    FieldRun run;
-    run.progress = progressFrom(start);
-    const auto field = sampleField(request.field, run);
+    const auto figures = sampleInto(request.file, *sampler, request.shard.threads);
     const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
-    if (!field)
-        return refuse(field.error());
-    warnOfUndefined(**field);
-    warnOfUnreached(**field);
-    tellOfShade(**field);
-    if (!request.path.empty())
-        if (const auto written = writeField(**field, request.path, request.title); !written)
-            return refuse(written.error());
-    printFigures(**field, time_s);
+    if (!figures)
+        return refuse(figures.error());
+    tellOf("field", sampler->header(), sampler->samples(), figures->tally);
+    printRange(sampler->header(), *figures);
+    printSpeed(sampler->samples(), time_s);
     return kExitDone;
 }
 
@@ -257,10 +305,12 @@ int sampleAndWrite(const Request& request) {
 int fieldCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "Samples the view factor of an object over the source on a grid of up to four of the coordinates\n"
+        "Samples the view factor of an object over the source on a grid of up to six of the coordinates\n"
         "x, y, z (m) and theta_x, theta_y, theta_z (rad, R = Rz Ry Rx) of the object's centre in the "
         "source's\n"
-        "frame, on all cores, and writes a VTK image for ParaView. The other objects of the experiment go "
+        "frame, on all cores, and writes a VTK image for ParaView (.vti, up to four axes) or an HDF5 file "
+        "(.h5, also\n"
+        "larger than memory; docs/exports.md). The other objects of the experiment go "
         "along and "
         "shade\n"
         "it where they stand in its light. The last line printed says how many samples were computed and how "
@@ -273,7 +323,7 @@ int fieldCommand(const QStringList& arguments) {
         {{"object", "The experiment's object; may be left out when there is one only.", "NAME"},
          {"axes",
           "name=first:last:step, with commas between: x=-0.2:0.2:0.01,z=0.01:0.3:0.01. The first "
-          "axis runs fastest; a fourth becomes one array a step.",
+          "axis runs fastest; in a .vti a fourth becomes one array a step.",
           "AXES"},
          {"hold", "The other coordinates, 0 unless given: z=0.05,theta_x=0.1.", "VALUES"},
          {"preset",
@@ -287,7 +337,8 @@ int fieldCommand(const QStringList& arguments) {
           "SHADE", "rough"},
          {"gradient", "Also the derivatives of F by the six coordinates."},
          {"tolerance", "Of F, absolute; 1e-9 unless given. The shade has its own.", "NUMBER"},
-         {{"o", "output"}, "The file to write.", "FILE.vti"}});
+         {{"o", "output"}, "The file to write.", "FILE"}});
+    addShardOptions(parser);
     const bool parsed = parser.parse(QStringList{"bask"} + arguments);
     const auto given = parser.positionalArguments().size();
     if (const auto code = parseCommand(parser, "field", arguments, parsed && given == 0 ? 0 : 1))
@@ -299,6 +350,21 @@ int fieldCommand(const QStringList& arguments) {
         std::fputs("bask field: there is not enough memory for that many samples\n", stderr);
         return kExitBadInput;
     }
+}
+
+int mergeField(const MergedParts& parts, const QString& path) {
+    const auto place = checkOutputs({}, {{path.toStdString()}});
+    if (!place)
+        return refuse("merge", place.error());
+    const auto merged = mergeFieldInto(parts, path.toStdString());
+    if (!merged)
+        return refuse("merge", merged.error());
+    std::size_t count = 1;
+    for (const FieldAxis& axis : merged->header.axes)
+        count *= static_cast<std::size_t>(axis.count);
+    tellOf("merge", merged->header, count, merged->figures.tally);
+    printRange(merged->header, merged->figures);
+    return kExitDone;
 }
 
 } // namespace bask

@@ -2,8 +2,10 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/commands/reproduction_report.h"
 #include "app/commands/study_output.h"
+#include "engine/base/unfinished.h"
 #include "engine/experiment/text_file.h"
 
 #include <QCommandLineParser>
@@ -34,13 +36,6 @@ QStringList fileNames(const std::vector<PaperExperiment>& experiments) {
         for (const ControllerKind kind : {each.experiment.controller.kind, ControllerKind::LevelServo})
             names << QString::fromStdString(each.name + '_' + controllerKindName(kind) + ".csv");
     return names;
-}
-
-void printProgress(int done, int all) {
-    if (isatty(STDERR_FILENO) != 0)
-        std::fprintf(stderr, "\r%d of %d runs ", done, all);
-    if (done == all)
-        std::fprintf(stderr, isatty(STDERR_FILENO) != 0 ? "\n" : "%d runs done\n", all);
 }
 
 Result<std::vector<ReportFigure>> drawn(const std::vector<PaperFigure>& figures,
@@ -114,7 +109,13 @@ int reproduceInto(const QString& folder, const std::vector<PaperFigure>& figures
     const auto files = filesIn(folder, kCommand, kReproductionMark, fileNames(experiments));
     if (!files)
         return kExitBadInput;
-    const auto results = reproduce(experiments, 0, printProgress);
+    std::optional<Progress> progress;
+    const auto results = reproduce(experiments, 0, [&](int done, int all) {
+        if (!progress)
+            progress.emplace(all, "runs");
+        progress->tell(done);
+    });
+    progress.reset();
     if (!results)
         return refuse(kCommand, results.error());
     const auto report = drawn(figures, *results);
@@ -136,6 +137,7 @@ Result<std::vector<PaperFigure>> figuresOf(const QCommandLineParser& parser) {
     if (parser.isSet("experiments"))
         return readPaperFigures(parser.value("experiments").toStdString(), only);
     const QTemporaryDir unpacked;
+    const Unfinished gone(unpacked.path().toStdString());
     const auto from = unpackPaperExperiments(unpacked.path());
     return from ? readPaperFigures(*from, only) : from.error();
 }

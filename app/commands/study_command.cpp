@@ -7,6 +7,7 @@
 #include "engine/control/controller_catalogue.h"
 
 #include <QCommandLineParser>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <optional>
@@ -15,17 +16,30 @@ namespace bask {
 namespace {
 
 constexpr int kMinElements = 10, kMaxElements = 20000;
-constexpr int kMaxCount = 100000;
+constexpr int kMaxCount = 1'000'000;
 constexpr double kMaxRateError = 8.0; // as experiments have it
 constexpr double kMaxConvection_W_m2K = 50.0, kMaxLag_s = 30.0, kMaxLatency_s = 2.0;
 constexpr double kMaxUneven_percent = 50.0;
 const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop"),
               kAlarms = QStringLiteral("alarms");
 
+/// Options that every study has.
+const QStringList kCommon{QStringLiteral("h"), QStringLiteral("help"), QStringLiteral("o"),
+                          QStringLiteral("output")};
+/// Of how a study's runs are computed, not of what they are.
+const QStringList kHow{QStringLiteral("shard"), QStringLiteral("resume"), QStringLiteral("threads"),
+                       QStringLiteral("processor")};
+
 /// Reads options one by one and keeps the first complaint.
 class Options {
 public:
-    explicit Options(const QCommandLineParser& parser) : m_parser(parser) {}
+    /// `own` are those of the study; others are refused.
+    Options(const QCommandLineParser& parser, const QString& study, const QStringList& own)
+        : m_parser(parser) {
+        for (const QString& name : parser.optionNames())
+            if (!own.contains(name) && !kCommon.contains(name) && m_complaint.isEmpty())
+                m_complaint = QStringLiteral("--%1 is no option of the study %2").arg(name, study);
+    }
 
     const QString& complaint() const { return m_complaint; }
 
@@ -57,12 +71,6 @@ public:
             refuse(name, QStringLiteral("one of ") + words.join(QStringLiteral(", ")));
         return static_cast<int>(std::max<qsizetype>(index, 0));
     }
-    /// Options of the other study.
-    void none(const QStringList& names, const QString& study) {
-        for (const QString& name : names)
-            if (m_parser.isSet(name) && m_complaint.isEmpty())
-                m_complaint = QStringLiteral("--%1 is no option of the study %2").arg(name, study);
-    }
 
 private:
     void refuse(const QString& name, const QString& expected) {
@@ -75,10 +83,7 @@ private:
 };
 
 int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
-    Options options(parser);
-    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "convection",
-                  "lag", "latency", "uneven", "kind", "first"},
-                 kViewFactor);
+    Options options(parser, kViewFactor, {"elements"});
     const int elements = options.wholeNumber("elements", kMinElements, kMaxElements);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
@@ -94,9 +99,20 @@ QStringList controllers() {
     return names;
 }
 
-int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
-    Options options(parser);
-    options.none({"elements", "kind", "first"}, kClosedLoop);
+const QStringList kClosedLoopOptions{"controller", "source-model", "mounting", "rate-error", "convection",
+                                     "lag",        "latency",      "uneven",   "count",      "seed"};
+const QStringList kAlarmOptions{"kind", "count", "seed", "first"};
+
+/// What was asked for, of a study that can be divided, as PartHeader::work.
+std::string asked(const QCommandLineParser& parser, const QString& study, const QStringList& options) {
+    nlohmann::json work{{"study", study.toStdString()}};
+    for (const QString& name : options)
+        work[name.toStdString()] = parser.value(name).toStdString();
+    return work.dump();
+}
+
+int runClosedLoop(const QCommandLineParser& parser, const QString& folder, const StudyWay& way) {
+    Options options(parser, kClosedLoop, kClosedLoopOptions + kHow);
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
     static constexpr StudyMounting kMountings[] = {StudyMounting::Triangle, StudyMounting::Line,
                                                    StudyMounting::Random, StudyMounting::Heights};
@@ -114,14 +130,12 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     request.seed = options.seed();
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
-    return closedLoopStudyCommand(folder, request);
+    request.asked = asked(parser, kClosedLoop, kClosedLoopOptions);
+    return closedLoopStudyCommand(folder, request, way);
 }
 
-int runAlarms(const QCommandLineParser& parser, const QString& folder) {
-    Options options(parser);
-    options.none({"elements", "controller", "source-model", "rate-error", "mounting", "convection", "lag",
-                  "latency", "uneven"},
-                 kAlarms);
+int runAlarms(const QCommandLineParser& parser, const QString& folder, const StudyWay& way) {
+    Options options(parser, kAlarms, kAlarmOptions + kHow);
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
     AlarmRequest request;
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
@@ -130,7 +144,13 @@ int runAlarms(const QCommandLineParser& parser, const QString& folder) {
     request.first = options.wholeNumber("first", 1, kMaxCount);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
-    return alarmStudyCommand(folder, request);
+    request.asked = asked(parser, kAlarms, kAlarmOptions);
+    return alarmStudyCommand(folder, request, way);
+}
+
+int runDivided(const QCommandLineParser& parser, const QString& study, const QString& folder,
+               const StudyWay& way) {
+    return study == kClosedLoop ? runClosedLoop(parser, folder, way) : runAlarms(parser, folder, way);
 }
 
 void addOptions(QCommandLineParser& parser) {
@@ -166,6 +186,7 @@ void addOptions(QCommandLineParser& parser) {
           "each "
           "hotter or colder by up to so much of its temperature above the room, drawn up to this, 0 to 50 %.",
           "PERCENT", "0"}});
+    addShardOptions(parser);
 }
 
 } // namespace
@@ -184,23 +205,43 @@ int studyCommand(const QStringList& arguments) {
         "simulated plant truly does. Writes alarm_study_KIND.csv; prints false trips and false words an "
         "hour,\n"
         "rate and time of detection by fault, the hottest object over its trip limit, alarms by priority.\n"
-        "Exit code 3: an alarm was false, or a fault that showed itself was not found.");
+        "Exit code 3: an alarm was false, or a fault that showed itself was not found.\n\n"
+        "closed-loop and alarms can be divided among processes with --shard: the same files, byte for byte,\n"
+        "come out of bask merge, whatever the number of shards.");
     addOptions(parser);
     parser.addPositionalArgument("STUDY", "view-factor, closed-loop or alarms.");
     if (const auto code = parseCommand(parser, "study", arguments, 1))
         return *code;
     const QString study = parser.positionalArguments().front();
-    const auto run = study == kViewFactor   ? runViewFactor
-                     : study == kClosedLoop ? runClosedLoop
-                     : study == kAlarms     ? runAlarms
-                                            : nullptr;
-    if (run == nullptr)
+    if (study != kViewFactor && study != kClosedLoop && study != kAlarms)
         return refuseStudy(QStringLiteral("there is no study \"%1\"; known: %2, %3, %4")
                                .arg(study, kViewFactor, kClosedLoop, kAlarms));
     const QString folder = parser.value("output");
     if (folder.isEmpty())
         return refuseStudy(QStringLiteral("-o DIR is needed"));
-    return run(parser, folder);
+    if (study == kViewFactor)
+        return runViewFactor(parser, folder);
+    const auto way = readShardOptions(parser);
+    if (!way)
+        return refuseStudy(way.error());
+    return runDivided(parser, study, folder, {*way, nullptr});
+}
+
+int mergeStudy(const MergedParts& parts, const QString& folder) {
+    QStringList arguments{QStringLiteral("bask")};
+    QString study;
+    const auto work = nlohmann::json::parse(parts.work());
+    for (const auto& [key, value] : work.items())
+        if (key == "study")
+            study = QString::fromStdString(value.get<std::string>());
+        else if (key != "software" && key != "processor")
+            arguments << "--" + QString::fromStdString(key)
+                      << QString::fromStdString(value.get<std::string>());
+    QCommandLineParser parser;
+    addOptions(parser);
+    if (!parser.parse(arguments) || (study != kClosedLoop && study != kAlarms))
+        return refuse("merge", QStringLiteral("the parts are of a study that this Bask does not know"));
+    return runDivided(parser, study, folder, {{}, &parts});
 }
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #include "app/commands/view_factor_study.h"
 
 #include "app/commands/study_output.h"
+#include "engine/base/unfinished.h"
 #include "engine/radiation/paper_methods.h"
 #include "engine/radiation/view_factor.h"
 #include "engine/shape/contour_import.h"
@@ -45,6 +46,7 @@ double timed(const std::function<double()>& evaluate, double& time_us) {
 
 Result<Contour> bunny() {
     const QTemporaryDir folder;
+    const Unfinished gone(folder.path().toStdString());
     if (const auto copied = copyStudyFiles(folder.path(), {"bunny_mm.csv"}); !copied)
         return copied.error();
     const auto outline =

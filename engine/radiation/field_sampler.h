@@ -1,5 +1,5 @@
 #pragma once
-// View factors on a grid of poses: one to four of the pose coordinates vary along axes, the others are fixed.
+// View factors on a grid of poses: one to six of the pose coordinates vary along axes, the others are fixed.
 
 #include "engine/radiation/mounted_objects.h"
 
@@ -29,7 +29,7 @@ struct FieldAxis {
     bool operator==(const FieldAxis&) const = default;
 };
 
-inline constexpr int kMaxAxes = 4;
+inline constexpr int kMaxAxes = 6;
 inline constexpr int kMaxAxisSamples = 100'000;
 /// A sample has one number, or seven with its gradient: largest count of them in memory, and of a field that
 /// is sampled range by range.

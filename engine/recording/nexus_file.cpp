@@ -6,7 +6,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/uneven_source.h"
-#include "engine/recording/hdf5_file.h"
+#include "engine/exchange/hdf5_file.h"
 #include "engine/recording/staged_files.h"
 #include "engine/recording/thermal_frames.h"
 #include "engine/thermography/frame_picture_file.h"

@@ -31,7 +31,7 @@ public:
           m_loop(drawn.experiment,
                  {m_rig.robot(), m_rig.thermometer(), m_rig.heatSource(), {}, &m_rig.sourceTracker()},
                  m_rig.clock()) {
-        m_row.drawn = drawn;
+        m_row.drawn = factsOf(drawn);
         m_rig.simulatedThermometer().setOffLag(drawn.offLag_s);
     }
 
@@ -48,6 +48,19 @@ public:
     }
 
 private:
+    static AlarmRunFacts factsOf(const AlarmCase& drawn) {
+        const Experiment& e = drawn.experiment;
+        return {controllerKindName(e.controller.kind),
+                static_cast<int>(e.objects.size()),
+                e.source.temperature_K,
+                e.source.model,
+                e.simulation.sensorNoise_K,
+                e.simulation.sensorLag_s,
+                e.simulation.convection_W_m2K,
+                drawn.fault.fault,
+                isOfObject(drawn.fault.fault) ? e.objects[drawn.fault.object].name : std::string(),
+                drawn.fault.time_s};
+    }
     static SimulatedRigConfig config(const Experiment& experiment) {
         SimulatedRigConfig config = simulatedRigConfig(experiment);
         config.viewFactorTolerance = kStudyTolerance;
@@ -263,7 +276,7 @@ std::array<double, 3> sharesOfPriorities(const std::vector<FaultSummary>& faults
 void add(FaultSummary& summary, const AlarmStudyRow& row, std::vector<double>& delays_s) {
     ++summary.draws;
     summary.overTrip_K = std::max(summary.overTrip_K, row.overTrip_K);
-    const auto found_s = row.drawn.fault.fault == SimulatedFault::SensorFrozen ? row.told_s : row.acted_s;
+    const auto found_s = row.drawn.fault == SimulatedFault::SensorFrozen ? row.told_s : row.acted_s;
     summary.shown += row.shown_s || found_s;
     summary.acted += row.acted_s.has_value();
     if (!found_s) {
@@ -276,22 +289,28 @@ void add(FaultSummary& summary, const AlarmStudyRow& row, std::vector<double>& d
 
 } // namespace
 
+Result<void> check(const AlarmStudy& study) {
+    for (const Experiment& rig : study.rigs) {
+        if (auto valid = validate(rig); !valid)
+            return valid;
+        if (auto mounting = checkMounting(rig); !mounting)
+            return mounting;
+    }
+    return {};
+}
+
+AlarmStudyRow runAlarmCase(const AlarmStudy& study, int index) {
+    return AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, study.first - 1 + index)).run();
+}
+
 Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int threads,
                                                  const std::function<void(int done)>& progress) {
-    for (const Experiment& rig : study.rigs) {
-        if (const auto valid = validate(rig); !valid)
-            return valid.error();
-        if (const auto mounting = checkMounting(rig); !mounting)
-            return mounting.error();
-    }
+    if (const auto valid = check(study); !valid)
+        return valid.error();
     std::vector<AlarmStudyRow> rows(static_cast<std::size_t>(study.count));
     runInParallel(
         study.count, threads,
-        [&](int index) {
-            rows[static_cast<std::size_t>(index)] =
-                AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, study.first - 1 + index)).run();
-        },
-        progress);
+        [&](int index) { rows[static_cast<std::size_t>(index)] = runAlarmCase(study, index); }, progress);
     return rows;
 }
 
@@ -313,7 +332,7 @@ AlarmSummary summarize(const std::vector<AlarmStudyRow>& rows) {
         for (const RaisedAlarm& alarm : row.alarms)
             causes[static_cast<std::size_t>(std::clamp(alarm.priority, 1, 3) - 1)] += !alarm.isConsequence;
         addTo(summary.alarms, causes);
-        const auto fault = std::ranges::find(summary.faults, row.drawn.fault.fault, &FaultSummary::fault);
+        const auto fault = std::ranges::find(summary.faults, row.drawn.fault, &FaultSummary::fault);
         if (fault == summary.faults.end())
             continue;
         const auto k = static_cast<std::size_t>(fault - summary.faults.begin());
@@ -352,7 +371,7 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmStudyRow>& 
         "object,fault_s,shown_s,told_s,acted_s,unseen_K,tripped,false,over_trip_K,over_target_K,alarms\n";
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const AlarmStudyRow& row = rows[k];
-        const Experiment& e = row.drawn.experiment;
+        const AlarmRunFacts& drawn = row.drawn;
         const auto optional = [](const std::optional<double>& value) {
             return value ? decimal(*value) : std::string();
         };
@@ -361,21 +380,19 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmStudyRow>& 
             alarms += (alarms.empty() ? "" : "; ") + decimal(alarm.time_s) + " s, " +
                       std::to_string(alarm.priority) + (alarm.isConsequence ? ", follows" : "") +
                       (alarm.isFalse ? ", false: " : ": ") + alarm.sentence;
-        const bool isFaulty = row.drawn.fault.fault != SimulatedFault::None;
-        text +=
-            std::to_string(study.first + static_cast<int>(k)) + ',' + decimal(row.simulated_s) + ',' +
-            controllerKindName(e.controller.kind) + ',' + std::to_string(e.objects.size()) + ',' +
-            decimal(celsiusFromKelvin(e.source.temperature_K)) + ',' +
-            (e.source.model == SourceModel::Gray ? "gray" : "paper") + ',' +
-            decimal(e.simulation.sensorNoise_K) + ',' + decimal(e.simulation.sensorLag_s) + ',' +
-            decimal(e.simulation.convection_W_m2K) + ',' + simulatedFaultName(row.drawn.fault.fault) + ',' +
-            (isFaulty && isOfObject(row.drawn.fault.fault) ? inQuotes(e.objects[row.drawn.fault.object].name)
-                                                           : std::string()) +
-            ',' + (isFaulty ? decimal(row.drawn.fault.time_s) : std::string()) + ',' + optional(row.shown_s) +
-            ',' + optional(row.told_s) + ',' + optional(row.acted_s) + ',' + decimal(row.unseen_K) + ',' +
-            (row.isTripped ? '1' : '0') + ',' +
-            std::to_string(std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse)) + ',' +
-            decimal(row.overTrip_K) + ',' + decimal(row.overTarget_K) + ',' + inQuotes(alarms) + '\n';
+        const bool isFaulty = drawn.fault != SimulatedFault::None;
+        text += std::to_string(study.first + static_cast<int>(k)) + ',' + decimal(row.simulated_s) + ',' +
+                drawn.controller + ',' + std::to_string(drawn.objects) + ',' +
+                decimal(celsiusFromKelvin(drawn.source_K)) + ',' +
+                (drawn.sourceModel == SourceModel::Gray ? "gray" : "paper") + ',' + decimal(drawn.noise_K) +
+                ',' + decimal(drawn.lag_s) + ',' + decimal(drawn.convection_W_m2K) + ',' +
+                simulatedFaultName(drawn.fault) + ',' +
+                (drawn.object.empty() ? std::string() : inQuotes(drawn.object)) + ',' +
+                (isFaulty ? decimal(drawn.fault_s) : std::string()) + ',' + optional(row.shown_s) + ',' +
+                optional(row.told_s) + ',' + optional(row.acted_s) + ',' + decimal(row.unseen_K) + ',' +
+                (row.isTripped ? '1' : '0') + ',' +
+                std::to_string(std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse)) + ',' +
+                decimal(row.overTrip_K) + ',' + decimal(row.overTarget_K) + ',' + inQuotes(alarms) + '\n';
     }
     return text;
 }

@@ -38,9 +38,21 @@ struct RaisedAlarm {
     bool isFalse = false;       ///< what it states is not true; only for healthy draws
 };
 
+/// What the table says of an experiment that was drawn.
+struct AlarmRunFacts {
+    std::string controller; ///< its key
+    int objects = 0;
+    double source_K = 0.0;
+    SourceModel sourceModel = SourceModel::Gray;
+    double noise_K = 0.0, lag_s = 0.0, convection_W_m2K = 0.0;
+    SimulatedFault fault = SimulatedFault::None;
+    std::string object; ///< that has the fault; empty: none
+    double fault_s = 0.0;
+};
+
 /// The result of one run.
 struct AlarmStudyRow {
-    AlarmCase drawn;
+    AlarmRunFacts drawn;
     double simulated_s = 0.0;
     std::vector<RaisedAlarm> alarms;
     bool isTripped = false;          ///< the engine paused or ended the run
@@ -53,9 +65,13 @@ struct AlarmStudyRow {
     std::string refusal;             ///< why a run could not be started, in words
 };
 
+/// Errors: rigs from which nothing can be drawn.
+Result<void> check(const AlarmStudy& study);
+/// Returns the row of the study's run number `index` (from 0), which depends on nothing else. Thread-safe.
+AlarmStudyRow runAlarmCase(const AlarmStudy& study, int index);
 /// Runs all draws on `threads` threads (0: one for each core); the rows do not depend on their number.
-/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors: rigs
-/// from which nothing can be drawn.
+/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors:
+/// those of check().
 Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int threads,
                                                  const std::function<void(int done)>& progress);
 

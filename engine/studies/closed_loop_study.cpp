@@ -259,40 +259,6 @@ void setConditions(const ClosedLoopStudy& study, const ClosedLoopCase& drawn, Si
         simulation.sourceUneven = drawn.sourceUneven;
 }
 
-Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
-    ClosedLoopRow row;
-    row.drawn = drawClosedLoopCase(study, index);
-    const Experiment experiment = closedLoopExperiment(study, row.drawn);
-    SimulatedRunOptions options;
-    options.duration_s = row.drawn.duration_s();
-    PathWatch path;
-    options.progress = [&](double, const TraceSample& sample) {
-        path.add(sample);
-        for (const ObjectSample& object : sample.objects) {
-            const double sign = object.target_K > experiment.environment_K ? 1.0 : -1.0;
-            row.overshoot_K = std::max(row.overshoot_K, sign * (object.true_K - object.target_K));
-        }
-    };
-    const auto outcome = runSimulated(experiment, options);
-    if (!outcome)
-        return outcome.error();
-    for (const ObjectOutcome& object : outcome->objects) {
-        row.final_K.push_back(object.final_K);
-        if (outcome->settled)
-            row.settling_s = std::max(row.settling_s.value_or(0.0), object.settlingTime_s.value_or(0.0));
-    }
-    row.way_m = path.way_m();
-    row.commandAcceleration_m_s2 = path.commandAcceleration_m_s2();
-    if (row.settling_s)
-        row.restSpeed_m_s = path.meanSpeed_m_s(*row.settling_s + kStudyRestAfter_s);
-    row.toldCompromise = std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
-        return event.message.code == MessageCode::EventCompromise;
-    });
-    if (!outcome->settled)
-        row.failure = failureOf(*outcome, row.drawn.duration_s());
-    return row;
-}
-
 /// Value below which the fraction of the sorted values lies, between neighbours linearly.
 std::optional<double> quantile(const std::vector<double>& sorted, double fraction) {
     if (sorted.empty())
@@ -416,16 +382,54 @@ Experiment closedLoopExperiment(const ClosedLoopStudy& study, const ClosedLoopCa
     return experiment;
 }
 
+Result<void> check(const ClosedLoopStudy& study) {
+    auto valid = validate(study.rig);
+    return valid ? checkMounting(study.rig) : valid;
+}
+
+Result<ClosedLoopRow> runClosedLoopCase(const ClosedLoopStudy& study, int index) {
+    ClosedLoopRow row;
+    row.drawn = drawClosedLoopCase(study, index);
+    const Experiment experiment = closedLoopExperiment(study, row.drawn);
+    SimulatedRunOptions options;
+    options.duration_s = row.drawn.duration_s();
+    PathWatch path;
+    options.progress = [&](double, const TraceSample& sample) {
+        path.add(sample);
+        for (const ObjectSample& object : sample.objects) {
+            const double sign = object.target_K > experiment.environment_K ? 1.0 : -1.0;
+            row.overshoot_K = std::max(row.overshoot_K, sign * (object.true_K - object.target_K));
+        }
+    };
+    const auto outcome = runSimulated(experiment, options);
+    if (!outcome)
+        return outcome.error();
+    for (const ObjectOutcome& object : outcome->objects) {
+        row.final_K.push_back(object.final_K);
+        if (outcome->settled)
+            row.settling_s = std::max(row.settling_s.value_or(0.0), object.settlingTime_s.value_or(0.0));
+    }
+    row.way_m = path.way_m();
+    row.commandAcceleration_m_s2 = path.commandAcceleration_m_s2();
+    if (row.settling_s)
+        row.restSpeed_m_s = path.meanSpeed_m_s(*row.settling_s + kStudyRestAfter_s);
+    row.toldCompromise = std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventCompromise;
+    });
+    if (!outcome->settled)
+        row.failure = failureOf(*outcome, row.drawn.duration_s());
+    return row;
+}
+
 Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& study, int threads,
                                                       const std::function<void(int done)>& progress) {
-    if (const auto valid = validate(study.rig); !valid)
+    if (const auto valid = check(study); !valid)
         return valid.error();
-    if (const auto mounting = checkMounting(study.rig); !mounting)
-        return mounting.error();
     std::vector<std::optional<Result<ClosedLoopRow>>> results(static_cast<std::size_t>(study.count));
     runInParallel(
         study.count, threads,
-        [&](int index) { results[static_cast<std::size_t>(index)] = runCase(study, index); }, progress);
+        [&](int index) { results[static_cast<std::size_t>(index)] = runClosedLoopCase(study, index); },
+        progress);
     std::vector<ClosedLoopRow> rows;
     for (auto& result : results) {
         if (!*result)

@@ -99,9 +99,13 @@ struct ClosedLoopRow {
     std::string failure;         ///< why it did not settle, in words; empty if it settled
 };
 
+/// Errors: a rig that does not validate.
+Result<void> check(const ClosedLoopStudy& study);
+/// Returns the row of draw number `index` (from 0), which depends on nothing else. Thread-safe.
+Result<ClosedLoopRow> runClosedLoopCase(const ClosedLoopStudy& study, int index);
 /// Runs all draws on `threads` threads (0: one for each core); the rows do not depend on their number.
-/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors: a
-/// rig that does not validate.
+/// `progress` may be empty; it is called on the calling thread with the number of finished runs. Errors:
+/// those of check().
 Result<std::vector<ClosedLoopRow>> runClosedLoopStudy(const ClosedLoopStudy& study, int threads,
                                                       const std::function<void(int done)>& progress);
 

@@ -292,8 +292,9 @@ TEST(FieldSampler, refusesWhatIsNoGrid) {
     constexpr double kInf = std::numeric_limits<double>::infinity();
     const FieldAxis x = axisOf(kX);
     expectRefused(request({}), MessageCode::ValueOutOfRange, "axes: 0");
-    expectRefused(request({x, axisOf(kY), axisOf(kZ), axisOf(kThetaX), axisOf(kThetaY)}),
-                  MessageCode::ValueOutOfRange, "axes: 5");
+    expectRefused(
+        request({x, axisOf(kY), axisOf(kZ), axisOf(kThetaX), axisOf(kThetaY), axisOf(kThetaZ), axisOf(kX)}),
+        MessageCode::ValueOutOfRange, "axes: 7");
     expectRefused(request({x, axisOf(kY), x}), MessageCode::AxisTwice, "\"x\"");
     expectRefused(request({{kThetaZ, 0.0, 0.0, 3}}), MessageCode::ValueNotPositive, "theta_z: step: 0");
     expectRefused(request({{kZ, 0.0, -0.1, 3}}), MessageCode::ValueNotPositive, "z: step: -0.1");

@@ -1,4 +1,4 @@
-#include "engine/recording/hdf5_file.h"
+#include "engine/exchange/hdf5_file.h"
 
 #include "engine/base/message_code.h"
 
@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <utility>
@@ -81,7 +82,39 @@ std::vector<const char*> pointers(const std::vector<std::string>& texts) {
 struct Hdf5File::Impl {
     std::unique_lock<std::mutex> lock{library()};
     hid_t file = -1;
+    int memory = -1;     ///< descriptor of what is behind Backing::Sparse
     std::string refused; ///< what failed first
+    struct Room {
+        std::string path;
+        std::uint64_t bytes;
+    };
+    std::vector<Room> rooms;
+
+    void open(Backing backing) {
+        const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+        std::string name = "bask-export-in-memory";
+        if (backing == Backing::Sparse) {
+            // Of tmpfs: what is not written takes no memory. The library wants a name, so a memfd will not
+            // do.
+            name = (::access("/dev/shm", W_OK) == 0 ? "/dev/shm" : "/tmp") + std::string("/bask-XXXXXX");
+            memory = ::mkostemp(name.data(), O_CLOEXEC);
+            H5Pset_file_locking(access, false, true);
+        } else {
+            H5Pset_fapl_core(access, kGrowth, false);
+        }
+        file = H5Fcreate(name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+        if (memory >= 0)
+            ::unlink(name.c_str());
+        check(file >= 0, "/");
+    }
+
+    /// What is in the memory from one byte to another.
+    std::string bytes(std::uint64_t from, std::uint64_t to) {
+        std::string out(to - from, '\0');
+        const ssize_t got = ::pread(memory, out.data(), out.size(), static_cast<off_t>(from));
+        check(got == static_cast<ssize_t>(out.size()), "/");
+        return out;
+    }
 
     void check(bool done, const std::string& what) {
         if (!done && refused.empty())
@@ -112,17 +145,16 @@ struct Hdf5File::Impl {
     }
 };
 
-Hdf5File::Hdf5File() : m_impl(std::make_unique<Impl>()) {
+Hdf5File::Hdf5File(Backing backing) : m_impl(std::make_unique<Impl>()) {
     beQuiet();
-    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    H5Pset_fapl_core(access, kGrowth, false);
-    m_impl->file = H5Fcreate("bask-export-in-memory", H5F_ACC_TRUNC, H5P_DEFAULT, access);
-    m_impl->check(m_impl->file >= 0, "/");
+    m_impl->open(backing);
 }
 
 Hdf5File::~Hdf5File() {
     if (m_impl->file >= 0)
         H5Fclose(m_impl->file);
+    if (m_impl->memory >= 0)
+        ::close(m_impl->memory);
 }
 
 void Hdf5File::group(const std::string& path, const std::string& nxClass) {
@@ -182,6 +214,55 @@ void Hdf5File::pictures(const std::string& path, std::size_t count, int rows, in
         H5Dclose);
     m_impl->check(set >= 0, path);
     attribute(path, "units", "1");
+}
+
+void Hdf5File::room(const std::string& path, const std::vector<std::size_t>& sizes,
+                    const std::string& units) {
+    const std::vector<hsize_t> extent(sizes.begin(), sizes.end());
+    std::uint64_t bytes = sizeof(double);
+    for (const std::size_t size : sizes)
+        bytes *= size;
+    const Handle space(H5Screate_simple(static_cast<int>(extent.size()), extent.data(), nullptr), H5Sclose);
+    const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    H5Pset_obj_track_times(how, false);
+    H5Pset_alloc_time(how, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(how, H5D_FILL_TIME_NEVER);
+    const Handle set(
+        H5Dcreate2(m_impl->file, path.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, how, H5P_DEFAULT),
+        H5Dclose);
+    m_impl->check(set >= 0, path);
+    m_impl->rooms.push_back({path, bytes});
+    attribute(path, "units", units);
+}
+
+Result<Hdf5Sparse> Hdf5File::sparse(const std::string& where) {
+    Hdf5Sparse all;
+    for (const Impl::Room& room : m_impl->rooms) {
+        const Handle set(H5Dopen2(m_impl->file, room.path.c_str(), H5P_DEFAULT), H5Dclose);
+        const haddr_t offset = H5Dget_offset(set);
+        m_impl->check(offset != HADDR_UNDEF, room.path);
+        all.rooms.push_back(offset);
+    }
+    m_impl->check(H5Fclose(std::exchange(m_impl->file, -1)) >= 0, "/");
+    const off_t size = ::lseek(m_impl->memory, 0, SEEK_END);
+    m_impl->check(size > 0, "/");
+    for (std::uint64_t from = 0; m_impl->refused.empty();) {
+        // The next room from here on, of which there are two at most.
+        std::uint64_t to = static_cast<std::uint64_t>(size), after = to;
+        for (std::size_t k = 0; k < all.rooms.size(); ++k)
+            if (all.rooms[k] >= from && all.rooms[k] < to) {
+                to = all.rooms[k];
+                after = to + m_impl->rooms[k].bytes;
+            }
+        all.pieces.emplace_back(from, m_impl->bytes(from, to));
+        if (to == static_cast<std::uint64_t>(size))
+            break;
+        from = after;
+    }
+    all.size = static_cast<std::uint64_t>(size);
+    if (!m_impl->refused.empty())
+        return unwritable(where, m_impl->refused);
+    return all;
 }
 
 void Hdf5File::link(const std::string& there, const std::string& path) {

@@ -4,19 +4,32 @@
 
 #include "engine/base/result.h"
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bask {
+
+/// A finished file but for its rooms.
+struct Hdf5Sparse {
+    std::uint64_t size = 0;           ///< of the whole file, bytes
+    std::vector<std::uint64_t> rooms; ///< where each begins, in the order of their making
+    std::vector<std::pair<std::uint64_t, std::string>> pieces; ///< what is between them: offset and bytes
+};
 
 /// Paths are absolute, "/entry/title"; create a group before its contents. The first failure of the library
 /// is stored and returned by image(). Only one exists at a time, because the library is not thread-safe;
 /// others wait until it is destroyed.
 class Hdf5File {
 public:
-    Hdf5File();
+    enum class Backing {
+        Memory,
+        Sparse ///< memory too, but none for rooms
+    };
+    explicit Hdf5File(Backing backing = Backing::Memory);
     ~Hdf5File();
 
     /// Creates a group with its NX_class.
@@ -33,12 +46,18 @@ public:
     /// Adds room for `count` pictures of 16 bits: [count, rows, columns], each a chunk of its own, compressed
     /// without loss. Hdf5Pictures fills it.
     void pictures(const std::string& path, std::size_t count, int rows, int columns);
+    /// Adds numbers [sizes...], in one piece, that are written into the file later, without the library. Only
+    /// with Backing::Sparse.
+    void room(const std::string& path, const std::vector<std::size_t>& sizes, const std::string& units);
     /// Adds another name for something that exists.
     void link(const std::string& there, const std::string& path);
 
     /// Returns the bytes of the finished file. Error: FileUnwritable at `where`, if the library reported a
     /// failure.
     Result<std::string> image(const std::string& where);
+
+    /// Ends the file and returns it without the bytes of its rooms. Error: as image().
+    Result<Hdf5Sparse> sparse(const std::string& where);
 
     Hdf5File(const Hdf5File&) = delete;
     Hdf5File& operator=(const Hdf5File&) = delete;

@@ -1,0 +1,118 @@
+#pragma once
+// A shard's results on disk. A study or field is divided into cases, and a shard of several processes
+// computes every n-th of them into a part: a file that only grows, one record a case. A process may be killed
+// at any moment; what is not whole is computed anew, and never counted.
+
+#include "engine/base/result.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bask {
+
+/// One of several processes that share the cases of a study.
+struct Shard {
+    int number = 1; ///< 1 to `of`
+    int of = 1;
+
+    bool has(std::int64_t index) const { return index % of == number - 1; }
+    /// Returns how many of the cases 0 to `cases` - 1 it has.
+    std::int64_t share(std::int64_t cases) const { return (cases - number + of) / of; }
+    bool operator==(const Shard&) const = default;
+};
+inline constexpr int kMaxShards = 100'000;
+
+/// The first line of a part, as JSON.
+struct PartHeader {
+    /// What all parts of one work have in common, as a JSON object: the study with its options, the program's
+    /// version, the kind of processor.
+    std::string work;
+    std::int64_t cases = 0; ///< of the whole work
+    Shard shard;
+};
+
+/// Writes a part. Nobody else can while it lives. Not thread-safe.
+class PartWriter {
+public:
+    /// Begins a part, or goes on with it if it `resumes`: a record that is not whole is cut off. Errors:
+    /// PartThere, PartBusy, PartOfAnother, NotAPart, FileUnwritable.
+    static Result<std::unique_ptr<PartWriter>> open(const std::string& path, const PartHeader& header,
+                                                    bool resumes);
+    ~PartWriter();
+    PartWriter(const PartWriter&) = delete;
+    PartWriter& operator=(const PartWriter&) = delete;
+
+    /// Returns the shard's cases that have no record yet, ascending.
+    const std::vector<std::int64_t>& missing() const { return m_missing; }
+    /// Adds a case's record, wholly or not at all. `took_s` of computing time.
+    Result<void> add(std::int64_t index, std::string_view record, double took_s);
+    /// Waits until everything is on the disk.
+    Result<void> finish();
+
+private:
+    PartWriter(std::string path, int file) : m_path(std::move(path)), m_file(file) {}
+    Result<void> begin(const PartHeader& header);
+    Result<void> goOn(const PartHeader& header);
+    Error unwritable() const;
+
+    std::string m_path;
+    int m_file;
+    std::int64_t m_size = 0; ///< bytes of whole records
+    std::vector<std::int64_t> m_missing;
+};
+
+/// Where a record is in its part.
+struct PartRecord {
+    std::int64_t index = 0; ///< of the case
+    double took_s = 0.0;
+    std::int64_t offset = 0; ///< of its bytes in the file
+    std::uint32_t length = 0;
+};
+
+/// A part that was read: its header, and what records it has.
+struct ShardPart {
+    std::string path;
+    PartHeader header;
+    std::vector<PartRecord> records; ///< whole ones, in the order of the file
+    /// A record that has all its bytes, but not those that were written. (A last one that is cut off is no
+    /// damage: its process was killed.)
+    bool isDamaged = false;
+    std::int64_t wholeBytes = 0; ///< from the beginning
+    std::int64_t begun_ms = 0;   ///< since 1970: when the header was written
+    std::int64_t changed_ms = 0; ///< since 1970: when the file was changed last
+    bool isBeingWritten = false; ///< by a process on this computer, or one whose locks the file system shows
+};
+
+/// Reads and checks every byte of a part. Errors: NotAPart, FileUnreadable.
+Result<ShardPart> readPart(const std::string& path);
+
+/// The results of all cases of a work, from its parts.
+class MergedParts {
+public:
+    /// Errors: those of readPart, PartOfAnother, PartDamaged, PartsMissing.
+    static Result<MergedParts> of(const std::vector<std::string>& paths);
+
+    const std::string& work() const { return m_work; }
+    std::int64_t cases() const { return static_cast<std::int64_t>(m_places.size()); }
+    /// Returns the bytes of a case. Errors: FileUnreadable, PartDamaged.
+    Result<std::string> record(std::int64_t index) const;
+
+private:
+    struct Place {
+        std::int32_t part = -1;
+        std::uint32_t length = 0;
+        std::int64_t offset = 0;
+    };
+
+    std::string m_work;
+    std::vector<std::string> m_paths;
+    std::vector<Place> m_places; ///< by case
+};
+
+/// Returns an error that names the first difference between two works, or success if they are the same.
+Result<void> checkSameWork(const std::string& where, const std::string& there, const std::string& here);
+
+} // namespace bask

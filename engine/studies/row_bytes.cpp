@@ -1,0 +1,80 @@
+#include "engine/studies/row_bytes.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+// How the library is told of types that are not ours.
+template <class T> struct nlohmann::adl_serializer<std::optional<T>> {
+    static void to_json(json& to, const std::optional<T>& value) { to = value ? json(*value) : json(); }
+    static void from_json(const json& from, std::optional<T>& value) {
+        value = from.is_null() ? std::nullopt : std::optional<T>(from.get<T>());
+    }
+};
+template <> struct nlohmann::adl_serializer<bask::Vector6d> {
+    static void to_json(json& to, const bask::Vector6d& q) {
+        to = std::array<double, 6>{q[0], q[1], q[2], q[3], q[4], q[5]};
+    }
+    static void from_json(const json& from, bask::Vector6d& q) {
+        const auto numbers = from.get<std::array<double, 6>>();
+        for (int k = 0; k < 6; ++k)
+            q[k] = numbers[static_cast<std::size_t>(k)];
+    }
+};
+
+namespace bask {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClosedLoopCase, seed, mountings, start, goal, targets_K, convection_W_m2K,
+                                   sensorLag_s, robotLatency_s, uneven, radiation_s, bound_s, travel_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClosedLoopRow, drawn, settling_s, overshoot_K, way_m, restSpeed_m_s,
+                                   commandAcceleration_m_s2, final_K, toldCompromise, failure)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmRunFacts, controller, objects, source_K, sourceModel, noise_K, lag_s,
+                                   convection_W_m2K, fault, object, fault_s)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RaisedAlarm, time_s, priority, name, sentence, isConsequence, isFalse)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmStudyRow, drawn, simulated_s, alarms, isTripped, overTrip_K,
+                                   overTarget_K, shown_s, told_s, acted_s, unseen_K, refusal)
+
+namespace {
+
+// CBOR and not text: numbers that are not finite go through it too.
+template <class Row> std::string cborOf(const Row& row) {
+    std::string bytes;
+    nlohmann::json::to_cbor(nlohmann::json(row), bytes);
+    return bytes;
+}
+
+template <class Row> std::optional<Row> rowOf(const std::string& bytes) {
+    try {
+        return nlohmann::json::from_cbor(bytes).get<Row>();
+    } catch (const nlohmann::json::exception&) {
+        return std::nullopt;
+    }
+}
+
+} // namespace
+
+std::string bytesOf(const ClosedLoopRow& row) {
+    return cborOf(row);
+}
+
+std::string bytesOf(const AlarmStudyRow& row) {
+    return cborOf(row);
+}
+
+std::optional<ClosedLoopRow> closedLoopRowOf(const std::string& bytes, std::size_t objects) {
+    auto row = rowOf<ClosedLoopRow>(bytes);
+    if (row && (row->final_K.size() != objects || row->drawn.targets_K.size() != objects ||
+                row->drawn.mountings.size() != objects))
+        return std::nullopt;
+    return row;
+}
+
+std::optional<AlarmStudyRow> alarmRowOf(const std::string& bytes) {
+    auto row = rowOf<AlarmStudyRow>(bytes);
+    if (row &&
+        (row->drawn.fault < SimulatedFault::None || static_cast<int>(row->drawn.fault) >= kSimulatedFaults))
+        return std::nullopt;
+    return row;
+}
+
+} // namespace bask
