@@ -8004,6 +8004,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Configuration</translation>
     </message>
     <message>
+        <source>Head of the hash chain (bask verify --head)</source>
+        <translation>Tête de la chaîne de hachage (bask verify --head)</translation>
+    </message>
+    <message>
         <source>Size of the session file</source>
         <translation>Taille du fichier de session</translation>
     </message>

@@ -7996,6 +7996,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>实验设置</translation>
     </message>
     <message>
+        <source>Head of the hash chain (bask verify --head)</source>
+        <translation>哈希链的头（bask verify --head）</translation>
+    </message>
+    <message>
         <source>Size of the session file</source>
         <translation>会话文件大小</translation>
     </message>

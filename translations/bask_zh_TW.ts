@@ -7996,6 +7996,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>實驗設定</translation>
     </message>
     <message>
+        <source>Head of the hash chain (bask verify --head)</source>
+        <translation>雜湊鏈的頭（bask verify --head）</translation>
+    </message>
+    <message>
         <source>Size of the session file</source>
         <translation>工作階段檔案大小</translation>
     </message>

@@ -25,6 +25,7 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"identify", "heat rates of the objects of a recorded session, with standard errors",
                    identifyCommand},
         Subcommand{"export", "a session as CSV, NeXus (HDF5), VTK files or figures", exportCommand, true},
+        Subcommand{"verify", "whether a session is as it was recorded, and what was changed", verifyCommand},
         Subcommand{"report", "a session's report as HTML or PDF", reportCommand, true},
         Subcommand{"make-board", "calibration boards and markers to print, as PDF", makeBoardCommand, true},
         Subcommand{"simulate-rig", "all devices of an experiment's rig, simulated on their ports",

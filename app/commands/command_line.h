@@ -32,6 +32,7 @@ int studyCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 int identifyCommand(const QStringList& arguments);
 int exportCommand(const QStringList& arguments);
+int verifyCommand(const QStringList& arguments);
 int reportCommand(const QStringList& arguments);
 int detectMarkersCommand(const QStringList& arguments);
 int calibrateCameraCommand(const QStringList& arguments);

@@ -5,6 +5,7 @@
 #include "app/report/report_setup.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/text_file.h"
+#include "engine/recording/session_verify.h"
 #include "engine/recording/staged_files.h"
 #include "engine/rig/rig_setup.h"
 
@@ -66,6 +67,8 @@ RunReportInput reportInput(SessionRecord session, TemperatureUnit unit) {
         input.sha256 = QString::fromLatin1(hash.result().toHex());
         input.fileBytes = file.size();
     }
+    if (const auto head = chainHead(session.path))
+        input.chainHead = QString::fromStdString(*head);
     input.session = std::move(session);
     input.now = QDateTime::currentDateTimeUtc();
     input.unit = unit;

@@ -400,7 +400,9 @@ QString originSection(const RunReportInput& input) {
                   {RecordText::tr("Size of the session file"),
                    RecordText::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},
                   {QStringLiteral("SHA-256"),
-                   input.sha256.isEmpty() ? RecordText::tr("not known") : input.sha256}}) +
+                   input.sha256.isEmpty() ? RecordText::tr("not known") : input.sha256},
+                  {RecordText::tr("Head of the hash chain (bask verify --head)"),
+                   input.chainHead.isEmpty() ? RecordText::tr("not known") : input.chainHead}}) +
            (session.interrupted()
                 ? paragraph(RecordText::tr("The checksum is of the file without the log beside it."), "quiet")
                 : QString());

@@ -17,6 +17,7 @@ namespace bask {
 struct RunReportInput {
     SessionRecord session;
     std::optional<JointVerdict> verdict; ///< verdict on lastTargets_K(session); empty if not computed
+    QString chainHead;                   ///< of the session's hash chain, hexadecimal; empty: it has none
     QString sha256;                      ///< checksum of the session file, hexadecimal
     qint64 fileBytes = 0;
     QDateTime now; ///< when the report is created

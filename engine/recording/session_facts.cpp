@@ -15,12 +15,15 @@ namespace {
 
 using Row = SessionStore::Row;
 
+constexpr int kMaxEqualTimes = 10; // samples of one moment; no run has more than two
+
 class FactsReader {
 public:
     FactsReader(const SessionStore& store, SessionRecord& record) : m_store(store), m_record(record) {}
 
     Result<void> all() {
-        for (const auto part : {&FactsReader::meta, &FactsReader::experiment, &FactsReader::log}) {
+        for (const auto part :
+             {&FactsReader::meta, &FactsReader::experiment, &FactsReader::objects, &FactsReader::log}) {
             if (auto done = (this->*part)(); !done)
                 return done;
         }
@@ -54,6 +57,24 @@ private:
             return read.error();
         m_record.experiment = std::move(*read);
         return {};
+    }
+
+    /// The rows of `object` are the experiment's objects.
+    Result<void> objects() {
+        if (m_store.version() < 2)
+            return {};
+        std::size_t count = 0;
+        bool isSame = true;
+        const auto& objects = m_record.experiment.objects;
+        auto done = m_store.select("SELECT number, name FROM object ORDER BY number", [&](Row row) {
+            isSame = isSame && count < objects.size() && numberOf(row[0]) == static_cast<double>(count + 1) &&
+                     textOf(row[1]) == objects[count].name;
+            ++count;
+        });
+        if (done && (!isSame || count != objects.size()))
+            return Error(MessageCode::SessionDamaged, m_record.path,
+                         {"its objects are not those of its experiment"});
+        return done;
     }
 
     Result<void> log() {
@@ -106,6 +127,8 @@ Result<void> readSteps(const SessionStore& store, const SessionTables& tables, c
     auto due = static_cast<std::int64_t>(first);
     double last_s = -std::numeric_limits<double>::infinity();
     bool isWhole = true;
+    int equalTimes = 0;
+    std::string impossible;
     const auto done = store.select(
         tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) + " AND " +
             std::to_string(last) + " ORDER BY number",
@@ -114,8 +137,13 @@ Result<void> readSteps(const SessionStore& store, const SessionTables& tables, c
                 isWhole = false;
                 return;
             }
+            if (impossible = tables.impossibleIn(row); !impossible.empty()) {
+                isWhole = false;
+                return;
+            }
             const TraceSample sample = tables.sampleOf(row);
-            isWhole = sample.time_s >= last_s;
+            equalTimes = sample.time_s == last_s ? equalTimes + 1 : 0;
+            isWhole = sample.time_s >= last_s && equalTimes < kMaxEqualTimes;
             last_s = sample.time_s;
             ++due;
             if (isWhole)
@@ -124,7 +152,8 @@ Result<void> readSteps(const SessionStore& store, const SessionTables& tables, c
         stop);
     if (done && !isWhole)
         return Error(MessageCode::SessionDamaged, path,
-                     {"sample " + std::to_string(due) + " is missing or in the wrong place"});
+                     {"sample " + std::to_string(due) +
+                      (impossible.empty() ? " is missing or in the wrong place" : " has " + impossible)});
     return done;
 }
 

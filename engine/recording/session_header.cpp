@@ -3,6 +3,8 @@
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/recording/recorded_session.h"
+#include "engine/recording/row_chain.h"
+#include "engine/recording/session_seal.h"
 #include "engine/recording/session_store.h"
 
 #include <QDir>
@@ -20,6 +22,7 @@ namespace {
 using Row = SessionStore::Row;
 
 // A page that shows the file lets it go within a second.
+constexpr const char* kTags = "tags";
 constexpr int kTries = 10;
 constexpr std::chrono::milliseconds kBetweenTries(200);
 
@@ -85,6 +88,23 @@ Result<void> readInto(SessionHeader& header) {
     return done;
 }
 
+/// Goes on with the chain, if there is one.
+Result<void> chainFact(SessionStore& store, std::span<const SqlValue> fact) {
+    bool hasChain = false;
+    std::optional<ChainLink> last;
+    auto done = store.select("SELECT 1 FROM sqlite_master WHERE name = 'chain' AND type = 'table'",
+                             [&](Row) { hasChain = true; });
+    if (!done || !hasChain)
+        return done;
+    done = store.select(std::string(kSelectLinks) + " DESC LIMIT 1", [&](Row row) { last = linkOf(row); });
+    const auto insert = done ? store.prepare(kInsertLink) : Result<std::size_t>(done.error());
+    if (!insert || !last)
+        return insert ? Result<void>() : insert.error();
+    RowChain chain(last->number, last->hash);
+    chain.add(ChainTable::Meta, fact);
+    return store.run(*insert, rowOf(chain.takeLink()));
+}
+
 /// One entry of `meta`, in a transaction. Always through the log: readers look for that beside the file, not
 /// for a rollback journal.
 Result<void> putFact(const std::string& path, const std::string& key, const std::string& value) {
@@ -100,7 +120,15 @@ Result<void> putFact(const std::string& path, const std::string& key, const std:
         return put.error();
     const std::array<SqlValue, 2> row{key, value};
     auto done = (*store)->run(*put, row);
+    if (done && key != kTags)
+        done = chainFact(**store, row);
     return done ? (*store)->execute("COMMIT") : done;
+}
+
+/// The same, and the seal anew.
+Result<void> putFactSealed(const std::string& path, const std::string& key, const std::string& value) {
+    auto done = putFact(path, key, value);
+    return done ? sealSession(path) : done;
 }
 
 } // namespace
@@ -131,7 +159,7 @@ Result<void> writeSessionTags(const std::string& path, const std::vector<std::st
     if (header.outcome.empty())
         return Error(MessageCode::SessionBusy, path, {"its recording has no end"});
     const auto json = nlohmann::json(tags).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    return putFact(path, "tags", json);
+    return putFactSealed(path, kTags, json);
 }
 
 Result<void> closeInterrupted(const std::string& path) {
@@ -150,7 +178,7 @@ Result<void> closeInterrupted(const std::string& path) {
     }
     if (!folded)
         return folded;
-    return putFact(path, "outcome", kOutcomeInterrupted);
+    return putFactSealed(path, "outcome", kOutcomeInterrupted);
 }
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_facts.h"
+#include "engine/recording/session_seal.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -96,7 +97,7 @@ Result<void> copySession(const std::string& from, const std::string& to) {
         copied = putInPlace(part, to);
     if (!copied)
         QFile::remove(part);
-    return copied;
+    return copied ? sealSession(to) : copied; // its pages lie in another order
 }
 
 double controlledUntil_s(const SessionRecord& facts) {

@@ -356,7 +356,8 @@ Result<std::vector<std::string>> SessionStore::tables() const {
     std::vector<std::string> names;
     const auto done = select(
         "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name NOT LIKE 'sqlite\\_%' "
-        "ESCAPE '\\' AND name NOT IN ('step', 'object', 'target_step', 'overview', 'thermal_frame') ORDER BY "
+        "ESCAPE '\\' AND name NOT IN ('step', 'object', 'target_step', 'overview', 'thermal_frame', 'chain', "
+        "'seal') ORDER BY "
         "rowid",
         [&](Row row) { names.push_back(textOf(row[0])); });
     if (!done)

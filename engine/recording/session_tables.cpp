@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 namespace bask {
@@ -249,6 +250,50 @@ TraceSample SessionTables::sampleOf(SessionStore::Row row) const {
         for (const ObjectColumn* column : objectColumns())
             column->value.set(object, numberOf(row[at++]));
     return sample;
+}
+
+namespace {
+
+/// Of seven columns of a pose.
+bool isPose(SessionStore::Row columns) {
+    constexpr double kUnit = 1e-3;
+    double square = 0.0;
+    bool isKnown = false;
+    for (std::size_t k = 0; k < kPose.size(); ++k) {
+        isKnown = isKnown || !std::holds_alternative<std::monostate>(columns[k]);
+        square += k < 3 ? 0.0 : numberOf(columns[k]) * numberOf(columns[k]);
+    }
+    return !isKnown || std::abs(square - 1.0) < kUnit;
+}
+
+template <class Row> bool isTemperature(const SampleColumn<Row>& column) {
+    return column.unit.edge == EdgeUnit::Temperature;
+}
+
+} // namespace
+
+std::string SessionTables::impossibleIn(SessionStore::Row row) const {
+    for (const SqlValue& value : row)
+        if (std::holds_alternative<std::string>(value) || std::holds_alternative<SqlBlob>(value))
+            return "text instead of a number";
+    if (!std::isfinite(numberOf(row[kTime])))
+        return "no time";
+    std::size_t at = kPoseAt + kPose.size() + runColumns().size();
+    if (!isPose(row.subspan(kPoseAt)) || !isPose(row.subspan(at)))
+        return "a pose that is none";
+    at = kPoseAt + kPose.size();
+    std::string words;
+    const auto check = [&](const auto& column) {
+        if (const double value = numberOf(row[at++]); isTemperature(column) && value < 0.0)
+            words = std::string(column.key) + " below absolute zero";
+    };
+    for (const RunColumn* column : runColumns())
+        check(*column);
+    at += kPose.size();
+    for (std::size_t i = 0; i < m_names.size(); ++i)
+        for (const ObjectColumn* column : objectColumns())
+            check(*column);
+    return words;
 }
 
 Vector6d coordinatesOfColumns(SessionStore::Row columns) {

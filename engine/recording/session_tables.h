@@ -33,6 +33,8 @@ public:
     std::string selectSteps() const; ///< statement without its WHERE; its rows are for sampleOf()
     static std::int64_t numberOfStep(SessionStore::Row row);
     TraceSample sampleOf(SessionStore::Row row) const;
+    /// Returns what no run records in a row of selectSteps(), in words; empty if there is nothing.
+    std::string impossibleIn(SessionStore::Row row) const;
 
     /// Returns the number of quantities with all their columns: those of the file's overview.
     std::size_t quantities() const;

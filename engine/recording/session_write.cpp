@@ -2,7 +2,9 @@
 #include "engine/base/replaced_files.h"
 #include "engine/base/version.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/recording/row_chain.h"
 #include "engine/recording/session_file.h"
+#include "engine/recording/session_seal.h"
 #include "engine/recording/session_store.h"
 #include "engine/recording/session_tables.h"
 #include "engine/recording/trace_overview.h"
@@ -50,8 +52,14 @@ constexpr std::array kStatements{
     "INSERT INTO note VALUES(?, ?)",           "INSERT OR REPLACE INTO meta VALUES(?, ?)",
 };
 
+/// In the order of Statement.
+constexpr std::array kTables{ChainTable::Step,    ChainTable::TargetStep,  ChainTable::Overview,
+                             ChainTable::Command, ChainTable::Event,       ChainTable::Note,
+                             ChainTable::Meta,    ChainTable::ThermalFrame};
+
 constexpr const char* kCreateTraffic = "CREATE TABLE IF NOT EXISTS traffic(time_s REAL NOT NULL, "
                                        "link TEXT NOT NULL, kind TEXT NOT NULL, bytes BLOB NOT NULL)";
+constexpr const char* kSelectTraffic = "SELECT type, name, sql FROM sqlite_master WHERE name = 'traffic'";
 constexpr const char* kInsertTraffic = "INSERT INTO traffic VALUES(?, ?, ?, ?)";
 
 std::string nowUtc() {
@@ -71,6 +79,8 @@ Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
         "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
         "BEGIN IMMEDIATE"};
     std::ranges::move(tables.create(), std::back_inserter(statements));
+    statements.emplace_back(kCreateChain);
+    statements.emplace_back(kCreateSeal);
     statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));
     statements.emplace_back("PRAGMA user_version = ").append(std::to_string(kSessionVersion));
     for (const std::string& sql : statements) {
@@ -147,6 +157,9 @@ struct SessionWriter::Impl {
     TraceOverview overview;                       ///< of the samples since the last row of its table
     bool pending = false;                         ///< a transaction is open
     std::optional<std::size_t> insertTraffic;     ///< statement, once the table is there
+    RowChain chain;
+    std::size_t insertLink = 0; ///< statement
+    bool isFinished = false;
     QElapsedTimer sinceCommit;
     QTimer timer; ///< commits what was added last when nothing follows it
     std::optional<Error> failed;
@@ -159,7 +172,27 @@ struct SessionWriter::Impl {
 
     template <class... Values> Result<void> put(Statement statement, Values&&... values) {
         const std::array<SqlValue, sizeof...(Values)> row{SqlValue(std::forward<Values>(values))...};
-        return store->run(statement, row);
+        return insert(statement, kTables[statement], row);
+    }
+
+    Result<void> insert(std::size_t statement, ChainTable table, std::span<const SqlValue> row) {
+        auto done = store->run(statement, row);
+        if (done)
+            chain.add(table, row);
+        return done;
+    }
+
+    /// Chains rows that are there already.
+    Result<void> chainRows(ChainTable table) {
+        return store->select(selectRows(table), [&](SessionStore::Row row) { chain.add(table, row); });
+    }
+
+    /// The link of what was added since the last one.
+    Result<void> putLink() {
+        if (!chain.hasRows())
+            return {};
+        const auto row = rowOf(chain.takeLink());
+        return store->run(insertLink, row);
     }
 
     /// Runs `insert` inside the open transaction and commits when it is time.
@@ -193,12 +226,13 @@ struct SessionWriter::Impl {
         if (!pending)
             return {};
         pending = false;
-        return check(store->execute("COMMIT"));
+        auto done = putLink();
+        return check(done ? store->execute("COMMIT") : done);
     }
 
     Result<void> addSample(const TraceSample& sample) {
         const auto number = static_cast<std::int64_t>(samples) + 1;
-        auto done = store->run(kInsertStep, tables.stepRow(number, sample));
+        auto done = insert(kInsertStep, ChainTable::Step, tables.stepRow(number, sample));
         for (std::size_t i = 0; done && i < targets_K.size(); ++i)
             done = addTarget(i, sample);
         if (!done)
@@ -225,6 +259,9 @@ SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl
 
 SessionWriter::~SessionWriter() {
     static_cast<void>(m_impl->commit());
+    m_impl->store.reset();
+    if (m_impl->isFinished)
+        static_cast<void>(sealSession(m_impl->path)); // where it cannot be, the chain is there
 }
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path,
@@ -256,7 +293,16 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
     if (made) {
         const auto insert = impl->store->prepare("INSERT INTO experiment VALUES(?)");
         const std::array<SqlValue, 1> row{experimentToJson(experiment)};
-        made = insert ? impl->store->run(*insert, row) : Result<void>(insert.error());
+        made = insert ? impl->insert(*insert, ChainTable::Experiment, row) : Result<void>(insert.error());
+    }
+    for (const ChainTable table : {ChainTable::Object, ChainTable::Schema}) {
+        if (made)
+            made = impl->chainRows(table);
+    }
+    if (made) {
+        const auto insert = impl->store->prepare(kInsertLink);
+        impl->insertLink = insert ? *insert : 0;
+        made = insert ? impl->putLink() : Result<void>(insert.error());
     }
     for (const char* sql : {"COMMIT", "PRAGMA journal_mode = WAL",
                             "PRAGMA wal_autocheckpoint = 256"}) { // pages: the log stays at 4 MB
@@ -264,7 +310,8 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
             made = impl->store->execute(sql);
     }
     if (made) // its log is there from here on: who looks sees that it is being written
-        made = impl->put(kPutMeta, std::string(facts[0].first), facts[0].second);
+        made =
+            impl->store->run(kPutMeta, std::array<SqlValue, 2>{std::string(facts[0].first), facts[0].second});
     if (!made)
         return made.error();
     replaced.keepNew();
@@ -310,6 +357,11 @@ Result<void> SessionWriter::add(const TrafficLine& line, double start_s) {
         if (!m_impl->insertTraffic) {
             if (auto made = m_impl->store->execute(kCreateTraffic); !made)
                 return made;
+            auto chained = m_impl->store->select(std::string(kSelectTraffic), [&](SessionStore::Row row) {
+                m_impl->chain.add(ChainTable::Schema, row);
+            });
+            if (!chained)
+                return chained;
             auto prepared = m_impl->store->prepare(kInsertTraffic);
             if (!prepared)
                 return prepared.error();
@@ -317,7 +369,7 @@ Result<void> SessionWriter::add(const TrafficLine& line, double start_s) {
         }
         const std::array<SqlValue, 4> row{line.time_s - start_s, line.link,
                                           std::string(trafficKindWord(line.kind)), SqlBlob{line.bytes}};
-        return m_impl->store->run(*m_impl->insertTraffic, row);
+        return m_impl->insert(*m_impl->insertTraffic, ChainTable::Traffic, row);
     });
 }
 
@@ -329,6 +381,9 @@ Result<void> SessionWriter::finish(const std::string& outcome) {
     auto done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("outcome"), outcome); });
     if (done)
         done = m_impl->add([&] { return m_impl->put(kPutMeta, std::string("finished"), nowUtc()); });
+    if (done)
+        done = m_impl->add([&] { return makeSeal(*m_impl->store); });
+    m_impl->isFinished = done.ok();
     return done ? flush() : done;
 }
 

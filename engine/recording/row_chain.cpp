@@ -1,0 +1,141 @@
+#include "engine/recording/row_chain.h"
+
+#include <QByteArray>
+#include <QCryptographicHash>
+#include <QString>
+
+#include <cmath>
+#include <cstring>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+constexpr std::array<const char*, kChainTables> kNames{
+    "",         "sqlite_master", "meta",  "experiment", "object",        "step",   "target_step",
+    "overview", "command",       "event", "note",       "thermal_frame", "traffic"};
+constexpr std::size_t kEntryBytes = 5; // table and check
+
+Digest digestOf(const QCryptographicHash& hash) {
+    const QByteArray result = hash.result();
+    Digest digest;
+    std::memcpy(digest.data(), result.constData(), digest.size());
+    return digest;
+}
+
+void append(QByteArray& out, char kind, const void* bytes, std::size_t size) {
+    const auto length = static_cast<std::uint64_t>(size);
+    out.append(kind);
+    out.append(reinterpret_cast<const char*>(&length), sizeof length);
+    out.append(static_cast<const char*>(bytes), static_cast<qsizetype>(size));
+}
+
+void append(QByteArray& out, const SqlValue& value) {
+    const double number = numberOf(value);
+    if (!std::isnan(number)) {
+        const double positive = number == 0.0 ? 0.0 : number;
+        append(out, 'd', &positive, sizeof positive);
+    } else if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !text->empty()) {
+        const QByteArray stored = QString::fromStdString(*text).toUtf8(); // what is not UTF-8 was replaced
+        append(out, 't', stored.constData(), static_cast<std::size_t>(stored.size()));
+    } else if (const auto* blob = std::get_if<SqlBlob>(&value); blob != nullptr && !blob->bytes.empty()) {
+        append(out, 'b', blob->bytes.data(), blob->bytes.size());
+    } else {
+        append(out, 'n', nullptr, 0);
+    }
+}
+
+} // namespace
+
+const char* tableName(ChainTable table) {
+    return kNames.at(static_cast<std::size_t>(table));
+}
+
+std::string selectRows(ChainTable table) {
+    if (table == ChainTable::Schema)
+        return "SELECT type, name, sql FROM sqlite_master WHERE sql IS NOT NULL AND name NOT IN ('chain', "
+               "'seal') "
+               "ORDER BY name";
+    if (table == ChainTable::Meta)
+        return "SELECT key, value FROM meta WHERE key <> 'tags' ORDER BY key";
+    return std::string("SELECT * FROM ") + tableName(table) + " ORDER BY rowid";
+}
+
+Digest digestOf(ChainTable table, std::span<const SqlValue> row) {
+    thread_local QByteArray bytes;
+    bytes.resize(0);
+    append(bytes, 'T', tableName(table), std::strlen(tableName(table)));
+    for (const SqlValue& value : row)
+        append(bytes, value);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(bytes);
+    return digestOf(hash);
+}
+
+std::uint32_t checkOf(const Digest& digest) {
+    std::uint32_t check = 0;
+    std::memcpy(&check, digest.data(), sizeof check);
+    return check;
+}
+
+Digest chained(const Digest& before, std::span<const Digest> digests) {
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const auto add = [&](const Digest& digest) {
+        hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(digest.data()), digest.size()));
+    };
+    add(before);
+    for (const Digest& digest : digests)
+        add(digest);
+    return digestOf(hash);
+}
+
+std::array<SqlValue, 3> rowOf(const ChainLink& link) {
+    std::string checks;
+    for (const ChainLink::Entry& entry : link.rows) {
+        checks += static_cast<char>(entry.table);
+        checks.append(reinterpret_cast<const char*>(&entry.check), sizeof entry.check);
+    }
+    return {link.number, SqlBlob{std::move(checks)},
+            SqlBlob{std::string(reinterpret_cast<const char*>(link.hash.data()), link.hash.size())}};
+}
+
+std::optional<ChainLink> linkOf(std::span<const SqlValue> row) {
+    const auto* number = std::get_if<std::int64_t>(&row[0]);
+    const auto* checks = std::get_if<SqlBlob>(&row[1]);
+    const auto* hash = std::get_if<SqlBlob>(&row[2]);
+    if (number == nullptr || checks == nullptr || hash == nullptr ||
+        checks->bytes.size() % kEntryBytes != 0 || hash->bytes.size() != Digest().size())
+        return std::nullopt;
+    ChainLink link;
+    link.number = *number;
+    for (std::size_t at = 0; at < checks->bytes.size(); at += kEntryBytes) {
+        const auto table = static_cast<unsigned char>(checks->bytes[at]);
+        if (table < 1 || table >= kChainTables)
+            return std::nullopt;
+        ChainLink::Entry& entry = link.rows.emplace_back();
+        entry.table = static_cast<ChainTable>(table);
+        std::memcpy(&entry.check, checks->bytes.data() + at + 1, sizeof entry.check);
+    }
+    std::memcpy(link.hash.data(), hash->bytes.data(), link.hash.size());
+    return link;
+}
+
+std::string hexOf(const Digest& digest) {
+    return QByteArray::fromRawData(reinterpret_cast<const char*>(digest.data()), digest.size())
+        .toHex()
+        .toStdString();
+}
+
+void RowChain::add(ChainTable table, std::span<const SqlValue> row) {
+    m_digests.push_back(digestOf(table, row));
+    m_rows.push_back({table, checkOf(m_digests.back())});
+}
+
+ChainLink RowChain::takeLink() {
+    ChainLink link{++m_number, std::exchange(m_rows, {}), chained(m_hash, m_digests)};
+    m_hash = link.hash;
+    m_digests.clear();
+    return link;
+}
+
+} // namespace bask

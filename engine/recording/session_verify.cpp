@@ -1,0 +1,253 @@
+#include "engine/recording/session_verify.h"
+
+#include "engine/recording/row_chain.h"
+#include "engine/recording/session_facts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <unordered_map>
+
+namespace bask {
+namespace {
+
+using Kind = SessionFinding::Kind;
+using Row = SessionStore::Row;
+
+constexpr std::size_t kLookAhead =
+    64; // rows: as many removed or added ones in a row are told from changed ones
+
+/// The rows of a table as they are in the file.
+struct TableRows {
+    std::vector<Digest> digests;
+    std::vector<double> times_s; ///< NaN: none
+};
+
+constexpr bool isUnordered(ChainTable table) {
+    return table == ChainTable::Schema || table == ChainTable::Meta;
+}
+
+class Verifier {
+public:
+    explicit Verifier(const SessionStore& store) : m_store(store) {}
+
+    Result<SessionVerdict> verdict() {
+        auto done = m_store.select("SELECT name FROM sqlite_master WHERE type = 'table'",
+                                   [&](Row row) { m_tables.push_back(textOf(row[0])); });
+        if (!done)
+            return done.error();
+        m_verdict.hasChain = has("chain");
+        if (!m_verdict.hasChain)
+            return m_verdict;
+        for (const auto part : {&Verifier::readRows, &Verifier::readLinks}) {
+            if (done = (this->*part)(); !done)
+                return done.error();
+        }
+        for (int k = 1; k < kChainTables; ++k)
+            compare(static_cast<ChainTable>(k));
+        if (m_verdict.allFindings == 0)
+            checkHashes();
+        if (!m_links.empty())
+            m_verdict.head = hexOf(m_links.back().hash);
+        return m_verdict;
+    }
+
+private:
+    bool has(const char* table) const { return std::ranges::find(m_tables, table) != m_tables.end(); }
+    TableRows& rowsOf(ChainTable table) { return m_rows[static_cast<std::size_t>(table)]; }
+
+    void tell(Kind kind, const char* table, std::size_t row, double time_s) {
+        ++m_verdict.allFindings;
+        if (m_verdict.findings.size() < kMaxFindings)
+            m_verdict.findings.push_back({kind, table, static_cast<std::int64_t>(row),
+                                          std::isnan(time_s) ? std::nullopt : std::optional(time_s)});
+    }
+
+    Result<void> readRows() {
+        for (int k = 1; k < kChainTables; ++k) {
+            const auto table = static_cast<ChainTable>(k);
+            if (table != ChainTable::Schema && !has(tableName(table)))
+                continue;
+            const int time = timeColumn(table);
+            TableRows& rows = rowsOf(table);
+            auto done = m_store.select(selectRows(table), [&](Row row) {
+                rows.digests.push_back(digestOf(table, row));
+                rows.times_s.push_back(time >= 0 ? numberOf(row[static_cast<std::size_t>(time)]) : NAN);
+            });
+            if (!done)
+                return done;
+            m_verdict.rows += static_cast<std::int64_t>(rows.digests.size());
+        }
+        return {};
+    }
+
+    /// Column of time_s; negative: none.
+    static int timeColumn(ChainTable table) {
+        switch (table) {
+        case ChainTable::Schema:
+        case ChainTable::Meta:
+        case ChainTable::Experiment:
+        case ChainTable::Object:
+        case ChainTable::Overview:
+            return -1;
+        case ChainTable::Step:
+            return 1;
+        default:
+            return 0;
+        }
+    }
+
+    Result<void> readLinks() {
+        bool isWhole = true;
+        auto done = m_store.select(kSelectLinks, [&](Row row) {
+            auto link = linkOf(row);
+            isWhole = isWhole && link && link->number == static_cast<std::int64_t>(m_links.size()) + 1;
+            if (isWhole)
+                m_links.push_back(std::move(*link));
+        });
+        if (done && !isWhole)
+            tell(Kind::Changed, "chain", m_links.size() + 1, NAN);
+        for (const ChainLink& link : m_links)
+            for (const ChainLink::Entry& entry : link.rows)
+                m_checks[static_cast<std::size_t>(entry.table)].push_back(entry.check);
+        return done;
+    }
+
+    void compare(ChainTable table) {
+        if (isUnordered(table))
+            compareSets(table);
+        else
+            compareInOrder(table);
+    }
+
+    void compareInOrder(ChainTable table) {
+        const std::vector<std::uint32_t>& expected = m_checks[static_cast<std::size_t>(table)];
+        const TableRows& rows = rowsOf(table);
+        const std::size_t found = rows.digests.size();
+        const auto timeAt = [&](std::size_t row) { return row < found ? rows.times_s[row] : NAN; };
+        const auto isSame = [&](std::size_t e, std::size_t a) {
+            return expected[e] == checkOf(rows.digests[a]);
+        };
+        std::size_t e = 0, a = 0;
+        while (e < expected.size() || a < found) {
+            if (e < expected.size() && a < found && isSame(e, a)) {
+                ++e, ++a;
+                continue;
+            }
+            std::size_t removed = e < expected.size() ? 1 : 0, added = a < found ? 1 : 0;
+            while (a < found && removed < kLookAhead && e + removed < expected.size() &&
+                   !isSame(e + removed, a))
+                ++removed;
+            while (e < expected.size() && added < kLookAhead && a + added < found && !isSame(e, a + added))
+                ++added;
+            const bool isRemoved = a >= found || (e + removed < expected.size() && isSame(e + removed, a));
+            const bool isAdded = e >= expected.size() || (a + added < found && isSame(e, a + added));
+            if (isRemoved && (!isAdded || removed <= added)) {
+                tell(Kind::Removed, tableName(table), e + 1, timeAt(a));
+                e += a >= found ? 1 : removed;
+            } else if (isAdded) {
+                tell(Kind::Added, tableName(table), a + 1, timeAt(a));
+                a += e >= expected.size() ? 1 : added;
+            } else {
+                tell(Kind::Changed, tableName(table), a + 1, timeAt(a));
+                ++e, ++a;
+            }
+        }
+    }
+
+    void compareSets(ChainTable table) {
+        std::vector<std::uint32_t> expected = m_checks[static_cast<std::size_t>(table)];
+        const TableRows& rows = rowsOf(table);
+        std::vector<std::size_t> unknown;
+        for (std::size_t k = 0; k < rows.digests.size(); ++k) {
+            const auto there = std::ranges::find(expected, checkOf(rows.digests[k]));
+            if (there == expected.end())
+                unknown.push_back(k);
+            else
+                expected.erase(there);
+        }
+        for (std::size_t k = 0; k < std::max(unknown.size(), expected.size()); ++k)
+            tell(k >= unknown.size()    ? Kind::Removed
+                 : k >= expected.size() ? Kind::Added
+                                        : Kind::Changed,
+                 tableName(table), k < unknown.size() ? unknown[k] + 1 : 0, NAN);
+    }
+
+    /// All rows are those of their checks: now the whole hashes, link by link.
+    void checkHashes() {
+        std::array<std::size_t, kChainTables> next{};
+        std::array<std::unordered_map<std::uint32_t, Digest>, kChainTables> sets;
+        for (const ChainTable table : {ChainTable::Schema, ChainTable::Meta})
+            for (const Digest& digest : rowsOf(table).digests)
+                sets[static_cast<std::size_t>(table)][checkOf(digest)] = digest;
+        Digest before{};
+        std::vector<Digest> digests;
+        for (const ChainLink& link : m_links) {
+            digests.clear();
+            double time_s = NAN;
+            for (const ChainLink::Entry& entry : link.rows) {
+                const auto table = static_cast<std::size_t>(entry.table);
+                if (isUnordered(entry.table)) {
+                    digests.push_back(sets[table][entry.check]);
+                    continue;
+                }
+                const TableRows& rows = m_rows[table];
+                if (std::isnan(time_s))
+                    time_s = rows.times_s[next[table]];
+                digests.push_back(rows.digests[next[table]++]);
+            }
+            if (chained(before, digests) != link.hash) {
+                tell(Kind::Changed, "chain", static_cast<std::size_t>(link.number), time_s);
+                return; // what follows hangs on it
+            }
+            before = link.hash;
+        }
+    }
+
+    const SessionStore& m_store;
+    std::vector<std::string> m_tables;
+    std::array<TableRows, kChainTables> m_rows;
+    std::array<std::vector<std::uint32_t>, kChainTables> m_checks;
+    std::vector<ChainLink> m_links;
+    SessionVerdict m_verdict;
+};
+
+} // namespace
+
+Result<SessionVerdict> verifySession(const std::string& path) {
+    const auto seal = lookAtSeal(path);
+    if (!seal)
+        return seal.error();
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    auto done = (*store)->execute("BEGIN"); // all of one moment
+    if (done)
+        done = checkIntegrity(**store, path);
+    if (!done)
+        return done.error();
+    auto verdict = Verifier(**store).verdict();
+    if (verdict)
+        verdict->seal = *seal;
+    return verdict;
+}
+
+Result<std::string> chainHead(const std::string& path) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    bool hasChain = false;
+    std::string head;
+    auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'chain' AND type = 'table'",
+                                 [&](Row) { hasChain = true; });
+    if (done && hasChain)
+        done = (*store)->select(std::string(kSelectLinks) + " DESC LIMIT 1", [&](Row row) {
+            if (const auto link = linkOf(row))
+                head = hexOf(link->hash);
+        });
+    if (!done)
+        return done.error();
+    return head;
+}
+
+} // namespace bask

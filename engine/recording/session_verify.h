@@ -1,0 +1,42 @@
+#pragma once
+// Whether a recorded session is as it was recorded, and what was changed, removed or added where it is not.
+
+#include "engine/base/result.h"
+#include "engine/recording/session_seal.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// A row, or a few, that are not as they were recorded.
+struct SessionFinding {
+    enum class Kind { Changed, Removed, Added };
+    Kind kind = Kind::Changed;
+    std::string table;
+    std::int64_t row =
+        0; ///< number within its table, from 1 (of removed rows: where they were); 0: not known
+    std::optional<double> time_s{}; ///< of the row, or of the next one that is there; empty: it has none
+};
+
+struct SessionVerdict {
+    bool hasChain = false; ///< false: recorded before there were chains
+    Seal seal = Seal::None;
+    std::string head; ///< of the chain, in hex: SHA-256
+    std::int64_t rows = 0;
+    std::vector<SessionFinding> findings; ///< the first kMaxFindings
+    std::int64_t allFindings = 0;
+
+    bool isIntact() const { return hasChain && allFindings == 0 && seal != Seal::Broken; }
+};
+inline constexpr std::size_t kMaxFindings = 1000;
+
+/// Looks at every row, and at every byte of a closed file. Errors: it cannot be read as a session.
+Result<SessionVerdict> verifySession(const std::string& path);
+
+/// Returns the head of a session's chain, empty if it has none. Looks at nothing else.
+Result<std::string> chainHead(const std::string& path);
+
+} // namespace bask

@@ -1,0 +1,275 @@
+// The hash chain and the seal of sessions: what was changed, removed or added is found and named.
+
+#include "engine/recording/session_verify.h"
+
+#include "engine/base/message_code.h"
+#include "engine/recording/recorded_session.h"
+#include "engine/recording/row_chain.h"
+#include "engine/recording/session_header.h"
+#include "tests/engine/recording/recording.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace bask::test {
+namespace {
+
+constexpr int kSamples = 700;
+
+class SessionVerify : public testing::Test {
+protected:
+    std::string path(const char* name = "run.bask") const {
+        return m_folder.filePath(QLatin1String(name)).toStdString();
+    }
+    /// A run with rows in every table.
+    void record(const std::string& to, bool isFinished = true) const {
+        Experiment experiment = twoDisks();
+        const auto writer = SessionWriter::create(to, experiment, true, 0.01);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        for (int k = 0; k < kSamples; ++k) {
+            ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
+            if (k % 50 == 0) {
+                const double now_s = madeUpSample(experiment, k).time_s;
+                ASSERT_TRUE((*writer)->add(TraceEvent{now_s, {MessageCode::EventHeld, {}}}));
+                ASSERT_TRUE((*writer)->add(TraceNote{now_s, "note \xc3\xa9 " + std::to_string(k)}));
+                ASSERT_TRUE((*writer)->add(CommandRow{now_s, "gains", "{\"kp\":1}"}));
+                ASSERT_TRUE((*writer)->add(
+                    TrafficLine{1, now_s, 0, TrafficKind::Sent, "robot", std::string("a\0b", 3)}, 0.0));
+                ASSERT_TRUE((*writer)->flush());
+            }
+        }
+        if (isFinished) {
+            ASSERT_TRUE((*writer)->finish("settled"));
+        }
+    }
+    static SessionVerdict verified(const std::string& file) {
+        const auto verdict = verifySession(file);
+        if (!verdict) {
+            ADD_FAILURE() << describe(verdict.error());
+            return {};
+        }
+        for (const SessionFinding& finding : verdict->findings)
+            std::printf("%s, row %lld: %d\n", finding.table.c_str(), static_cast<long long>(finding.row),
+                        static_cast<int>(finding.kind));
+        return *verdict;
+    }
+    /// What somebody with an SQLite tool does.
+    static void tamper(const std::string& file, const std::string& sql) {
+        const auto store = SessionStore::create(file);
+        ASSERT_TRUE(store);
+        const auto done = (*store)->execute(sql);
+        ASSERT_TRUE(done) << describe(done.error());
+    }
+    static SessionFinding onlyFinding(const std::string& file) {
+        const SessionVerdict verdict = verified(file);
+        EXPECT_EQ(verdict.seal, Seal::Broken);
+        EXPECT_FALSE(verdict.isIntact());
+        EXPECT_EQ(verdict.allFindings, 1);
+        return verdict.findings.empty() ? SessionFinding() : verdict.findings.front();
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(SessionVerify, findsWhatWasRecordedIntact) {
+    record(path());
+    const SessionVerdict verdict = verified(path());
+    EXPECT_TRUE(verdict.hasChain);
+    EXPECT_EQ(verdict.seal, Seal::Holds);
+    EXPECT_TRUE(verdict.isIntact());
+    EXPECT_GT(verdict.rows, kSamples + 4 * kSamples / 50);
+    EXPECT_EQ(verdict.head.size(), 64U);
+    EXPECT_EQ(*chainHead(path()), verdict.head);
+}
+
+// Catches: what Bask itself does with a session afterwards taken for tampering.
+TEST_F(SessionVerify, staysIntactThroughTagsCopiesAndTheClosingOfAnInterruptedRun) {
+    record(path());
+    const std::string head = *chainHead(path());
+    for (const auto& tags : {std::vector<std::string>{"good"}, std::vector<std::string>{"good", "second"}}) {
+        ASSERT_TRUE(writeSessionTags(path(), tags));
+        EXPECT_TRUE(verified(path()).isIntact());
+        EXPECT_EQ(verified(path()).seal, Seal::Holds);
+    }
+    ASSERT_TRUE(copySession(path(), path("copy.bask")));
+    EXPECT_TRUE(verified(path("copy.bask")).isIntact());
+    EXPECT_EQ(verified(path("copy.bask")).seal, Seal::Holds);
+    EXPECT_EQ(*chainHead(path("copy.bask")), head);
+
+    record(path("cut.bask"), false);
+    EXPECT_TRUE(verified(path("cut.bask")).isIntact());
+    ASSERT_TRUE(closeInterrupted(path("cut.bask")));
+    const SessionVerdict closed = verified(path("cut.bask"));
+    EXPECT_TRUE(closed.isIntact());
+    EXPECT_NE(closed.head, "");
+}
+
+TEST_F(SessionVerify, looksAtARunThatIsBeingRecorded) {
+    const Experiment experiment = twoDisks();
+    const auto writer = SessionWriter::create(path(), experiment, true);
+    ASSERT_TRUE(writer);
+    for (int k = 0; k < 20; ++k)
+        ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
+    ASSERT_TRUE((*writer)->flush());
+    const SessionVerdict verdict = verified(path());
+    EXPECT_TRUE(verdict.isIntact());
+    EXPECT_EQ(verdict.seal, Seal::None);
+}
+
+TEST_F(SessionVerify, namesWhatWasChanged) {
+    record(path());
+    const Experiment experiment = twoDisks();
+    const auto copied = [&] {
+        QFile::remove(QString::fromStdString(path("b.bask")));
+        QFile::copy(QString::fromStdString(path()), QString::fromStdString(path("b.bask")));
+        return path("b.bask");
+    };
+    using Kind = SessionFinding::Kind;
+    const struct {
+        const char* sql;
+        const char* table;
+        Kind kind;
+        std::int64_t row;
+        int sample; ///< whose time is named; -1: none
+    } kCases[] = {
+        {"UPDATE step SET measured_K_1 = measured_K_1 + 1e-9 WHERE number = 301", "step", Kind::Changed, 301,
+         300},
+        {"DELETE FROM step WHERE number = 301", "step", Kind::Removed, 301, 301},
+        {"DELETE FROM note WHERE rowid = 3", "note", Kind::Removed, 3, 150},
+        {"INSERT INTO note VALUES(999.0, 'mine')", "note", Kind::Added, 15, -2},
+        {"UPDATE event SET text = 'nothing' WHERE rowid = 2", "event", Kind::Changed, 2, 50},
+        {"UPDATE command SET value = '{}' WHERE rowid = 14", "command", Kind::Changed, 14, 650},
+        {"UPDATE traffic SET bytes = x'00' WHERE rowid = 1", "traffic", Kind::Changed, 1, 0},
+        {"UPDATE target_step SET target_K = 1 WHERE rowid = 1", "target_step", Kind::Changed, 1, 0},
+        {"UPDATE overview SET extremes = x'00'", "overview", Kind::Changed, 1, -1},
+        {"UPDATE meta SET value = 'stopped' WHERE key = 'outcome'", "meta", Kind::Changed, 3, -1},
+        {"UPDATE object SET name = 'x' WHERE number = 1", "object", Kind::Changed, 1, -1},
+        {"UPDATE experiment SET json = replace(json, '1', '2')", "experiment", Kind::Changed, 1, -1},
+    };
+    for (const auto& each : kCases) {
+        SCOPED_TRACE(each.sql);
+        const std::string file = copied();
+        tamper(file, each.sql);
+        const SessionFinding finding = onlyFinding(file);
+        EXPECT_EQ(finding.table, each.table);
+        EXPECT_EQ(finding.kind, each.kind);
+        EXPECT_EQ(finding.row, each.row);
+        EXPECT_EQ(finding.time_s.has_value(), each.sample != -1);
+        if (each.sample >= 0) {
+            EXPECT_EQ(finding.time_s, madeUpSample(experiment, each.sample).time_s);
+        }
+    }
+}
+
+// Catches: many rows at once told as thousands, or one that hides another.
+TEST_F(SessionVerify, namesEveryOneOfSeveral) {
+    record(path());
+    tamper(path(), "DELETE FROM step WHERE number BETWEEN 101 AND 110");
+    tamper(path(), "UPDATE step SET source_K = 300 WHERE number IN (50, 600)");
+    const SessionVerdict verdict = verified(path());
+    ASSERT_EQ(verdict.allFindings, 3);
+    EXPECT_EQ(verdict.findings[0].row, 50);
+    EXPECT_EQ(verdict.findings[1].kind, SessionFinding::Kind::Removed);
+    EXPECT_EQ(verdict.findings[1].row, 101);
+    EXPECT_EQ(verdict.findings[2].kind, SessionFinding::Kind::Changed);
+}
+
+// Catches: a forger who also changes the row's check.
+TEST_F(SessionVerify, findsAChainThatWasForgedInOneLink) {
+    record(path());
+    const std::string head = *chainHead(path());
+    tamper(path(), "UPDATE note SET text = 'forged' WHERE rowid = 5");
+    std::string checks;
+    std::int64_t number = 0;
+    {
+        const auto store = SessionStore::open(path());
+        std::vector<std::uint32_t> notes;
+        ASSERT_TRUE((*store)->select(selectRows(ChainTable::Note), [&](SessionStore::Row row) {
+            notes.push_back(checkOf(digestOf(ChainTable::Note, row)));
+        }));
+        std::size_t note = 0;
+        ASSERT_TRUE((*store)->select(kSelectLinks, [&](SessionStore::Row row) {
+            ChainLink link = *linkOf(row);
+            for (ChainLink::Entry& entry : link.rows)
+                if (entry.table == ChainTable::Note && ++note == 5) {
+                    entry.check = notes[4];
+                    number = link.number;
+                    checks = std::get<SqlBlob>(rowOf(link)[1]).bytes;
+                }
+        }));
+    }
+    tamper(path(), "UPDATE chain SET row_checks = x'" +
+                       QByteArray::fromStdString(checks).toHex().toStdString() +
+                       "' WHERE number = " + std::to_string(number));
+    const SessionFinding finding = onlyFinding(path());
+    EXPECT_EQ(finding.table, "chain");
+    EXPECT_EQ(finding.row, number);
+    EXPECT_EQ(*chainHead(path()), head);
+}
+
+// A byte anywhere: in rows, in pages' heads, in what is unused.
+TEST_F(SessionVerify, findsOneByteChangedAnywhere) {
+    record(path());
+    QFile file(QString::fromStdString(path()));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray whole = file.readAll();
+    file.close();
+    std::mt19937 random(29);
+    int named = 0;
+    for (int k = 0; k < 1000; ++k) {
+        QByteArray changed = whole;
+        const auto at = static_cast<qsizetype>(random() % static_cast<unsigned>(whole.size()));
+        changed[at] = static_cast<char>(changed[at] ^ (1 << random() % 8));
+        const QString to = m_folder.filePath(QStringLiteral("flipped.bask"));
+        QFile out(to);
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        out.write(changed);
+        out.close();
+        const auto verdict = verifySession(to.toStdString());
+        EXPECT_FALSE(verdict && verdict->isIntact()) << "byte " << at;
+        named += verdict && verdict->allFindings > 0;
+    }
+    EXPECT_GT(named, 500) << "most bytes are in rows";
+}
+
+TEST_F(SessionVerify, saysThatAnOlderSessionHasNoChain) {
+    record(path());
+    tamper(path(), "DROP TABLE chain");
+    tamper(path(), "DROP TABLE seal");
+    const SessionVerdict verdict = verified(path());
+    EXPECT_FALSE(verdict.hasChain);
+    EXPECT_FALSE(verdict.isIntact());
+    EXPECT_EQ(*chainHead(path()), "");
+    EXPECT_TRUE(readSession(path()));
+}
+
+// Catches: values that no run has, read as if they were.
+TEST_F(SessionVerify, whatNoRunRecordsIsNotOpened) {
+    record(path());
+    const std::string file = path("b.bask");
+    for (const char* sql :
+         {"UPDATE step SET measured_K_1 = 'hot' WHERE number = 5",
+          "UPDATE step SET measured_K_1 = -400 WHERE number = 5",
+          "UPDATE step SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE number = 5", "UPDATE step SET time_s = 0",
+          "UPDATE step SET time_s = 'now' WHERE number = 5",
+          "UPDATE object SET name = 'other' WHERE number = 2", "DELETE FROM object WHERE number = 2",
+          "INSERT INTO object VALUES(3, 'third')",
+          "DROP VIEW sample; CREATE VIEW sample AS SELECT time_s FROM step CROSS JOIN step"}) {
+        QFile::remove(QString::fromStdString(file));
+        ASSERT_TRUE(QFile::copy(QString::fromStdString(path()), QString::fromStdString(file)));
+        for (const QString& each : QString::fromLatin1(sql).split(QStringLiteral("; ")))
+            tamper(file, each.toStdString());
+        const auto read = readSession(file);
+        EXPECT_FALSE(read) << sql;
+        if (!read) {
+            EXPECT_EQ(read.error().code(), MessageCode::SessionDamaged) << sql;
+        }
+    }
+}
+
+} // namespace
+} // namespace bask::test
