@@ -5,6 +5,7 @@
 #include "app/report/report_setup.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/text_file.h"
+#include "engine/recording/ro_crate.h"
 #include "engine/recording/session_verify.h"
 #include "engine/recording/staged_files.h"
 #include "engine/rig/rig_setup.h"
@@ -53,6 +54,8 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
             if (!done)
                 return done.error();
         }
+    if (const auto done = addCrate(*files, session); !done)
+        return done.error();
     return files->commit();
 }
 

@@ -3,10 +3,11 @@
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
+#include "engine/exchange/hdf5_file.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/uneven_source.h"
-#include "engine/exchange/hdf5_file.h"
+#include "engine/recording/ro_crate.h"
 #include "engine/recording/staged_files.h"
 #include "engine/recording/thermal_frames.h"
 #include "engine/thermography/frame_picture_file.h"
@@ -426,6 +427,8 @@ Result<std::string> exportNexus(const SessionRecord& session, const std::string&
     auto written = files->write(name, bytes);
     if (written && *pictures)
         written = fillPictures(session.path, **pictures, files->staged(name), target);
+    if (written)
+        written = addCrate(*files, session);
     if (!written)
         return written.error();
     auto done = files->commit();

@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/recording/recorded_session.h"
+#include "engine/recording/ro_crate.h"
 #include "engine/recording/session_facts.h"
 #include "engine/recording/staged_files.h"
 
@@ -229,6 +230,8 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         done = writeTraces(*facts, traces);
     if (done)
         done = writeTables(**store, *tables, files);
+    if (done)
+        done = addCrate(*stage, *facts);
     return done ? stage->commit() : done.error();
 }
 

@@ -4,6 +4,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/model/experiment_rig.h"
 #include "engine/model/uneven_source.h"
+#include "engine/recording/ro_crate.h"
 #include "engine/recording/session_lines.h"
 #include "engine/recording/staged_files.h"
 
@@ -159,7 +160,10 @@ Result<std::vector<std::string>> exportVtk(const SessionRecord& session, const s
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
-    if (auto done = VtkExport(session, *files, stop).all(); !done)
+    auto done = VtkExport(session, *files, stop).all();
+    if (done)
+        done = addCrate(*files, session);
+    if (!done)
         return done.error();
     return files->commit();
 }

@@ -1,6 +1,7 @@
 #include "engine/recording/thermal_frames.h"
 
 #include "engine/base/message_code.h"
+#include "engine/recording/ro_crate.h"
 #include "engine/recording/session_facts.h"
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_store.h"
@@ -79,6 +80,8 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
         return Error(MessageCode::NoThermalFrames, path);
     if (done)
         done = files->write("times.csv", times);
+    if (done)
+        done = addCrate(*files, *facts);
     if (!done)
         return done.error();
     return files->commit();

@@ -170,7 +170,7 @@ TEST_F(SessionVtk, FieldsAreOverTheObjectsOwnCentresAtTheLastAngles) {
         ++compared;
     }
     EXPECT_GT(compared, 10);
-    EXPECT_EQ(files.size(), 2u + 25u + 1u + 4u);
+    EXPECT_EQ(files.size(), 2u + 25u + 1u + 4u + 1u);
 }
 
 TEST_F(SessionVtk, AnEmptyRunHasOutlinesAtItsStartAndFields) {

@@ -57,7 +57,7 @@ TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlay
     EXPECT_EQ(k, 12);
     const auto files = exportThermalFrames(path, frames);
     ASSERT_TRUE(files) << describe(files.error());
-    EXPECT_EQ(files->size(), 13U);
+    EXPECT_EQ(files->size(), 14U);
     const auto read = readFrame(frames + "/frame_0000012.tif", profile);
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ(read->picture, test::madeUpPicture(profile, 11));
