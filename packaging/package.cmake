@@ -16,6 +16,7 @@ install(FILES ${linux}/application-x-bask-session.svg ${linux}/application-x-bas
 install(FILES ${linux}/copyright DESTINATION ${doc})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/examples DESTINATION ${doc})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/program_drivers ${CMAKE_SOURCE_DIR}/resources/clusters DESTINATION ${doc} PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/python DESTINATION ${CMAKE_INSTALL_DATADIR}/bask PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${doc} FILES_MATCHING PATTERN "*.md" PATTERN images EXCLUDE)
 
 # Debian wants both compressed, and the same bytes each time.

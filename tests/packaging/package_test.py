@@ -54,6 +54,7 @@ class Package(unittest.TestCase):
         found = sorted(str(path.relative_to(self.installed)) for path in self.installed.rglob("*") if path.is_file())
         docs = [f"share/doc/bask/{path.relative_to(ROOT / 'docs')}" for path in (ROOT / "docs").rglob("*.md")]
         docs += [f"share/doc/bask/program_drivers/{path.name}" for path in (ROOT / "resources/program_drivers").glob("*.*")]
+        docs += [f"share/bask/python/{path.name}" for path in (ROOT / "resources/python").glob("*.py")]
         docs += [f"share/doc/bask/clusters/{path.name}" for path in (ROOT / "resources/clusters").glob("*")]
         examples = ROOT / "resources/examples"
         docs += [f"share/doc/bask/examples/{path.relative_to(examples)}" for path in examples.rglob("*") if path.is_file()]
