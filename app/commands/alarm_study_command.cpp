@@ -113,7 +113,7 @@ Result<std::vector<AlarmStudyRow>> rowsOf(const AlarmStudy& study, const StudyWa
         Progress progress(study.count, "runs");
         return runAlarmStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
     }
-    return mergedRows<AlarmStudyRow>(*way.merged, alarmRowOf);
+    return mergedRows<AlarmStudyRow>(*way.merged, study.count, alarmRowOf);
 }
 
 } // namespace

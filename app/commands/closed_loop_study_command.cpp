@@ -182,7 +182,7 @@ Result<Rows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
         Progress progress(study.count, "runs");
         return runClosedLoopStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
     }
-    return mergedRows<ClosedLoopRow>(*way.merged, [&](const std::string& bytes) {
+    return mergedRows<ClosedLoopRow>(*way.merged, study.count, [&](const std::string& bytes) {
         return closedLoopRowOf(bytes, study.rig.objects.size());
     });
 }

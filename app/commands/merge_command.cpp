@@ -5,9 +5,9 @@
 #include "app/commands/field_blocks.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
+#include "app/commands/shard_run.h"
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
-#include "app/exact_version.h"
 #include "engine/base/message_code.h"
 
 #include <QCommandLineParser>
@@ -17,6 +17,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <new>
+#include <optional>
+#include <set>
 
 namespace bask {
 namespace {
@@ -41,82 +44,82 @@ Result<std::vector<std::string>> partsOf(const QStringList& arguments) {
     return paths;
 }
 
-/// How far one part is.
-struct PartState {
-    std::int64_t done = 0, share = 0;
-    double mean_s = 0.0; ///< computing time of a case
-    std::string word;
-};
-
-PartState stateOf(const ShardPart& part) {
-    constexpr double kQuiet_s = 600.0;
-    PartState state;
-    state.share = part.header.shard.share(part.header.cases);
-    std::vector<bool> has(static_cast<std::size_t>(state.share), false);
-    double took_s = 0.0;
-    for (const PartRecord& record : part.records) {
-        has[static_cast<std::size_t>(record.index / part.header.shard.of)] = true;
-        took_s += record.took_s;
-    }
-    state.done = std::count(has.begin(), has.end(), true);
-    state.mean_s = part.records.empty() ? 0.0 : took_s / static_cast<double>(part.records.size());
+/// Whether somebody works on a part: by its lock, or where there are none by its last change.
+bool isUnderWay(const ShardPart& part) {
+    constexpr double kQuiet_s = 60.0;
     const double quiet_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - part.changed_ms);
-    state.word = part.isDamaged              ? "damaged"
-                 : state.done == state.share ? "done"
-                 : part.isBeingWritten       ? "under way"
-                 : quiet_s < kQuiet_s        ? "written " + roughDuration(quiet_s) + " ago"
-                                             : "rests for " + roughDuration(quiet_s);
-    return state;
+    return part.isBeingWritten || quiet_s < kQuiet_s;
 }
 
-/// Cases a second of the parts that are not done, by how they came so far.
-double speedOf(const ShardPart& part, const PartState& state) {
-    const double since_s = 1e-3 * static_cast<double>(part.changed_ms - part.begun_ms);
-    return state.done < state.share && since_s > 0.0 ? static_cast<double>(state.done) / since_s : 0.0;
+/// Cases a second, by the computing time of those that are there.
+double speedOf(const ShardPart& part) {
+    double took_s = 0.0;
+    for (const PartRecord& record : part.records)
+        took_s += record.took_s;
+    return took_s > 0.0 && isUnderWay(part)
+               ? static_cast<double>(part.header.threads) * static_cast<double>(part.records.size()) / took_s
+               : 0.0;
+}
+
+std::string wordOf(const ShardPart& part, std::int64_t share) {
+    const double quiet_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - part.changed_ms);
+    return part.isDamaged                                            ? "damaged"
+           : static_cast<std::int64_t>(part.records.size()) >= share ? "done"
+           : isUnderWay(part)                                        ? "under way"
+                                                                     : "rests for " + roughDuration(quiet_s);
 }
 
 int printStatus(const std::vector<std::string>& paths) {
-    std::vector<ShardPart> parts;
+    std::optional<PartHeader> first;
+    std::vector<bool> has;
+    std::set<int> begun;
+    bool isDamaged = false;
+    double speed = 0.0;
     for (const std::string& path : paths) {
-        auto part = readPart(path);
+        const auto part = readPart(path, false);
         if (!part && part.error().code() == MessageCode::FileEmpty)
             continue; // its process has just begun
         if (!part)
             return refuse(kName, part.error());
-        if (!parts.empty())
-            if (const auto same = checkSameWork(path, part->header.work, parts.front().header.work); !same)
-                return refuse(kName, same.error());
-        parts.push_back(std::move(*part));
+        if (!first) {
+            first = part->header;
+            has.resize(static_cast<std::size_t>(first->cases));
+        }
+        if (const auto same = checkSameParts(path, part->header, *first); !same)
+            return refuse(kName, same.error());
+        for (const PartRecord& record : part->records)
+            has[static_cast<std::size_t>(record.index)] = true;
+        begun.insert(part->header.shard.number);
+        isDamaged = isDamaged || part->isDamaged;
+        const std::int64_t share = part->header.shard.share(part->header.cases);
+        const std::string word = wordOf(*part, share);
+        if (word == "under way")
+            speed += speedOf(*part);
+        std::printf("%s: %zu of %lld, %s\n", path.c_str(), part->records.size(),
+                    static_cast<long long>(share), word.c_str());
     }
-    if (parts.empty())
+    if (!first)
         return refuse(kName, Error(MessageCode::FileEmpty, paths.front()));
-    std::int64_t done = 0;
-    double speed = 0.0;
-    for (const ShardPart& part : parts) {
-        const PartState state = stateOf(part);
-        std::printf("%s: %lld of %lld, %s\n", part.path.c_str(), static_cast<long long>(state.done),
-                    static_cast<long long>(state.share), state.word.c_str());
-        done += state.done;
-        speed += speedOf(part, state);
-    }
-    const std::int64_t cases = parts.front().header.cases;
-    const int of = parts.front().header.shard.of;
-    if (static_cast<int>(parts.size()) < of)
-        std::printf("%d of %d shards have not begun\n", of - static_cast<int>(parts.size()), of);
+    if (const int lacking = first->shard.of - static_cast<int>(begun.size()); lacking > 0)
+        std::printf("%d of %d shards have not begun\n", lacking, first->shard.of);
+    const auto done = std::count(has.begin(), has.end(), true);
+    const auto cases = static_cast<std::ptrdiff_t>(has.size());
     std::printf(
         "%lld of %lld cases (%.1f %%)%s\n", static_cast<long long>(done), static_cast<long long>(cases),
         100.0 * static_cast<double>(done) / static_cast<double>(cases),
         done < cases && speed > 0.0
             ? (", about " + roughDuration(static_cast<double>(cases - done) / speed) + " left").c_str()
             : "");
-    return done == cases ? kExitDone : kExitNegative;
+    return done == cases && !isDamaged ? kExitDone : kExitNegative;
 }
 
 /// Parts of another version would be written as this one writes them.
 Result<void> checkVersion(const MergedParts& parts) {
-    const std::string own = "Bask " + exactVersion().toStdString();
+    const std::string own = ownSoftware();
     const auto work = nlohmann::json::parse(parts.work());
-    const std::string theirs = work.value("software", "");
+    const auto software = work.find("software");
+    const std::string theirs =
+        software != work.end() && software->is_string() ? software->get<std::string>() : std::string();
     return theirs == own ? Result<void>()
                          : Error(MessageCode::PartOfAnother, "the parts", {"software", own, theirs});
 }
@@ -162,7 +165,11 @@ int mergeCommand(const QStringList& arguments) {
     }
     if (parser.value("output").isEmpty())
         return refuse(kName, QStringLiteral("-o PATH is needed"));
-    return mergeInto(parser.value("output"), *paths);
+    try {
+        return mergeInto(parser.value("output"), *paths);
+    } catch (const std::bad_alloc&) {
+        return refuse(kName, QStringLiteral("there is not enough memory for these parts"));
+    }
 }
 
 } // namespace bask

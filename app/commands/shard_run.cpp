@@ -14,7 +14,12 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <mutex>
+#include <thread>
+
+#include <elf.h>
+#include <link.h>
 
 namespace bask {
 namespace {
@@ -57,7 +62,40 @@ Result<void> selectProcessor(const QString& name) {
     return Error(MessageCode::ValueUnknown, "--processor", {name.toStdString(), known});
 }
 
+/// The linker's identification of this program, in hex: the revision alone does not tell of changes since.
+std::string buildId() {
+    std::string id;
+    const auto look = [](dl_phdr_info* info, std::size_t, void* to) {
+        for (int k = 0; k < info->dlpi_phnum; ++k) {
+            const auto& segment = info->dlpi_phdr[k];
+            if (segment.p_type != PT_NOTE)
+                continue;
+            const auto* at = reinterpret_cast<const unsigned char*>(info->dlpi_addr + segment.p_vaddr);
+            const unsigned char* const end = at + segment.p_memsz;
+            while (at + sizeof(ElfW(Nhdr)) <= end) {
+                ElfW(Nhdr) note;
+                std::memcpy(&note, at, sizeof note);
+                const unsigned char* const bytes = at + sizeof note + ((note.n_namesz + 3U) & ~3U);
+                if (note.n_type == NT_GNU_BUILD_ID)
+                    *static_cast<std::string*>(to) =
+                        QByteArray(reinterpret_cast<const char*>(bytes),
+                                   std::min<int>(8, static_cast<int>(note.n_descsz)))
+                            .toHex()
+                            .toStdString();
+                at = bytes + ((note.n_descsz + 3U) & ~3U);
+            }
+        }
+        return 1; // the program itself comes first
+    };
+    ::dl_iterate_phdr(look, &id);
+    return id.empty() ? "unknown" : id;
+}
+
 } // namespace
+
+std::string ownSoftware() {
+    return "Bask " + exactVersion().toStdString() + ", build " + buildId();
+}
 
 void addShardOptions(QCommandLineParser& parser) {
     parser.addOptions(
@@ -98,7 +136,7 @@ Result<ShardOptions> readShardOptions(const QCommandLineParser& parser) {
 
 std::string fullWork(const std::string& asked) {
     auto work = nlohmann::json::parse(asked);
-    work["software"] = "Bask " + exactVersion().toStdString();
+    work["software"] = ownSoftware();
     work["processor"] = kernels::kernels().name;
     return work.dump();
 }
@@ -113,7 +151,11 @@ std::string partPath(const std::string& stem, const Shard& shard) {
 int runShard(const char* command, const std::string& stem, const DividedWork& work,
              const ShardOptions& options) {
     const std::string path = partPath(stem, *options.shard);
-    auto part = PartWriter::open(path, {fullWork(work.asked), work.cases, *options.shard}, options.resumes);
+    const int threads = options.threads > 0
+                            ? options.threads
+                            : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    auto part =
+        PartWriter::open(path, {fullWork(work.asked), work.cases, *options.shard, threads}, options.resumes);
     if (!part)
         return refuse(command, part.error());
     const std::vector<std::int64_t>& missing = (*part)->missing();
@@ -122,8 +164,10 @@ int runShard(const char* command, const std::string& stem, const DividedWork& wo
     std::atomic<bool> isOver = false;
     const auto keep = [&](std::int64_t index, const Result<std::string>& record, double took_s) {
         const std::lock_guard lock(mutex);
+        if (failed)
+            return;
         auto kept = record ? (*part)->add(index, *record, took_s) : Result<void>(record.error());
-        if (!kept && !failed)
+        if (!kept)
             failed = kept.error();
         isOver = failed.has_value();
     };

@@ -36,6 +36,8 @@ struct DividedWork {
     std::function<Result<std::string>(std::int64_t index)> compute; ///< thread-safe
 };
 
+/// Returns the program's version and build, as parts have it.
+std::string ownSoftware();
 /// Returns what was asked for with the program's version and the kind of processor.
 std::string fullWork(const std::string& asked);
 
@@ -46,9 +48,11 @@ std::string partPath(const std::string& stem, const Shard& shard);
 int runShard(const char* command, const std::string& stem, const DividedWork& work,
              const ShardOptions& options);
 
-/// Returns the rows of all cases; `decode` returns an optional, empty for bytes that are no row.
+/// Returns the rows of all `count` cases; `decode` returns an optional, empty for bytes that are no row.
 template <class Row, class Decode>
-Result<std::vector<Row>> mergedRows(const MergedParts& parts, Decode decode) {
+Result<std::vector<Row>> mergedRows(const MergedParts& parts, std::int64_t count, Decode decode) {
+    if (parts.cases() != count)
+        return Error(MessageCode::NotAPart, "the parts");
     std::vector<Row> rows;
     for (std::int64_t index = 0; index < parts.cases(); ++index) {
         const auto bytes = parts.record(index);

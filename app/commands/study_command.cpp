@@ -231,8 +231,11 @@ int mergeStudy(const MergedParts& parts, const QString& folder) {
     QStringList arguments{QStringLiteral("bask")};
     QString study;
     const auto work = nlohmann::json::parse(parts.work());
+    const QString unknown = QStringLiteral("the parts are of a study that this Bask does not know");
     for (const auto& [key, value] : work.items())
-        if (key == "study")
+        if (!value.is_string())
+            return refuse("merge", unknown);
+        else if (key == "study")
             study = QString::fromStdString(value.get<std::string>());
         else if (key != "software" && key != "processor")
             arguments << "--" + QString::fromStdString(key)
@@ -240,7 +243,7 @@ int mergeStudy(const MergedParts& parts, const QString& folder) {
     QCommandLineParser parser;
     addOptions(parser);
     if (!parser.parse(arguments) || (study != kClosedLoop && study != kAlarms))
-        return refuse("merge", QStringLiteral("the parts are of a study that this Bask does not know"));
+        return refuse("merge", unknown);
     return runDivided(parser, study, folder, {{}, &parts});
 }
 

@@ -1,5 +1,6 @@
 #include "engine/studies/part_file.h"
 
+#include "engine/base/json_text.h"
 #include "engine/base/message_code.h"
 
 #include <nlohmann/json.hpp>
@@ -8,13 +9,12 @@
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <chrono>
+#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <optional>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -30,86 +30,108 @@ constexpr std::size_t kMaxHeader = 1 << 20;
 constexpr std::uint32_t kMaxRecord = 1U << 30;
 constexpr std::int64_t kMaxCases = 10'000'000;
 
-/// In front of each record's bytes.
+/// In front of each record's bytes. Both checks go on from that of the header's line, so that a record
+/// belongs to it.
 struct RecordHead {
-    std::uint32_t check = 0; ///< CRC-32 of all that follows, the record's bytes with it
     std::uint32_t length = 0;
+    std::uint32_t bytesCheck = 0; ///< CRC-32 of the record's bytes
     std::int64_t index = 0;
     double took_s = 0.0;
+    std::uint32_t unused = 0;
+    std::uint32_t headCheck = 0; ///< CRC-32 of what is above
 };
-static_assert(sizeof(RecordHead) == 24);
+static_assert(sizeof(RecordHead) == 32);
 
-std::uint32_t checkOf(const RecordHead& head, std::string_view record) {
-    RecordHead rest = head;
-    std::array<unsigned char, sizeof rest> bytes;
-    std::memcpy(bytes.data(), &rest, sizeof rest);
-    const uLong first = crc32(0, bytes.data() + sizeof rest.check, sizeof rest - sizeof rest.check);
+std::uint32_t checkOf(std::uint32_t before, std::string_view bytes) {
     return static_cast<std::uint32_t>(
-        crc32_z(first, reinterpret_cast<const Bytef*>(record.data()), record.size()));
+        crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+}
+
+std::uint32_t headCheckOf(std::uint32_t line, const RecordHead& head) {
+    return checkOf(line, {reinterpret_cast<const char*>(&head), offsetof(RecordHead, headCheck)});
 }
 
 std::string headerLine(const PartHeader& header) {
-    const auto now = std::chrono::system_clock::now().time_since_epoch();
-    const Json json{{"bask_part", kPartVersion},
-                    {"shard", header.shard.number},
-                    {"of", header.shard.of},
-                    {"cases", header.cases},
-                    {"begun_ms", std::chrono::duration_cast<std::chrono::milliseconds>(now).count()},
-                    {"work", Json::parse(header.work)}};
+    const Json json{{"bask_part", kPartVersion}, {"shard", header.shard.number},
+                    {"of", header.shard.of},     {"cases", header.cases},
+                    {"threads", header.threads}, {"work", Json::parse(header.work)}};
     return json.dump() + '\n';
 }
 
 /// The header without its line's end.
 Result<void> readHeader(const std::string& line, ShardPart& part) {
     const Error foreign(MessageCode::NotAPart, part.path);
-    const Json json = Json::parse(line, nullptr, false);
-    if (!json.is_object() || !json.contains("bask_part"))
+    std::int64_t version = 0, shard = 0, of = 0, threads = 0;
+    const Failure failed = readJsonTree(line, part.path, [&](const Json& json, Failure&) {
+        const auto whole = [&](const char* key) {
+            const Json& value = json.at(key);
+            return value.is_number_integer() ? value.get<std::int64_t>() : -1;
+        };
+        version = whole("bask_part");
+        shard = whole("shard");
+        of = whole("of");
+        threads = whole("threads");
+        part.header.cases = json.at("work").is_object() ? whole("cases") : -1;
+        part.header.work = json.at("work").dump();
+    });
+    if (version > kPartVersion)
+        return Error(MessageCode::VersionTooNew, part.path,
+                     {std::to_string(version), std::to_string(kPartVersion)});
+    if (failed || version < 1 || part.header.cases < 1 || part.header.cases > kMaxCases || of < 1 ||
+        of > kMaxShards || shard < 1 || shard > of || threads < 1 || threads > kMaxShards)
         return foreign;
-    try {
-        if (const int version = json.at("bask_part"); version > kPartVersion)
-            return Error(MessageCode::VersionTooNew, part.path,
-                         {std::to_string(version), std::to_string(kPartVersion)});
-        part.header = {json.at("work").dump(), json.at("cases"), {json.at("shard"), json.at("of")}};
-        part.begun_ms = json.at("begun_ms");
-    } catch (const Json::exception&) {
-        return foreign;
-    }
-    const auto& [number, of] = part.header.shard;
-    if (!json.at("work").is_object() || part.header.cases < 1 || part.header.cases > kMaxCases || of < 1 ||
-        of > kMaxShards || number < 1 || number > of)
-        return foreign;
+    part.header.shard = {static_cast<int>(shard), static_cast<int>(of)};
+    part.header.threads = static_cast<int>(threads);
     return {};
 }
 
-/// Reads records as long as they are whole.
-void readRecords(std::istream& in, std::int64_t size, ShardPart& part) {
+/// Reads records as long as they are whole; their bytes too, if they are to be checked.
+void readRecords(std::istream& in, std::int64_t size, bool checksBytes, ShardPart& part) {
     std::string bytes;
     for (;;) {
         RecordHead head;
         const std::int64_t begin = part.wholeBytes + static_cast<std::int64_t>(sizeof head);
         if (begin > size || !in.read(reinterpret_cast<char*>(&head), sizeof head))
             return;
-        const bool isPossible = head.length <= kMaxRecord && head.index >= 0 &&
-                                head.index < part.header.cases && part.header.shard.has(head.index);
-        if (isPossible && begin + head.length > size)
-            return;
-        bytes.resize(isPossible ? head.length : 0);
-        if (isPossible && !in.read(bytes.data(), head.length))
-            return;
-        if (!isPossible || checkOf(head, bytes) != head.check) {
-            part.isDamaged = true;
-            return;
+        part.isDamaged = headCheckOf(part.check, head) != head.headCheck || head.length > kMaxRecord ||
+                         head.index < 0 || head.index >= part.header.cases ||
+                         !part.header.shard.has(head.index);
+        if (part.isDamaged || begin + head.length > size)
+            return; // the last one was cut off by a kill
+        if (checksBytes) {
+            bytes.resize(head.length);
+            if (!in.read(bytes.data(), head.length))
+                return;
+            part.isDamaged = checkOf(part.check, bytes) != head.bytesCheck;
+        } else {
+            in.seekg(head.length, std::ios::cur);
         }
-        part.records.push_back({head.index, head.took_s, begin, head.length});
+        if (part.isDamaged)
+            return;
+        part.records.push_back({head.index, head.took_s, begin, head.length, head.bytesCheck});
         part.wholeBytes = begin + head.length;
     }
 }
 
+/// Locks of open file descriptions: they are of a process's own descriptor, and file systems over a network
+/// have them.
+bool lockPart(int file) {
+    struct flock lock {};
+    lock.l_type = F_WRLCK;
+    lock.l_whence = SEEK_SET;
+    return ::fcntl(file, F_OFD_SETLK, &lock) == 0 ||
+           (errno != EAGAIN && errno != EACCES); // some have no locks
+}
+
+/// Asks without taking it.
 bool isLocked(const std::string& path) {
     const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0)
         return false;
-    const bool locked = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    struct flock lock {};
+    lock.l_type = F_RDLCK;
+    lock.l_whence = SEEK_SET;
+    const bool locked = ::fcntl(file, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     ::close(file);
     return locked;
 }
@@ -131,19 +153,18 @@ std::vector<std::int64_t> missingOf(const Shard& shard, std::int64_t cases,
 }
 
 /// Writes all bytes, or returns false with errno.
-bool writeAll(int file, std::string_view bytes) {
+bool writeAll(int file, std::string_view bytes, std::int64_t offset) {
     while (!bytes.empty()) {
-        const ssize_t written = ::write(file, bytes.data(), bytes.size());
+        const ssize_t written = ::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(offset));
         if (written < 0 && errno == EINTR)
             continue;
         if (written < 0)
             return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
+        offset += written;
     }
     return true;
 }
-
-} // namespace
 
 Result<void> checkSameWork(const std::string& where, const std::string& there, const std::string& here) {
     const Json a = Json::parse(here), b = Json::parse(there);
@@ -160,14 +181,28 @@ Result<void> checkSameWork(const std::string& where, const std::string& there, c
     return {};
 }
 
+} // namespace
+
+Result<void> checkSameParts(const std::string& where, const PartHeader& there, const PartHeader& here) {
+    auto same = checkSameWork(where, there.work, here.work);
+    const auto differs = [&](const char* what, std::int64_t ofHere, std::int64_t ofThere) {
+        return Error(MessageCode::PartOfAnother, where,
+                     {what, std::to_string(ofHere), std::to_string(ofThere)});
+    };
+    if (same && there.cases != here.cases)
+        return differs("cases", here.cases, there.cases);
+    if (same && there.shard.of != here.shard.of)
+        return differs("of", here.shard.of, there.shard.of);
+    return same;
+}
+
 Result<std::unique_ptr<PartWriter>> PartWriter::open(const std::string& path, const PartHeader& header,
                                                      bool resumes) {
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (file < 0)
         return Error(MessageCode::FileUnwritable, path, {std::strerror(errno)});
     std::unique_ptr<PartWriter> writer(new PartWriter(path, file));
-    // Where a file system has no locks it goes without.
-    if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    if (!lockPart(file))
         return Error(MessageCode::PartBusy, path);
     struct stat info {};
     if (::fstat(file, &info) != 0)
@@ -192,7 +227,8 @@ Error PartWriter::unwritable() const {
 
 Result<void> PartWriter::begin(const PartHeader& header) {
     const std::string line = headerLine(header);
-    if (!writeAll(m_file, line)) {
+    m_check = checkOf(0, line);
+    if (!writeAll(m_file, line, 0)) {
         const Error error = unwritable();
         (void)::ftruncate(m_file, 0);
         return error;
@@ -203,39 +239,33 @@ Result<void> PartWriter::begin(const PartHeader& header) {
 }
 
 Result<void> PartWriter::goOn(const PartHeader& header) {
-    auto part = readPart(m_path);
+    auto part = readPart(m_path, true);
     // A header that was cut off: nothing was computed.
     if (!part && part.error().code() == MessageCode::FileEmpty)
         return ::ftruncate(m_file, 0) == 0 ? begin(header) : Result<void>(unwritable());
     if (!part)
         return part.error();
-    if (auto same = checkSameWork(m_path, part->header.work, header.work); !same)
+    if (auto same = checkSameParts(m_path, part->header, header); !same)
         return same;
-    const auto differs = [&](const char* what, std::int64_t here, std::int64_t there) {
-        return Error(MessageCode::PartOfAnother, m_path, {what, std::to_string(here), std::to_string(there)});
-    };
-    if (part->header.cases != header.cases)
-        return differs("cases", header.cases, part->header.cases);
-    if (part->header.shard.of != header.shard.of)
-        return differs("of", header.shard.of, part->header.shard.of);
     if (part->header.shard.number != header.shard.number)
-        return differs("shard", header.shard.number, part->header.shard.number);
+        return Error(
+            MessageCode::PartOfAnother, m_path,
+            {"shard", std::to_string(header.shard.number), std::to_string(part->header.shard.number)});
     m_size = part->wholeBytes;
+    m_check = part->check;
     if (::ftruncate(m_file, m_size) != 0)
-        return unwritable();
-    if (::lseek(m_file, m_size, SEEK_SET) < 0)
         return unwritable();
     m_missing = missingOf(header.shard, header.cases, part->records);
     return {};
 }
 
 Result<void> PartWriter::add(std::int64_t index, std::string_view record, double took_s) {
-    RecordHead head{0, static_cast<std::uint32_t>(record.size()), index, took_s};
-    head.check = checkOf(head, record);
+    RecordHead head{static_cast<std::uint32_t>(record.size()), checkOf(m_check, record), index, took_s, 0, 0};
+    head.headCheck = headCheckOf(m_check, head);
     std::string bytes(sizeof head + record.size(), '\0');
     std::memcpy(bytes.data(), &head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, record.data(), record.size());
-    if (!writeAll(m_file, bytes)) {
+    if (!writeAll(m_file, bytes, m_size)) {
         const Error error = unwritable();
         (void)::ftruncate(m_file, m_size); // of a full disk; else it is cut off when it is read
         return error;
@@ -248,10 +278,14 @@ Result<void> PartWriter::finish() {
     return ::fsync(m_file) == 0 || errno == EINVAL ? Result<void>() : unwritable();
 }
 
-Result<ShardPart> readPart(const std::string& path) {
+Result<ShardPart> readPart(const std::string& path, bool checksBytes) {
     struct stat info {};
+    if (::stat(path.c_str(), &info) != 0)
+        return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
+    if (!S_ISREG(info.st_mode))
+        return Error(MessageCode::NotAPart, path);
     std::ifstream in(path, std::ios::binary);
-    if (!in || ::stat(path.c_str(), &info) != 0)
+    if (!in)
         return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
     ShardPart part;
     part.path = path;
@@ -259,13 +293,15 @@ Result<ShardPart> readPart(const std::string& path) {
     std::string line;
     for (char c = 0; line.size() < kMaxHeader && in.get(c) && c != '\n';)
         line += c;
-    if (!in && (line.empty() || line.starts_with("{\"bask_part\"") ||
-                std::string("{\"bask_part\"").starts_with(line)))
+    constexpr std::string_view kBegin = "{\"bask_part\"";
+    if (!in && (line.starts_with(kBegin) || kBegin.starts_with(line)))
         return Error(MessageCode::FileEmpty, path);
     if (auto header = readHeader(line, part); !header)
         return header.error();
-    part.wholeBytes = static_cast<std::int64_t>(line.size()) + 1;
-    readRecords(in, info.st_size, part);
+    line += '\n';
+    part.check = checkOf(0, line);
+    part.wholeBytes = static_cast<std::int64_t>(line.size());
+    readRecords(in, info.st_size, checksBytes, part);
     part.isBeingWritten = isLocked(path);
     return part;
 }
@@ -292,7 +328,9 @@ Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
     MergedParts merged;
     std::optional<PartHeader> first;
     for (const std::string& path : paths) {
-        auto part = readPart(path);
+        auto part = readPart(path, true);
+        if (!part && part.error().code() == MessageCode::FileEmpty)
+            continue; // its process was ended before it had a result
         if (!part)
             return part.error();
         if (part->isDamaged)
@@ -302,16 +340,16 @@ Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
             merged.m_work = first->work;
             merged.m_places.resize(static_cast<std::size_t>(first->cases));
         }
-        if (auto same = checkSameWork(path, part->header.work, first->work); !same)
+        if (auto same = checkSameParts(path, part->header, *first); !same)
             return same.error();
-        if (part->header.cases != first->cases)
-            return Error(MessageCode::PartOfAnother, path,
-                         {"cases", std::to_string(first->cases), std::to_string(part->header.cases)});
         for (const PartRecord& record : part->records)
             merged.m_places[static_cast<std::size_t>(record.index)] = {
-                static_cast<std::int32_t>(merged.m_paths.size()), record.length, record.offset};
-        merged.m_paths.push_back(path);
+                static_cast<std::int32_t>(merged.m_parts.size()), record.length, record.bytesCheck,
+                record.offset};
+        merged.m_parts.push_back({path, part->check});
     }
+    if (!first)
+        return Error(MessageCode::FileEmpty, paths.empty() ? "" : paths.front());
     std::vector<std::int64_t> missing;
     for (std::size_t k = 0; k < merged.m_places.size(); ++k)
         if (merged.m_places[k].part < 0)
@@ -325,11 +363,13 @@ Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
 
 Result<std::string> MergedParts::record(std::int64_t index) const {
     const Place& place = m_places.at(static_cast<std::size_t>(index));
-    const std::string& path = m_paths[static_cast<std::size_t>(place.part)];
+    const auto& [path, check] = m_parts[static_cast<std::size_t>(place.part)];
     std::ifstream in(path, std::ios::binary);
     std::string bytes(place.length, '\0');
     if (!in.seekg(place.offset) || !in.read(bytes.data(), place.length))
         return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
+    if (checkOf(check, bytes) != place.bytesCheck)
+        return Error(MessageCode::PartDamaged, path, {std::to_string(index)});
     return bytes;
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace bask {
@@ -32,6 +33,7 @@ struct PartHeader {
     std::string work;
     std::int64_t cases = 0; ///< of the whole work
     Shard shard;
+    int threads = 1; ///< of the process that began it
 };
 
 /// Writes a part. Nobody else can while it lives. Not thread-safe.
@@ -60,7 +62,8 @@ private:
 
     std::string m_path;
     int m_file;
-    std::int64_t m_size = 0; ///< bytes of whole records
+    std::int64_t m_size = 0;   ///< bytes of whole records
+    std::uint32_t m_check = 0; ///< of the header's line
     std::vector<std::int64_t> m_missing;
 };
 
@@ -70,6 +73,7 @@ struct PartRecord {
     double took_s = 0.0;
     std::int64_t offset = 0; ///< of its bytes in the file
     std::uint32_t length = 0;
+    std::uint32_t bytesCheck = 0; ///< CRC-32 of the header's line and of these bytes
 };
 
 /// A part that was read: its header, and what records it has.
@@ -81,13 +85,15 @@ struct ShardPart {
     /// damage: its process was killed.)
     bool isDamaged = false;
     std::int64_t wholeBytes = 0; ///< from the beginning
-    std::int64_t begun_ms = 0;   ///< since 1970: when the header was written
+    std::uint32_t check = 0;     ///< of the header's line
     std::int64_t changed_ms = 0; ///< since 1970: when the file was changed last
-    bool isBeingWritten = false; ///< by a process on this computer, or one whose locks the file system shows
+    bool isBeingWritten = false; ///< by a process whose lock the file system shows
 };
 
-/// Reads and checks every byte of a part. Errors: NotAPart, FileUnreadable.
-Result<ShardPart> readPart(const std::string& path);
+/// Reads a part. `checksBytes`: every byte of it; else the records' heads, which have a check of their own,
+/// as for a look at how far it is. Errors: NotAPart, FileUnreadable, FileEmpty for one that was ended before
+/// its header was whole.
+Result<ShardPart> readPart(const std::string& path, bool checksBytes);
 
 /// The results of all cases of a work, from its parts.
 class MergedParts {
@@ -103,16 +109,16 @@ public:
 private:
     struct Place {
         std::int32_t part = -1;
-        std::uint32_t length = 0;
+        std::uint32_t length = 0, bytesCheck = 0;
         std::int64_t offset = 0;
     };
 
     std::string m_work;
-    std::vector<std::string> m_paths;
-    std::vector<Place> m_places; ///< by case
+    std::vector<std::pair<std::string, std::uint32_t>> m_parts; ///< path, and check of the header's line
+    std::vector<Place> m_places;                                ///< by case
 };
 
-/// Returns an error that names the first difference between two works, or success if they are the same.
-Result<void> checkSameWork(const std::string& where, const std::string& there, const std::string& here);
+/// Success if two parts are of the same work, divided alike; else an error that names the first difference.
+Result<void> checkSameParts(const std::string& where, const PartHeader& there, const PartHeader& here);
 
 } // namespace bask

@@ -1,5 +1,7 @@
 #include "engine/studies/row_bytes.h"
 
+#include "engine/base/json_text.h"
+
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -36,29 +38,25 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmStudyRow, drawn, simulated_s, alarms, is
 
 namespace {
 
-// CBOR and not text: numbers that are not finite go through it too.
-template <class Row> std::string cborOf(const Row& row) {
-    std::string bytes;
-    nlohmann::json::to_cbor(nlohmann::json(row), bytes);
-    return bytes;
+template <class Row> std::string textOfRow(const Row& row) {
+    return nlohmann::json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 template <class Row> std::optional<Row> rowOf(const std::string& bytes) {
-    try {
-        return nlohmann::json::from_cbor(bytes).get<Row>();
-    } catch (const nlohmann::json::exception&) {
-        return std::nullopt;
-    }
+    std::optional<Row> row;
+    const Failure failed =
+        readJsonTree(bytes, "row", [&](const nlohmann::json& json, Failure&) { row = json.get<Row>(); });
+    return failed ? std::nullopt : row;
 }
 
 } // namespace
 
 std::string bytesOf(const ClosedLoopRow& row) {
-    return cborOf(row);
+    return textOfRow(row);
 }
 
 std::string bytesOf(const AlarmStudyRow& row) {
-    return cborOf(row);
+    return textOfRow(row);
 }
 
 std::optional<ClosedLoopRow> closedLoopRowOf(const std::string& bytes, std::size_t objects) {

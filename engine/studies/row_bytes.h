@@ -1,5 +1,5 @@
 #pragma once
-// Rows of the studies as bytes, for parts: nothing is rounded, so that a table of rows that went through a
+// Rows of the studies as JSON, for parts: nothing is rounded, so that a table of rows that went through a
 // part is the same to the last digit.
 
 #include "engine/studies/alarm_study.h"

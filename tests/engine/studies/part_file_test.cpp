@@ -107,7 +107,7 @@ TEST_F(PartFile, goesOnAfterAKillAtAnyByte) {
         if (size >= line) { // the header has the time in it
             EXPECT_EQ(bytesOfFile(path()).substr(line), whole.substr(line));
         }
-        const auto part = readPart(path());
+        const auto part = readPart(path(), true);
         ASSERT_TRUE(part);
         EXPECT_EQ(part->records.size(), 3U);
         EXPECT_FALSE(part->isDamaged);
@@ -180,7 +180,7 @@ TEST_F(PartFile, isOneProcessesOwnAndNotBegunTwice) {
     const auto beside = PartWriter::open(path(), header(), true);
     ASSERT_FALSE(beside);
     EXPECT_EQ(beside.error().code(), MessageCode::PartBusy);
-    EXPECT_TRUE(readPart(path())->isBeingWritten);
+    EXPECT_TRUE(readPart(path(), true)->isBeingWritten);
     writeFile(path("done.part"), bytesOfFile(path()));
     const auto again = PartWriter::open(path("done.part"), header(), false);
     ASSERT_FALSE(again);
@@ -190,22 +190,22 @@ TEST_F(PartFile, isOneProcessesOwnAndNotBegunTwice) {
 TEST_F(PartFile, refusesForeignFiles) {
     for (const std::string& bytes :
          {std::string("x"), std::string("{}\n"), std::string(3 << 20, 'a'), std::string("\n\n\n"),
-          std::string(R"({"bask_part":1,"shard":1,"of":1,"cases":99999999999999,"begun_ms":1,"work":{}})"
+          std::string(R"({"bask_part":1,"shard":1,"of":1,"cases":99999999999999,"threads":1,"work":{}})"
                       "\n"),
-          std::string(R"({"bask_part":1,"shard":0,"of":1,"cases":5,"begun_ms":1,"work":{}})"
+          std::string(R"({"bask_part":1,"shard":0,"of":1,"cases":5,"threads":1,"work":{}})"
                       "\n"),
-          std::string(R"({"bask_part":1,"shard":1,"of":1,"cases":5,"begun_ms":1,"work":[]})"
+          std::string(R"({"bask_part":1,"shard":1,"of":1,"cases":5,"threads":1,"work":[]})"
                       "\n"),
-          std::string(R"({"bask_part":"one","shard":1,"of":1,"cases":5,"begun_ms":1,"work":{}})"
+          std::string(R"({"bask_part":"one","shard":1,"of":1,"cases":5,"threads":1,"work":{}})"
                       "\n"),
-          std::string(R"({"bask_part":2,"shard":1,"of":1,"cases":5,"begun_ms":1,"work":{}})"
+          std::string(R"({"bask_part":2,"shard":1,"of":1,"cases":5,"threads":1,"work":{}})"
                       "\n")}) {
         writeFile(path(), bytes);
-        EXPECT_FALSE(readPart(path())) << bytes.substr(0, 80);
+        EXPECT_FALSE(readPart(path(), true)) << bytes.substr(0, 80);
         EXPECT_FALSE(PartWriter::open(path(), header(), true)) << bytes.substr(0, 80);
         EXPECT_EQ(bytesOfFile(path()), bytes) << "lost";
     }
-    EXPECT_FALSE(readPart(path("nowhere.part")));
+    EXPECT_FALSE(readPart(path("nowhere.part"), true));
     EXPECT_FALSE(PartWriter::open(path("no/folder.part"), header(), true));
     EXPECT_FALSE(PartWriter::open(m_folder.string(), header(), true));
 }
@@ -241,7 +241,7 @@ TEST(RowBytes, giveTheRowBack) {
     row.drawn.robotLatency_s = 0.3;
     row.drawn.uneven = 0.4;
     row.drawn.radiation_s = 1.0 / 3.0;
-    row.drawn.bound_s = INFINITY;
+    row.drawn.bound_s = 0.1 + 0.2;
     row.drawn.travel_s = 1e-300;
     row.settling_s = 12.3;
     row.overshoot_K = 0.7;
@@ -256,7 +256,7 @@ TEST(RowBytes, giveTheRowBack) {
     EXPECT_EQ(back->drawn.seed, row.drawn.seed);
     EXPECT_EQ(back->drawn.mountings, row.drawn.mountings);
     EXPECT_EQ(back->drawn.goal, row.drawn.goal);
-    EXPECT_EQ(back->drawn.bound_s, INFINITY);
+    EXPECT_EQ(back->drawn.bound_s, 0.1 + 0.2);
     EXPECT_EQ(back->drawn.radiation_s, 1.0 / 3.0);
     EXPECT_EQ(back->settling_s, row.settling_s);
     EXPECT_EQ(back->restSpeed_m_s, std::nullopt);
