@@ -7,6 +7,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
 #include "engine/exchange/reachable_file.h"
 #include "engine/experiment/experiment_file.h"
@@ -308,14 +309,19 @@ int feasibilityCommand(const QStringList& arguments) {
     for (const MountingRemark& remark : overlapsInPlane(request->experiment))
         std::printf("%s\n", describe(remark.message).c_str());
     printVerdict(request->experiment, verdict, prediction);
-    if (!request->summaryPath.empty())
-        if (const auto written =
+    ReplacedFiles replaced; // the summary without its maps is not left alone
+    Result<void> written;
+    if (!request->summaryPath.empty()) {
+        written = replaced.setAside(request->summaryPath);
+        if (written)
+            written =
                 writeTextFile(request->summaryPath, summaryJson(request->experiment, verdict, prediction));
-            !written)
-            return refuse(written.error());
-    if (!maps.empty())
-        if (const auto written = writeMaps(question, maps); !written)
-            return refuse(written.error());
+    }
+    if (written && !maps.empty())
+        written = writeMaps(question, maps);
+    if (!written)
+        return refuse(written.error());
+    replaced.keepNew();
     return verdict.feasible ? kExitDone : kExitNegative;
 }
 

@@ -8,6 +8,7 @@
 #include "app/commands/recipe_live.h"
 #include "app/examples.h"
 #include "engine/base/message_code.h"
+#include "engine/base/unfinished.h"
 #include "engine/base/units.h"
 #include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
@@ -21,7 +22,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <set>
+#include <vector>
 
 namespace bask {
 namespace {
@@ -268,9 +271,14 @@ int runRecipe(const RecipeRequest& request) {
             there->c_str());
         return kExitBadInput;
     }
-    if (!request.folder.isEmpty() && !folder.mkpath(QStringLiteral(".")))
-        return refuse(
-            Error(MessageCode::FileUnwritable, request.folder.toStdString(), {"the folder cannot be made"}));
+    std::vector<Unfinished> made; // a recipe without a recording leaves no empty folder
+    if (!request.folder.isEmpty()) {
+        std::error_code failed;
+        made = makeFolders(request.folder.toStdString(), failed);
+        if (failed)
+            return refuse(Error(MessageCode::FileUnwritable, request.folder.toStdString(),
+                                {"the folder cannot be made: " + failed.message()}));
+    }
     if (const auto fits = checkOutputs(request, *recipe); !fits)
         return refuse(fits.error());
     std::set<const Experiment*> told;
@@ -309,6 +317,10 @@ int runRecipe(const RecipeRequest& request) {
         if (const auto written = writeTextFile(request.summary.toStdString(), summaryJson(runner, wall_s));
             !written)
             return refuse(written.error());
+    if (std::ranges::any_of(runner.progress(), [](const RecipeProgress& step) {
+            return step.state == State::Failed && step.reason.code == MessageCode::FileUnwritable;
+        }))
+        return kExitBadInput; // an output that cannot be written
     switch (runner.end()) {
     case RecipeEnd::Done:
         return kExitDone;

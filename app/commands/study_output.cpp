@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 #include "engine/base/unfinished.h"
 #include "engine/experiment/text_file.h"
 
@@ -26,11 +27,13 @@ QString makeFolder(const QString& folder) {
     if (info.exists() && !info.isDir())
         return QStringLiteral("%1 is a file, not a folder; choose another name").arg(folder);
     // A study that fails, or that a signal ends, leaves no empty folder.
-    static std::optional<Unfinished> made;
-    if (!info.exists())
-        made.emplace(folder.toStdString(), Unfinished::What::EmptyFolder);
-    if (!QDir().mkpath(folder))
-        return QStringLiteral("the folder %1 cannot be made; choose another place").arg(folder);
+    static std::vector<Unfinished> made;
+    std::error_code failed;
+    for (Unfinished& each : makeFolders(folder.toStdString(), failed))
+        made.push_back(std::move(each));
+    if (failed)
+        return QStringLiteral("the folder %1 cannot be made (%2); choose another place")
+            .arg(folder, QString::fromStdString(failed.message()));
     return {};
 }
 
@@ -110,11 +113,17 @@ std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const c
 }
 
 Result<void> writeStudyFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents) {
+    ReplacedFiles replaced;
     for (std::size_t i = 0; i < files.size(); ++i) {
-        if (auto written = writeTextFile(files[i].path, contents[i]); !written)
+        auto written = replaced.setAside(files[i].path);
+        if (written)
+            written = writeTextFile(files[i].path, contents[i]);
+        if (!written)
             return written;
-        std::fprintf(stderr, "wrote %s\n", files[i].path.c_str());
     }
+    replaced.keepNew();
+    for (const OutputFile& file : files)
+        std::fprintf(stderr, "wrote %s\n", file.path.c_str());
     return {};
 }
 

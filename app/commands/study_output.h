@@ -31,7 +31,7 @@ std::optional<std::vector<OutputFile>> filesIn(const QString& folder, const char
 std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,
                                                   const QStringList& endings);
 
-/// Writes each file, completely or not at all, and names it on standard error.
+/// Writes all files or none, and names them on standard error.
 Result<void> writeStudyFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents);
 
 } // namespace bask

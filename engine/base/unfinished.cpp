@@ -8,6 +8,7 @@
 #include <csignal>
 #include <filesystem>
 #include <shared_mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -43,10 +44,14 @@ Registry& registry() {
 
 void remove(const Entry& entry) {
     std::error_code ignored;
-    if (entry.what == Unfinished::What::All)
-        fs::remove_all(entry.path, ignored);
-    else
-        fs::remove(entry.path, ignored); // of a folder only if it is empty
+    if (entry.what == Unfinished::What::EmptyFolder) {
+        ::rmdir(entry.path.c_str()); // nothing but an empty folder, no link to one either
+        return;
+    }
+    // Under another name first: a thread that still writes finds nothing under the old one.
+    const std::string gone = entry.path + ".gone";
+    fs::rename(entry.path, gone, ignored);
+    fs::remove_all(ignored ? entry.path : gone, ignored);
 }
 
 void strike(const Entry& entry) {
@@ -69,9 +74,11 @@ void told(int signal) {
     // Other threads wait from here on: none begins or ends anything.
     [[maybe_unused]] const bool isQuiet = all.steps.try_lock_for(kPatience);
     all.mutex.lock();
-    for (auto entry = all.entries.rbegin(); entry != all.entries.rend();
-         ++entry) // contents before their folder
-        remove(*entry);
+    // Contents before their folder.
+    std::sort(all.entries.begin(), all.entries.end(),
+              [](const Entry& a, const Entry& b) { return a.path.size() > b.path.size(); });
+    for (const Entry& entry : all.entries)
+        remove(entry);
     std::signal(signal, SIG_DFL);
     ::kill(::getpid(), signal);
     for (;;)
@@ -98,6 +105,28 @@ Unfinished::~Unfinished() {
 void Unfinished::keep() {
     strike({m_path, m_what});
     m_path.clear();
+}
+
+std::vector<Unfinished> makeFolders(const std::string& path, std::error_code& failed) {
+    std::vector<fs::path> missing;
+    for (fs::path folder = fs::absolute(path, failed).lexically_normal();
+         !failed && folder.has_relative_path() &&
+         fs::symlink_status(folder, failed).type() == fs::file_type::not_found;
+         folder = folder.parent_path()) {
+        failed.clear();
+        if (folder.has_filename())
+            missing.push_back(folder);
+    }
+    failed.clear();
+    std::vector<Unfinished> made;
+    const Uninterrupted together;
+    fs::create_directories(path, failed);
+    if (!failed && !fs::is_directory(path, failed))
+        failed = std::make_error_code(std::errc::not_a_directory);
+    if (!failed)
+        for (const fs::path& folder : missing)
+            made.emplace_back(folder.string(), Unfinished::What::EmptyFolder);
+    return made;
 }
 
 Uninterrupted::Uninterrupted() {

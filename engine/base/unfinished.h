@@ -3,6 +3,8 @@
 // program.
 
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace bask {
 
@@ -35,6 +37,10 @@ public:
     Uninterrupted(const Uninterrupted&) = delete;
     Uninterrupted& operator=(const Uninterrupted&) = delete;
 };
+
+/// Makes a folder and those above it. Returns those that were not there, innermost first: they are deleted at
+/// the end of their lives if nothing is in them. `failed` says why not; then nothing is returned.
+std::vector<Unfinished> makeFolders(const std::string& path, std::error_code& failed);
 
 /// From now on SIGINT, SIGTERM and SIGHUP delete what is unfinished before they end the program, which they
 /// do as ever: a shell sees 130, 143 or 129. Call it once, before other threads are there; who sets handlers

@@ -162,12 +162,14 @@ Result<std::unique_ptr<FieldStore>> FieldStore::create(const std::string& path, 
         return all.error();
     std::unique_ptr<FieldStore> store(new FieldStore(std::make_unique<Impl>()));
     Impl& impl = *store->m_impl;
-    impl.path = path;
+    std::error_code ignored;
+    const fs::path linked = fs::canonical(path, ignored); // through a link the file behind it is replaced
+    impl.path = ignored ? path : linked.string();
     impl.title = title;
     impl.header = header;
     impl.withGradient = withGradient;
     impl.rooms = all->rooms;
-    const fs::path place(path);
+    const fs::path place(impl.path);
     impl.staged.emplace(
         (place.parent_path() / ('.' + place.filename().string() + '.' + std::to_string(::getpid())))
             .string());
@@ -175,9 +177,13 @@ Result<std::unique_ptr<FieldStore>> FieldStore::create(const std::string& path, 
     if (impl.file < 0)
         return impl.refuse().error();
     const auto size = static_cast<off_t>(all->size);
-    if (::fallocate(impl.file, 0, 0, size) != 0 &&
-        (errno == ENOSPC || errno == EFBIG || ::ftruncate(impl.file, size) != 0))
-        return impl.refuse().error();
+    while (::fallocate(impl.file, 0, 0, size) != 0) {
+        if (errno == EINTR)
+            continue;
+        if ((errno != EOPNOTSUPP && errno != ENOSYS) || ::ftruncate(impl.file, size) != 0)
+            return impl.refuse().error();
+        break; // a file system that cannot take room beforehand
+    }
     return store;
 }
 

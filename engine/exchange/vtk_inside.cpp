@@ -14,6 +14,8 @@
 #include <vtkStringArray.h>
 #include <vtkXMLWriter.h>
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -40,6 +42,8 @@ std::string writeData(vtkXMLWriter* writer, vtkDataSet* data, const std::string&
     writer->EncodeAppendedDataOff();
     writer->SetCompressorTypeToNone(); // it would take longer than the sampling
     const bool done = writer->Write() == 1;
+    if (writer->GetErrorCode() == vtkErrorCode::OutOfDiskSpaceError)
+        return std::strerror(ENOSPC);
     if (writer->GetErrorCode() != vtkErrorCode::NoError)
         return vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
     return done ? "" : "VTK does not say why";

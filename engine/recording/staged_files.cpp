@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
 
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -24,7 +25,13 @@ Error unwritable(const std::string& path, const std::string& reason) {
     return {MessageCode::FileUnwritable, path, {reason}};
 }
 
-constexpr const char* kStage = ".bask-export-";
+/// With the computer's name: of a shared folder only its own are looked at, since not every lock is seen from
+/// elsewhere.
+std::string stagePrefix() {
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    return ".bask-export-" + plainFileName(host.data()) + '-';
+}
 
 int openStage(const std::string& stage) {
     return ::open(stage.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -37,8 +44,9 @@ bool isLocked(int stage) {
 /// A stage that can be locked was left by a process that was killed.
 void removeLeft(const std::string& folder) {
     std::error_code failed;
+    const std::string prefix = stagePrefix();
     for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
-        if (!entry.path().filename().string().starts_with(kStage))
+        if (!entry.path().filename().string().starts_with(prefix))
             continue;
         const int stage = openStage(entry.path().string());
         if (stage >= 0 && isLocked(stage))
@@ -60,7 +68,7 @@ std::string synced(const std::string& path) {
 
 } // namespace
 
-StagedFiles::StagedFiles(std::string folder, std::optional<Unfinished> made, std::string stage, int lock)
+StagedFiles::StagedFiles(std::string folder, std::vector<Unfinished> made, std::string stage, int lock)
     : m_folder(std::move(folder)), m_made(std::move(made)), m_stage(std::move(stage)), m_lock(lock) {}
 
 StagedFiles::StagedFiles(StagedFiles&& other) noexcept
@@ -74,16 +82,12 @@ StagedFiles::~StagedFiles() {
 
 Result<StagedFiles> StagedFiles::into(const std::string& folder) {
     std::error_code failed;
-    const bool isNew = !fs::exists(folder, failed);
-    fs::create_directories(folder, failed);
-    if (failed || !fs::is_directory(folder, failed))
-        return unwritable(folder, failed ? failed.message() : "it is no folder");
-    std::optional<Unfinished> made;
-    if (isNew)
-        made.emplace(folder, Unfinished::What::EmptyFolder);
+    auto made = makeFolders(folder, failed);
+    if (failed)
+        return unwritable(folder, failed.message());
     static std::atomic_int count = 0; // several may be on their way into one folder
     static std::mutex making;         // of two threads neither takes the other's for left before it is locked
-    const std::string name = kStage + std::to_string(::getpid()) + '-' + std::to_string(++count);
+    const std::string name = stagePrefix() + std::to_string(::getpid()) + '-' + std::to_string(++count);
     const std::string stage = (fs::path(folder) / name).string();
     const std::lock_guard lock(making);
     removeLeft(folder);
@@ -97,6 +101,7 @@ Result<StagedFiles> StagedFiles::into(const std::string& folder) {
 Result<std::string> StagedFiles::place(const std::string& name) {
     const fs::path path = fs::path(m_stage.path()) / name;
     std::error_code failed;
+    const Uninterrupted together; // not under a stage that is being deleted
     fs::create_directories(path.parent_path(), failed);
     if (failed)
         return unwritable(target(name), failed.message());
@@ -127,6 +132,7 @@ Result<std::vector<std::string>> StagedFiles::commit() {
         if (const std::string reason = synced((fs::path(m_stage.path()) / name).string()); !reason.empty())
             return unwritable(target(name), reason);
     std::error_code failed, ignored;
+    const Uninterrupted together;
     for (const std::string& name : m_names) {
         const fs::path parent = fs::path(target(name)).parent_path();
         const bool isMade = fs::create_directories(parent, failed);
@@ -136,7 +142,6 @@ Result<std::vector<std::string>> StagedFiles::commit() {
             fs::remove(parent, ignored);
         return unwritable(target(name), failed ? failed.message() : "it is a folder");
     }
-    const Uninterrupted together;
     std::vector<std::string> files;
     ReplacedFiles old;
     for (const std::string& name : m_names) {

@@ -4,7 +4,6 @@
 #include "engine/base/result.h"
 #include "engine/base/unfinished.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,10 +35,10 @@ public:
     Result<std::vector<std::string>> commit();
 
 private:
-    StagedFiles(std::string folder, std::optional<Unfinished> made, std::string stage, int lock);
+    StagedFiles(std::string folder, std::vector<Unfinished> made, std::string stage, int lock);
 
     std::string m_folder;
-    std::optional<Unfinished> m_made; ///< the folder, if it was created here
+    std::vector<Unfinished> m_made; ///< the folder and those above it, if they were created here
     Unfinished m_stage;
     int m_lock = -1; ///< of the stage, while it is in use
     std::vector<std::string> m_names;

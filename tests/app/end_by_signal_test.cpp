@@ -4,9 +4,9 @@
 #include "engine/base/unfinished.h"
 
 #include <QDir>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -43,11 +43,8 @@ bool interrupted(const QStringList& arguments, int after_ms, int signal) {
         return false;
     }
     ::kill(static_cast<pid_t>(process.processId()), signal);
-    QElapsedTimer timer;
-    timer.start();
     EXPECT_TRUE(process.waitForFinished(20000)) << "does not end";
-    EXPECT_EQ(process.exitStatus(), QProcess::CrashExit) << "by the signal";
-    return true;
+    return process.exitStatus() == QProcess::CrashExit; // else it had just ended by itself
 }
 
 class EndBySignal : public testing::Test {
@@ -106,11 +103,16 @@ TEST_F(EndBySignal, whatAKillLeavesIsDeletedByTheNextExport) {
     record.start(QStringLiteral(BASK_PROGRAM),
                  {"run", QStringLiteral(BASK_EXAMPLES) + "/two-circles.json", "-o", session});
     ASSERT_TRUE(record.waitForFinished(120000));
-    QDir().mkpath(at("out/.bask-export-1-1/inner"));
+    std::array<char, 256> host{};
+    ::gethostname(host.data(), host.size() - 1);
+    QString name = QString::fromLatin1(host.data());
+    name.replace(QRegularExpression(QStringLiteral("[^0-9A-Za-z-]")), QStringLiteral("_"));
+    QDir().mkpath(at("out") + QStringLiteral("/.bask-export-%1-1-1/inner").arg(name));
     QProcess next;
     next.start(QStringLiteral(BASK_PROGRAM), {"export", session, "--csv", at("out")});
     ASSERT_TRUE(next.waitForFinished(120000));
     EXPECT_EQ(next.exitCode(), 0);
+    EXPECT_GT(below(at("out")).size(), 5);
     for (const QString& file : below(at("out")))
         EXPECT_FALSE(file.contains(QStringLiteral("/.bask"))) << file.toStdString();
 }
