@@ -26,6 +26,19 @@ void print(const SessionFinding& finding) {
     std::printf(": %s\n", kWords[static_cast<int>(finding.kind)]);
 }
 
+const char* sealWords(const SessionVerdict& verdict) {
+    switch (verdict.seal) {
+    case Seal::Holds:
+        return "no byte of the file has changed since it was sealed";
+    case Seal::Broken:
+        return "the file has changed since it was sealed";
+    case Seal::None:
+        break;
+    }
+    return verdict.isClosed ? "none: tags, and bytes that are in no row, are not checked"
+                            : "none: the recording is under way, or was not closed by itself";
+}
+
 /// Whether it is as it was recorded; says so.
 bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
     if (!verdict.hasChain) {
@@ -38,21 +51,23 @@ bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
         std::printf("and %lld more\n", static_cast<long long>(verdict.allFindings) -
                                            static_cast<long long>(verdict.findings.size()));
     std::printf("rows: %lld\nhead: %s\n", static_cast<long long>(verdict.rows), verdict.head.c_str());
-    std::printf("seal: %s\n", verdict.seal == Seal::Holds
-                                  ? "no byte of the file has changed since it was closed"
-                              : verdict.seal == Seal::Broken
-                                  ? "the file has changed since it was closed"
-                                  : "none; the recording is under way, or was not closed by itself");
-    if (!expectedHead.empty() && expectedHead != verdict.head) {
-        std::puts("altered: the head is not the one that is expected");
+    std::printf("seal: %s\n", sealWords(verdict));
+    if (!expectedHead.empty() && verdict.expectedLink == 0) {
+        std::puts("altered: the head is not the one that is expected, and never was");
         return false;
     }
+    if (!expectedHead.empty() && verdict.expectedLink < verdict.links)
+        std::printf("the expected head is that of link %lld of %lld: the recording went on, or was closed, "
+                    "after it\n",
+                    static_cast<long long>(verdict.expectedLink), static_cast<long long>(verdict.links));
     if (verdict.isIntact()) {
         std::puts("intact");
         return true;
     }
-    std::puts(verdict.allFindings > 0 ? "altered: the rows above are not as they were recorded"
-                                      : "altered: in bytes of the file that are in no row");
+    std::puts(verdict.allFindings > 0
+                  ? "altered: the rows above are not as they were recorded"
+                  : "altered: in tags, or in bytes of the file that are in no row; an older Bask "
+                    "that changed the tags does that too");
     return false;
 }
 
@@ -78,7 +93,8 @@ int verifyCommand(const QStringList& arguments) {
     if (parser.isSet("head") &&
         (head.size() != kHeadDigits || QByteArray::fromHex(head.toLatin1()).toHex() != head.toLatin1()))
         return refuse(kName, QStringLiteral("--head has 64 hexadecimal digits"));
-    const auto verdict = verifySession(parser.positionalArguments().front().toStdString());
+    const auto verdict =
+        verifySession(parser.positionalArguments().front().toStdString(), head.toStdString());
     if (!verdict)
         return refuse(kName, verdict.error());
     return tell(*verdict, head.toStdString()) ? kExitDone : kExitNegative;

@@ -19,7 +19,9 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* kSpecification = "https://w3id.org/ro/crate/1.1";
+constexpr const char* kExporter = "#exporter";
 constexpr std::uintmax_t kMaxCrateBytes = 64 << 20;
+constexpr std::size_t kMaxDescribed = 1000; ///< of more files, pictures are not described one by one
 
 const char* mediaType(const std::string& name) {
     static const std::map<std::string, const char*> kTypes{
@@ -61,14 +63,18 @@ Result<std::map<std::string, Json>> earlierFiles(const std::string& path, const 
     const Json json = Json::parse(in, nullptr, false);
     if (!json.is_object() || !json.contains("@graph") || !json.at("@graph").is_array())
         return foreign;
-    bool isOfSession = false;
+    bool isOfSession = false, isOwn = false;
     for (const Json& entity : json.at("@graph")) {
         if (!entity.is_object() || !entity.contains("@id") || !entity.at("@id").is_string())
             return foreign;
+        isOwn = isOwn || (entity.at("@id") == kExporter && entity.value("name", Json()).is_string() &&
+                          entity.at("name").get<std::string>().starts_with("Bask "));
         isOfSession = isOfSession || entity.at("@id") == sessionId(session);
         if (entity.value("@type", Json()) == "File")
             entities[entity.at("@id")] = entity;
     }
+    if (!isOwn)
+        return foreign;
     if (!isOfSession)
         entities.clear();
     return entities;
@@ -84,8 +90,11 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
         std::error_code failed;
         return !std::filesystem::exists(files.target(entry.first), failed);
     });
+    const bool areMany = files.names().size() > kMaxDescribed;
     for (const std::string& name : files.names())
-        if (Json entity = fileEntity(name, files.staged(name)); !entity.is_null())
+        if (areMany && name.ends_with(".tif"))
+            continue;
+        else if (Json entity = fileEntity(name, files.staged(name)); !entity.is_null())
             (*entities)[name] = std::move(entity);
     const std::string id = sessionId(session);
     Json parts = Json::array();
@@ -111,12 +120,11 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
                      {"@type", "CreateAction"},
                      {"name", std::filesystem::path(session.path).filename().string()},
                      {"startTime", session.created},
-                     {"instrument", Json::array({{{"@id", "#recorder"}}, {{"@id", "#exporter"}}})},
-                     {"result", parts}});
+                     {"instrument", Json::array({{{"@id", "#recorder"}}, {{"@id", kExporter}}})}});
     graph.push_back({{"@id", "#recorder"},
                      {"@type", "SoftwareApplication"},
                      {"name", session.software.empty() ? "Bask" : session.software}});
-    graph.push_back({{"@id", "#exporter"}, {"@type", "SoftwareApplication"}, {"name", "Bask " BASK_VERSION}});
+    graph.push_back({{"@id", kExporter}, {"@type", "SoftwareApplication"}, {"name", "Bask " BASK_VERSION}});
     for (auto& [name, entity] : *entities)
         graph.push_back(std::move(entity));
     const Json crate{{"@context", std::string(kSpecification) + "/context"}, {"@graph", std::move(graph)}};

@@ -2,7 +2,6 @@
 
 #include <QByteArray>
 #include <QCryptographicHash>
-#include <QString>
 
 #include <cmath>
 #include <cstring>
@@ -36,8 +35,8 @@ void append(QByteArray& out, const SqlValue& value) {
         const double positive = number == 0.0 ? 0.0 : number;
         append(out, 'd', &positive, sizeof positive);
     } else if (const auto* text = std::get_if<std::string>(&value); text != nullptr && !text->empty()) {
-        const QByteArray stored = QString::fromStdString(*text).toUtf8(); // what is not UTF-8 was replaced
-        append(out, 't', stored.constData(), static_cast<std::size_t>(stored.size()));
+        const std::string stored = storedText(*text);
+        append(out, stored.empty() ? 'n' : 't', stored.data(), stored.size());
     } else if (const auto* blob = std::get_if<SqlBlob>(&value); blob != nullptr && !blob->bytes.empty()) {
         append(out, 'b', blob->bytes.data(), blob->bytes.size());
     } else {

@@ -38,7 +38,7 @@ public:
                                                          const Experiment& experiment, bool simulated,
                                                          double commitInterval_s = 0.5,
                                                          Earlier earlier = Earlier::Replaced);
-    ~SessionWriter(); ///< commits and closes
+    ~SessionWriter(); ///< commits, closes and seals
 
     Result<void> add(const TraceSample& sample);
     Result<void> add(const TraceEvent& event);
@@ -49,7 +49,10 @@ public:
     /// Adds what went over a link to a device; `start_s` is the time of Start on its clock. The first one
     /// makes the table.
     Result<void> add(const TrafficLine& line, double start_s);
-    Result<void> flush();                            ///< commits now
+    Result<void> flush(); ///< commits now
+    /// Commits and closes the file of a finished run; the destructor then only seals it, which takes as long
+    /// as reading it.
+    Result<void> close();
     Result<void> finish(const std::string& outcome); ///< marks the run complete ("settled", "not-settled",
                                                      ///< "stopped", "fault")
 

@@ -88,6 +88,16 @@ Result<void> readInto(SessionHeader& header) {
     return done;
 }
 
+Result<bool> hasSealTable(const std::string& path) {
+    const auto store = SessionStore::open(path);
+    if (!store)
+        return store.error();
+    bool has = false;
+    auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'seal' AND type = 'table'",
+                                 [&](Row) { has = true; });
+    return done ? Result<bool>(has) : done.error();
+}
+
 /// Goes on with the chain, if there is one.
 Result<void> chainFact(SessionStore& store, std::span<const SqlValue> fact) {
     bool hasChain = false;
@@ -107,7 +117,8 @@ Result<void> chainFact(SessionStore& store, std::span<const SqlValue> fact) {
 
 /// One entry of `meta`, in a transaction. Always through the log: readers look for that beside the file, not
 /// for a rollback journal.
-Result<void> putFact(const std::string& path, const std::string& key, const std::string& value) {
+Result<void> putFact(const std::string& path, const std::string& key, const std::string& value,
+                     bool isSealed) {
     const auto store = SessionStore::create(path);
     if (!store)
         return store.error();
@@ -122,12 +133,21 @@ Result<void> putFact(const std::string& path, const std::string& key, const std:
     auto done = (*store)->run(*put, row);
     if (done && key != kTags)
         done = chainFact(**store, row);
+    if (done && isSealed)
+        done = makeSeal(**store);
     return done ? (*store)->execute("COMMIT") : done;
 }
 
 /// The same, and the seal anew.
 Result<void> putFactSealed(const std::string& path, const std::string& key, const std::string& value) {
-    auto done = putFact(path, key, value);
+    const auto seal = lookAtSeal(path);
+    if (!seal)
+        return seal.error();
+    const auto isFinished = hasSealTable(path);
+    if (!isFinished)
+        return isFinished.error();
+    // What was altered is not sealed anew.
+    auto done = putFact(path, key, value, *isFinished && *seal != Seal::Broken);
     return done ? sealSession(path) : done;
 }
 

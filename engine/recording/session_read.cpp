@@ -30,6 +30,27 @@ Result<void> putInPlace(const QString& part, const std::string& path) {
     return {};
 }
 
+/// A copy of a sealed session is sealed anew.
+Result<void> sealCopy(const std::string& path) {
+    {
+        const auto store = SessionStore::create(path);
+        if (!store)
+            return store.error();
+        bool isClosed = false;
+        auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'seal' AND type = 'table'",
+                                     [&](SessionStore::Row) { isClosed = true; });
+        if (done && isClosed) {
+            isClosed = false;
+            done = (*store)->select("SELECT 1 FROM seal", [&](SessionStore::Row) { isClosed = true; });
+        }
+        if (done && isClosed)
+            done = makeSeal(**store);
+        if (!done)
+            return done;
+    }
+    return sealSession(path);
+}
+
 constexpr auto kLast = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
 
 /// Reads the whole of a session, its samples of version 2 one by one into `take`, those of version 1 into the
@@ -88,6 +109,9 @@ Result<void> copySession(const std::string& from, const std::string& to) {
         return {};
     if (auto place = checkReplaceable(to); !place)
         return place;
+    const auto seal = lookAtSeal(from);
+    if (!seal)
+        return seal.error();
     const QString part = target + QStringLiteral(".part");
     QFile::remove(part);
     auto copied = (*store)->execute("VACUUM INTO " + sqlText(part.toStdString()));
@@ -97,7 +121,9 @@ Result<void> copySession(const std::string& from, const std::string& to) {
         copied = putInPlace(part, to);
     if (!copied)
         QFile::remove(part);
-    return copied ? sealSession(to) : copied; // its pages lie in another order
+    if (copied && *seal != Seal::Broken) // its pages lie in another order
+        copied = sealCopy(to);
+    return copied;
 }
 
 double controlledUntil_s(const SessionRecord& facts) {

@@ -5,17 +5,20 @@
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <cstring>
 #include <random>
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace bask {
 namespace {
 
 constexpr std::size_t kBytes = Digest().size();
+constexpr const char* kRoom = "Bask: no seal. "; ///< begins what stands for a seal that is not there yet
 
 /// The seal's bytes; empty where the file has none.
 Result<std::string> sealIn(const std::string& path) {
@@ -37,11 +40,12 @@ Result<std::string> sealIn(const std::string& path) {
     return bytes;
 }
 
-/// A file in memory, as far as it is looked at.
+/// A file in memory, as far as it is looked at; one descriptor for reading and writing.
 class MappedFile {
 public:
-    explicit MappedFile(const std::string& path) : m_file(QString::fromStdString(path)) {
-        if (m_file.open(QIODevice::ReadOnly))
+    MappedFile(const QString& path, QIODevice::OpenMode mode) : m_file(path) {
+        if (m_file.open(mode | QIODevice::ExistingOnly | QIODevice::Unbuffered) &&
+            ::fstat(m_file.handle(), &m_begun) == 0)
             m_bytes = m_file.map(0, m_file.size());
     }
     bool isOpen() const { return m_bytes != nullptr; }
@@ -71,55 +75,84 @@ public:
         add(place + static_cast<std::ptrdiff_t>(kBytes), m_file.size());
         return hash.result().toStdString();
     }
+    /// Whether the path still names this very file, and nobody has written into it since it was opened.
+    bool isUntouched(const QString& path) const {
+        struct stat there {};
+        return ::stat(path.toLocal8Bit().constData(), &there) == 0 && there.st_ino == m_begun.st_ino &&
+               there.st_dev == m_begun.st_dev && there.st_size == m_begun.st_size &&
+               there.st_mtim.tv_sec == m_begun.st_mtim.tv_sec &&
+               there.st_mtim.tv_nsec == m_begun.st_mtim.tv_nsec;
+    }
+    bool write(std::ptrdiff_t place, const std::string& bytes) {
+        return m_file.seek(place) &&
+               m_file.write(bytes.data(), static_cast<qint64>(bytes.size())) ==
+                   static_cast<qint64>(bytes.size()) &&
+               ::fsync(m_file.handle()) == 0;
+    }
 
 private:
     QFile m_file;
+    struct stat m_begun {};
     const unsigned char* m_bytes = nullptr;
 };
 
-bool hasLog(const std::string& path) {
-    return QFile::exists(QString::fromStdString(path) + QStringLiteral("-wal"));
+/// The file itself: a log lies beside that, not beside a link to it.
+QString fileOf(const std::string& path) {
+    return QFileInfo(QString::fromStdString(path)).canonicalFilePath();
+}
+
+/// An empty log is there while a reader has the file open. In that reader's own process the file is not to be
+/// opened and closed: that would drop its locks.
+bool hasLog(const QString& file, bool countsEmpty = true) {
+    const QFileInfo log(file + QStringLiteral("-wal"));
+    return countsEmpty ? log.exists() : log.size() > 0;
+}
+
+bool isRoom(const std::string& seal) {
+    return seal.starts_with(kRoom);
 }
 
 } // namespace
 
 Result<void> makeSeal(SessionStore& store) {
-    QByteArray room; // random, so that it is found again in the file
+    QByteArray room(kRoom); // then at random, so that it is found again in the file
     for (std::random_device random; room.size() < static_cast<qsizetype>(kBytes);)
         room.append(static_cast<char>(random()));
-    return store.execute("INSERT INTO seal VALUES(x'" + room.toHex().toStdString() + "')");
+    auto done = store.execute("DELETE FROM seal");
+    return done ? store.execute("INSERT INTO seal VALUES(x'" + room.toHex().toStdString() + "')") : done;
 }
 
 Result<void> sealSession(const std::string& path) {
-    if (hasLog(path))
+    const QString file = fileOf(path);
+    if (hasLog(file))
         return {};
     const auto seal = sealIn(path);
     if (!seal)
         return seal.error();
-    if (seal->empty())
+    if (!isRoom(*seal))
         return {};
-    const MappedFile mapped(path);
+    MappedFile mapped(file, QIODevice::ReadWrite);
     const std::ptrdiff_t place = mapped.isOpen() ? mapped.placeOf(*seal) : -1;
     if (place < 0)
         return {};
     const std::string hash = mapped.hashWithout(place);
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadWrite | QIODevice::Unbuffered) || !file.seek(place) ||
-        file.write(hash.data(), static_cast<qint64>(hash.size())) != static_cast<qint64>(hash.size()) ||
-        ::fsync(file.handle()) != 0)
-        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
+    if (hasLog(file) || !mapped.isUntouched(file)) // whoever has written meanwhile makes its own room
+        return {};
+    if (!mapped.write(place, hash))
+        return Error(MessageCode::FileUnwritable, path, {mapped.words()});
     return {};
 }
 
-Result<Seal> lookAtSeal(const std::string& path) {
-    if (hasLog(path))
+Result<Seal> lookAtSeal(const std::string& path, bool isAlone) {
+    const QString file = fileOf(path);
+    if (hasLog(file, !isAlone))
         return Seal::None;
     const auto seal = sealIn(path);
     if (!seal)
         return seal.error();
-    if (seal->empty())
+    if (seal->empty() || isRoom(*seal))
         return Seal::None;
-    const MappedFile mapped(path);
+    const MappedFile mapped(file, QIODevice::ReadOnly);
     if (!mapped.isOpen())
         return Error(MessageCode::FileUnreadable, path, {mapped.words()});
     const std::ptrdiff_t place = mapped.placeOf(*seal);

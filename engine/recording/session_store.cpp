@@ -52,13 +52,21 @@ QString uriOf(const QString& path, const char* options) {
     return QString::fromLatin1(QUrl::fromLocalFile(QFileInfo(path).absoluteFilePath()).toEncoded()) + options;
 }
 
+QString storedQString(const std::string& text) {
+    QString stored = QString::fromStdString(text);
+    stored.replace(QChar(0xfffe), QChar(0xfffd)).replace(QChar(0xffff), QChar(0xfffd));
+    while (stored.startsWith(QChar(0xfeff)))
+        stored.remove(0, 1);
+    return stored;
+}
+
 QVariant toVariant(const SqlValue& value) {
     if (const auto* number = std::get_if<double>(&value))
         return *number;
     if (const auto* whole = std::get_if<std::int64_t>(&value))
         return static_cast<qlonglong>(*whole);
     if (const auto* text = std::get_if<std::string>(&value))
-        return QString::fromStdString(*text);
+        return storedQString(*text);
     if (const auto* blob = std::get_if<SqlBlob>(&value))
         return QByteArray::fromStdString(blob->bytes);
     return {};
@@ -88,6 +96,10 @@ double numberOf(const SqlValue& value) {
     if (const auto* whole = std::get_if<std::int64_t>(&value))
         return static_cast<double>(*whole);
     return std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string storedText(const std::string& text) {
+    return storedQString(text).toStdString();
 }
 
 std::string textOf(const SqlValue& value) {
@@ -346,6 +358,10 @@ Result<std::vector<std::string>> SessionStore::columns(const std::string& table)
     if (!done)
         return done.error();
     return names;
+}
+
+const std::string& SessionStore::path() const {
+    return m_impl->path;
 }
 
 int SessionStore::version() const {

@@ -26,6 +26,9 @@ using SqlValue = std::variant<std::monostate, double, std::int64_t, std::string,
 SqlValue sqlNumber(double value);
 /// Returns the number of a column: NULL becomes NaN.
 double numberOf(const SqlValue& value);
+/// Returns a text as the database keeps it: without byte-order marks in front, U+FFFD for what is no
+/// character.
+std::string storedText(const std::string& text);
 /// Returns the text of a column; empty if it is not text.
 std::string textOf(const SqlValue& value);
 
@@ -54,6 +57,7 @@ public:
                         const std::stop_token& stop = {}) const;
     /// Returns the column names of a table.
     Result<std::vector<std::string>> columns(const std::string& table) const;
+    const std::string& path() const;
     /// Returns the version of the file.
     int version() const;
     /// Returns the names of the tables and views that are for people and scripts, in the order of creation.

@@ -1,11 +1,14 @@
 #include "engine/recording/session_verify.h"
 
+#include "engine/base/message_code.h"
 #include "engine/recording/row_chain.h"
 #include "engine/recording/session_facts.h"
+#include "engine/recording/session_tables.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <unordered_map>
 
 namespace bask {
@@ -14,13 +17,15 @@ namespace {
 using Kind = SessionFinding::Kind;
 using Row = SessionStore::Row;
 
-constexpr std::size_t kLookAhead =
-    64; // rows: as many removed or added ones in a row are told from changed ones
+constexpr std::size_t kLookAhead = 64;        // rows, once there are many findings
+constexpr std::size_t kMaxUnordered = 10'000; // rows of the schema, and of meta
+constexpr std::int64_t kMinCheckBytes = 64 << 20;
 
 /// The rows of a table as they are in the file.
 struct TableRows {
     std::vector<Digest> digests;
-    std::vector<double> times_s; ///< NaN: none
+    std::vector<double> times_s;       ///< NaN: none
+    std::vector<std::int64_t> numbers; ///< of samples, which have their own
 };
 
 constexpr bool isUnordered(ChainTable table) {
@@ -29,7 +34,8 @@ constexpr bool isUnordered(ChainTable table) {
 
 class Verifier {
 public:
-    explicit Verifier(const SessionStore& store) : m_store(store) {}
+    Verifier(const SessionStore& store, const std::string& expectedHead)
+        : m_store(store), m_expectedHead(expectedHead) {}
 
     Result<SessionVerdict> verdict() {
         auto done = m_store.select("SELECT name FROM sqlite_master WHERE type = 'table'",
@@ -49,6 +55,10 @@ public:
             checkHashes();
         if (!m_links.empty())
             m_verdict.head = hexOf(m_links.back().hash);
+        m_verdict.links = static_cast<std::int64_t>(m_links.size());
+        for (const ChainLink& link : m_links)
+            if (hexOf(link.hash) == m_expectedHead)
+                m_verdict.expectedLink = link.number;
         return m_verdict;
     }
 
@@ -69,11 +79,21 @@ private:
             if (table != ChainTable::Schema && !has(tableName(table)))
                 continue;
             const int time = timeColumn(table);
+            const auto at = static_cast<std::size_t>(std::max(time, 0));
             TableRows& rows = rowsOf(table);
-            auto done = m_store.select(selectRows(table), [&](Row row) {
+            const std::size_t max = isUnordered(table) ? kMaxUnordered : SIZE_MAX;
+            const std::string limit = isUnordered(table) ? " LIMIT " + std::to_string(kMaxUnordered + 1) : "";
+            auto done = m_store.select(selectRows(table) + limit, [&](Row row) {
                 rows.digests.push_back(digestOf(table, row));
-                rows.times_s.push_back(time >= 0 ? numberOf(row[static_cast<std::size_t>(time)]) : NAN);
+                rows.times_s.push_back(time >= 0 && at < row.size() ? numberOf(row[at]) : NAN);
+                if (table == ChainTable::Step)
+                    rows.numbers.push_back(SessionTables::numberOfStep(row));
+                if (table == ChainTable::Meta && textOf(row[0]) == "finished")
+                    m_verdict.isClosed = true;
             });
+            if (done && rows.digests.size() > max)
+                return Error(MessageCode::SessionDamaged, m_store.path(),
+                             {std::string("more rows in ") + tableName(table) + " than Bask makes"});
             if (!done)
                 return done;
             m_verdict.rows += static_cast<std::int64_t>(rows.digests.size());
@@ -99,7 +119,14 @@ private:
 
     Result<void> readLinks() {
         bool isWhole = true;
-        auto done = m_store.select(kSelectLinks, [&](Row row) {
+        std::int64_t bytes = 0; // a file from elsewhere may have any
+        auto done = m_store.select("SELECT total(length(row_checks)) FROM chain",
+                                   [&](Row row) { bytes = static_cast<std::int64_t>(numberOf(row[0])); });
+        if (done && bytes > std::max(kMinCheckBytes, 20 * m_verdict.rows))
+            return Error(MessageCode::SessionDamaged, m_store.path(), {"more checks than rows"});
+        if (!done)
+            return done;
+        done = m_store.select(kSelectLinks, [&](Row row) {
             auto link = linkOf(row);
             isWhole = isWhole && link && link->number == static_cast<std::int64_t>(m_links.size()) + 1;
             if (isWhole)
@@ -116,8 +143,30 @@ private:
     void compare(ChainTable table) {
         if (isUnordered(table))
             compareSets(table);
+        else if (table == ChainTable::Step)
+            compareSteps();
         else
             compareInOrder(table);
+    }
+
+    /// Samples have numbers, from 1 without a gap.
+    void compareSteps() {
+        const auto& expected = m_checks[static_cast<std::size_t>(ChainTable::Step)];
+        const TableRows& rows = rowsOf(ChainTable::Step);
+        const char* const name = tableName(ChainTable::Step);
+        std::int64_t due = 1;
+        for (std::size_t k = 0; k < rows.numbers.size(); ++k) {
+            const std::int64_t number = rows.numbers[k];
+            if (number > due)
+                tell(Kind::Removed, name, static_cast<std::size_t>(due), rows.times_s[k]);
+            if (number < 1 || number > static_cast<std::int64_t>(expected.size()))
+                tell(Kind::Added, name, k + 1, rows.times_s[k]);
+            else if (expected[static_cast<std::size_t>(number - 1)] != checkOf(rows.digests[k]))
+                tell(Kind::Changed, name, static_cast<std::size_t>(number), rows.times_s[k]);
+            due = std::max(due, number + 1);
+        }
+        if (due <= static_cast<std::int64_t>(expected.size()))
+            tell(Kind::Removed, name, static_cast<std::size_t>(due), NAN);
     }
 
     void compareInOrder(ChainTable table) {
@@ -134,11 +183,13 @@ private:
                 ++e, ++a;
                 continue;
             }
+            // How far to look for the next row that is known; nobody reads thousands of findings.
+            const std::size_t ahead =
+                m_verdict.findings.size() < kMaxFindings ? std::max(expected.size(), found) : kLookAhead;
             std::size_t removed = e < expected.size() ? 1 : 0, added = a < found ? 1 : 0;
-            while (a < found && removed < kLookAhead && e + removed < expected.size() &&
-                   !isSame(e + removed, a))
+            while (a < found && removed < ahead && e + removed < expected.size() && !isSame(e + removed, a))
                 ++removed;
-            while (e < expected.size() && added < kLookAhead && a + added < found && !isSame(e, a + added))
+            while (e < expected.size() && added < ahead && a + added < found && !isSame(e, a + added))
                 ++added;
             const bool isRemoved = a >= found || (e + removed < expected.size() && isSame(e + removed, a));
             const bool isAdded = e >= expected.size() || (a + added < found && isSame(e, a + added));
@@ -156,20 +207,22 @@ private:
     }
 
     void compareSets(ChainTable table) {
-        std::vector<std::uint32_t> expected = m_checks[static_cast<std::size_t>(table)];
+        std::unordered_map<std::uint32_t, std::int64_t> expected;
+        for (const std::uint32_t check : m_checks[static_cast<std::size_t>(table)])
+            ++expected[check];
         const TableRows& rows = rowsOf(table);
         std::vector<std::size_t> unknown;
-        for (std::size_t k = 0; k < rows.digests.size(); ++k) {
-            const auto there = std::ranges::find(expected, checkOf(rows.digests[k]));
-            if (there == expected.end())
+        for (std::size_t k = 0; k < rows.digests.size(); ++k)
+            if (const auto there = expected.find(checkOf(rows.digests[k]));
+                there == expected.end() || there->second-- < 1)
                 unknown.push_back(k);
-            else
-                expected.erase(there);
-        }
-        for (std::size_t k = 0; k < std::max(unknown.size(), expected.size()); ++k)
-            tell(k >= unknown.size()    ? Kind::Removed
-                 : k >= expected.size() ? Kind::Added
-                                        : Kind::Changed,
+        std::size_t missing = 0;
+        for (const auto& [check, count] : expected)
+            missing += count > 0 ? static_cast<std::size_t>(count) : 0;
+        for (std::size_t k = 0; k < std::max(unknown.size(), missing); ++k)
+            tell(k >= unknown.size() ? Kind::Removed
+                 : k >= missing      ? Kind::Added
+                                     : Kind::Changed,
                  tableName(table), k < unknown.size() ? unknown[k] + 1 : 0, NAN);
     }
 
@@ -205,6 +258,7 @@ private:
     }
 
     const SessionStore& m_store;
+    const std::string& m_expectedHead;
     std::vector<std::string> m_tables;
     std::array<TableRows, kChainTables> m_rows;
     std::array<std::vector<std::uint32_t>, kChainTables> m_checks;
@@ -214,8 +268,8 @@ private:
 
 } // namespace
 
-Result<SessionVerdict> verifySession(const std::string& path) {
-    const auto seal = lookAtSeal(path);
+Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead) {
+    const auto seal = lookAtSeal(path, true);
     if (!seal)
         return seal.error();
     const auto store = SessionStore::open(path);
@@ -226,7 +280,7 @@ Result<SessionVerdict> verifySession(const std::string& path) {
         done = checkIntegrity(**store, path);
     if (!done)
         return done.error();
-    auto verdict = Verifier(**store).verdict();
+    auto verdict = Verifier(**store, expectedHead).verdict();
     if (verdict)
         verdict->seal = *seal;
     return verdict;

@@ -23,9 +23,12 @@ struct SessionFinding {
 
 struct SessionVerdict {
     bool hasChain = false; ///< false: recorded before there were chains
+    bool isClosed = false; ///< the recording says when it ended
     Seal seal = Seal::None;
     std::string head; ///< of the chain, in hex: SHA-256
     std::int64_t rows = 0;
+    std::int64_t links = 0;
+    std::int64_t expectedLink = 0;        ///< whose hash is the head that was expected; 0: none
     std::vector<SessionFinding> findings; ///< the first kMaxFindings
     std::int64_t allFindings = 0;
 
@@ -33,8 +36,10 @@ struct SessionVerdict {
 };
 inline constexpr std::size_t kMaxFindings = 1000;
 
-/// Looks at every row, and at every byte of a closed file. Errors: it cannot be read as a session.
-Result<SessionVerdict> verifySession(const std::string& path);
+/// Looks at every row, and at every byte of a sealed file, which nothing else in this process may have open.
+/// `expectedHead` is in hex, or empty: the head at the time of a report, after which an interrupted recording
+/// may have been closed. Errors: it cannot be read as a session.
+Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead = {});
 
 /// Returns the head of a session's chain, empty if it has none. Looks at nothing else.
 Result<std::string> chainHead(const std::string& path);

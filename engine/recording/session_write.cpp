@@ -257,9 +257,16 @@ struct SessionWriter::Impl {
 
 SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 
+Result<void> SessionWriter::close() {
+    if (!m_impl->store)
+        return {};
+    auto done = m_impl->commit();
+    m_impl->store.reset(); // merges its write-ahead log
+    return done;
+}
+
 SessionWriter::~SessionWriter() {
-    static_cast<void>(m_impl->commit());
-    m_impl->store.reset();
+    static_cast<void>(close());
     if (m_impl->isFinished)
         static_cast<void>(sealSession(m_impl->path)); // where it cannot be, the chain is there
 }

@@ -44,9 +44,13 @@ struct SessionRecorder::Shared {
         }
         Result<void> result = file ? writeAll(**file) : Result<void>(file.error());
         if (file)
-            file->reset(); // merges its write-ahead log
-        const std::lock_guard lock(mutex);
-        finished = std::move(result);
+            static_cast<void>((*file)->close());
+        {
+            const std::lock_guard lock(mutex);
+            finished = std::move(result);
+        }
+        if (file)
+            file->reset(); // seals it, which nobody waits for
     }
     Result<void> writeAll(SessionWriter& writer);
 

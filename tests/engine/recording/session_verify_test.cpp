@@ -108,6 +108,102 @@ TEST_F(SessionVerify, staysIntactThroughTagsCopiesAndTheClosingOfAnInterruptedRu
     EXPECT_NE(closed.head, "");
 }
 
+// Catches: a recording that is called altered between its end and its seal, or because another program kept
+// it open.
+TEST_F(SessionVerify, isIntactWithoutItsSeal) {
+    const Experiment experiment = twoDisks();
+    auto writer = SessionWriter::create(path(), experiment, true);
+    ASSERT_TRUE(writer);
+    ASSERT_TRUE((*writer)->add(madeUpSample(experiment, 0)));
+    ASSERT_TRUE((*writer)->finish("settled"));
+    ASSERT_TRUE((*writer)->close());
+    EXPECT_EQ(verified(path()).seal, Seal::None) << "as after a kill";
+    EXPECT_TRUE(verified(path()).isIntact());
+    {
+        const auto reader = SessionStore::create(path()); // as another program has it, with its log
+        ASSERT_TRUE((*reader)->execute("PRAGMA journal_mode = WAL"));
+        ASSERT_TRUE((*reader)->select("SELECT count(*) FROM step", [](SessionStore::Row) {}));
+        writer->reset();
+    }
+    EXPECT_NE(verified(path()).seal, Seal::Broken);
+    EXPECT_TRUE(verified(path()).isIntact());
+    QFile::link(QString::fromStdString(path()), m_folder.filePath("link.bask"));
+    EXPECT_TRUE(verified(path("link.bask")).isIntact());
+    ASSERT_TRUE(writeSessionTags(path("link.bask"), {"good"}));
+    EXPECT_EQ(verified(path()).seal, Seal::Holds);
+}
+
+// Catches: tags or a copy by Bask that give a new seal to what was altered before.
+TEST_F(SessionVerify, whatWasAlteredIsNotSealedAnew) {
+    record(path());
+    tamper(path(), "INSERT INTO meta VALUES('tags', '[\"forged\"]')");
+    EXPECT_EQ(verified(path()).seal, Seal::Broken);
+    ASSERT_TRUE(writeSessionTags(path(), {"mine"}));
+    EXPECT_EQ(verified(path()).seal, Seal::Broken);
+    ASSERT_TRUE(copySession(path(), path("copy.bask")));
+    EXPECT_EQ(verified(path("copy.bask")).seal, Seal::Broken);
+}
+
+// Catches: text that the database keeps otherwise than it was given.
+TEST_F(SessionVerify, hashesTextAsItIsStored) {
+    Experiment experiment = twoDisks();
+    experiment.title = "A\xef\xbf\xbf"
+                       "B\xef\xbf\xbe"; // U+FFFF, U+FFFE
+    {
+        const auto writer = SessionWriter::create(path(), experiment, true);
+        ASSERT_TRUE(writer);
+        for (const char* text : {"\xef\xbb\xbf\xef\xbb\xbftwo marks", "\xef\xbf\xbeswapped", "",
+                                 "\xff broken", "a\xf0\x9f\x94\xa5"})
+            ASSERT_TRUE((*writer)->add(TraceNote{1.0, text}));
+        ASSERT_TRUE((*writer)->add(TraceNote{1.0, std::string("nul\0inside", 10)}));
+        ASSERT_TRUE((*writer)->finish("settled"));
+    }
+    EXPECT_TRUE(verified(path()).isIntact());
+}
+
+// Catches: a long cut that is told as thousands of changed samples.
+TEST_F(SessionVerify, namesALongCutOnce) {
+    record(path());
+    tamper(path(), "DELETE FROM step WHERE number BETWEEN 201 AND 500");
+    tamper(path(), "DELETE FROM target_step WHERE rowid BETWEEN 2 AND 101");
+    const SessionVerdict verdict = verified(path());
+    ASSERT_EQ(verdict.allFindings, 2);
+    EXPECT_EQ(verdict.findings[0].table, "step");
+    EXPECT_EQ(verdict.findings[0].kind, SessionFinding::Kind::Removed);
+    EXPECT_EQ(verdict.findings[0].row, 201);
+    EXPECT_EQ(verdict.findings[1].table, "target_step");
+    EXPECT_EQ(verdict.findings[1].row, 2);
+}
+
+// Catches: the head of a report that was made before an interrupted run was closed, called forged.
+TEST_F(SessionVerify, knowsTheHeadOfAnEarlierReport) {
+    record(path(), false);
+    const std::string head = *chainHead(path());
+    ASSERT_TRUE(closeInterrupted(path()));
+    EXPECT_NE(*chainHead(path()), head);
+    const auto verdict = verifySession(path(), head);
+    ASSERT_TRUE(verdict);
+    EXPECT_TRUE(verdict->isIntact());
+    EXPECT_EQ(verdict->expectedLink, verdict->links - 1);
+    EXPECT_EQ(verifySession(path(), std::string(64, '0'))->expectedLink, 0);
+}
+
+// Catches: a table of other columns that is read beyond its end, and rows by the thousand where there are a
+// few.
+TEST_F(SessionVerify, readsHostileTables) {
+    record(path());
+    for (const char* view : {"sample", "object_state", "truth", "pose", "motion", "source", "source_pose"})
+        tamper(path(), std::string("DROP VIEW ") + view);
+    tamper(path(), "DROP TABLE step");
+    tamper(path(), "CREATE TABLE step(number INTEGER PRIMARY KEY)");
+    tamper(path(), "INSERT INTO step VALUES(1)");
+    const auto verdict = verifySession(path());
+    EXPECT_TRUE(!verdict || !verdict->isIntact());
+    tamper(path(), "WITH RECURSIVE k(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM k LIMIT 20000) "
+                   "INSERT INTO meta SELECT 'key' || n, 'x' FROM k");
+    EXPECT_FALSE(verifySession(path()));
+}
+
 TEST_F(SessionVerify, looksAtARunThatIsBeingRecorded) {
     const Experiment experiment = twoDisks();
     const auto writer = SessionWriter::create(path(), experiment, true);
