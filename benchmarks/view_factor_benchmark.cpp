@@ -8,6 +8,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -64,6 +65,31 @@ Shape roughSource() {
 void paperSimpson64(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q) {
     for (auto _ : state)
         benchmark::DoNotOptimize(simpsonGradient(source, object, q, 64));
+}
+
+/// The baseline of one call, disk over disk: the same field summed at 32 points, whatever the error, by the
+/// kernels of this processor. Nothing is chosen or checked.
+void fixed32(benchmark::State& state, const Vector6d& q, bool withGradient) {
+    constexpr int kPoints = 32;
+    double x[kPoints], y[kPoints], dx[kPoints], dy[kPoints];
+    for (int k = 0; k < kPoints; ++k) {
+        const double phi = 2.0 * std::numbers::pi * k / kPoints, step = 2.0 * std::numbers::pi / kPoints;
+        x[k] = 0.015 * std::cos(phi);
+        y[k] = 0.015 * std::sin(phi);
+        dx[k] = -step * y[k];
+        dy[k] = step * x[k];
+    }
+    const kernels::Outline outline{x, y, dx, dy, kPoints};
+    const Pose X_SO = poseFromCoordinates(q);
+    for (auto _ : state) {
+        kernels::WholeDisk disk{0.15 * 0.15, {}, {}};
+        Eigen::Map<Eigen::Vector3d>(disk.o) = X_SO.linear().transpose() * X_SO.translation();
+        Eigen::Map<Eigen::Vector3d>(disk.k) = X_SO.linear().row(2).transpose();
+        if (withGradient)
+            benchmark::DoNotOptimize(kernels::kernels().diskSums(disk, outline));
+        else
+            benchmark::DoNotOptimize(kernels::kernels().diskValue(disk, outline));
+    }
 }
 
 void gradient(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q,
@@ -137,6 +163,9 @@ void matrixOfThree(benchmark::State& state, int sectors, int rings) {
 }
 
 BENCHMARK_CAPTURE(paperSimpson64, disk, kDiskSource, kDisk, kParallel);
+BENCHMARK_CAPTURE(fixed32, value, kParallel, false);
+BENCHMARK_CAPTURE(fixed32, gradient, kParallel, true);
+BENCHMARK_CAPTURE(gradient, disk_1e9, kDiskSource, kDisk, kParallel, 1e-9);
 BENCHMARK_CAPTURE(gradient, disk_1e12, kDiskSource, kDisk, kParallel, 1e-12);
 BENCHMARK_CAPTURE(value, disk_1e9, kDiskSource, kDisk, kParallel, 1e-9);
 BENCHMARK_CAPTURE(gradient, disk_source_cut_1e9, kDiskSource, kDisk, kCut, 1e-9);

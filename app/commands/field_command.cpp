@@ -310,7 +310,7 @@ int fieldCommand(const QStringList& arguments) {
         "source's\n"
         "frame, on all cores, and writes a VTK image for ParaView (.vti, up to four axes) or an HDF5 file "
         "(.h5, also\n"
-        "larger than memory; docs/exports.md). The other objects of the experiment go "
+        "larger than memory; docs/fields.md). The other objects of the experiment go "
         "along and "
         "shade\n"
         "it where they stand in its light. The last line printed says how many samples were computed and how "

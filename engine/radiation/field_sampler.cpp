@@ -267,7 +267,30 @@ Result<FieldSampler> FieldSampler::of(FieldRequest request) {
     return FieldSampler(std::make_unique<const Grid>(std::move(request)));
 }
 
-FieldSampler::FieldSampler(std::unique_ptr<const Grid> grid) : m_grid(std::move(grid)) {}
+/// An object whose centre is on the axis of a disk sees the same of it however it is turned about that axis:
+/// samples at one theta_z are those at all.
+struct FieldSampler::Turned {
+    std::size_t below = 1;                        ///< product of the counts of the axes before theta_z
+    std::vector<Turn> turns;                      ///< of theta_z
+    std::vector<double> values, errors, gradient; ///< at theta_z = 0, the other axes in their order
+
+    /// Sample number i of the whole field.
+    double take(std::size_t i, double& error, double* slopes) const {
+        const std::size_t beside = i / below, k = beside % turns.size();
+        const std::size_t at = i % below + below * (beside / turns.size());
+        error = errors[at];
+        if (slopes != nullptr) {
+            std::copy_n(&gradient[6 * at], 6, slopes);
+            const Turn& turn = turns[k];
+            slopes[kX] = turn.cos * gradient[6 * at + kX] - turn.sin * gradient[6 * at + kY];
+            slopes[kY] = turn.sin * gradient[6 * at + kX] + turn.cos * gradient[6 * at + kY];
+        }
+        return values[at];
+    }
+};
+
+FieldSampler::FieldSampler(std::unique_ptr<const Grid> grid)
+    : m_grid(std::move(grid)), m_turned(turned(*m_grid)) {}
 FieldSampler::FieldSampler(FieldSampler&&) noexcept = default;
 FieldSampler::~FieldSampler() = default;
 
@@ -287,6 +310,53 @@ std::size_t FieldSampler::samples() const {
     return m_grid->samples;
 }
 
+std::unique_ptr<const FieldSampler::Turned> FieldSampler::turned(const Grid& grid) {
+    constexpr std::size_t kMaxSamples = 1 << 18; // in the table, which is made on one thread
+    const FieldRequest& request = grid.request;
+    const SourceTerm& term = request.source.terms().front();
+    const bool isRound = request.source.isEven() && term.X_SP.matrix().isIdentity(0.0) &&
+                         std::holds_alternative<Disk>(term.contour.shape());
+    const auto axis = std::ranges::find(request.axes, kThetaZ, &FieldAxis::coordinate);
+    const bool isOnAxis = request.fixed[kX] == 0.0 && request.fixed[kY] == 0.0 &&
+                          std::ranges::none_of(request.axes, [](const FieldAxis& each) {
+                              return each.coordinate == kX || each.coordinate == kY;
+                          });
+    if (!isRound || !isOnAxis || grid.isMoved || grid.isMounted || grid.held || axis == request.axes.end() ||
+        axis->count == 1 || request.axes.size() == 1 ||
+        grid.samples / static_cast<std::size_t>(axis->count) > kMaxSamples)
+        return nullptr;
+    auto table = std::make_unique<Turned>();
+    const auto number = axis - request.axes.begin();
+    for (auto before = request.axes.begin(); before != axis; ++before)
+        table->below *= static_cast<std::size_t>(before->count);
+    table->turns = grid.turns[static_cast<std::size_t>(number)];
+    FieldRequest others = request;
+    others.axes.erase(others.axes.begin() + number);
+    others.fixed[kThetaZ] = 0.0;
+    const FieldSampler sampler(std::make_unique<const Grid>(std::move(others)));
+    const std::size_t samples = sampler.samples();
+    table->values.resize(samples);
+    table->errors.resize(samples);
+    table->gradient.resize(request.withGradient ? 6 * samples : 0);
+    Cursor cursor(*sampler.m_grid, 0);
+    for (std::size_t at = 0; at < samples; at += kRow)
+        sampler.takeRow(cursor, std::min(kRow, samples - at), &table->values[at], &table->errors[at],
+                        request.withGradient ? &table->gradient[6 * at] : nullptr);
+    return table;
+}
+
+void FieldSampler::takeRow(Cursor& cursor, std::size_t count, double* values, double* errors,
+                           double* gradient) const {
+    if (m_grid->batch) {
+        sampleRow(*m_grid->batch, cursor, count, values, errors, gradient);
+        return;
+    }
+    for (std::size_t k = 0; k < count; ++k, cursor.advance()) {
+        errors[k] = 0.0;
+        values[k] = viewFactorAt(cursor, gradient ? gradient + 6 * k : nullptr, errors[k]);
+    }
+}
+
 FieldTally FieldSampler::sample(std::size_t begin, std::size_t end, double* values, double* gradient) const {
     const FieldQuantity& quantity = m_grid->request.quantity;
     // An estimate contains the error of the rule and of rounding.
@@ -296,14 +366,11 @@ FieldTally FieldSampler::sample(std::size_t begin, std::size_t end, double* valu
     std::array<double, kRow> F, errors;
     for (std::size_t at = begin; at < end; at += kRow) {
         const std::size_t count = std::min(kRow, end - at);
-        if (m_grid->batch) {
-            sampleRow(*m_grid->batch, cursor, count, F.data(), errors.data(), gradient);
-        } else {
-            for (std::size_t k = 0; k < count; ++k, cursor.advance()) {
-                errors[k] = 0.0;
-                F[k] = viewFactorAt(cursor, gradient ? gradient + 6 * k : nullptr, errors[k]);
-            }
-        }
+        if (m_turned)
+            for (std::size_t k = 0; k < count; ++k)
+                F[k] = m_turned->take(at + k, errors[k], gradient ? gradient + 6 * k : nullptr);
+        else
+            takeRow(cursor, count, F.data(), errors.data(), gradient);
         for (std::size_t k = 0; k < count; ++k) {
             tally.undefined += std::isnan(F[k]);
             tally.unreached += errors[k] > reached;

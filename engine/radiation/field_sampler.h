@@ -123,7 +123,10 @@ public:
 private:
     struct Grid;
     class Cursor;
+    struct Turned;
     explicit FieldSampler(std::unique_ptr<const Grid> grid);
+    static std::unique_ptr<const Turned> turned(const Grid& grid);
+    void takeRow(Cursor& cursor, std::size_t count, double* values, double* errors, double* gradient) const;
     void sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t count, double* values, double* errors,
                    double* gradient) const;
     double viewFactorAt(const Cursor& cursor, double* gradient, double& error) const;
@@ -131,6 +134,7 @@ private:
     double shadedAt(const Cursor& cursor, double* gradient, double& error) const;
 
     std::unique_ptr<const Grid> m_grid;
+    std::unique_ptr<const Turned> m_turned; ///< null: there is no symmetry
 };
 
 struct FieldRun {

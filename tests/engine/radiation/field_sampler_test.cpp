@@ -155,7 +155,6 @@ TEST(FieldSampler, agreesAcrossChunks) {
 }
 
 void expectSlopes(FieldRequest asked) {
-    asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
     asked.withGradient = true;
     asked.tolerance = 1e-13;
     const auto field = sampled(asked);
@@ -177,9 +176,27 @@ void expectSlopes(FieldRequest asked) {
 // field itself does along its axes.
 TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
     FieldRequest asked = request({axisOf(kY), axisOf(kThetaX), axisOf(kThetaZ)});
+    asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
     expectSlopes(asked);
     asked.X_RS = movedSource();
     expectSlopes(asked);
+}
+
+// Catches: samples at one theta_z taken for those at another where they are not, or gradients that are not
+// turned with it.
+TEST(FieldSampler, turnedAboutTheAxisOfADiskItSeesTheSame) {
+    for (const std::vector<Coordinate>& order :
+         {std::vector{kThetaX, kThetaY, kThetaZ}, {kThetaZ, kZ, kThetaX}, {kThetaY, kThetaZ, kZ}}) {
+        std::vector<FieldAxis> axes;
+        for (const Coordinate coordinate : order)
+            axes.push_back(axisOf(coordinate));
+        FieldRequest asked = request(axes);
+        asked.fixed[kX] = asked.fixed[kY] = 0.0;
+        expectSinglesAgree(asked);
+        expectSlopes(asked);
+        asked.fixed[kY] = 0.01;
+        expectSinglesAgree(asked);
+    }
 }
 
 // Catches: numbers that depend on who computed them.
