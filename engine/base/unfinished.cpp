@@ -38,8 +38,8 @@ struct Registry {
 };
 
 Registry& registry() {
-    static auto* const instance = new Registry;
-    return *instance;
+    static auto* const kInstance = new Registry;
+    return *kInstance;
 }
 
 void remove(const Entry& entry) {

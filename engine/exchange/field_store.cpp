@@ -39,6 +39,7 @@ std::size_t samplesOf(const Field& header) {
 void addAxes(Hdf5File& file, const Field& header) {
     for (const FieldAxis& axis : header.axes) {
         std::vector<double> values;
+        values.reserve(static_cast<std::size_t>(axis.count));
         for (int i = 0; i < axis.count; ++i)
             values.push_back(axis.at(i));
         file.numbers(std::string("/entry/field/") + kCoordinateNames[axis.coordinate], values,
@@ -66,10 +67,12 @@ Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool 
     file.attribute("/entry/field", "signal", header.quantity);
     std::vector<std::string> names;
     std::vector<std::size_t> sizes;
-    for (auto axis = header.axes.rbegin(); axis != header.axes.rend(); ++axis) {
-        names.emplace_back(kCoordinateNames[axis->coordinate]);
-        sizes.push_back(static_cast<std::size_t>(axis->count));
+    for (const FieldAxis& axis : header.axes) {
+        names.emplace_back(kCoordinateNames[axis.coordinate]);
+        sizes.push_back(static_cast<std::size_t>(axis.count));
     }
+    std::ranges::reverse(names); // the first axis runs fastest
+    std::ranges::reverse(sizes);
     file.attribute("/entry/field", "axes", names);
     addAxes(file, header);
     file.group("/entry/sampling", "NXcollection");

@@ -52,8 +52,8 @@ std::span<const double> cosinesOf(int points) {
 
 } // namespace
 
-PoseBatch::PoseBatch(RadiatingContour source, RadiatingContour object, double tolerance)
-    : m_source(std::move(source)), m_object(std::move(object)), m_radius(m_source.impl().disk->radius_m) {
+PoseBatch::PoseBatch(const RadiatingContour& source, const RadiatingContour& object, double tolerance)
+    : m_source(source), m_object(object), m_radius(m_source.impl().disk->radius_m) {
     const double perimeters = m_source.impl().perimeter * m_object.impl().perimeter;
     const double perCirculation = 1.0 / (2.0 * std::numbers::pi * m_object.area_m2());
     m_floor = 32.0 * std::numeric_limits<double>::epsilon() * perimeters * perCirculation;
@@ -105,7 +105,9 @@ unsigned PoseBatch::seen(const Poses& poses, Distances& distances) const {
     const double reach = m_object.impl().reach;
     const double least = kInFront * (m_radius + reach);
     double overObject[kPoses], overSource[kPoses]; // lowest point of the one face over the other's plane
-    const auto& [x, y, z] = poses.p;
+    const double(&x)[kPoses] = poses.p[0];
+    const double(&y)[kPoses] = poses.p[1];
+    const double(&z)[kPoses] = poses.p[2];
     const auto heights = [&](int k, int turn) {
         const auto R = [&](int i, int j) { return poses.R[i][j][turn]; };
         const double sourceSlope = std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2));

@@ -44,7 +44,7 @@ public:
     void compute(const Poses& poses, int count, bool withGradient, Factors& factors) const;
 
 private:
-    PoseBatch(RadiatingContour source, RadiatingContour object, double tolerance);
+    PoseBatch(const RadiatingContour& source, const RadiatingContour& object, double tolerance);
     struct Distances;
     unsigned seen(const Poses& poses, Distances& distances) const;
     void parallel(const Poses& poses, const Distances& distances, int points, Factors& factors) const;

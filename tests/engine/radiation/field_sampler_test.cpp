@@ -188,6 +188,7 @@ TEST(FieldSampler, turnedAboutTheAxisOfADiskItSeesTheSame) {
     for (const std::vector<Coordinate>& order :
          {std::vector{kThetaX, kThetaY, kThetaZ}, {kThetaZ, kZ, kThetaX}, {kThetaY, kThetaZ, kZ}}) {
         std::vector<FieldAxis> axes;
+        axes.reserve(order.size());
         for (const Coordinate coordinate : order)
             axes.push_back(axisOf(coordinate));
         FieldRequest asked = request(axes);

@@ -8,7 +8,9 @@
 #include "engine/recording/session_header.h"
 #include "tests/engine/recording/recording.h"
 
+#include <QElapsedTimer>
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -365,6 +367,29 @@ TEST_F(SessionVerify, whatNoRunRecordsIsNotOpened) {
             EXPECT_EQ(read.error().code(), MessageCode::SessionDamaged) << sql;
         }
     }
+}
+
+// A day at 10 Hz with two objects is looked at in 20 s. The long form, `ctest -L soak`.
+TEST_F(SessionVerify, aDayIsVerifiedInTwentySeconds) {
+    const Experiment experiment = twoDisks();
+    {
+        const auto writer = SessionWriter::create(path(), experiment, true);
+        ASSERT_TRUE(writer);
+        TraceSample sample = madeUpSample(experiment, 1);
+        for (int k = 0; k < 864'000; ++k) {
+            sample.time_s = 0.1 * k;
+            ASSERT_TRUE((*writer)->add(sample));
+        }
+        ASSERT_TRUE((*writer)->finish("settled"));
+    }
+    QElapsedTimer timer;
+    timer.start();
+    const SessionVerdict verdict = verified(path());
+    std::printf("%lld MB verified in %.1f s\n",
+                static_cast<long long>(QFileInfo(QString::fromStdString(path())).size() / 1'000'000),
+                1e-3 * static_cast<double>(timer.elapsed()));
+    EXPECT_TRUE(verdict.isIntact());
+    EXPECT_LT(timer.elapsed(), 20'000);
 }
 
 } // namespace
