@@ -116,7 +116,7 @@ TaskPlugin=task/none
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 ReturnToService=2
-NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=$(nproc) State=UNKNOWN
+NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=$(nproc) RealMemory=$(awk '/^MemTotal/ { print int($2 / 1100) }' /proc/meminfo) State=UNKNOWN
 PartitionName=all Nodes=ALL Default=YES State=UP
 EOF
 SLURM_CONF=$work/slurm.conf
@@ -132,7 +132,10 @@ killer "$work/on" &
 killing=$!
 cd "$work/$name"
 array=1-64
+rounds=0
 until bask merge study -o merged >summary.txt 2>merge.log; do
+    rounds=$((rounds + 1))
+    [ "$rounds" -le 50 ] || { cat sbatch.log merge.log >&2; exit 1; }
     SHARDS=64 STUDY=$study sbatch --wait --array="$array" "$scripts/study.sbatch" >>sbatch.log 2>&1 || true
     # The shards that lack cases, for the next round.
     array=$(bask merge --status study 2>/dev/null | sed -n 's/.*\.\([0-9]*\)-of-64\.part: .*/\1 &/p' | grep -v ', done$' | sed 's/^0*\([0-9]*\) .*/\1/' | paste -sd, -)
