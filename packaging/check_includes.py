@@ -91,7 +91,7 @@ OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "de
                   ("engine", "thermography")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
-SYSTEM_HEADER = re.compile(r"(unistd|dirent|dlfcn|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
+SYSTEM_HEADER = re.compile(r"(unistd|dirent|elf|link|dlfcn|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\b(?!QT_TRANSLATE_NOOP\b)Q(?:t(?=::)|[A-Z]\w*)")  # that one macro is of engine/base/translated.h
