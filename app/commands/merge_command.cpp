@@ -44,11 +44,33 @@ Result<std::vector<std::string>> partsOf(const QStringList& arguments) {
     return paths;
 }
 
-/// Whether somebody works on a part: by its lock, or where there are none by its last change.
-bool isUnderWay(const ShardPart& part) {
+enum class PartState { Damaged, Done, UnderWay, Resting };
+
+double quiet_s(const ShardPart& part) {
+    return 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - part.changed_ms);
+}
+
+/// Somebody works on it by its lock, or where there are none by its last change.
+PartState stateOf(const ShardPart& part, std::int64_t share) {
     constexpr double kQuiet_s = 60.0;
-    const double quiet_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - part.changed_ms);
-    return part.isBeingWritten || quiet_s < kQuiet_s;
+    return part.isDamaged                                            ? PartState::Damaged
+           : static_cast<std::int64_t>(part.records.size()) >= share ? PartState::Done
+           : part.isBeingWritten || quiet_s(part) < kQuiet_s         ? PartState::UnderWay
+                                                                     : PartState::Resting;
+}
+
+std::string wordOf(PartState state, const ShardPart& part) {
+    switch (state) {
+    case PartState::Damaged:
+        return "damaged";
+    case PartState::Done:
+        return "done";
+    case PartState::UnderWay:
+        return "under way";
+    case PartState::Resting:
+        break;
+    }
+    return "rests for " + roughDuration(quiet_s(part));
 }
 
 /// Cases a second, by the computing time of those that are there.
@@ -56,17 +78,9 @@ double speedOf(const ShardPart& part) {
     double took_s = 0.0;
     for (const PartRecord& record : part.records)
         took_s += record.took_s;
-    return took_s > 0.0 && isUnderWay(part)
+    return took_s > 0.0
                ? static_cast<double>(part.header.threads) * static_cast<double>(part.records.size()) / took_s
                : 0.0;
-}
-
-std::string wordOf(const ShardPart& part, std::int64_t share) {
-    const double quiet_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch() - part.changed_ms);
-    return part.isDamaged                                            ? "damaged"
-           : static_cast<std::int64_t>(part.records.size()) >= share ? "done"
-           : isUnderWay(part)                                        ? "under way"
-                                                                     : "rests for " + roughDuration(quiet_s);
 }
 
 int printStatus(const std::vector<std::string>& paths) {
@@ -92,11 +106,11 @@ int printStatus(const std::vector<std::string>& paths) {
         begun.insert(part->header.shard.number);
         isDamaged = isDamaged || part->isDamaged;
         const std::int64_t share = part->header.shard.share(part->header.cases);
-        const std::string word = wordOf(*part, share);
-        if (word == "under way")
+        const PartState state = stateOf(*part, share);
+        if (state == PartState::UnderWay)
             speed += speedOf(*part);
         std::printf("%s: %zu of %lld, %s\n", path.c_str(), part->records.size(),
-                    static_cast<long long>(share), word.c_str());
+                    static_cast<long long>(share), wordOf(state, *part).c_str());
     }
     if (!first)
         return refuse(kName, Error(MessageCode::FileEmpty, paths.front()));

@@ -119,6 +119,20 @@ std::optional<ChainLink> linkOf(std::span<const SqlValue> row) {
     return link;
 }
 
+Result<std::optional<ChainLink>> lastLink(const SessionStore& store) {
+    const auto hasChain = store.hasTable("chain");
+    if (!hasChain)
+        return hasChain.error();
+    std::optional<ChainLink> last;
+    Result<void> done;
+    if (*hasChain)
+        done = store.select(std::string(kSelectLinks) + " DESC LIMIT 1",
+                            [&](SessionStore::Row row) { last = linkOf(row); });
+    if (!done)
+        return done.error();
+    return last;
+}
+
 std::string hexOf(const Digest& digest) {
     return QByteArray::fromRawData(reinterpret_cast<const char*>(digest.data()), digest.size())
         .toHex()

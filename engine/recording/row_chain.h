@@ -61,6 +61,9 @@ std::array<SqlValue, 3> rowOf(const ChainLink& link);
 /// Empty if the row is none.
 std::optional<ChainLink> linkOf(std::span<const SqlValue> row);
 
+/// Returns the last link of a file; empty if it has no chain, or one that is damaged.
+Result<std::optional<ChainLink>> lastLink(const SessionStore& store);
+
 std::string hexOf(const Digest& digest);
 
 inline constexpr const char* kCreateChain =

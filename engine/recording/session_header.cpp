@@ -88,29 +88,15 @@ Result<void> readInto(SessionHeader& header) {
     return done;
 }
 
-Result<bool> hasSealTable(const std::string& path) {
-    const auto store = SessionStore::open(path);
-    if (!store)
-        return store.error();
-    bool has = false;
-    auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'seal' AND type = 'table'",
-                                 [&](Row) { has = true; });
-    return done ? Result<bool>(has) : done.error();
-}
-
 /// Goes on with the chain, if there is one.
 Result<void> chainFact(SessionStore& store, std::span<const SqlValue> fact) {
-    bool hasChain = false;
-    std::optional<ChainLink> last;
-    auto done = store.select("SELECT 1 FROM sqlite_master WHERE name = 'chain' AND type = 'table'",
-                             [&](Row) { hasChain = true; });
-    if (!done || !hasChain)
-        return done;
-    done = store.select(std::string(kSelectLinks) + " DESC LIMIT 1", [&](Row row) { last = linkOf(row); });
-    const auto insert = done ? store.prepare(kInsertLink) : Result<std::size_t>(done.error());
-    if (!insert || !last)
-        return insert ? Result<void>() : insert.error();
-    RowChain chain(last->number, last->hash);
+    const auto last = lastLink(store);
+    if (!last || !*last)
+        return last ? Result<void>() : last.error();
+    const auto insert = store.prepare(kInsertLink);
+    if (!insert)
+        return insert.error();
+    RowChain chain((*last)->number, (*last)->hash);
     chain.add(ChainTable::Meta, fact);
     return store.run(*insert, rowOf(chain.takeLink()));
 }
@@ -133,7 +119,10 @@ Result<void> putFact(const std::string& path, const std::string& key, const std:
     auto done = (*store)->run(*put, row);
     if (done && key != kTags)
         done = chainFact(**store, row);
-    if (done && isSealed)
+    const auto hasSeal = done ? (*store)->hasTable("seal") : Result<bool>(done.error());
+    if (!hasSeal)
+        return hasSeal.error();
+    if (*hasSeal && isSealed)
         done = makeSeal(**store);
     return done ? (*store)->execute("COMMIT") : done;
 }
@@ -143,11 +132,8 @@ Result<void> putFactSealed(const std::string& path, const std::string& key, cons
     const auto seal = lookAtSeal(path);
     if (!seal)
         return seal.error();
-    const auto isFinished = hasSealTable(path);
-    if (!isFinished)
-        return isFinished.error();
     // What was altered is not sealed anew.
-    auto done = putFact(path, key, value, *isFinished && *seal != Seal::Broken);
+    auto done = putFact(path, key, value, *seal != Seal::Broken);
     return done ? sealSession(path) : done;
 }
 

@@ -36,13 +36,13 @@ Result<void> sealCopy(const std::string& path) {
         const auto store = SessionStore::create(path);
         if (!store)
             return store.error();
+        const auto hasSeal = (*store)->hasTable("seal");
+        if (!hasSeal)
+            return hasSeal.error();
         bool isClosed = false;
-        auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'seal' AND type = 'table'",
-                                     [&](SessionStore::Row) { isClosed = true; });
-        if (done && isClosed) {
-            isClosed = false;
+        Result<void> done;
+        if (*hasSeal)
             done = (*store)->select("SELECT 1 FROM seal", [&](SessionStore::Row) { isClosed = true; });
-        }
         if (done && isClosed)
             done = makeSeal(**store);
         if (!done)

@@ -25,11 +25,12 @@ Result<std::string> sealIn(const std::string& path) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
-    bool hasTable = false;
+    const auto hasSeal = (*store)->hasTable("seal");
+    if (!hasSeal)
+        return hasSeal.error();
     std::string bytes;
-    auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'seal' AND type = 'table'",
-                                 [&](SessionStore::Row) { hasTable = true; });
-    if (done && hasTable)
+    Result<void> done;
+    if (*hasSeal)
         done = (*store)->select("SELECT hash FROM seal LIMIT 1", [&](SessionStore::Row row) {
             if (const auto* blob = std::get_if<SqlBlob>(&row[0]);
                 blob != nullptr && blob->bytes.size() == kBytes)

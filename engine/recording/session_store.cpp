@@ -351,6 +351,13 @@ Result<void> SessionStore::select(const std::string& sql, const std::function<vo
     return {};
 }
 
+Result<bool> SessionStore::hasTable(const std::string& name) const {
+    bool has = false;
+    const auto done = select("SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = " + sqlText(name),
+                             [&](Row) { has = true; });
+    return done ? Result<bool>(has) : done.error();
+}
+
 Result<std::vector<std::string>> SessionStore::columns(const std::string& table) const {
     std::vector<std::string> names;
     const auto done =

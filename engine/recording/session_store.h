@@ -55,6 +55,7 @@ public:
     /// Calls `row` for each row of a query, until `stop` is requested.
     Result<void> select(const std::string& sql, const std::function<void(Row)>& row,
                         const std::stop_token& stop = {}) const;
+    Result<bool> hasTable(const std::string& name) const;
     /// Returns the column names of a table.
     Result<std::vector<std::string>> columns(const std::string& table) const;
     const std::string& path() const;

@@ -290,18 +290,10 @@ Result<std::string> chainHead(const std::string& path) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
-    bool hasChain = false;
-    std::string head;
-    auto done = (*store)->select("SELECT 1 FROM sqlite_master WHERE name = 'chain' AND type = 'table'",
-                                 [&](Row) { hasChain = true; });
-    if (done && hasChain)
-        done = (*store)->select(std::string(kSelectLinks) + " DESC LIMIT 1", [&](Row row) {
-            if (const auto link = linkOf(row))
-                head = hexOf(link->hash);
-        });
-    if (!done)
-        return done.error();
-    return head;
+    const auto last = lastLink(**store);
+    if (!last)
+        return last.error();
+    return *last ? hexOf((*last)->hash) : std::string();
 }
 
 } // namespace bask
