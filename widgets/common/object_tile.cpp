@@ -11,6 +11,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -170,19 +171,49 @@ void ObjectTile::clear(double target_K) {
 
 /// From one sample to the next the estimate's noise is several K/min.
 void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
-    if (!m_rates.empty() && time_s < m_rates.back().first) // another clock
+    if (!m_rates.empty() && time_s < m_rates.back().time_s) // another clock
         m_rates.clear();
-    if (sample.valid && std::isfinite(sample.rate_K_s) && (m_rates.empty() || time_s > m_rates.back().first))
-        m_rates.emplace_back(time_s, sample.rate_K_s);
-    while (!m_rates.empty() && m_rates.front().first <= time_s - kRateOver_s)
+    const bool isNew = m_rates.empty() || time_s > m_rates.back().time_s;
+    if (sample.valid && std::isfinite(sample.measured_K) && isNew)
+        m_rates.push_back({time_s, sample.rate_K_s, sample.measured_K});
+    while (!m_rates.empty() && m_rates.front().time_s <= time_s - kRateOver_s)
         m_rates.pop_front();
+}
+
+/// The slope of the readings where it is beyond noise: 2.5 of its standard errors, by their scatter, at least
+/// that of readings rounded to 0.1 K. 0: neither heating nor cooling is told.
+double ObjectTile::told_K_s() const {
+    constexpr double kMinScatter_K = 0.029, kStandardErrors = 2.5;
+    const auto n = static_cast<double>(m_rates.size());
+    if (m_rates.size() < 3)
+        return std::abs(rate_K_s()) > kSteadyRate_K_s ? rate_K_s() : 0.0;
+    double time_s = 0.0, mean_K = 0.0;
+    for (const Reading& each : m_rates) {
+        time_s += each.time_s / n;
+        mean_K += each.measured_K / n;
+    }
+    double tt = 0.0, ty = 0.0, yy = 0.0;
+    for (const Reading& each : m_rates) {
+        const double t = each.time_s - time_s, y = each.measured_K - mean_K;
+        tt += t * t;
+        ty += t * y;
+        yy += y * y;
+    }
+    const double slope_K_s = ty / tt;
+    const double scatter_K = std::sqrt(std::max(0.0, yy - ty * slope_K_s) / (n - 2.0));
+    const double noise_K_s = kStandardErrors * std::max(scatter_K, kMinScatter_K) / std::sqrt(tt);
+    return std::abs(slope_K_s) > std::max(noise_K_s, kSteadyRate_K_s) ? slope_K_s : 0.0;
 }
 
 double ObjectTile::rate_K_s() const {
     double sum_K_s = 0.0;
-    for (const auto& [time_s, rate_K_s] : m_rates)
-        sum_K_s += rate_K_s;
-    return sum_K_s / static_cast<double>(m_rates.size());
+    int count = 0;
+    for (const Reading& each : m_rates)
+        if (std::isfinite(each.rate_K_s)) { // not before the estimator's first
+            sum_K_s += each.rate_K_s;
+            ++count;
+        }
+    return sum_K_s / count;
 }
 
 ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
@@ -202,10 +233,8 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;
-    if (rate_K_s() > kSteadyRate_K_s)
-        return ObjectActivity::Heating;
-    if (rate_K_s() < -kSteadyRate_K_s)
-        return ObjectActivity::Cooling;
+    if (const double rate_K_s = told_K_s(); rate_K_s != 0.0)
+        return rate_K_s > 0.0 ? ObjectActivity::Heating : ObjectActivity::Cooling;
     return ObjectActivity::Steady;
 }
 

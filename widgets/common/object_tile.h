@@ -8,7 +8,6 @@
 
 #include <deque>
 #include <limits>
-#include <utility>
 #include <vector>
 
 class QLabel;
@@ -78,6 +77,7 @@ private:
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
     double rate_K_s() const; ///< NaN if there is none
+    double told_K_s() const;
 
     int m_index;
     QString m_name;
@@ -85,7 +85,10 @@ private:
     SensorView m_sensor;
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
-    std::deque<std::pair<double, double>> m_rates; ///< rates of the last kRateOver_s: time, K/s
+    struct Reading {
+        double time_s, rate_K_s, measured_K; ///< rate: NaN if there is none
+    };
+    std::deque<Reading> m_rates; ///< of the last kRateOver_s
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature, *m_age;
     QPushButton* m_confirm;

@@ -1,3 +1,4 @@
+#include "engine/thermal/rate_estimator.h"
 #include "widgets/common/object_tile.h"
 
 #include <QLabel>
@@ -6,6 +7,9 @@
 #include <QTest>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
 
 using namespace bask;
 
@@ -75,6 +79,32 @@ TEST(ObjectTile, AtRestTheWordStaysTheSame) {
     shown.feed(60.5, 0.0, 0.0, false); // a drop-out takes nothing of the mean away
     shown.feed(61.0, 300.0, -3.0 / 60.0);
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady);
+}
+
+// Catches "heating" said of noise: readings of 0.1 K with noise at rest, by the estimator of the paper.
+TEST(ObjectTile, NoiseIsNoHeatingAndASlowRampIs) {
+    Shown shown;
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0.0, 0.02);
+    RateEstimator estimator(10, 3);
+    const auto feed = [&](int k, double true_K) {
+        const double measured_K = std::round((true_K + noise(random)) * 10.0) / 10.0;
+        estimator.add(k, measured_K);
+        const auto estimate = estimator.estimate(); // none before its window is full
+        shown.feed(k, measured_K, estimate ? estimate->rate_K_s : std::nan(""));
+    };
+    int said = 0;
+    for (int k = 0; k < 3000; ++k) {
+        feed(k, 300.037);
+        said += shown.tile.activity() == ObjectActivity::Heating ||
+                        shown.tile.activity() == ObjectActivity::Cooling
+                    ? 1
+                    : 0;
+    }
+    EXPECT_EQ(said, 0) << "of 3000";
+    for (int k = 3000; k < 3030; ++k)
+        feed(k, 300.037 + (k - 3000) * 3.0 / 60.0); // 3 K/min
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::Heating);
 }
 
 // Catches a lost sensor shown as 0 or as its last value.
