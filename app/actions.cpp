@@ -83,6 +83,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     endRecording->setEnabled(false);
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
+    monitoring = make("monitoring");
+    labels = make("labels", QKeySequence(Qt::CTRL | Qt::Key_L));
     m_clearRecent = make("clearRecent");
     connect(m_clearRecent, &QAction::triggered, this, &Actions::recentCleared);
     manual = make("manual", QKeySequence(Qt::Key_F1));
@@ -237,7 +239,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_runMenu->addSeparator();
     m_runMenu->addActions({verb(Verb::EmergencyStop), verb(Verb::Reset)});
     m_runMenu->addSeparator();
-    m_runMenu->addActions({endRecording, acknowledgeAlarms});
+    m_runMenu->addActions({labels, endRecording, acknowledgeAlarms});
     for (QAction* action : m_pages)
         m_viewMenu->addAction(action);
     m_viewMenu->addSeparator();
@@ -246,6 +248,8 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_viewMenu->addMenu(m_textSizeMenu);
     m_viewMenu->addMenu(m_hornMenu);
     m_viewMenu->addMenu(m_languageMenu);
+    m_viewMenu->addSeparator();
+    m_viewMenu->addAction(monitoring);
     for (QAction* action : m_units)
         m_unitMenu->addAction(action);
     for (QAction* action : m_themes)
@@ -316,6 +320,9 @@ void Actions::retranslateRun() {
     say(Verb::EmergencyStop, tr("STOP now") + QStringLiteral("\tF12"),
         tr("Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop."));
     say(Verb::Reset, tr("Rese&t"), tr("Clear a latched stop or fault. It never starts anything."));
+    labels->setText(tr("&Operator and sample…"));
+    labels->setToolTip(
+        tr("Who operates, and what is heated: recordings, reports and the list of runs show it."));
     endRecording->setText(tr("End the re&cording"));
     endRecording->setToolTip(
         tr("After a stop or a fault the recording goes on until everything is cold. This ends it now."));
@@ -354,6 +361,7 @@ void Actions::retranslateView() {
         action->setToolTip(tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or "
                               "over; once for priority 3"));
     m_languageMenu->setTitle(tr("&Language"));
+    monitoring->setText(tr("&Monitoring…"));
     m_toolsMenu->setTitle(tr("&Tools"));
     retranslateFaults();
 }

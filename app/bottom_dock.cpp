@@ -4,6 +4,7 @@
 #include "engine/base/notice.h"
 #include "widgets/common/alarm_list.h"
 #include "widgets/common/event_list.h"
+#include "widgets/common/run_label_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/recipe/recipe_panel.h"
 
@@ -130,7 +131,7 @@ void BottomDock::addEvent(const TraceEvent& event) {
 }
 
 void BottomDock::addNote(const TraceNote& note) {
-    m_eventList->add(note.time_s, QString::fromStdString(note.text), EventKind::Note);
+    m_eventList->add(note.time_s, noteText(note), EventKind::Note);
 }
 
 void BottomDock::showEvents() {

@@ -9,14 +9,24 @@ QDir dataFolder() {
     return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) : folder;
 }
 
+namespace {
+
+QString fileIn(const QDir& folder, const QString& name) {
+    return folder.mkpath(QStringLiteral(".")) ? folder.filePath(name) : QString();
+}
+
+} // namespace
+
 QString alarmFile() {
-    const QDir folder = dataFolder();
-    return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("alarms.json")) : QString();
+    return fileIn(dataFolder(), QStringLiteral("alarms.json"));
 }
 
 QString deviceFile() {
-    const QDir folder = dataFolder();
-    return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("devices.json")) : QString();
+    return fileIn(dataFolder(), QStringLiteral("devices.json"));
+}
+
+QString monitorFile() {
+    return fileIn(dataFolder(), QStringLiteral("monitor.json"));
 }
 
 } // namespace bask

@@ -11,5 +11,7 @@ QDir dataFolder();
 QString alarmFile();
 /// Returns the file of the known devices, in the same way.
 QString deviceFile();
+/// Returns the file of the settings of the monitoring, in the same way.
+QString monitorFile();
 
 } // namespace bask

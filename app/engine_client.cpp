@@ -46,6 +46,7 @@ void EngineClient::start(const QString& alarmFile, const QString& deviceFile) {
     m_thread = new QThread;
     m_thread->setObjectName(QStringLiteral("engine"));
     m_worker = new EngineWorker(alarmFile.toStdString(), deviceFile.toStdString());
+    m_worker->setWatch(m_watch);
     m_worker->moveToThread(m_thread);
     m_ending->set(m_worker);
     connect(m_thread, &QThread::started, m_worker, &EngineWorker::start);

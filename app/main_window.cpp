@@ -6,7 +6,9 @@
 #include "app/data_folder.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
+#include "app/labels_dialog.h"
 #include "app/manual_window.h"
+#include "app/monitor_control.h"
 #include "app/problem_report.h"
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
@@ -94,7 +96,9 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::begin(const QString& path) {
+    m_engine.setWatch(m_monitor->inlet());
     m_engine.start(alarmFile(), deviceFile());
+    m_monitor->begin();
     m_cutOff->begin();
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())
@@ -129,6 +133,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
+    armWithLabels(snapshot);
     if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused)))
         m_refused.reset();
     m_undo->setState(snapshot.state);
@@ -147,7 +152,7 @@ void MainWindow::perform(Verb verb) {
         m_recipe->takeOver(verb == Verb::Hold);
     switch (verb) {
     case Verb::Arm:
-        return m_last.simulated ? arm() : askArm();
+        return m_settings.asksLabels() ? askLabels(true) : askToArm();
     case Verb::Start:
         m_pages->show(Page::Run);
         return m_engine.send(Start{false}); // the engine judges the targets; its refusal asks for the tick
@@ -164,6 +169,37 @@ void MainWindow::perform(Verb verb) {
     case Verb::Reset:
         return m_engine.send(Reset{});
     }
+}
+
+void MainWindow::askLabels(bool isBeforeArm) {
+    delete findChild<LabelsDialog*>();
+    auto* dialog = new LabelsDialog({m_last.labels, m_settings.recentOperators(), m_settings.asksLabels(),
+                                     isBeforeArm, !allowsEdits(m_last.state)},
+                                    this);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, isBeforeArm] {
+        const RunLabels labels = dialog->labels();
+        m_settings.setAsksLabels(dialog->isAskedAlways());
+        if (!labels.operatorName.empty())
+            m_settings.addRecentOperator(QString::fromStdString(labels.operatorName));
+        m_engine.send(SetLabels{labels});
+        m_armsWith = isBeforeArm ? std::optional(labels) : std::nullopt;
+    });
+    dialog->show();
+}
+
+/// Once the engine has taken them; not if it has refused.
+void MainWindow::armWithLabels(const Snapshot& snapshot) {
+    if (!m_armsWith)
+        return;
+    const bool areTaken = snapshot.labels == *m_armsWith;
+    if (areTaken || snapshot.refusal.code != MessageCode::None)
+        m_armsWith.reset();
+    if (areTaken && allows(snapshot, Verb::Arm))
+        askToArm();
+}
+
+void MainWindow::askToArm() {
+    return m_last.simulated ? arm() : askArm();
 }
 
 /// On the way up a person decides; STOP can be pressed meanwhile.

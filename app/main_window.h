@@ -24,6 +24,7 @@ class BottomDock;
 class Coach;
 class CutOffRun;
 class ManualWindow;
+class MonitorControl;
 class RecipeControl;
 class RecoveryOffer;
 class StateBar;
@@ -77,6 +78,9 @@ private:
 
     void apply(const Snapshot& snapshot);
     void perform(Verb verb);
+    void askLabels(bool isBeforeArm);
+    void armWithLabels(const Snapshot& snapshot);
+    void askToArm();
     void askArm();
     void askRetreat();
     void arm();
@@ -115,14 +119,16 @@ private:
     CutOffRun* m_cutOff = nullptr;
     Coach* m_coach = nullptr;
     RecipeControl* m_recipe = nullptr;
+    MonitorControl* m_monitor = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;
     ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
-    QStringList m_ages;            ///< ages of the calibrations, in words
-    std::optional<Verb> m_refused; ///< the verb that the message bar says is not possible
+    QStringList m_ages;                  ///< ages of the calibrations, in words
+    std::optional<RunLabels> m_armsWith; ///< arms when the engine has these
+    std::optional<Verb> m_refused;       ///< the verb that the message bar says is not possible
     std::function<Closing()> m_closeQuestion;
     bool m_closesAtRest = false; ///< a person asked to close when the run has ended
     bool m_isHeatLeft = false;   ///< a real source was not seen to go off at the engine's end

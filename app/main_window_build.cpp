@@ -4,8 +4,10 @@
 #include "app/bottom_dock.h"
 #include "app/coach.h"
 #include "app/cut_off_run.h"
+#include "app/data_folder.h"
 #include "app/error_text.h"
 #include "app/main_window.h"
+#include "app/monitor_control.h"
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
 #include "app/state_bar.h"
@@ -93,6 +95,8 @@ void MainWindow::connectActions() {
     on(m_actions.saveAs, [this] { m_files.saveAs(); });
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
+    on(m_actions.labels, [this] { askLabels(false); });
+    connect(m_stateBar, &StateBar::labelsRequested, this, [this] { askLabels(false); });
     on(m_actions.endRecording, [this] { m_engine.send(EndRecording{}); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
     on(m_actions.manual, [this] { showManual(QStringLiteral("manual.md")); });
@@ -182,6 +186,11 @@ void MainWindow::connectParts() {
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
         m_pages->showProblem(tr("Unsaved edits cannot be kept for a crash: %1").arg(sentence(error)));
     });
+    m_monitor = new MonitorControl(monitorFile(), m_files, this);
+    connect(m_monitor, &MonitorControl::stateTold, m_statusLine,
+            qOverload<const MonitorState&>(&StatusLine::showMonitor));
+    connect(m_monitor, &MonitorControl::problem, m_pages, &PageHost::showProblem);
+    connect(m_actions.monitoring, &QAction::triggered, m_monitor, &MonitorControl::askSettings);
     connectRecipe();
     connectCoach();
 }

@@ -200,7 +200,7 @@ void PageHost::connectDocument() {
     });
     connect(&m_document, &Document::edited, this, [this] {
         showDocument();
-        emit commandIssued(LoadExperiment{m_document.experiment()});
+        emit commandIssued(LoadExperiment{m_document.experiment(), true});
     });
     connect(&m_document, &Document::targetsChanged, this, [this] {
         m_rig->setExperiment(m_document.experiment());

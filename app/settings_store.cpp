@@ -124,6 +124,25 @@ void SettingsStore::clearRecentFiles() {
     m_settings.remove(QStringLiteral("recent"));
 }
 
+QStringList SettingsStore::recentOperators() const {
+    return m_settings.value(QStringLiteral("operators")).toStringList().mid(0, kMaxRecent);
+}
+
+void SettingsStore::addRecentOperator(const QString& name) {
+    QStringList names = recentOperators();
+    names.removeAll(name);
+    names.prepend(name);
+    m_settings.setValue(QStringLiteral("operators"), names.mid(0, kMaxRecent));
+}
+
+bool SettingsStore::asksLabels() const {
+    return m_settings.value(QStringLiteral("askLabels")).toBool();
+}
+
+void SettingsStore::setAsksLabels(bool asks) {
+    m_settings.setValue(QStringLiteral("askLabels"), asks);
+}
+
 bool SettingsStore::isCoachAnswered() const {
     return m_settings.value(QStringLiteral("coachAnswered")).toBool();
 }

@@ -52,6 +52,13 @@ public:
     bool isCoachAnswered() const;
     void setCoachAnswered();
 
+    /// Names of operators that were used, the newest first.
+    QStringList recentOperators() const;
+    void addRecentOperator(const QString& name);
+    /// Whether operator and sample are asked for before each run.
+    bool asksLabels() const;
+    void setAsksLabels(bool asks);
+
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 

@@ -4,6 +4,7 @@
 #include "app/icons.h"
 #include "widgets/common/alarm_button.h"
 #include "widgets/common/display.h"
+#include "widgets/common/run_label_words.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/stop_button.h"
 
@@ -19,8 +20,9 @@ namespace bask {
 namespace {
 
 constexpr int kMinWidth = 540; // what is left when all is short fits beside the navigation
-constexpr int kShortParts = 4;
+constexpr int kShortParts = 5;
 constexpr int kBarGap = 8;
+constexpr int kOperatorText = 150, kOperatorName = 90;
 constexpr int kAlarmText = 70; // of the gravest alarm this is worth more than the words on buttons
 
 } // namespace
@@ -28,7 +30,8 @@ constexpr int kAlarmText = 70; // of the gravest alarm this is worth more than t
 StateBar::StateBar(Actions& actions, QWidget* parent)
     : QFrame(parent), m_actions(actions), m_tag(new QFrame(this)), m_tagIcon(new QLabel(m_tag)),
       m_tagWord(new QLabel(m_tag)), m_chip(new RunStateChip(this)), m_clockCaption(new QLabel(this)),
-      m_clock(new QLabel(this)), m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
+      m_clock(new QLabel(this)), m_operator(new QToolButton(this)), m_alarm(new AlarmButton(this)),
+      m_emergency(new StopButton(this)) {
     setObjectName(QStringLiteral("stateBar"));
     auto* tagRow = new QHBoxLayout(m_tag);
     tagRow->setContentsMargins(8, 3, 10, 3);
@@ -52,6 +55,12 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     m_clock->setFont(clockFont);
     m_clock->setMinimumWidth(QFontMetrics(clockFont).horizontalAdvance(QStringLiteral("00:00:00")));
 
+    m_operator->setObjectName(QStringLiteral("operatorButton"));
+    m_operator->setAutoRaise(true);
+    m_operator->setMinimumHeight(38);
+    m_operator->setFocusPolicy(Qt::StrongFocus);
+    m_operator->hide();
+
     auto* row = new QHBoxLayout(this);
     row->addWidget(m_tag);
     row->addWidget(m_chip);
@@ -61,6 +70,7 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     row->addSpacing(12);
     row->addWidget(m_clockCaption);
     row->addWidget(m_clock);
+    row->addWidget(m_operator);
     row->addSpacing(8);
     row->addWidget(m_alarm);
     row->addStretch(1);
@@ -68,6 +78,7 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
 
     connect(m_emergency, &StopButton::stopRequested, this, &StateBar::stopRequested);
     connect(m_alarm, &AlarmButton::alarmChosen, this, &StateBar::alarmChosen);
+    connect(m_operator, &QToolButton::clicked, this, &StateBar::labelsRequested);
     connect(m_chip, &RunStateChip::reasonActivated, this, &StateBar::reasonActivated);
     retranslate();
     showTag();
@@ -99,6 +110,10 @@ void StateBar::apply(const Snapshot& snapshot) {
         m_hold->setDefaultAction(hold);
     }
     m_clock->setText(formatDuration(snapshot.runTime_s));
+    if (snapshot.labels != m_labels) {
+        m_labels = snapshot.labels;
+        showLabels();
+    }
     m_alarm->setAlarms(snapshot.alarms);
     fit();
 }
@@ -109,7 +124,7 @@ void StateBar::focusChip() {
 
 /// By the width and the language alone: an alarm or another state moves no verb.
 void StateBar::fit() {
-    QStringList shown{QString::number(width()), m_tagWord->text()};
+    QStringList shown{QString::number(width()), m_tagWord->text(), runLabelWords(m_labels)};
     for (const Verb verb :
          {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop, Verb::Retreat, Verb::Reset})
         shown << m_actions.verb(verb)->iconText();
@@ -146,20 +161,22 @@ void StateBar::shorten(int parts) {
         return isShort ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
     };
     for (QToolButton* button : {m_arm, m_start, m_reset})
-        button->setToolButtonStyle(style(parts >= 1));
-    for (QToolButton* button : {m_hold, m_stop, m_retreat})
         button->setToolButtonStyle(style(parts >= 2));
+    for (QToolButton* button : {m_hold, m_stop, m_retreat})
+        button->setToolButtonStyle(style(parts >= 3));
     const int icon = parts < kShortParts ? 20 : 16;
     for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
         button->setIconSize({icon, icon});
     reserveHold();
-    m_tagWord->setVisible(parts < 3);
-    m_clockCaption->setVisible(parts < 3);
+    m_tagWord->setVisible(parts < 4);
+    m_clockCaption->setVisible(parts < 4);
     const int gap = parts < kShortParts ? kBarGap : kBarGap / 2;
     layout()->setSpacing(gap);
     layout()->setContentsMargins(gap + 2, 6, gap + 2, 6);
     m_chip->setCompact(parts >= kShortParts);
     m_clock->setVisible(parts < kShortParts);
+    m_shortParts = parts;
+    showLabels();
 }
 
 QSize StateBar::minimumSizeHint() const {
@@ -211,6 +228,28 @@ void StateBar::showChip() {
     m_chip->setState(m_state, sentences);
 }
 
+/// In a narrow window the name alone, then the initials.
+void StateBar::showLabels() {
+    const QString words = runLabelWords(m_labels);
+    const QString who = QString::fromStdString(m_labels.operatorName);
+    const QString sample = QString::fromStdString(m_labels.sample.empty() ? m_labels.batch : m_labels.sample);
+    QString text = who.isEmpty() ? sample : who;
+    if (m_shortParts >= 3) {
+        QString initials;
+        for (const QString& part : text.split(u' ', Qt::SkipEmptyParts))
+            initials += part[0];
+        text = initials.left(3);
+    } else if (m_shortParts == 0 && !who.isEmpty() && !sample.isEmpty()) {
+        text += QStringLiteral(" · ") + sample;
+    }
+    text = m_operator->fontMetrics().elidedText(text, Qt::ElideRight,
+                                                m_shortParts == 0 ? kOperatorText : kOperatorName);
+    m_operator->setText(text.replace(u'&', QStringLiteral("&&")));
+    m_operator->setToolTip(words + u'\n' + tr("Click to change it."));
+    m_operator->setAccessibleName(words);
+    m_operator->setVisible(m_shortParts < kShortParts && !words.isEmpty());
+}
+
 void StateBar::showTag() {
     const bool dark = isDark(this);
     const QColor colour = m_simulated ? secondaryText(dark) : accentColor(dark);
@@ -232,6 +271,7 @@ void StateBar::retranslate() {
     m_clockCaption->setText(tr("Run"));
     m_clock->setToolTip(tr("Time since Start"));
     m_clock->setAccessibleName(tr("Time since Start"));
+    showLabels();
     setAccessibleName(tr("State of the run"));
 }
 

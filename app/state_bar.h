@@ -17,7 +17,8 @@ class StopButton;
 
 /// Object names: "rigTag", "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume),
 /// "stopRunButton", "retreatButton", "resetButton", "runClock", "alarmButton" (only with alarms),
-/// "stopButton". In a narrow window first buttons and tag lose their words, then the clock disappears: STOP
+/// "operatorButton" (only if operator or sample are known), "stopButton". In a narrow window first
+/// sample and name give way, then buttons and tag lose their words, then clock and operator disappear: STOP
 /// is always complete. The verbs have the same places in every state and with every alarm.
 class StateBar : public QFrame {
     Q_OBJECT
@@ -39,6 +40,7 @@ signals:
     void verbRefused(bask::Verb verb);
     void reasonActivated(int index);
     void alarmChosen(quint64 id);
+    void labelsRequested();
 
 protected:
     bool event(QEvent* event) override;
@@ -53,12 +55,14 @@ private:
     int roomNeeded(int parts) const;
     void reserveHold();
     void showTag();
+    void showLabels();
     void showChip();
     void retranslate();
 
     Actions& m_actions;
     bool m_simulated = true;
     bool m_answering = true;
+    int m_shortParts = 0;
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
     QString m_fitted; ///< the last content that was fitted, and its width
@@ -69,6 +73,8 @@ private:
     QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_retreat, *m_reset;
     QLabel* m_clockCaption;
     QLabel* m_clock;
+    QToolButton* m_operator;
+    RunLabels m_labels;
     AlarmButton* m_alarm;
     StopButton* m_emergency;
 };

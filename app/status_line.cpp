@@ -1,5 +1,7 @@
 #include "app/status_line.h"
 
+#include "app/error_text.h"
+#include "engine/base/message_code.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
@@ -11,12 +13,23 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace bask {
+namespace {
+
+int shownCount(std::uint64_t count) {
+    return static_cast<int>(std::min<std::uint64_t>(count, 1'000'000'000));
+}
+
+} // namespace
+
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new ElidedLabel(this)), m_loopLabel(new ElidedLabel(this)),
       m_sourceLabel(new QLabel(this)), m_heatMark(new QLabel(this)), m_heatLabel(new QLabel(this)),
       m_trackingLabel(new ElidedLabel(this)), m_recordingLabel(new ElidedLabel(this)),
-      m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
+      m_monitorMark(new QLabel(this)), m_monitorLabel(new QLabel(this)), m_unit(new QToolButton(this)),
+      m_language(new QToolButton(this)) {
     m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
     m_loopLabel->setObjectName(QStringLiteral("loopRate"));
     m_sourceLabel->setObjectName(QStringLiteral("sourceState"));
@@ -30,6 +43,10 @@ StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
         label->setContentsMargins(6, 0, 10, 0);
     for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel})
         addWidget(label);
+    m_monitorLabel->setObjectName(QStringLiteral("monitoring"));
+    m_monitorLabel->setContentsMargins(0, 0, 10, 0);
+    addPermanentWidget(m_monitorMark);
+    addPermanentWidget(m_monitorLabel);
     addPermanentWidget(m_trackingLabel); // no tip hides it
     m_sourceLabel->setContentsMargins(6, 0, 0, 0);
     m_heatLabel->setContentsMargins(0, 0, 10, 0);
@@ -138,6 +155,33 @@ void StatusLine::showHeat() {
     m_heatLabel->setVisible(m_any);
 }
 
+void StatusLine::showMonitor(const MonitorState& state) {
+    m_monitor = state;
+    showMonitor();
+}
+
+/// Not an alarm: the run does not depend on it.
+void StatusLine::showMonitor() {
+    QStringList problems;
+    for (const Message& problem : {m_monitor.brokerProblem, m_monitor.fileProblem})
+        if (problem.code != MessageCode::None)
+            problems << asSentence(sentence(problem));
+    const bool isTrouble = !problems.isEmpty();
+    const bool isBeginning = m_monitor.hasBroker && !m_monitor.isConnected;
+    m_monitorLabel->setText(isTrouble     ? tr("monitoring fails")
+                            : isBeginning ? tr("monitoring begins")
+                                          : tr("monitored"));
+    if (m_monitor.leftOut > 0)
+        problems << tr("%n event(s) were not published", nullptr, shownCount(m_monitor.leftOut));
+    const QString what = tr("What the run does is published (View > Monitoring): %n message(s)", nullptr,
+                            shownCount(m_monitor.sent));
+    m_monitorLabel->setToolTip(problems.isEmpty() ? what : problems.join(u'\n'));
+    m_monitorMark->setToolTip(m_monitorLabel->toolTip());
+    showUnknown(m_monitorMark, m_monitorLabel, isTrouble);
+    m_monitorMark->setVisible(m_monitor.isOn && isTrouble);
+    m_monitorLabel->setVisible(m_monitor.isOn);
+}
+
 QString StatusLine::trackingText() const {
     if (!m_tracking)
         return {};
@@ -177,6 +221,7 @@ void StatusLine::retranslate() {
     m_unit->setAccessibleName(tr("Temperature unit"));
     m_language->setToolTip(tr("Language"));
     m_language->setAccessibleName(tr("Language"));
+    showMonitor();
     refresh();
 }
 
@@ -184,8 +229,10 @@ void StatusLine::changeEvent(QEvent* event) {
     QStatusBar::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    if (event->type() == QEvent::PaletteChange)
+    if (event->type() == QEvent::PaletteChange) {
         showHeat();
+        showMonitor();
+    }
 }
 
 } // namespace bask

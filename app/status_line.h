@@ -3,6 +3,7 @@
 // each device's answers, loop rate and late steps, tracking of the source, recording, unit, language.
 
 #include "engine/base/units.h"
+#include "engine/monitor/monitor.h"
 #include "engine/runtime/snapshot.h"
 
 #include <QStatusBar>
@@ -13,8 +14,8 @@ class QToolButton;
 
 namespace bask {
 
-/// Object names: "sampleAge", "loopRate", "sourceState" and "heatWord", "tracking", "recording",
-/// "unitButton", "languageButton".
+/// Object names: "sampleAge", "loopRate", "monitoring" (while it is on), "sourceState" and "heatWord",
+/// "tracking", "recording", "unitButton", "languageButton".
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -23,6 +24,7 @@ public:
 
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
+    void showMonitor(const MonitorState& state);
     void setTemperatureUnit(TemperatureUnit unit);
     void showLanguage(const QString& code);
 
@@ -36,6 +38,7 @@ private:
     QString sourceText() const;
     QString heatText() const;
     void showHeat();
+    void showMonitor();
     QString trackingText() const;
 
     bool m_answering = true;
@@ -57,6 +60,9 @@ private:
     QLabel* m_heatLabel;
     QLabel* m_trackingLabel;
     QLabel* m_recordingLabel;
+    QLabel* m_monitorMark;
+    QLabel* m_monitorLabel;
+    MonitorState m_monitor;
     QToolButton* m_unit;
     QToolButton* m_language;
 };

@@ -91,7 +91,7 @@ OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "de
                   ("engine", "thermography")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
-SYSTEM_HEADER = re.compile(r"(unistd|dirent|elf|link|dlfcn|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
+SYSTEM_HEADER = re.compile(r"(unistd|dirent|netdb|elf|link|dlfcn|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\b(?!QT_TRANSLATE_NOOP\b)Q(?:t(?=::)|[A-Z]\w*)")  # that one macro is of engine/base/translated.h
@@ -206,6 +206,9 @@ class Checker:
         elif target == "zlib.h":
             if home != ("engine", "studies") or header:
                 self.report(path, line, "zlib", f"{name}: zlib only in the .cpp files of engine/studies")
+        elif target == "mosquitto.h":
+            if path.as_posix() != "engine/monitor/mqtt_module.cpp":
+                self.report(path, line, "mosquitto", f"{name}: libmosquitto only in bask-mqtt.so")
         elif target == "qcustomplot.h":
             if home not in QCUSTOMPLOT_FOLDERS:
                 self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")

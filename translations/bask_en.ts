@@ -156,6 +156,23 @@
     </message>
 </context>
 <context>
+    <name>bask::StatusLine</name>
+    <message numerus="yes">
+        <source>What the run does is published (View &gt; Monitoring): %n message(s)</source>
+        <translation>
+            <numerusform>What the run does is published (View &gt; Monitoring): %n message</numerusform>
+            <numerusform>What the run does is published (View &gt; Monitoring): %n messages</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n event(s) were not published</source>
+        <translation>
+            <numerusform>%n event was not published</numerusform>
+            <numerusform>%n events were not published</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::ThermalHistogramPlot</name>
     <message numerus="yes">
         <source>%1: %n pixel(s)</source>

@@ -1979,6 +1979,34 @@
         <source>Sent by hand to &quot;%1&quot;: %2</source>
         <translation>Envoyé à la main à «&#xa0;%1&#xa0;»&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>monitoring: the broker %1 is not reached: %2</source>
+        <translation>surveillance&#xa0;: le courtier %1 n’est pas joint&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>monitoring: the broker %1 is too slow; %2 messages were left out</source>
+        <translation>surveillance&#xa0;: le courtier %1 est trop lent&#xa0;; %2 messages ont été omis</translation>
+    </message>
+    <message>
+        <source>monitoring: the status file is not written: %1</source>
+        <translation>surveillance&#xa0;: le fichier d’état n’est pas écrit&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>others can read this file, which holds a password; let its owner alone read it (chmod 600)</source>
+        <translation>d’autres peuvent lire ce fichier, qui contient un mot de passe&#xa0;; ne laisser que son propriétaire le lire (chmod 600)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a broker; give its name, with a colon and the port if that is not the usual one</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas l’adresse d’un courtier&#xa0;; donner son nom, avec deux-points et le port si ce n’est pas celui d’usage</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no topic: letters, digits, dots, hyphens and underscores in parts between slashes, at most 128 characters</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un sujet&#xa0;: lettres, chiffres, points, traits d’union et traits de soulignement, en parties séparées par des barres, 128 caractères au plus</translation>
+    </message>
+    <message>
+        <source>this installation of Bask cannot speak to a broker: %1</source>
+        <translation>cette installation de Bask ne peut pas parler à un courtier&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2701,6 +2729,18 @@
         <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
         <translation>Le signal sonore du bureau, jusqu’à ce que les alarmes de priorité 1 et 2 soient acquittées ou passées ; une fois pour la priorité 3</translation>
     </message>
+    <message>
+        <source>&amp;Operator and sample…</source>
+        <translation>&amp;Opérateur et échantillon…</translation>
+    </message>
+    <message>
+        <source>Who operates, and what is heated: recordings, reports and the list of runs show it.</source>
+        <translation>Qui opère, et ce qui est chauffé&#xa0;: les enregistrements, les rapports et la liste des essais le montrent.</translation>
+    </message>
+    <message>
+        <source>&amp;Monitoring…</source>
+        <translation>Sur&amp;veillance…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -2909,6 +2949,14 @@
     <message>
         <source>Shelved until %1: %2</source>
         <translation>De côté jusqu’à %1 : %2</translation>
+    </message>
+    <message>
+        <source>seen by %1</source>
+        <translation>vue par %1</translation>
+    </message>
+    <message>
+        <source>Shelved until %1 by %3: %2</source>
+        <translation>Mise de côté jusqu’à %1 par %3&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -5122,6 +5170,53 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::LabelsDialog</name>
+    <message>
+        <source>Before the run</source>
+        <translation>Avant l’essai</translation>
+    </message>
+    <message>
+        <source>Operator and sample</source>
+        <translation>Opérateur et échantillon</translation>
+    </message>
+    <message>
+        <source>The run that is on has it; it can be changed after the run.</source>
+        <translation>L’essai en cours l’utilise&#xa0;; modifiable après l’essai.</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>Échantillon</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Lot</translation>
+    </message>
+    <message>
+        <source>Recordings, reports and the list of runs show them. Each command, note and acknowledgement is recorded with its operator.</source>
+        <translation>Les enregistrements, les rapports et la liste des essais les montrent. Chaque commande, note et acquittement est enregistré avec son opérateur.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Armer</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Ask at each Arm</source>
+        <translation>Demander à chaque armement</translation>
+    </message>
+</context>
+<context>
     <name>bask::LimitsPanel</name>
     <message>
         <source>Heat source</source>
@@ -5629,6 +5724,104 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Metrics of the run</source>
         <translation>Indicateurs de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorControl</name>
+    <message>
+        <source>Monitoring is off: %1</source>
+        <translation>La surveillance est désactivée&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorDialog</name>
+    <message>
+        <source>Publish to an MQTT broker</source>
+        <translation>Publier vers un courtier MQTT</translation>
+    </message>
+    <message>
+        <source>Write status files</source>
+        <translation>Écrire des fichiers d’état</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>Surveillance</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>Chiffré (TLS)</translation>
+    </message>
+    <message>
+        <source>those of the system</source>
+        <translation>ceux du système</translation>
+    </message>
+    <message>
+        <source>Its first line is the password; nobody else may read the file.</source>
+        <translation>Sa première ligne est le mot de passe&#xa0;; personne d’autre ne doit pouvoir lire le fichier.</translation>
+    </message>
+    <message>
+        <source>In front of all topics, with a slash: lab2/bask becomes lab2/bask/status and so on.</source>
+        <translation>Devant tous les sujets, avec une barre&#xa0;: lab2/bask devient lab2/bask/status, etc.</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>Certificats de confiance</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>Utilisateur</translation>
+    </message>
+    <message>
+        <source>File with the password</source>
+        <translation>Fichier du mot de passe</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>Sujet</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Folder of the status files</source>
+        <translation>Dossier des fichiers d’état</translation>
+    </message>
+    <message>
+        <source>Bask publishes only: nobody can give it an order this way, and it opens no port. The setting belongs to this computer; no experiment can switch it on.</source>
+        <translation>Bask ne fait que publier&#xa0;: personne ne peut lui donner d’ordre par ce moyen, et il n’ouvre aucun port. Le réglage appartient à cet ordinateur&#xa0;; aucune expérience ne peut l’activer.</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>Tester</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Choisir…</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>Essai en cours…</translation>
+    </message>
+    <message>
+        <source>It works: everything that is ticked has taken a message.</source>
+        <translation>Cela fonctionne&#xa0;: tout ce qui est coché a pris un message.</translation>
+    </message>
+    <message>
+        <source>Without TLS the password goes over the network in clear text.</source>
+        <translation>Sans TLS, le mot de passe circule en clair sur le réseau.</translation>
     </message>
 </context>
 <context>
@@ -7514,6 +7707,31 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::RunLabelWords</name>
+    <message>
+        <source>operator %1</source>
+        <translation>opérateur %1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>échantillon %1</translation>
+    </message>
+    <message>
+        <source>batch %1</source>
+        <translation>lot %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between operator, sample and batch</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>note, its operator</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunPage</name>
     <message>
         <source>Sensor lost</source>
@@ -8397,6 +8615,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>The thermal camera at the last sample until Stop</source>
         <translation>La caméra thermique au dernier échantillon avant l’arrêt</translation>
     </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>Échantillon</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>Lot</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8767,10 +8997,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>SIMULÉ</translation>
     </message>
     <message>
-        <source>Search names, experiments, notes, tags</source>
-        <translation>Chercher noms, expériences, notes, étiquettes</translation>
-    </message>
-    <message>
         <source>Search the recorded runs</source>
         <translation>Chercher dans les essais enregistrés</translation>
     </message>
@@ -8797,6 +9023,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>with commas</source>
         <translation>séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Search names, experiments, operators, samples, notes, tags</source>
+        <translation>Chercher noms, expériences, opérateurs, échantillons, notes, étiquettes</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Sample / batch</source>
+        <translation>Échantillon / lot</translation>
     </message>
 </context>
 <context>
@@ -8955,6 +9193,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>State of the run</source>
         <translation>État de l’essai</translation>
     </message>
+    <message>
+        <source>Click to change it.</source>
+        <translation>Cliquer pour le changer.</translation>
+    </message>
 </context>
 <context>
     <name>bask::StatusLine</name>
@@ -9057,6 +9299,32 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
         <translation>Dernière température de la source, et si elle est chauffée, comme l’appareil l’a confirmé. INCONNU : elle peut être chaude, quel que soit l’ordre donné.</translation>
+    </message>
+    <message>
+        <source>monitoring fails</source>
+        <translation>surveillance en échec</translation>
+    </message>
+    <message>
+        <source>monitored</source>
+        <translation>surveillé</translation>
+    </message>
+    <message numerus="yes">
+        <source>What the run does is published (View &gt; Monitoring): %n message(s)</source>
+        <translation>
+            <numerusform>Ce que fait l’essai est publié (Affichage &gt; Surveillance)&#xa0;: %n message</numerusform>
+            <numerusform>Ce que fait l’essai est publié (Affichage &gt; Surveillance)&#xa0;: %n messages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>monitoring begins</source>
+        <translation>surveillance&#xa0;: début</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n event(s) were not published</source>
+        <translation>
+            <numerusform>%n événement n’a pas été publié</numerusform>
+            <numerusform>%n événements n’ont pas été publiés</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -1979,6 +1979,34 @@
         <source>Sent by hand to &quot;%1&quot;: %2</source>
         <translation>手动发送到“%1”：%2</translation>
     </message>
+    <message>
+        <source>monitoring: the broker %1 is not reached: %2</source>
+        <translation>监视：无法连接到代理 %1：%2</translation>
+    </message>
+    <message>
+        <source>monitoring: the broker %1 is too slow; %2 messages were left out</source>
+        <translation>监视：代理 %1 太慢；有 %2 条消息未发送</translation>
+    </message>
+    <message>
+        <source>monitoring: the status file is not written: %1</source>
+        <translation>监视：状态文件未写入：%1</translation>
+    </message>
+    <message>
+        <source>others can read this file, which holds a password; let its owner alone read it (chmod 600)</source>
+        <translation>其他人可以读取这个含有密码的文件；请只让其所有者读取（chmod 600）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a broker; give its name, with a colon and the port if that is not the usual one</source>
+        <translation>“%1”不是代理的地址；请给出其名称，若端口不是通常的端口，再加冒号和端口</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no topic: letters, digits, dots, hyphens and underscores in parts between slashes, at most 128 characters</source>
+        <translation>“%1”不是主题：由斜杠分隔的各部分只能含字母、数字、点、连字符和下划线，最多 128 个字符</translation>
+    </message>
+    <message>
+        <source>this installation of Bask cannot speak to a broker: %1</source>
+        <translation>此 Bask 安装无法与代理通信：%1</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2701,6 +2729,18 @@
         <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
         <translation>桌面的提示音，直到优先级 1 和 2 的报警被确认或结束；优先级 3 只响一次</translation>
     </message>
+    <message>
+        <source>&amp;Operator and sample…</source>
+        <translation>操作员和样品(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Who operates, and what is heated: recordings, reports and the list of runs show it.</source>
+        <translation>谁在操作，加热的是什么：记录、报告和运行列表都会显示。</translation>
+    </message>
+    <message>
+        <source>&amp;Monitoring…</source>
+        <translation>监视(&amp;M)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -2908,6 +2948,14 @@
     <message>
         <source>Shelved until %1: %2</source>
         <translation>搁置至 %1：%2</translation>
+    </message>
+    <message>
+        <source>seen by %1</source>
+        <translation>%1 已看到</translation>
+    </message>
+    <message>
+        <source>Shelved until %1 by %3: %2</source>
+        <translation>由 %3 搁置至 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -5117,6 +5165,53 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::LabelsDialog</name>
+    <message>
+        <source>Before the run</source>
+        <translation>运行之前</translation>
+    </message>
+    <message>
+        <source>Operator and sample</source>
+        <translation>操作员和样品</translation>
+    </message>
+    <message>
+        <source>The run that is on has it; it can be changed after the run.</source>
+        <translation>正在进行的运行使用它；运行之后可以更改。</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>样品</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Recordings, reports and the list of runs show them. Each command, note and acknowledgement is recorded with its operator.</source>
+        <translation>记录、报告和运行列表都会显示它们。每条命令、备注和确认都连同其操作员一起记录。</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>待命</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Ask at each Arm</source>
+        <translation>每次待命时询问</translation>
+    </message>
+</context>
+<context>
     <name>bask::LimitsPanel</name>
     <message>
         <source>Heat source</source>
@@ -5624,6 +5719,104 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Metrics of the run</source>
         <translation>本次运行的指标</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorControl</name>
+    <message>
+        <source>Monitoring is off: %1</source>
+        <translation>监视已关闭：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorDialog</name>
+    <message>
+        <source>Publish to an MQTT broker</source>
+        <translation>发布到 MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Write status files</source>
+        <translation>写入状态文件</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>监视</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>加密（TLS）</translation>
+    </message>
+    <message>
+        <source>those of the system</source>
+        <translation>系统的证书</translation>
+    </message>
+    <message>
+        <source>Its first line is the password; nobody else may read the file.</source>
+        <translation>首行为密码；其他人不得读取此文件。</translation>
+    </message>
+    <message>
+        <source>In front of all topics, with a slash: lab2/bask becomes lab2/bask/status and so on.</source>
+        <translation>置于所有主题之前，以斜杠分隔：lab2/bask 成为 lab2/bask/status 等。</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>地址</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>受信任的证书</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>用户</translation>
+    </message>
+    <message>
+        <source>File with the password</source>
+        <translation>密码文件</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主题</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Folder of the status files</source>
+        <translation>状态文件的文件夹</translation>
+    </message>
+    <message>
+        <source>Bask publishes only: nobody can give it an order this way, and it opens no port. The setting belongs to this computer; no experiment can switch it on.</source>
+        <translation>Bask 只发布：任何人都不能以这种方式对它下达命令，它也不打开任何端口。此设置属于这台计算机；任何实验都不能将其打开。</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>确定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>正在尝试…</translation>
+    </message>
+    <message>
+        <source>It works: everything that is ticked has taken a message.</source>
+        <translation>可以使用：所有勾选项都收到了一条消息。</translation>
+    </message>
+    <message>
+        <source>Without TLS the password goes over the network in clear text.</source>
+        <translation>没有 TLS，密码将以明文通过网络传送。</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7699,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::RunLabelWords</name>
+    <message>
+        <source>operator %1</source>
+        <translation>操作员 %1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>样品 %1</translation>
+    </message>
+    <message>
+        <source>batch %1</source>
+        <translation>批次 %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between operator, sample and batch</comment>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>note, its operator</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunPage</name>
     <message>
         <source>Sensor lost</source>
@@ -8383,6 +8601,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The thermal camera at the last sample until Stop</source>
         <translation>停止前最后一个采样时的热像仪</translation>
     </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>样品</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8749,10 +8979,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>仿真</translation>
     </message>
     <message>
-        <source>Search names, experiments, notes, tags</source>
-        <translation>搜索名称、实验、备注、标签</translation>
-    </message>
-    <message>
         <source>Search the recorded runs</source>
         <translation>搜索已记录的运行</translation>
     </message>
@@ -8779,6 +9005,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>with commas</source>
         <translation>用逗号分隔</translation>
+    </message>
+    <message>
+        <source>Search names, experiments, operators, samples, notes, tags</source>
+        <translation>搜索名称、实验、操作员、样品、备注、标签</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作员</translation>
+    </message>
+    <message>
+        <source>Sample / batch</source>
+        <translation>样品 / 批次</translation>
     </message>
 </context>
 <context>
@@ -8937,6 +9175,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>State of the run</source>
         <translation>运行状态</translation>
     </message>
+    <message>
+        <source>Click to change it.</source>
+        <translation>点击可更改。</translation>
+    </message>
 </context>
 <context>
     <name>bask::StatusLine</name>
@@ -9039,6 +9281,30 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
         <translation>热源的最新温度，以及设备所确认的是否加热。未知：无论下过什么命令，它都可能是热的。</translation>
+    </message>
+    <message>
+        <source>monitoring fails</source>
+        <translation>监视失败</translation>
+    </message>
+    <message>
+        <source>monitored</source>
+        <translation>受监视</translation>
+    </message>
+    <message numerus="yes">
+        <source>What the run does is published (View &gt; Monitoring): %n message(s)</source>
+        <translation>
+            <numerusform>运行的情况已发布（视图 &gt; 监视）：%n 条消息</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>monitoring begins</source>
+        <translation>监视开始</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n event(s) were not published</source>
+        <translation>
+            <numerusform>有 %n 个事件未发布</numerusform>
+        </translation>
     </message>
 </context>
 <context>

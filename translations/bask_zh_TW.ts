@@ -1979,6 +1979,34 @@
         <source>Sent by hand to &quot;%1&quot;: %2</source>
         <translation>手動傳送到「%1」：%2</translation>
     </message>
+    <message>
+        <source>monitoring: the broker %1 is not reached: %2</source>
+        <translation>監視：無法連線到代理 %1：%2</translation>
+    </message>
+    <message>
+        <source>monitoring: the broker %1 is too slow; %2 messages were left out</source>
+        <translation>監視：代理 %1 太慢；有 %2 則訊息未傳送</translation>
+    </message>
+    <message>
+        <source>monitoring: the status file is not written: %1</source>
+        <translation>監視：狀態檔案未寫入：%1</translation>
+    </message>
+    <message>
+        <source>others can read this file, which holds a password; let its owner alone read it (chmod 600)</source>
+        <translation>其他人可以讀取這個含有密碼的檔案；請只讓其擁有者讀取（chmod 600）</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no address of a broker; give its name, with a colon and the port if that is not the usual one</source>
+        <translation>「%1」不是代理的位址；請給出其名稱，若連接埠不是通常的連接埠，再加冒號和連接埠</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no topic: letters, digits, dots, hyphens and underscores in parts between slashes, at most 128 characters</source>
+        <translation>「%1」不是主題：由斜線分隔的各部分只能含字母、數字、點、連字號和底線，最多 128 個字元</translation>
+    </message>
+    <message>
+        <source>this installation of Bask cannot speak to a broker: %1</source>
+        <translation>此 Bask 安裝無法與代理通訊：%1</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2701,6 +2729,18 @@
         <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
         <translation>桌面的提示音，直到優先級 1 和 2 的警報被確認或結束；優先順序 3 只響一次</translation>
     </message>
+    <message>
+        <source>&amp;Operator and sample…</source>
+        <translation>操作員和樣品(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Who operates, and what is heated: recordings, reports and the list of runs show it.</source>
+        <translation>誰在操作，加熱的是什麼：記錄、報告和運轉清單都會顯示。</translation>
+    </message>
+    <message>
+        <source>&amp;Monitoring…</source>
+        <translation>監視(&amp;M)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -2908,6 +2948,14 @@
     <message>
         <source>Shelved until %1: %2</source>
         <translation>擱置至 %1：%2</translation>
+    </message>
+    <message>
+        <source>seen by %1</source>
+        <translation>%1 已看到</translation>
+    </message>
+    <message>
+        <source>Shelved until %1 by %3: %2</source>
+        <translation>由 %3 擱置至 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -5117,6 +5165,53 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::LabelsDialog</name>
+    <message>
+        <source>Before the run</source>
+        <translation>運轉之前</translation>
+    </message>
+    <message>
+        <source>Operator and sample</source>
+        <translation>操作員和樣品</translation>
+    </message>
+    <message>
+        <source>The run that is on has it; it can be changed after the run.</source>
+        <translation>正在進行的運轉使用它；運轉之後可以變更。</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作員</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>樣品</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
+    <message>
+        <source>Recordings, reports and the list of runs show them. Each command, note and acknowledgement is recorded with its operator.</source>
+        <translation>記錄、報告和運轉清單都會顯示它們。每個命令、備註和確認都連同其操作員一起記錄。</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>待命</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Ask at each Arm</source>
+        <translation>每次待命時詢問</translation>
+    </message>
+</context>
+<context>
     <name>bask::LimitsPanel</name>
     <message>
         <source>Heat source</source>
@@ -5624,6 +5719,104 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Metrics of the run</source>
         <translation>本次運轉的指標</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorControl</name>
+    <message>
+        <source>Monitoring is off: %1</source>
+        <translation>監視已關閉：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MonitorDialog</name>
+    <message>
+        <source>Publish to an MQTT broker</source>
+        <translation>發佈到 MQTT 代理</translation>
+    </message>
+    <message>
+        <source>Write status files</source>
+        <translation>寫入狀態檔案</translation>
+    </message>
+    <message>
+        <source>Monitoring</source>
+        <translation>監視</translation>
+    </message>
+    <message>
+        <source>Encrypted (TLS)</source>
+        <translation>加密（TLS）</translation>
+    </message>
+    <message>
+        <source>those of the system</source>
+        <translation>系統的憑證</translation>
+    </message>
+    <message>
+        <source>Its first line is the password; nobody else may read the file.</source>
+        <translation>首行為密碼；其他人不得讀取此檔案。</translation>
+    </message>
+    <message>
+        <source>In front of all topics, with a slash: lab2/bask becomes lab2/bask/status and so on.</source>
+        <translation>置於所有主題之前，以斜線分隔：lab2/bask 成為 lab2/bask/status 等。</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>位址</translation>
+    </message>
+    <message>
+        <source>Trusted certificates</source>
+        <translation>受信任的憑證</translation>
+    </message>
+    <message>
+        <source>User</source>
+        <translation>使用者</translation>
+    </message>
+    <message>
+        <source>File with the password</source>
+        <translation>密碼檔案</translation>
+    </message>
+    <message>
+        <source>Topic</source>
+        <translation>主題</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>資料夾</translation>
+    </message>
+    <message>
+        <source>Folder of the status files</source>
+        <translation>狀態檔案的資料夾</translation>
+    </message>
+    <message>
+        <source>Bask publishes only: nobody can give it an order this way, and it opens no port. The setting belongs to this computer; no experiment can switch it on.</source>
+        <translation>Bask 只發佈：任何人都不能以這種方式對它下達命令，它也不開啟任何連接埠。此設定屬於這部電腦；任何實驗都不能將其開啟。</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>測試</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>確定</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>選擇…</translation>
+    </message>
+    <message>
+        <source>Trying…</source>
+        <translation>正在嘗試…</translation>
+    </message>
+    <message>
+        <source>It works: everything that is ticked has taken a message.</source>
+        <translation>可以使用：所有勾選項目都收到了一則訊息。</translation>
+    </message>
+    <message>
+        <source>Without TLS the password goes over the network in clear text.</source>
+        <translation>沒有 TLS，密碼將以明文透過網路傳送。</translation>
     </message>
 </context>
 <context>
@@ -7506,6 +7699,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::RunLabelWords</name>
+    <message>
+        <source>operator %1</source>
+        <translation>操作員 %1</translation>
+    </message>
+    <message>
+        <source>sample %1</source>
+        <translation>樣品 %1</translation>
+    </message>
+    <message>
+        <source>batch %1</source>
+        <translation>批次 %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between operator, sample and batch</comment>
+        <translation>，</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>note, its operator</comment>
+        <translation>%1（%2）</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunPage</name>
     <message>
         <source>Sensor lost</source>
@@ -8383,6 +8601,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The thermal camera at the last sample until Stop</source>
         <translation>停止前最後一個取樣時的熱像儀</translation>
     </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作員</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>樣品</translation>
+    </message>
+    <message>
+        <source>Batch</source>
+        <translation>批次</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -8749,10 +8979,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>模擬</translation>
     </message>
     <message>
-        <source>Search names, experiments, notes, tags</source>
-        <translation>搜尋名稱、實驗、備註、標籤</translation>
-    </message>
-    <message>
         <source>Search the recorded runs</source>
         <translation>搜尋已記錄的運轉</translation>
     </message>
@@ -8779,6 +9005,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>with commas</source>
         <translation>用逗號分隔</translation>
+    </message>
+    <message>
+        <source>Search names, experiments, operators, samples, notes, tags</source>
+        <translation>搜尋名稱、實驗、操作員、樣品、備註、標籤</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>操作員</translation>
+    </message>
+    <message>
+        <source>Sample / batch</source>
+        <translation>樣品 / 批次</translation>
     </message>
 </context>
 <context>
@@ -8937,6 +9175,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>State of the run</source>
         <translation>運轉狀態</translation>
     </message>
+    <message>
+        <source>Click to change it.</source>
+        <translation>按一下可變更。</translation>
+    </message>
 </context>
 <context>
     <name>bask::StatusLine</name>
@@ -9039,6 +9281,30 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
         <translation>熱源的最新溫度，以及裝置所確認的是否加熱。未知：無論下過什麼命令，它都可能是熱的。</translation>
+    </message>
+    <message>
+        <source>monitoring fails</source>
+        <translation>監視失敗</translation>
+    </message>
+    <message>
+        <source>monitored</source>
+        <translation>受監視</translation>
+    </message>
+    <message numerus="yes">
+        <source>What the run does is published (View &gt; Monitoring): %n message(s)</source>
+        <translation>
+            <numerusform>運轉的情況已發佈（檢視 &gt; 監視）：%n 則訊息</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>monitoring begins</source>
+        <translation>監視開始</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n event(s) were not published</source>
+        <translation>
+            <numerusform>有 %n 個事件未發佈</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 // What a person states at the command line about a real robot's position before a run, and the command that
 // makes it sure.
 
+#include "engine/monitor/monitor_settings.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
 
@@ -20,6 +21,7 @@ enum class LivePlace {
 struct LiveStart {
     LivePlace place = LivePlace::AsFound;
     std::vector<Command> allowed{}; ///< by allowedPrograms()
+    MonitorSettings monitor{};      ///< where the run is published
 };
 
 class PlaceOrders {

@@ -4,6 +4,7 @@
 #include "app/commands/engine_thread.h"
 #include "engine/base/message_code.h"
 #include "engine/base/words.h"
+#include "engine/monitor/monitor.h"
 #include "engine/recipe/recipe_runner.h"
 
 #include <QCoreApplication>
@@ -31,6 +32,8 @@ public:
     LiveRun(const Experiment& experiment, const SimulatedRunOptions& options, const LiveStart& start)
         : m_experiment(experiment), m_options(options), m_allowed(start.allowed), m_place(start.place),
           m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
+        m_monitor.use(start.monitor);
+        m_engine->worker.setWatch(m_monitor.inlet());
         QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
         QObject::connect(&m_engine->worker, &EngineWorker::stepped, &m_here, [this](double lateness_s) {
@@ -47,6 +50,7 @@ public:
         m_engine->ask([this] { m_engine->worker.start(); });
         for (const Command& program : m_allowed)
             post(program);
+        post(SetLabels{m_options.labels});
         post(LoadExperiment{m_experiment});
         if (!m_isOver)
             QCoreApplication::exec();
@@ -272,6 +276,7 @@ private:
     Snapshot m_last;
     RunOutcome m_outcome;
     std::optional<Error> m_error;
+    Monitor m_monitor;
     QObject m_here; ///< of the thread that takes the snapshots
     std::unique_ptr<EngineThread> m_engine = std::make_unique<EngineThread>();
 };

@@ -228,7 +228,7 @@ std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
     return std::nullopt;
 }
 
-void runUntilSignal(RecipeRunner& runner, const RecipeWatch& watch) {
+void runUntilSignal(RecipeRunner& runner, const RecipeWatch& watch, const RunLabels& labels) {
     const SignalCount signalCount;
     std::stop_source stop;
     const RecipeWatch look = [&](const RecipeRunner& on, const Snapshot& snapshot) {
@@ -236,7 +236,7 @@ void runUntilSignal(RecipeRunner& runner, const RecipeWatch& watch) {
             stop.request_stop();
         watch(on, snapshot);
     };
-    runSimulated(runner, look, stop.get_token());
+    runSimulated(runner, look, stop.get_token(), labels);
 }
 
 } // namespace
@@ -287,6 +287,7 @@ int runRecipe(const RecipeRequest& request) {
             warnOfOverlaps("run", *experiment);
     announce(*recipe);
     LiveStart start{request.place};
+    start.monitor = request.monitor;
     if (request.mayStartPrograms) {
         auto allowed = allowedPrograms(*experiments->front()); // all are of one rig
         if (!allowed)
@@ -307,9 +308,9 @@ int runRecipe(const RecipeRequest& request) {
     QElapsedTimer timer;
     timer.start();
     if (request.isLive)
-        runLive(runner, watch, start);
+        runLive(runner, watch, start, request.labels);
     else
-        runUntilSignal(runner, watch);
+        runUntilSignal(runner, watch, request.labels);
     teller.look(runner);
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     printOutcome(runner, wall_s);

@@ -15,6 +15,8 @@ struct RecipeRequest {
     LivePlace place = LivePlace::AsFound;
     bool mayLoosenLimits = false;  ///< whether limits of the real rig may be loosened
     bool mayStartPrograms = false; ///< whether programs of the rig may be started that nobody has confirmed
+    RunLabels labels{};            ///< of all its recordings
+    MonitorSettings monitor{};     ///< where it is published; with isLive
 };
 
 /// Runs the recipe. Returns an ExitCode.

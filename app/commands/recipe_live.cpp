@@ -3,6 +3,7 @@
 #include "app/commands/cooling_watch.h"
 #include "app/commands/engine_thread.h"
 #include "engine/base/clock.h"
+#include "engine/monitor/monitor.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -19,10 +20,14 @@ constexpr double kRoom_K = 295.0; // roughly; a recipe has several experiments
 
 } // namespace
 
-void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& start) {
+void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& start,
+             const RunLabels& labels) {
     PlaceOrders placeOrders(start.place);
     const SignalCount signalCount;
+    Monitor monitor; // the engine's last words, too, are told
+    monitor.use(start.monitor);
     EngineThread engine;
+    engine.worker.setWatch(monitor.inlet());
     QObject here; // of this thread, which takes the snapshots
     const auto post = [&](const std::vector<Command>& commands) {
         for (const Command& command : commands)
@@ -66,6 +71,7 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& st
     look.start(kLook_ms);
     engine.ask([&] { engine.worker.start(); });
     post(start.allowed);
+    post({SetLabels{labels}});
     post(runner.begin({}));
     QCoreApplication::exec();
     look.stop();

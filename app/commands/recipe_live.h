@@ -8,6 +8,6 @@
 namespace bask {
 
 /// Runs until the end of the recipe. SIGINT, SIGTERM and SIGHUP stop it, a second one is STOP.
-void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& start);
+void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& start, const RunLabels& labels);
 
 } // namespace bask

@@ -171,6 +171,16 @@ LivePlace livePlace(const QCommandLineParser& parser) {
                                            : LivePlace::AsFound;
 }
 
+Result<MonitorSettings> readMonitor(const QCommandLineParser& parser) {
+    if (!parser.isSet("monitor"))
+        return MonitorSettings();
+    const std::string path = parser.value("monitor").toStdString();
+    auto settings = readMonitorSettings(path);
+    if (settings && !settings->isOn())
+        return Error(MessageCode::FileUnreadable, path, {"nothing in it is switched on"});
+    return settings;
+}
+
 int refuseWords(const QString& words) {
     std::fprintf(stderr, "bask run: %s\n", qPrintable(words));
     return kExitBadInput;
@@ -197,6 +207,7 @@ int runExperimentCommand(const QStringList& arguments) {
          {"confirm-place", "With --live: a person has seen that the robot is where its controller says."},
          {"allow-program", "With --live: starts the programs of the rig, also where nobody has confirmed "
                            "them on this computer."},
+         {"monitor", "With --live: publishes the run as this file of settings says.", "MONITOR.json"},
          {"home", "With --live: homes the robot first; it moves."},
          {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"duration", "Seconds of the run; without it the run ends when all have been settled for 120 s.",
@@ -204,6 +215,9 @@ int runExperimentCommand(const QStringList& arguments) {
          {"seed", "Seed of noise, sensor offsets and wrong estimates.", "N"},
          {"o", "Record the run into this session file.", "SESSION.bask"},
          {"overwrite", "With -o: replaces an earlier recording of that name."},
+         {"operator", "Recorded: who operates.", "NAME"},
+         {"sample", "Recorded: what is heated.", "NAME"},
+         {"batch", "Recorded: to which the sample belongs.", "NAME"},
          {"summary", "Write the outcome as JSON.", "SUMMARY.json"},
          {"recipe",
           "Instead of one experiment those of a recipe, one after another with its waits. Exit code: 0 only\n"
@@ -221,7 +235,7 @@ int runExperimentCommand(const QStringList& arguments) {
         if (isRecipe && parser.isSet(option))
             return refuseWords(QStringLiteral("%1 is not for recipes")
                                    .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
-    for (const char* option : {"home", "confirm-place", "allow-program", "accept-limits"})
+    for (const char* option : {"home", "confirm-place", "allow-program", "accept-limits", "monitor"})
         if (parser.isSet(option) && !parser.isSet("live"))
             return refuseWords(QStringLiteral("--%1 is for --live").arg(QLatin1String(option)));
     if (parser.isSet("seed") && parser.isSet("live"))
@@ -234,15 +248,27 @@ int runExperimentCommand(const QStringList& arguments) {
         return refuseWords(QStringLiteral("--recipe: the name is empty"));
     if (isRecipe && parser.isSet("out") && parser.value("out").isEmpty())
         return refuseWords(QStringLiteral("--out: the name is empty"));
+    const RunLabels labels{parser.value("operator").toStdString(), parser.value("sample").toStdString(),
+                           parser.value("batch").toStdString()};
+    for (const char* option : {"operator", "sample", "batch"})
+        if (parser.isSet(option) && !parser.isSet(isRecipe ? "out" : "o") && !parser.isSet("monitor"))
+            return refuseWords(QStringLiteral("--%1 is for a recording (%2), or for --monitor")
+                                   .arg(QLatin1String(option), QLatin1String(isRecipe ? "--out" : "-o")));
+    if (const auto valid = validate(labels); !valid)
+        return refuse(Error(valid.error().code(), "--" + valid.error().where, valid.error().message.args));
+    const auto monitor = readMonitor(parser);
+    if (!monitor)
+        return refuse(monitor.error());
     if (isRecipe)
         return runRecipe({parser.value("recipe"), parser.value("out"), parser.value("summary"),
                           parser.isSet("live"), livePlace(parser), parser.isSet("accept-limits"),
-                          parser.isSet("allow-program")});
+                          parser.isSet("allow-program"), labels, *monitor});
     if (parser.isSet("out"))
         return refuseWords(QStringLiteral("--out is for recipes; -o is the session file of one run"));
     auto request = readRequest(parser);
     if (!request)
         return refuse(request.error());
+    request->options.labels = labels;
     if (parser.isSet("live") && !parser.isSet("accept-limits"))
         if (const Message loosened = limitsLoosened(widenedFromUsual(request->experiment));
             loosened.code != MessageCode::None)
@@ -257,6 +283,7 @@ int runExperimentCommand(const QStringList& arguments) {
     timer.start();
     const bool isLive = parser.isSet("live");
     LiveStart start{livePlace(parser)};
+    start.monitor = *monitor;
     const std::optional<RigSpec>& rig = request->experiment.rig;
     if (start.place == LivePlace::Confirmed && rig && rig->robot && rig->robot->mustHome.value_or(false))
         return refuseWords(

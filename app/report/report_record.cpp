@@ -42,6 +42,7 @@ struct Line {
     double time_s = 0.0;
     int number = 0; ///< in the figures
     QString kind, text;
+    std::string operatorName{};
 };
 
 QString kindOf(MessageCode code) {
@@ -124,6 +125,7 @@ QString commandName(const QString& name) {
         {"targets", RecordText::tr("Targets")},
         {"controller", RecordText::tr("Controller")},
         {"zero", RecordText::tr("Zero the sensors")},
+        {"operator", RecordText::tr("Operator")},
     };
     for (const auto& [known, word] : named)
         if (name == QLatin1String(known))
@@ -160,6 +162,8 @@ QString commandText(const CommandRow& command, const std::vector<TraceEvent>& ev
     QStringList parts;
     if (command.name == "acknowledge") {
         parts << acknowledgedText(command, events, unit);
+    } else if (command.name == "operator") {
+        parts << read.object().value(QLatin1String("name")).toString();
     } else if (read.isObject()) {
         const QJsonObject fields = read.object();
         const QString kind = fields.value(QLatin1String("kind")).toString().replace(u'-', u'_');
@@ -185,8 +189,8 @@ QString eventText(const Message& message, TemperatureUnit unit) {
 std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
-        lines.push_back(
-            {command.time_s, 0, RecordText::tr("command"), commandText(command, session.events, unit)});
+        lines.push_back({command.time_s, 0, RecordText::tr("command"),
+                         commandText(command, session.events, unit), command.operatorName});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];
@@ -194,7 +198,8 @@ std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
             {event.time_s, numbers[k], kindOf(event.message.code), eventText(event.message, unit)});
     }
     for (const TraceNote& note : session.notes)
-        lines.push_back({note.time_s, 0, RecordText::tr("note"), QString::fromStdString(note.text)});
+        lines.push_back(
+            {note.time_s, 0, RecordText::tr("note"), QString::fromStdString(note.text), note.operatorName});
     std::ranges::stable_sort(lines, {}, &Line::time_s);
     return lines;
 }
@@ -232,19 +237,26 @@ QString summarySection(const RunReportInput& input) {
     const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
     const RunMetrics metrics = runMetrics(session);
     const QString alarms = RecordText::tr("%n alarm(s)", nullptr, alarmCount(session));
-    QString text = facts(
-        {{RecordText::tr("Outcome"), outcomeWords(session)},
-         {RecordText::tr("Recorded"),
-          created.isValid() ? QLocale().toString(created.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-                                  QStringLiteral(" UTC")
-                            : RecordText::tr("date not known")},
-         {RecordText::tr("Control from Start until Stop"),
-          RecordText::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
-              .arg(formatDuration(metrics.duration_s))},
-         {RecordText::tr("Controller"), controllerWord(session.experiment.controller.kind)},
-         {RecordText::tr("Alarms"),
-          session.events.empty() ? RecordText::tr("no event was recorded") : alarms},
-         {RecordText::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}});
+    QList<std::pair<QString, QString>> rows{
+        {RecordText::tr("Outcome"), outcomeWords(session)},
+        {RecordText::tr("Recorded"),
+         created.isValid() ? QLocale().toString(created.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
+                                 QStringLiteral(" UTC")
+                           : RecordText::tr("date not known")},
+        {RecordText::tr("Control from Start until Stop"),
+         RecordText::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
+             .arg(formatDuration(metrics.duration_s))},
+        {RecordText::tr("Controller"), controllerWord(session.experiment.controller.kind)},
+        {RecordText::tr("Alarms"), session.events.empty() ? RecordText::tr("no event was recorded") : alarms},
+        {RecordText::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}};
+    const auto add = [&](const QString& name, const std::string& value) {
+        if (!value.empty())
+            rows.emplace_back(name, QString::fromStdString(value));
+    };
+    add(RecordText::tr("Operator"), session.labels.operatorName);
+    add(RecordText::tr("Sample"), session.labels.sample);
+    add(RecordText::tr("Batch"), session.labels.batch);
+    QString text = facts(rows);
     if (session.samples.empty())
         text += paragraph(
             RecordText::tr("No samples were recorded: there are no traces, trajectories and metrics."),
@@ -370,12 +382,20 @@ QString eventsSection(const SessionRecord& session, TemperatureUnit unit) {
     const std::vector<Line> lines = linesOf(session, unit);
     if (lines.empty())
         return text + paragraph(RecordText::tr("None was recorded."));
-    html::Table table(
-        {RecordText::tr("No."), RecordText::tr("Time (s)"), RecordText::tr("Kind"), RecordText::tr("What")},
-        {0, 1});
-    for (std::size_t k = 0; k < lines.size() && k < kMaxReportRows; ++k)
-        table.add({lines[k].number > 0 ? QString::number(lines[k].number) : QString(), time(lines[k].time_s),
-                   lines[k].kind, lines[k].text});
+    QStringList header{RecordText::tr("No."), RecordText::tr("Time (s)"), RecordText::tr("Kind"),
+                       RecordText::tr("What")};
+    const bool isSigned =
+        std::ranges::any_of(lines, [](const Line& line) { return !line.operatorName.empty(); });
+    if (isSigned)
+        header << RecordText::tr("Operator");
+    html::Table table(header, {0, 1});
+    for (std::size_t k = 0; k < lines.size() && k < kMaxReportRows; ++k) {
+        QStringList cells{lines[k].number > 0 ? QString::number(lines[k].number) : QString(),
+                          time(lines[k].time_s), lines[k].kind, lines[k].text};
+        if (isSigned)
+            cells << QString::fromStdString(lines[k].operatorName);
+        table.add(cells);
+    }
     text += table.text();
     if (const auto more = static_cast<int>(lines.size()) - kMaxReportRows; more > 0)
         text += paragraph(RecordText::tr(

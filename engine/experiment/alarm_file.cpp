@@ -32,6 +32,7 @@ Alarm readAlarm(const json& j, const std::string& path, Failure& failure) {
     fields.read("cause", alarm.cause);
     fields.read("shelved_until_s", alarm.shelvedUntil_s);
     fields.read("shelf_reason", alarm.shelfReason);
+    fields.read("seen_by", alarm.seenBy);
     if (const json* args = fields.find("args"); args != nullptr && args->is_array())
         for (const json& arg : *args)
             alarm.message.args.push_back(arg.is_string() ? arg.get<std::string>() : std::string());
@@ -55,7 +56,8 @@ nlohmann::ordered_json alarmJson(const Alarm& alarm) {
             {"cleared_s", alarm.cleared_s},
             {"cause", alarm.cause},
             {"shelved_until_s", alarm.shelvedUntil_s},
-            {"shelf_reason", alarm.shelfReason}};
+            {"shelf_reason", alarm.shelfReason},
+            {"seen_by", alarm.seenBy}};
 }
 
 } // namespace

@@ -31,6 +31,8 @@ struct Alarm {
     /// and returns by itself if it is still active. 0 if it is not shelved.
     double shelvedUntil_s = 0.0;
     std::string shelfReason{}; ///< reason given by that person
+    /// Operator who acknowledged or shelved it; empty if not known.
+    std::string seenBy{};
     bool operator==(const Alarm&) const = default;
 };
 

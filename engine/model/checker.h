@@ -15,6 +15,8 @@ namespace bask {
 /// Stores the first error; later checks are skipped.
 class Checker {
 public:
+    static constexpr std::size_t kMaxNameLength = 64;
+
     bool failed() const { return m_error.has_value(); }
     const std::optional<Error>& error() const { return m_error; }
     Result<void> result() const { return m_error ? Result<void>(*m_error) : Result<void>(); }
@@ -29,6 +31,9 @@ public:
     /// Checks a quantity given in SI and reports it in the units of the file.
     void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double min,
                   double max);
+    /// Refuses a name that is not plain (NameNotPlain), or has more than kMaxNameLength characters. An empty
+    /// one is for the caller.
+    void name(const std::string& where, const std::string& name);
     /// Checks a parameter; `path` ends with a dot.
     void parameter(const std::string& path, const ParameterFacts& facts, double si);
     /// Checks all parameters of a table; optional ones that are not set are valid.

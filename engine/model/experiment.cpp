@@ -24,7 +24,6 @@ namespace {
 using std::to_string;
 
 constexpr int kOutlineSamples = 256;
-constexpr std::size_t kMaxNameLength = 64;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxSourceRadius_m = 10.0;
 constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
@@ -75,29 +74,14 @@ void checkSource(Checker& check, const Experiment& e) {
     checkUnevenness(check, "source.", e.source.uneven, e, e.source.emittance);
 }
 
-/// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
-bool isPlain(const std::string& name) {
-    if (name.front() == ' ' || name.back() == ' ')
-        return false;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(name[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : '\0');
-        if (byte < 0x20 || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0))
-            return false;
-    }
-    return true;
-}
-
 void checkName(Checker& check, const std::string& where, const std::string& name,
                std::set<std::string>& names) {
     const bool blank = name.find_first_not_of(" \t\r\n") == std::string::npos;
     if (blank)
         check.fail(MessageCode::NameEmpty, where);
-    else if (const std::size_t length = characterCount(name); length > kMaxNameLength)
-        check.range(where, static_cast<double>(length), 1.0, kMaxNameLength, "characters");
-    else if (!isPlain(name) || hasInvisible(name))
-        check.fail(MessageCode::NameNotPlain, where);
-    else if (!names.insert(name).second)
+    else
+        check.name(where, name);
+    if (!check.failed() && !names.insert(name).second)
         check.fail(MessageCode::DuplicateName, where, {name});
 }
 

@@ -27,6 +27,7 @@ struct TraceFrame {
 struct TraceNote {
     double time_s = 0.0;
     std::string text;
+    std::string operatorName{}; ///< who wrote it; empty if not known
 };
 
 /// Temperature band about the target that counts as settled, K (MODEL section 8).

@@ -21,6 +21,8 @@ double utc_s() {
 /// What EngineWorker is in real time, for the commands of a recipe.
 class SimulatedEngine {
 public:
+    explicit SimulatedEngine(RunLabels labels) : m_labels(std::move(labels)) {}
+
     void post(const Command& command) {
         const Result<void> done = apply(command);
         if (!done && m_snapshot.refusal.code == MessageCode::None)
@@ -62,6 +64,7 @@ private:
         if (const auto* load = std::get_if<LoadExperiment>(&command)) {
             close();
             m_drive = std::make_unique<SimulatedDrive>(load->experiment);
+            m_drive->loop().setOperator(m_labels.operatorName);
             ++m_snapshot.loadId;
             return {};
         }
@@ -83,7 +86,8 @@ private:
     Result<void> armWith(const std::string& path) {
         if (const auto armed = m_drive->loop().arm(); !armed || path.empty())
             return armed;
-        auto writer = SessionWriter::create(path, m_drive->loop().experiment(), true);
+        auto writer = SessionWriter::create(path, m_drive->loop().experiment(), true, 0.5,
+                                            SessionWriter::Earlier::Replaced, m_labels);
         if (!writer) {
             (void)m_drive->loop().disarm();
             return writer.error();
@@ -115,6 +119,7 @@ private:
         m_drive->loop().stopFor({MessageCode::ReasonRecorderFailed, {describe(error)}});
     }
 
+    RunLabels m_labels;
     std::unique_ptr<SimulatedDrive> m_drive;
     std::unique_ptr<SessionWriter> m_writer;
     AlarmLog m_alarms;
@@ -123,8 +128,9 @@ private:
 
 } // namespace
 
-void runSimulated(RecipeRunner& runner, const RecipeWatch& watch, std::stop_token stop) {
-    SimulatedEngine engine;
+void runSimulated(RecipeRunner& runner, const RecipeWatch& watch, const std::stop_token& stop,
+                  const RunLabels& labels) {
+    SimulatedEngine engine(labels);
     const auto post = [&](const std::vector<Command>& commands) {
         for (const Command& command : commands)
             engine.post(command);

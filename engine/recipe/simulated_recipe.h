@@ -13,6 +13,7 @@ using RecipeWatch = std::function<void(const RecipeRunner& runner, const Snapsho
 
 /// Runs to the end of the recipe. A run is recorded where the runner says, each on a new rig at ambient
 /// temperature; waits use the rig of the run before them. A stop request ends it as stopNow does.
-void runSimulated(RecipeRunner& runner, const RecipeWatch& watch = {}, std::stop_token stop = {});
+void runSimulated(RecipeRunner& runner, const RecipeWatch& watch = {}, const std::stop_token& stop = {},
+                  const RunLabels& labels = {});
 
 } // namespace bask

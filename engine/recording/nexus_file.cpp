@@ -74,6 +74,14 @@ private:
         m_file.attribute("/entry/program_name", "exported_by", kMaker);
         m_file.text("/entry/simulated", m_session.simulated ? "true" : "false");
         m_file.text("/entry/outcome", m_session.interrupted() ? "interrupted" : m_session.outcome);
+        const RunLabels& labels = m_session.labels;
+        if (!labels.batch.empty())
+            m_file.text("/entry/collection_identifier", labels.batch);
+        if (labels.operatorName.empty())
+            return;
+        m_file.group("/entry/user", "NXuser");
+        m_file.text("/entry/user/name", labels.operatorName);
+        m_file.text("/entry/user/role", "operator");
     }
 
     /// What a NeXus program shows at first; its time is that of all logs.
@@ -215,6 +223,8 @@ private:
         m_file.group(group, "NXsample");
         m_file.text(group + "/name", object.name);
         m_file.text(group + "/description", object.material.name);
+        if (!m_session.labels.sample.empty())
+            m_file.text(group + "/sample_id", m_session.labels.sample);
         for (const Parameter<Material>& value : materialParameters())
             m_file.number(group + '/' + value.name, value.get(object.material).value(), siUnit(value.unit));
         m_file.number(group + "/area", shapeArea(object.shape), "m^2");
@@ -303,11 +313,15 @@ private:
         table("/entry/commands", m_session.commands);
         column("/entry/commands/name", m_session.commands, [](const CommandRow& c) { return c.name; });
         column("/entry/commands/value", m_session.commands, [](const CommandRow& c) { return c.value; });
+        column("/entry/commands/operator", m_session.commands,
+               [](const CommandRow& c) { return c.operatorName; });
         for (std::size_t i = 0; i < m_session.notes.size(); ++i) {
             const std::string note = "/entry/" + numbered("note_", i);
             m_file.group(note, "NXnote");
             m_file.text(note + "/type", "text/plain");
             m_file.text(note + "/data", m_session.notes[i].text);
+            if (!m_session.notes[i].operatorName.empty())
+                m_file.text(note + "/author", m_session.notes[i].operatorName);
             m_file.number(note + "/time", m_session.notes[i].time_s, "s");
         }
         m_file.group("/entry/experiment", "NXnote");

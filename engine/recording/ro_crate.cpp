@@ -116,11 +116,24 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
                      {"datePublished", session.created},
                      {"hasPart", parts},
                      {"mentions", {{"@id", id}}}});
-    graph.push_back({{"@id", id},
-                     {"@type", "CreateAction"},
-                     {"name", std::filesystem::path(session.path).filename().string()},
-                     {"startTime", session.created},
-                     {"instrument", Json::array({{{"@id", "#recorder"}}, {{"@id", kExporter}}})}});
+    Json run{{"@id", id},
+             {"@type", "CreateAction"},
+             {"name", std::filesystem::path(session.path).filename().string()},
+             {"startTime", session.created},
+             {"instrument", Json::array({{{"@id", "#recorder"}}, {{"@id", kExporter}}})}};
+    const auto& [operatorName, sample, batch] = session.labels;
+    if (!operatorName.empty()) {
+        run["agent"] = {{"@id", "#operator"}};
+        graph.push_back({{"@id", "#operator"}, {"@type", "Person"}, {"name", operatorName}});
+    }
+    if (!sample.empty() || !batch.empty()) {
+        run["object"] = {{"@id", "#sample"}};
+        graph.push_back({{"@id", "#sample"},
+                         {"@type", "IndividualProduct"},
+                         {"name", sample.empty() ? "of batch " + batch : sample},
+                         {"description", batch.empty() ? "the sample that was heated" : "batch " + batch}});
+    }
+    graph.push_back(std::move(run));
     graph.push_back({{"@id", "#recorder"},
                      {"@type", "SoftwareApplication"},
                      {"name", session.software.empty() ? "Bask" : session.software}});

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -38,6 +39,7 @@ private:
         m_record.created = facts["created"];
         m_record.software = facts["software"];
         m_record.simulated = facts["simulated"] == "true";
+        m_record.labels = {facts["operator"], facts["sample"], facts["batch"]};
         m_record.outcome = facts["outcome"];
         if (done && !m_record.simulated && facts["simulated"] != "false")
             return Error(MessageCode::SessionDamaged, m_record.path,
@@ -88,15 +90,28 @@ private:
             m_record.events.push_back(std::move(event));
         });
         if (done)
-            done = m_store.select("SELECT time_s, text FROM note ORDER BY rowid", [&](Row row) {
-                m_record.notes.push_back({numberOf(row[0]), printable(textOf(row[1]))});
-            });
-        if (done)
-            done = m_store.select("SELECT time_s, name, value FROM command ORDER BY rowid", [&](Row row) {
-                m_record.commands.push_back(
+            done = select("time_s, text", "note", [&](Row row) {
+                m_record.notes.push_back(
                     {numberOf(row[0]), printable(textOf(row[1])), printable(textOf(row[2]))});
             });
+        if (done)
+            done = select("time_s, name, value", "command", [&](Row row) {
+                m_record.commands.push_back({numberOf(row[0]), printable(textOf(row[1])),
+                                             printable(textOf(row[2])), printable(textOf(row[3]))});
+            });
         return done;
+    }
+
+    /// The columns, and then the operator, whom files did not name before.
+    Result<void> select(const std::string& columns, const std::string& table,
+                        const std::function<void(Row)>& take) const {
+        const auto found = m_store.columns(table);
+        if (!found)
+            return found.error();
+        const bool isNamed = std::ranges::find(*found, "operator") != found->end();
+        return m_store.select("SELECT " + columns + (isNamed ? ", operator" : ", ''") + " FROM " + table +
+                                  " ORDER BY rowid",
+                              take);
     }
 
     const SessionStore& m_store;

@@ -4,6 +4,7 @@
 
 #include "engine/drivers/traffic_log.h"
 #include "engine/model/experiment.h"
+#include "engine/model/run_labels.h"
 #include "engine/model/trace.h"
 
 #include <functional>
@@ -22,6 +23,7 @@ struct CommandRow {
     double time_s = 0.0;
     std::string name;
     std::string value;
+    std::string operatorName{}; ///< who operated at this time; empty if not known
 };
 
 /// Writes a run while it happens (WAL, synchronous=FULL). Rows are committed within commitInterval_s of wall
@@ -34,10 +36,9 @@ public:
 
     /// Of several processes that make one file at a time, one gets it; the others are refused.
     /// Errors: SessionBusy, FileUnwritable, also where an earlier recording is to be kept.
-    static Result<std::unique_ptr<SessionWriter>> create(const std::string& path,
-                                                         const Experiment& experiment, bool simulated,
-                                                         double commitInterval_s = 0.5,
-                                                         Earlier earlier = Earlier::Replaced);
+    static Result<std::unique_ptr<SessionWriter>>
+    create(const std::string& path, const Experiment& experiment, bool simulated,
+           double commitInterval_s = 0.5, Earlier earlier = Earlier::Replaced, const RunLabels& labels = {});
     ~SessionWriter(); ///< commits, closes and seals
 
     Result<void> add(const TraceSample& sample);
@@ -75,6 +76,7 @@ struct SessionRecord {
     std::string created;  ///< ISO 8601, UTC
     std::string software; ///< "Bask 0.1.0"
     bool simulated = false;
+    RunLabels labels;    ///< when the recording began; each command and note has its own operator
     std::string outcome; ///< empty: interrupted
     std::vector<TraceSample> samples;
     std::vector<TraceEvent> events;

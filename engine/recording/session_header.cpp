@@ -28,7 +28,8 @@ constexpr std::chrono::milliseconds kBetweenTries(200);
 
 // A list reads whatever lies in its folder: no more of it than fits the memory.
 constexpr const char* kSelectMeta = "SELECT key, substr(value, 1, 65536) FROM meta "
-                                    "WHERE key IN ('created', 'simulated', 'outcome', 'tags') LIMIT 4";
+                                    "WHERE key IN ('created', 'simulated', 'operator', 'sample', 'batch', "
+                                    "'outcome', 'tags') LIMIT 7";
 constexpr const char* kSelectExperiment =
     "SELECT json FROM experiment WHERE length(json) < 16777216 ORDER BY rowid LIMIT 1";
 constexpr const char* kSelectNotes = "SELECT substr(text, 1, 4096) FROM note ORDER BY rowid LIMIT 1000";
@@ -67,6 +68,12 @@ Result<void> readInto(SessionHeader& header) {
                 header.created = value;
             else if (key == "simulated")
                 header.simulated = value == "true";
+            else if (key == "operator")
+                header.labels.operatorName = printable(value);
+            else if (key == "sample")
+                header.labels.sample = printable(value);
+            else if (key == "batch")
+                header.labels.batch = printable(value);
             else if (key == "outcome")
                 header.outcome = value;
             else if (key == "tags")

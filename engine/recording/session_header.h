@@ -3,6 +3,7 @@
 // file: its tags, and a missing end.
 
 #include "engine/base/result.h"
+#include "engine/model/run_labels.h"
 
 #include <cstdint>
 #include <optional>
@@ -22,6 +23,7 @@ struct SessionHeader {
     std::vector<std::string> objects;
     std::string created; ///< ISO 8601, UTC
     bool simulated = false;
+    RunLabels labels;
     std::string outcome; ///< empty: interrupted, or still being recorded
     std::uint64_t samples = 0;
     double end_s = 0.0; ///< time of the last sample since Start; 0 without one

@@ -18,9 +18,10 @@ constexpr const char* kMadeFirst[] = {
     "CREATE TABLE object(number INTEGER PRIMARY KEY, name TEXT NOT NULL)",
 };
 constexpr const char* kMadeLast[] = {
-    "CREATE TABLE command(time_s REAL NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL)",
+    "CREATE TABLE command(time_s REAL NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL, operator TEXT NOT "
+    "NULL)",
     "CREATE TABLE event(time_s REAL NOT NULL, code TEXT NOT NULL, args TEXT NOT NULL, text TEXT NOT NULL)",
-    "CREATE TABLE note(time_s REAL NOT NULL, text TEXT NOT NULL)",
+    "CREATE TABLE note(time_s REAL NOT NULL, text TEXT NOT NULL, operator TEXT NOT NULL)",
     "CREATE TABLE target_step(time_s REAL NOT NULL, object INTEGER NOT NULL, target_K REAL)",
     "CREATE TABLE overview(last_step INTEGER PRIMARY KEY, extremes BLOB NOT NULL)",
 };

@@ -48,8 +48,8 @@ enum Statement : std::size_t {
 /// In the order of Statement, after kInsertStep.
 constexpr std::array kStatements{
     "INSERT INTO target_step VALUES(?, ?, ?)", "INSERT INTO overview VALUES(?, ?)",
-    "INSERT INTO command VALUES(?, ?, ?)",     "INSERT INTO event VALUES(?, ?, ?, ?)",
-    "INSERT INTO note VALUES(?, ?)",           "INSERT OR REPLACE INTO meta VALUES(?, ?)",
+    "INSERT INTO command VALUES(?, ?, ?, ?)",  "INSERT INTO event VALUES(?, ?, ?, ?)",
+    "INSERT INTO note VALUES(?, ?, ?)",        "INSERT OR REPLACE INTO meta VALUES(?, ?)",
 };
 
 /// In the order of Statement.
@@ -273,7 +273,8 @@ SessionWriter::~SessionWriter() {
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& path,
                                                              const Experiment& experiment, bool simulated,
-                                                             double commitInterval_s, Earlier earlier) {
+                                                             double commitInterval_s, Earlier earlier,
+                                                             const RunLabels& labels) {
     if (auto valid = validate(experiment); !valid)
         return valid.error();
     const LockedFolder folder(path);
@@ -289,12 +290,15 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
     impl->store = std::move(*store);
     impl->commitInterval_s = commitInterval_s;
     auto made = makeTables(*impl->store, impl->tables);
-    const std::array<std::pair<const char*, std::string>, 3> facts{
+    const std::array<std::pair<const char*, std::string>, 6> facts{
         {{"software", "Bask " BASK_VERSION},
          {"created", nowUtc()},
-         {"simulated", simulated ? "true" : "false"}}};
+         {"simulated", simulated ? "true" : "false"},
+         {"operator", labels.operatorName},
+         {"sample", labels.sample},
+         {"batch", labels.batch}}};
     for (const auto& [key, value] : facts) {
-        if (made)
+        if (made && !value.empty())
             made = impl->put(kPutMeta, std::string(key), value);
     }
     if (made) {
@@ -344,12 +348,13 @@ Result<void> SessionWriter::add(const TraceEvent& event) {
 }
 
 Result<void> SessionWriter::add(const TraceNote& note) {
-    return m_impl->add([&] { return m_impl->put(kInsertNote, note.time_s, note.text); });
+    return m_impl->add([&] { return m_impl->put(kInsertNote, note.time_s, note.text, note.operatorName); });
 }
 
 Result<void> SessionWriter::add(const CommandRow& command) {
-    return m_impl->add(
-        [&] { return m_impl->put(kInsertCommand, command.time_s, command.name, command.value); });
+    return m_impl->add([&] {
+        return m_impl->put(kInsertCommand, command.time_s, command.name, command.value, command.operatorName);
+    });
 }
 
 Result<void> SessionWriter::add(const TraceFrame& frame) {

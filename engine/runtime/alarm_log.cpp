@@ -16,6 +16,12 @@ constexpr double kAtOnce_s = 30.0;
 
 namespace {
 
+void acknowledgeOne(Alarm& alarm, const std::string& operatorName) {
+    if (!alarm.isAcknowledged)
+        alarm.seenBy = operatorName;
+    alarm.isAcknowledged = true;
+}
+
 bool outlastsItsRig(const Alarm& alarm) {
     return alarm.isLive && alarm.message.code == MessageCode::HeatLeftUnknown;
 }
@@ -139,6 +145,8 @@ void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKe
     const bool isSeen = cause != nullptr && cause->isAcknowledged &&
                         (condition.priority > 1 || utc_s - cause->raised_s <= kAtOnce_s);
     alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || isSeen;
+    if (alarm->shelvedUntil_s == 0.0)
+        alarm->seenBy = isSeen ? cause->seenBy : std::string();
 }
 
 // Alarms that are over and acknowledged are removed; their consequences then stand alone.
@@ -152,33 +160,35 @@ bool AlarmLog::forgetOver() {
     return erased > 0;
 }
 
-void AlarmLog::acknowledgeWithConsequences(Alarm& alarm) {
-    alarm.isAcknowledged = true;
+void AlarmLog::acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName) {
+    acknowledgeOne(alarm, operatorName);
     for (Alarm& other : m_alarms)
-        other.isAcknowledged = other.isAcknowledged || other.cause == alarm.key;
+        if (other.cause == alarm.key)
+            acknowledgeOne(other, operatorName);
 }
 
-bool AlarmLog::acknowledge(std::uint64_t id) {
+bool AlarmLog::acknowledge(std::uint64_t id, const std::string& operatorName) {
     const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
     if (alarm == m_alarms.end() || alarm->isAcknowledged)
         return false;
-    acknowledgeWithConsequences(*alarm);
+    acknowledgeWithConsequences(*alarm, operatorName);
     forgetOver();
     sort();
     return true;
 }
 
-bool AlarmLog::acknowledgeAll() {
+bool AlarmLog::acknowledgeAll(const std::string& operatorName) {
     if (std::ranges::all_of(m_alarms, &Alarm::isAcknowledged))
         return false;
     for (Alarm& alarm : m_alarms)
-        alarm.isAcknowledged = true;
+        acknowledgeOne(alarm, operatorName);
     forgetOver();
     sort();
     return true;
 }
 
-Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason) {
+Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason,
+                              const std::string& operatorName) {
     const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
     if (alarm == m_alarms.end() || !alarm->cause.empty())
         return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Shelve), "Over"});
@@ -190,7 +200,8 @@ Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, cons
         return Error(MessageCode::ValueOutOfRange, {},
                      {formatNumber(for_s / 60.0), formatNumber(kShortest_s / 60.0),
                       formatNumber(longest_s / 60.0), "min"});
-    acknowledgeWithConsequences(*alarm);
+    alarm->isAcknowledged = false; // whoever shelves it has seen it last
+    acknowledgeWithConsequences(*alarm, operatorName);
     alarm->shelvedUntil_s = utc_s + for_s;
     alarm->shelfReason = reason;
     sort();
@@ -211,6 +222,7 @@ void AlarmLog::takeBack(Alarm& alarm) {
     alarm.shelvedUntil_s = 0.0;
     alarm.shelfReason.clear();
     alarm.isAcknowledged = !alarm.isActive; // what is over by now counts as seen
+    alarm.seenBy.clear();
 }
 
 void AlarmLog::sort() {

@@ -37,12 +37,13 @@ public:
     bool update(double utc_s, const std::vector<AlarmCondition>& conditions);
     /// Acknowledges the alarm and its consequences. Returns false if there is no such alarm or it is already
     /// acknowledged.
-    bool acknowledge(std::uint64_t id);
-    bool acknowledgeAll();
+    bool acknowledge(std::uint64_t id, const std::string& operatorName = {});
+    bool acknowledgeAll(const std::string& operatorName = {});
 
     /// Shelves the alarm for a time. Refuses a missing reason, a time that is too short or too long, and an
     /// alarm that does not exist or is a consequence of another one.
-    Result<void> shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason);
+    Result<void> shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason,
+                        const std::string& operatorName = {});
     /// Returns false if the alarm is not shelved.
     bool unshelve(std::uint64_t id);
 
@@ -53,7 +54,7 @@ public:
 private:
     Alarm* find(const std::string& key);
     void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s, bool isFirst);
-    void acknowledgeWithConsequences(Alarm& alarm);
+    void acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName);
     static void takeBack(Alarm& alarm); ///< ends the shelving
     void leave();
     bool isKept(const Alarm& alarm) const; ///< stays active while the simulated rig is selected

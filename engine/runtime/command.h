@@ -6,6 +6,7 @@
 #include "engine/devices/device.h"
 #include "engine/drivers/found_units.h"
 #include "engine/model/experiment.h"
+#include "engine/model/run_labels.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,6 +19,8 @@ namespace bask {
 
 struct LoadExperiment {
     Experiment experiment;
+    /// Whether it is an edit of the one that is loaded: a simulated rig then stays as warm as it is.
+    bool isEdit = false;
 }; ///< refused while a run is armed or on
 struct Arm {
     std::string recordingPath;
@@ -47,6 +50,11 @@ struct SetController {
 };
 struct AddNote {
     std::string text;
+};
+/// Says who operates from now on, and what the next run heats. Commands, notes and acknowledgements are
+/// recorded with their operator. While a run is armed or on, another sample or batch is refused.
+struct SetLabels {
+    RunLabels labels;
 };
 struct SetSimulationSpeed {
     double factor = 1.0;
@@ -174,10 +182,10 @@ struct ConfirmProgram {
 
 using Command =
     std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, Retreat,
-                 EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                 SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm, UnshelveAlarm, SetVision,
-                 WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm,
-                 SetHeat, TypeSourceTemperature, ZeroSensors, ConfirmSensor, ListPorts, TryDevice, FindUnits,
-                 SendByHand, AcceptDevice, ConfirmProgram>;
+                 EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetLabels,
+                 SetSimulationSpeed, SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm,
+                 UnshelveAlarm, SetVision, WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo, Jog,
+                 HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ZeroSensors, ConfirmSensor,
+                 ListPorts, TryDevice, FindUnits, SendByHand, AcceptDevice, ConfirmProgram>;
 
 } // namespace bask

@@ -3,6 +3,8 @@
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace bask {
 
@@ -14,11 +16,23 @@ Result<PoseReading> EngineSession::Tracker::read() {
     return PoseReading();
 }
 
+namespace {
+
+std::unique_ptr<SimulatedRig> simulatedRig(const Experiment& experiment, const KeptRig& kept) {
+    if (kept.rig)
+        return nullptr;
+    auto rig = std::make_unique<SimulatedRig>(simulatedRigConfig(experiment));
+    if (kept.condition)
+        rig->use(*kept.condition);
+    return rig;
+}
+
+} // namespace
+
 EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept)
-    : steady(wall),
-      simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
-      real(std::move(kept.rig)), thermometer(simulated ? objectThermometer(experiment, *simulated)
-                                                       : objectThermometer(experiment, *real, wall)),
+    : steady(wall), simulated(simulatedRig(experiment, kept)), real(std::move(kept.rig)),
+      thermometer(simulated ? objectThermometer(experiment, *simulated)
+                            : objectThermometer(experiment, *real, wall)),
       vision(std::move(kept.watcher)), tracker(*this), loop(experiment, devices(experiment), clock()),
       script(experiment.simulation.faults) {
     Camera* camera = simulated ? &simulated->camera() : real->camera();
@@ -32,6 +46,23 @@ EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, Ke
     });
     real->limitSpeed(experiment.robot);
     real->setPeriod(experiment.sampling.period_s);
+}
+
+std::optional<RigCondition> EngineSession::condition(const Experiment& edited) const {
+    if (!simulated || edited.rig)
+        return std::nullopt;
+    RigCondition out = simulated->condition();
+    const std::vector<double> before_K = std::exchange(out.objects_K, {});
+    const auto& objects = loop.experiment().objects;
+    for (const ObjectSpec& object : edited.objects) {
+        const auto same = std::ranges::find(objects, object.name, &ObjectSpec::name);
+        out.objects_K.push_back(same == objects.end()
+                                    ? std::nan("")
+                                    : before_K[static_cast<std::size_t>(same - objects.begin())]);
+    }
+    if (edited.start != loop.experiment().start)
+        out.coordinates.reset();
+    return out;
 }
 
 RigDevices EngineSession::devices(const Experiment& experiment) {
@@ -95,8 +126,11 @@ void EngineSession::tell(Snapshot& snapshot) const {
     if (const auto zero = loop.findZero(); !zero)
         snapshot.zeroProblem = zero.error().message;
     snapshot.controller = loop.experiment().controller;
-    for (const ObjectSpec& object : loop.experiment().objects)
+    snapshot.experiment = loop.experiment().title;
+    for (const ObjectSpec& object : loop.experiment().objects) {
+        snapshot.objects.push_back(object.name);
         snapshot.targets_K.push_back(object.target_K);
+    }
 }
 
 bool haveSameSensors(const Experiment& a, const Experiment& b) {

@@ -12,10 +12,11 @@
 
 namespace bask {
 
-/// The devices that are kept from one session to the next.
+/// What is kept from one session to the next.
 struct KeptRig {
     std::unique_ptr<RealRig> rig;
     std::unique_ptr<VisionThread> watcher; ///< reads its camera
+    std::optional<RigCondition> condition; ///< of a simulated rig
 };
 
 /// Created again for each experiment, on the engine's thread.
@@ -24,6 +25,8 @@ struct EngineSession {
     EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept);
 
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
+    /// Returns what of a simulated rig an edit to this experiment leaves; empty for another rig.
+    std::optional<RigCondition> condition(const Experiment& edited) const;
     /// Writes the state of rig and loop into a snapshot.
     void tell(Snapshot& snapshot) const;
 

@@ -104,6 +104,7 @@ void EngineWorker::shutdown() {
         m_session->loop.emergencyStop();
     (void)closeSession(false);
     publish(); // the last messages
+    tellWatch();
 }
 
 // First the rig is made safe. Its last commands take a moment, in which events are processed; a rig that is
@@ -156,7 +157,7 @@ void EngineWorker::tellHeatNotOff() {
     const Message message{MessageCode::HeatLeftUnknown, {port}};
     m_isHeatLeft = m_isEnding;
     const TraceEvent event{m_session->loop.runTime_s(), message};
-    m_pending.newEvents.push_back(event);
+    addEvents({event});
     LoopRecord rows;
     rows.events = {event};
     (void)m_recordings.add(std::move(rows)); // errors do not matter: it is about to be closed
@@ -172,10 +173,17 @@ void EngineWorker::post(const bask::Command& command) {
     if (isEnd(command) && !m_isClosing) {
         dropBegun();
     } else if (isBusy()) { // if several experiments wait, only the newest is loaded
-        if (std::holds_alternative<LoadExperiment>(command))
-            std::erase_if(m_waiting,
-                          [](const Command& each) { return std::holds_alternative<LoadExperiment>(each); });
         m_waiting.push_back(command);
+        if (auto* load = std::get_if<LoadExperiment>(&m_waiting.back())) {
+            const auto isOlder = [&](const Command& each) {
+                const auto* other = std::get_if<LoadExperiment>(&each);
+                if (other != nullptr && other != load)
+                    load->isEdit = load->isEdit && other->isEdit;
+                return other != nullptr && other != load;
+            };
+            m_waiting.erase(std::remove_if(m_waiting.begin(), std::prev(m_waiting.end()), isOlder),
+                            std::prev(m_waiting.end()));
+        }
         return;
     }
     carryOut(command);
@@ -231,7 +239,7 @@ void EngineWorker::answer(const Result<void>& result) {
     publish();
 }
 
-Result<void> EngineWorker::load(const Experiment& experiment) {
+Result<void> EngineWorker::load(const Experiment& experiment, bool isEdit) {
     if (m_session && isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (const auto valid = validate(experiment); !valid)
@@ -245,6 +253,11 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     const auto camera = isSameRig && m_session->thermometer
                             ? std::optional(m_session->thermometer->camera().memory())
                             : std::nullopt;
+    const auto condition = isEdit && m_session ? m_session->condition(experiment) : std::nullopt;
+    const bool areReadingsKept = (isSameRig || condition) &&
+                                 haveSameSensors(m_session->loop.experiment(), experiment) &&
+                                 m_session->loop.experiment().sampling == experiment.sampling;
+    const auto sensors = areReadingsKept ? std::optional(m_session->loop.readings().sensors()) : std::nullopt;
     const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_recordings.isOn();
     KeptRig kept = closeSession(isSameRig);
     if (m_isEnding)
@@ -256,7 +269,9 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
                                              m_devices.programs(), m_traffic);
     else if (!isSameRig)
         kept.rig->change(experiment, m_devices.memory());
+    kept.condition = condition;
     m_session = std::make_unique<EngineSession>(experiment, m_steady, std::move(kept));
+    m_session->loop.setOperator(m_labels.operatorName);
     m_alarms.use(m_session->real != nullptr);
     ++m_loadId;
     if (isRecordEnded)
@@ -265,6 +280,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
         m_session->loop.use(*known);
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
+    if (sensors)
+        m_session->loop.useReadings(*sensors);
     if (camera && m_session->thermometer)
         m_session->thermometer->camera().use(*camera);
     m_untilTick_s = experiment.sampling.period_s;
@@ -396,8 +413,8 @@ Result<void> EngineWorker::accept(DeviceRole role) {
         if (device.role == role)
             port = device.port;
     m_devices.forget(*m_session->real, role, m_system);
-    m_pending.newEvents.push_back({m_session->loop.runTime_s(), {MessageCode::EventDeviceAccepted, {port}}});
-    return load(experiment);
+    tell({MessageCode::EventDeviceAccepted, {port}});
+    return load(experiment, false);
 }
 
 void EngineWorker::forwardView() {
@@ -424,7 +441,7 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
         return may;
     if (!recordingPath.empty()) {
         m_recordings.begin(recordingPath, loop.experiment(), m_session->simulated != nullptr,
-                           loop.experiment().safety.minDisk_MB);
+                           loop.experiment().safety.minDisk_MB, m_labels);
         return {};
     }
     return armNow();
@@ -492,11 +509,13 @@ Result<void> EngineWorker::apply(const Command& command) {
         endByHand();
     }
     if (const auto* experiment = std::get_if<LoadExperiment>(&command))
-        return load(experiment->experiment);
+        return load(experiment->experiment, experiment->isEdit);
     if (const auto* speed = std::get_if<SetSimulationSpeed>(&command)) {
         m_speed = std::clamp(speed->factor, 1.0, kMaxSpeed);
         return {};
     }
+    if (const auto* set = std::get_if<SetLabels>(&command))
+        return setLabels(set->labels);
     if (const auto* one = std::get_if<AcknowledgeAlarm>(&command))
         return acknowledge(one->id);
     if (std::holds_alternative<AcknowledgeAll>(command))
@@ -517,6 +536,7 @@ Result<void> EngineWorker::apply(const Command& command) {
         Overloaded{
             [](const LoadExperiment&) { return Result<void>(); },
             [](const SetSimulationSpeed&) { return Result<void>(); },
+            [](const SetLabels&) { return Result<void>(); },
             [](const AcknowledgeAlarm&) { return Result<void>(); },
             [](const AcknowledgeAll&) { return Result<void>(); },
             [](const ShelveAlarm&) { return Result<void>(); },
@@ -562,6 +582,18 @@ Result<void> EngineWorker::apply(const Command& command) {
         command);
 }
 
+Result<void> EngineWorker::setLabels(const RunLabels& labels) {
+    if (auto valid = validate(labels); !valid)
+        return valid;
+    const bool isOtherRun = labels.sample != m_labels.sample || labels.batch != m_labels.batch;
+    if (isOtherRun && m_session && isInUse())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    m_labels = labels;
+    if (m_session)
+        m_session->loop.setOperator(labels.operatorName);
+    return {};
+}
+
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     if (!m_session->simulated)
         return Error(MessageCode::FaultOnRealRig, {});
@@ -577,7 +609,8 @@ Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
     for (const Alarm& alarm : m_alarms.alarms())
         if (!alarm.isAcknowledged && (!id || alarm.id == *id))
             seen.push_back(alarm);
-    const bool changed = id ? m_alarms.acknowledge(*id) : m_alarms.acknowledgeAll();
+    const bool changed = id ? m_alarms.acknowledge(*id, m_labels.operatorName)
+                            : m_alarms.acknowledgeAll(m_labels.operatorName);
     if (changed)
         m_keeper.keep(m_alarms.all());
     for (const Alarm& alarm : seen)
@@ -587,7 +620,8 @@ Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
 }
 
 Result<void> EngineWorker::shelve(const ShelveAlarm& wanted) {
-    if (const auto put = m_alarms.shelve(wanted.id, utc_s(), wanted.for_s, wanted.reason); !put)
+    const auto put = m_alarms.shelve(wanted.id, utc_s(), wanted.for_s, wanted.reason, m_labels.operatorName);
+    if (!put)
         return put;
     const auto alarm = std::ranges::find(m_alarms.alarms(), wanted.id, &Alarm::id);
     if (m_session)
@@ -613,7 +647,13 @@ void EngineWorker::updateAlarms() {
 }
 
 void EngineWorker::tell(const Message& message) {
-    m_pending.newEvents.push_back({m_session ? m_session->loop.runTime_s() : 0.0, message});
+    addEvents({{m_session ? m_session->loop.runTime_s() : 0.0, message}});
+}
+
+void EngineWorker::addEvents(std::vector<TraceEvent> events) {
+    if (m_watch)
+        m_unwatched.insert(m_unwatched.end(), events.begin(), events.end());
+    append(events, m_pending.newEvents);
 }
 
 /// Takes the answers of disk and system.
@@ -711,6 +751,9 @@ void EngineWorker::onTimer() {
         m_ticksSinceRate = 0;
         m_rateWindow_s = 0.0;
     }
+    m_sinceWatched_s += wall_s;
+    if (m_sinceWatched_s >= kPublish_s || (m_session && m_session->loop.state() != m_watchedState))
+        tellWatch();
     m_sincePublished_s += wall_s;
     const bool changed = m_session && m_session->loop.state() != m_publishedState;
     if ((changed || m_sincePublished_s >= kPublish_s) && !m_snapshots.isFull())
@@ -802,7 +845,7 @@ void EngineWorker::record() {
         if (const auto added = m_recordings.add(rows); !added)
             m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(added.error())}});
     append(rows.samples, m_pending.newSamples);
-    append(rows.events, m_pending.newEvents);
+    addEvents(std::move(rows.events));
     append(rows.notes, m_pending.newNotes);
 }
 
@@ -835,12 +878,31 @@ void EngineWorker::closeRecording() {
 void EngineWorker::publish() {
     Snapshot snapshot = std::exchange(m_pending, Snapshot());
     snapshot.sequence = ++m_sequence;
+    fill(snapshot);
+    m_publishedState = snapshot.state;
+    m_sincePublished_s = 0.0;
+    emit published(snapshot, m_snapshots.next());
+}
+
+void EngineWorker::tellWatch() {
+    if (!m_watch)
+        return;
+    Snapshot snapshot;
+    fill(snapshot);
+    snapshot.newEvents = std::exchange(m_unwatched, {});
+    m_watchedState = snapshot.state;
+    m_sinceWatched_s = 0.0;
+    m_watch(snapshot);
+}
+
+void EngineWorker::fill(Snapshot& snapshot) const {
     snapshot.runId = m_runId;
     snapshot.simulationSpeed = simulationSpeed();
     snapshot.loadId = m_loadId;
     snapshot.loopRate_Hz = m_loopRate_Hz;
     snapshot.lateSteps = m_lateSteps;
     snapshot.alarms = m_alarms.alarms();
+    snapshot.labels = m_labels;
     if (m_session) {
         m_session->tell(snapshot);
     } else {
@@ -857,9 +919,6 @@ void EngineWorker::publish() {
         snapshot.recordingPath = recorder->path();
         snapshot.recordedRows = recorder->rows();
     }
-    m_publishedState = snapshot.state;
-    m_sincePublished_s = 0.0;
-    emit published(snapshot, m_snapshots.next());
 }
 
 } // namespace bask

@@ -21,6 +21,7 @@
 #include <QTimer>
 
 #include <deque>
+#include <functional>
 #include <memory>
 
 Q_DECLARE_METATYPE(bask::Command)
@@ -46,6 +47,11 @@ public:
     explicit EngineWorker(std::string alarmFile = {}, std::string deviceFile = {},
                           std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>());
     ~EngineWorker() override;
+
+    /// Sets what gets the state about 20 times a second and at once when it changes, with the events since
+    /// the last time, on the engine's thread: also while the receiver of snapshots hangs. It must not wait.
+    /// Call it before start().
+    void setWatch(std::function<void(const Snapshot&)> watch) { m_watch = std::move(watch); }
 
     /// Returns whether a real source was not seen to go off. Call it after shutdown(), on the engine's
     /// thread.
@@ -89,17 +95,21 @@ private:
     KeptRig closeSession(bool isRigKept);
     void tellHeatNotOff();
     void publish();
+    void fill(Snapshot& snapshot) const; ///< with the state now
+    void addEvents(std::vector<TraceEvent> events);
+    void tellWatch();
     void carryOut(const Command& command);
     void carryOutWaiting();
     void answer(const Result<void>& result);
     void dropBegun();
     Result<void> apply(const Command& command);
-    Result<void> load(const Experiment& experiment);
+    Result<void> load(const Experiment& experiment, bool isEdit);
     Result<void> armWith(const std::string& recordingPath);
     Result<void> armNow();
     void finishArming();
     Result<void> startWith(bool acceptInfeasible);
     void finishJudging();
+    Result<void> setLabels(const RunLabels& labels);
     Result<void> applyFault(const SimulateFault& fault);
     Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty for all alarms
     Result<void> shelve(const ShelveAlarm& alarm);
@@ -160,6 +170,7 @@ private:
     std::shared_ptr<TrafficLog> m_traffic = std::make_shared<TrafficLog>();
     std::uint64_t m_nextTraffic = 0;        ///< number of the first line that the recording does not have
     std::optional<double> m_trafficUntil_s; ///< with a fault: the last time whose traffic is recorded
+    RunLabels m_labels;
     bool m_isClosing = false, m_isEnding = false;
     bool m_isHeatLeft = false;
     std::deque<Command> m_waiting; ///< received while isBusy()
@@ -174,6 +185,10 @@ private:
     double m_loopRate_Hz = 0.0;
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
+    std::function<void(const Snapshot&)> m_watch;
+    std::vector<TraceEvent> m_unwatched; ///< since the watch was told last
+    RunState m_watchedState = RunState::Idle;
+    double m_sinceWatched_s = 0.0;
     Snapshot m_pending; ///< samples, events and notes since the last snapshot
     Underway m_snapshots, m_views, m_thermalViews;
     double m_sinceThermal_s = 0.0;

@@ -5,8 +5,8 @@
 namespace bask {
 
 void Recordings::begin(const std::string& path, const Experiment& experiment, bool isSimulated,
-                       double minDisk_MB) {
-    m_beginning = std::make_unique<SessionRecorder>(path, experiment, isSimulated, minDisk_MB);
+                       double minDisk_MB, const RunLabels& labels) {
+    m_beginning = std::make_unique<SessionRecorder>(path, experiment, isSimulated, minDisk_MB, labels);
 }
 
 std::optional<Result<void>> Recordings::made() const {

@@ -234,6 +234,13 @@ Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
     return found;
 }
 
+void SensorChannels::useReadings(const SensorChannels& before) {
+    if (before.size() != size())
+        throw std::invalid_argument("SensorChannels: readings of other sensors");
+    m_channels = before.m_channels;
+    m_zeroing = before.m_zeroing;
+}
+
 void SensorChannels::use(const Zeroing& zeroing) {
     if (zeroing.offsets_K.size() != m_channels.size())
         throw std::invalid_argument("SensorChannels: one offset a channel");

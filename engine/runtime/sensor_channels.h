@@ -56,6 +56,8 @@ public:
     /// Keeps distrust and doubt from `before`, which has the same sensors; additional channels are not
     /// changed.
     void useDistrust(const SensorChannels& before);
+    /// Keeps readings, offsets, distrust and doubt from `before`, which has the same sensors and sampling.
+    void useReadings(const SensorChannels& before);
     /// Newest plausible reading, trusted or not; NaN if there is none, or it is older than the stale periods.
     double told_K(std::size_t i, double now_s) const;
     /// Time of the newest plausible reading, s.

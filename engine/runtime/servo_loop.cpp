@@ -78,7 +78,7 @@ void ServoLoop::event(MessageCode code, std::vector<MessageArg> args) {
 }
 
 void ServoLoop::command(const std::string& name, const std::string& value) {
-    m_record.commands.push_back({runTime_s(), name, value});
+    m_record.commands.push_back({runTime_s(), name, value, m_operator});
 }
 
 LoopRecord ServoLoop::takeRecord() {
@@ -86,7 +86,7 @@ LoopRecord ServoLoop::takeRecord() {
 }
 
 void ServoLoop::addNote(const std::string& text) {
-    m_record.notes.push_back({runTime_s(), text});
+    m_record.notes.push_back({runTime_s(), text, m_operator});
 }
 
 namespace {
@@ -102,6 +102,13 @@ std::string quoted(const std::string& text) {
 }
 
 } // namespace
+
+void ServoLoop::setOperator(const std::string& name) {
+    const bool isNew = name != m_operator;
+    m_operator = name;
+    if (isNew && (isArmedOrOn() || m_isCooling))
+        command("operator", "{\"name\":" + quoted(name) + "}");
+}
 
 void ServoLoop::reportAcknowledged(const Alarm& alarm) {
     command("acknowledge", "{\"alarm\":" + quoted(alarm.key) + "}");

@@ -109,6 +109,8 @@ public:
     /// Adds an event about a simulated fault.
     void reportFault(SimulatedFault simulated, std::size_t object);
     void addNote(const std::string& text);
+    /// Says whose the commands, notes and acknowledgements are from now on.
+    void setOperator(const std::string& name);
 
     // For handing over from one loop to the next on the same rig.
 
@@ -117,6 +119,9 @@ public:
     void use(const RigKnowledge& known);
     /// Uses a zeroing found earlier with the same sensors.
     void useZeroing(const Zeroing& zeroing) { m_readings.sensors().use(zeroing); }
+
+    /// Goes on with the readings of an earlier loop with the same sensors, sampling and clock.
+    void useReadings(const SensorChannels& before) { m_readings.sensors().useReadings(before); }
 
     // State.
 
@@ -215,6 +220,7 @@ private:
     std::optional<double> m_tick_s;  ///< time of the previous tick
     std::optional<double> m_frame_s; ///< time of the last recorded thermal picture
     std::string m_outcome;
+    std::string m_operator;
     LoopRecord m_record;
 };
 

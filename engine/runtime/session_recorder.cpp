@@ -19,11 +19,13 @@ namespace {
 using Steady = std::chrono::steady_clock;
 
 Result<std::unique_ptr<SessionWriter>> makeFile(const std::string& path, const Experiment& experiment,
-                                                bool simulated, double minFree_MB) {
+                                                bool simulated, double minFree_MB, const RunLabels& labels) {
     if (const auto free_MB = diskFree_MB(path); free_MB && *free_MB < minFree_MB)
         return Error(MessageCode::SafetyDiskLow, {},
                      {formatNumber(std::floor(*free_MB), 6), formatNumber(minFree_MB, 6)});
-    return SessionWriter::create(path, experiment, simulated);
+    return SessionWriter::create(path, experiment, simulated,
+                                 std::chrono::duration<double>(SessionRecorder::kCommit).count(),
+                                 SessionWriter::Earlier::Replaced, labels);
 }
 
 std::size_t bytesOf(const TraceFrame& frame) {
@@ -67,11 +69,11 @@ struct SessionRecorder::Shared {
 };
 
 SessionRecorder::SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                                 double minFree_MB)
+                                 double minFree_MB, const RunLabels& labels)
     : m_path(path), m_shared(std::make_shared<Shared>()) {
-    std::thread([shared = m_shared, path, experiment, simulated, minFree_MB] {
+    std::thread([shared = m_shared, path, experiment, simulated, minFree_MB, labels] {
         nameThread("recorder");
-        shared->record(makeFile(path, experiment, simulated, minFree_MB));
+        shared->record(makeFile(path, experiment, simulated, minFree_MB, labels));
     }).detach();
 }
 

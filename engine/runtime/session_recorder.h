@@ -21,7 +21,7 @@ public:
 
     /// Starts to create the file. It is not created if less than `minFree_MB` of disk space is left.
     SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                    double minFree_MB = 0.0);
+                    double minFree_MB = 0.0, const RunLabels& labels = {});
     /// Rows that were added are still written, by a thread that nobody waits for. A file without finish()
     /// reads as interrupted.
     ~SessionRecorder();

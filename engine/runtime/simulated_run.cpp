@@ -46,13 +46,15 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     const int patience = kFillingWindows * experiment.sampling.window; // readings may be missing
     for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)
         drive.period();
+    loop.setOperator(options.labels.operatorName);
     if (const auto armed = loop.arm(); !armed)
         return armed.error();
     std::unique_ptr<SessionWriter> writer;
     if (!options.sessionPath.empty()) {
         using Earlier = SessionWriter::Earlier;
-        auto created = SessionWriter::create(options.sessionPath, experiment, true, 0.5,
-                                             options.mayReplace ? Earlier::Replaced : Earlier::Kept);
+        auto created =
+            SessionWriter::create(options.sessionPath, experiment, true, 0.5,
+                                  options.mayReplace ? Earlier::Replaced : Earlier::Kept, options.labels);
         if (!created)
             return created.error();
         writer = std::move(*created);

@@ -22,6 +22,7 @@ struct SimulatedRunOptions {
     std::function<void(double time_s, const TraceSample&)> progress;
     std::stop_token stop = {}; ///< ends the run at once
     bool mayReplace = true;    ///< an earlier recording of that name
+    RunLabels labels = {};
 };
 
 /// Outcome for one object, judged by the plant's true temperature.

@@ -9,6 +9,7 @@
 #include "engine/drivers/found_units.h"
 #include "engine/drivers/serial_ports.h"
 #include "engine/model/alarm.h"
+#include "engine/model/run_labels.h"
 #include "engine/model/trace.h"
 #include "engine/runtime/zeroing.h"
 
@@ -74,8 +75,9 @@ struct Snapshot {
     bool canRetreat = false;              ///< the robot answers and can move
     std::vector<Alarm> alarms;            ///< sorted by AlarmLog
     bool simulated = true;
-    std::uint64_t loadId = 0;         ///< increases with each loaded experiment
-    double clock_s = 0.0;             ///< of the rig (simulated time if simulated); restarts with each load
+    std::uint64_t loadId = 0; ///< increases with each loaded experiment
+    /// of the rig (simulated time if simulated); restarts with each load that is no edit
+    double clock_s = 0.0;
     std::uint64_t runId = 0;          ///< increases with each Arm: a new trace begins
     double runTime_s = 0.0;           ///< since Start; 0 before
     TraceSample latest;               ///< newest readings, also outside of a run
@@ -89,7 +91,10 @@ struct Snapshot {
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;
-    std::string recordingPath; ///< empty if nothing is recorded and the last recording is closed
+    std::string experiment;           ///< its title
+    std::vector<std::string> objects; ///< names of its objects
+    RunLabels labels;                 ///< who operates now, and what is heated
+    std::string recordingPath;        ///< empty if nothing is recorded and the last recording is closed
     std::size_t recordedRows = 0;
     double loopRate_Hz = 0.0;    ///< control steps per second of real time
     std::uint64_t lateSteps = 0; ///< control steps that were late or lost

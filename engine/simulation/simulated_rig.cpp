@@ -59,6 +59,24 @@ std::vector<double> SimulatedRig::trueTemperatures_K() const {
     return out;
 }
 
+RigCondition SimulatedRig::condition() const {
+    return {m_clock.now_s(), trueTemperatures_K(), m_source.heatedTo_K(), m_robot.coordinates()};
+}
+
+void SimulatedRig::use(const RigCondition& condition) {
+    m_clock.advanceTo(condition.time_s);
+    for (std::size_t i = 0; i < std::min(condition.objects_K.size(), m_plant.size()); ++i)
+        if (std::isfinite(condition.objects_K[i]))
+            m_plant.warm(i, condition.objects_K[i] - m_plant.temperature_K(i));
+    if (condition.source_K)
+        m_source.setHeatedTo(*condition.source_K);
+    if (condition.coordinates)
+        m_robot.placeAt(*condition.coordinates);
+    m_thermometer.observe(trueTemperatures_K());
+    m_tracker.observe(m_X_RS);
+    showCameras();
+}
+
 void SimulatedRig::advance(double dt_s) {
     const int steps = std::max(1, static_cast<int>(std::ceil(dt_s / kStep_s - 1e-9)));
     const double start_s = m_clock.now_s();

@@ -46,6 +46,15 @@ struct SimulatedRigConfig {
     SourceEmission sourceEmission{};
 };
 
+/// What of a rig an edit of its experiment leaves as it is.
+struct RigCondition {
+    double time_s = 0.0; ///< of its clock
+    /// of each object, K; NaN: at the temperature of the environment
+    std::vector<double> objects_K;
+    std::optional<double> source_K;      ///< of a source that was heated; empty: as at the start
+    std::optional<Vector6d> coordinates; ///< of the robot; empty: its start
+};
+
 /// The source that the objects see; of an uneven one the outlines are shared, and the factors are those of
 /// its temperature.
 class SimulatedSourceFace {
@@ -83,6 +92,10 @@ public:
     SourceTracker& sourceTracker() { return m_tracker; }
     Camera& camera() { return m_camera; }
     ThermalCamera* thermalCamera() { return simulatedThermalCamera(); } ///< null: none
+
+    RigCondition condition() const;
+    /// Goes on from there; for a new rig.
+    void use(const RigCondition& condition);
 
     /// Advances the clock by dt_s in steps of at most kStep_s.
     void advance(double dt_s);

@@ -27,6 +27,12 @@ Vector6d SimulatedRobot::coordinates() const {
     return q;
 }
 
+void SimulatedRobot::placeAt(const Vector6d& coordinates) {
+    for (int k = 0; k < 6; ++k)
+        if (m_config.free[static_cast<std::size_t>(k)])
+            m_exact[k] = std::clamp(coordinates[k], m_config.lower[k], m_config.upper[k]);
+}
+
 Result<RobotState> SimulatedRobot::state() {
     if (m_trouble == RobotTrouble::LinkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});

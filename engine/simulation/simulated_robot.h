@@ -48,6 +48,8 @@ public:
     void advance(double dt_s);
     /// Returns its true position: the steps that its motors have made.
     Vector6d coordinates() const;
+    /// Puts it there, within its limits; fixed coordinates stay.
+    void placeAt(const Vector6d& coordinates);
     void setLinkLost(bool lost) { m_trouble = lost ? RobotTrouble::LinkLost : RobotTrouble::None; }
     /// An alarm, and an unsure position, last until they are cleared or another fault is set.
     void setTrouble(RobotTrouble trouble);

@@ -114,6 +114,14 @@ public:
 
     void advance(double dt_s);
     double temperature_K() const { return m_temperature_K; }
+    /// Temperature of a plate that was heated once; empty: it is as at the start.
+    std::optional<double> heatedTo_K() const {
+        return m_everOn ? std::optional(m_temperature_K) : std::nullopt;
+    }
+    void setHeatedTo(double temperature_K) {
+        m_temperature_K = temperature_K;
+        m_everOn = true;
+    }
     void setLinkLost(bool lost) { m_trouble = lost ? SourceTrouble::LinkLost : SourceTrouble::None; }
     void setTrouble(SourceTrouble trouble) { m_trouble = trouble; }
 

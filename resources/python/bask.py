@@ -68,8 +68,8 @@ _OTHER_OBJECT = (
 
 
 Event = namedtuple("Event", "time_s code text args")  # text: in English; args: what it is filled with, None from NeXus
-Command = namedtuple("Command", "time_s name value")  # value: JSON
-Note = namedtuple("Note", "time_s text")
+Command = namedtuple("Command", "time_s name value operator", defaults=("",))  # value: JSON
+Note = namedtuple("Note", "time_s text operator", defaults=("",))
 
 
 class FileError(ValueError):
@@ -238,7 +238,7 @@ class _Rig:
         return self.simulated if column.name == "true" else self.has_camera or not column.name.startswith("camera")
 
     def header(self, facts):
-        known = dict.fromkeys(("version", "software", "created", "finished", "outcome", "tags"))
+        known = dict.fromkeys(("version", "software", "created", "finished", "outcome", "operator", "sample", "batch", "tags"))
         return {**known, **facts, "simulated": self.simulated, "title": self.experiment.get("title", ""),
                 "seed": self.experiment.get("simulation", {}).get("seed")}
 
@@ -275,8 +275,8 @@ def _read_session(path, start):
         facts.update(version=version, tags=json.loads(facts.get("tags", "[]")))
         events = [Event(time_s, code, text, tuple(json.loads(args)))
                   for time_s, code, text, args in tables.select("event", "time_s, code, text, args")]
-        commands = [Command(*row) for row in tables.select("command", "time_s, name, value")]
-        notes = [Note(*row) for row in tables.select("note", "time_s, text")]
+        commands = [Command(*row) for row in tables.signed("command", "time_s, name, value")]
+        notes = [Note(*row) for row in tables.signed("note", "time_s, text")]
         values = tables.first_version(rig) if version < 2 else tables.steps(rig, None if has_log else real)
         return rig, rig.header(facts), events, commands, notes, values
     finally:
@@ -296,6 +296,11 @@ class _Tables:
         if not made.startswith("CREATE TABLE ") or re.search(r"\bAS\b", made, re.IGNORECASE):
             raise _damaged(self.path, f"it has no plain table {table}")
         return self.con.execute(f"SELECT {columns} FROM {table} {order}")
+
+    def signed(self, table, columns):
+        """With the operator, whom files did not name before."""
+        has_operator = re.search(r"\boperator TEXT\b", self.made.get(table) or "")
+        return self.select(table, columns + (", operator" if has_operator else ""))
 
     def numbers(self, table, columns):
         flat = itertools.chain.from_iterable(self.select(table, ", ".join(columns)))
@@ -410,14 +415,18 @@ def _read_nexus(path):
                 values[_key(column, number)] = entry[log][:].astype(float)
         facts = {"software": _text(entry["program_name"].attrs["recorded_by"]),
                  "created": _text(entry["start_time"][()]), "outcome": _text(entry["outcome"][()])}
+        places = {"operator": "user/name", "sample": "sample_1/sample_id", "batch": "collection_identifier"}
+        facts.update((key, _text(entry[place][()])) for key, place in places.items() if place in entry)
 
         def rows(group, *names):
             return zip(entry[f"{group}/time"][:].tolist(), *(map(_text, entry[f"{group}/{name}"][:]) for name in names))
 
         events = [Event(*row, None) for row in rows("events", "code", "text")]
-        commands = [Command(*row) for row in rows("commands", "name", "value")]
+        names = ("name", "value", "operator") if "commands/operator" in entry else ("name", "value")
+        commands = [Command(*row) for row in rows("commands", *names)]
         places = itertools.takewhile(entry.__contains__, (f"note_{k}" for k in itertools.count(1)))
-        notes = [Note(float(entry[place]["time"][()]), _text(entry[place]["data"][()])) for place in places]
+        notes = [Note(float(entry[place]["time"][()]), _text(entry[place]["data"][()]),
+                      _text(entry[place]["author"][()]) if "author" in entry[place] else "") for place in places]
         return rig, rig.header(facts), events, commands, notes, values
 
 

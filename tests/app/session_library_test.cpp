@@ -79,7 +79,7 @@ TEST_F(SessionLibraryTest, RunsAreListedTaggedAndClosed) {
     QTest::keyClick(tags, Qt::Key_Return);
     ASSERT_TRUE(waitFor([&] { return readSessionHeader(a.toStdString()).tags.size() == 2; }));
     library.refresh();
-    ASSERT_TRUE(waitFor([&] { return cell(a, 5) == "good, evening"; }));
+    ASSERT_TRUE(waitFor([&] { return cell(a, 7) == "good, evening"; }));
 
     QString closed;
     QObject::connect(&library, &SessionLibrary::closed, [&](const QString& path) { closed = path; });

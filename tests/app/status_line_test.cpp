@@ -1,5 +1,6 @@
 #include "app/status_line.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
 #include <QLabel>
@@ -64,6 +65,27 @@ TEST(StatusLineTest, ALostHeaterIsUnknownAndItsTemperatureOld) {
     shown.line.setAnswering(false); // what the engine told last may be long over
     EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat UNKNOWN"));
     EXPECT_NE(shown.ink("sourceState"), fresh);
+}
+
+// Catches: monitoring that fails without a word, and its mark when there is none.
+TEST(StatusLineTest, TellsHowTheMonitoringGoes) {
+    Line shown;
+    EXPECT_TRUE(shown.label("monitoring")->isHidden());
+    MonitorState state;
+    state.isOn = state.hasBroker = true;
+    shown.line.showMonitor(state);
+    EXPECT_EQ(shown.label("monitoring")->text(), QStringLiteral("monitoring begins"));
+    state.isConnected = true;
+    shown.line.showMonitor(state);
+    EXPECT_EQ(shown.label("monitoring")->text(), QStringLiteral("monitored"));
+    const QColor fine = shown.ink("monitoring");
+    state.brokerProblem = {MessageCode::MonitorNoBroker, {"lab", "no answer"}};
+    shown.line.showMonitor(state);
+    EXPECT_EQ(shown.label("monitoring")->text(), QStringLiteral("monitoring fails"));
+    EXPECT_TRUE(shown.label("monitoring")->toolTip().contains(QStringLiteral("no answer")));
+    EXPECT_NE(shown.ink("monitoring"), fine);
+    shown.line.showMonitor({});
+    EXPECT_TRUE(shown.label("monitoring")->isHidden());
 }
 
 } // namespace bask::test

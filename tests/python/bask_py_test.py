@@ -57,7 +57,7 @@ WITHOUT_LATER = ("DROP VIEW sample", *(f"ALTER TABLE step DROP COLUMN {key}_{num
                                        for key in ("view_factor_unshaded", "camera_K", "camera_uncertainty_K",
                                                    "camera_spread_K", "camera_pixels")))
 REAL_RIG = ("UPDATE meta SET value = 'false' WHERE key = 'simulated'",)
-NOTED = ("INSERT INTO note VALUES(1.5, 'a draught, \"door\"')", "INSERT INTO note VALUES(2.5, '灯')",
+NOTED = ("INSERT INTO note VALUES(1.5, 'a draught, \"door\"', 'A. Hu')", "INSERT INTO note VALUES(2.5, '灯', '')",
          "INSERT INTO meta VALUES('tags', '[\"first\", \"wärme\"]')",
          "UPDATE step SET measured_K_2 = NULL, rate_K_s_2 = NULL, reading_valid_2 = 0 WHERE number % 7 = 3",
          "UPDATE step SET limited = 4100 WHERE number = 5",
@@ -231,7 +231,7 @@ class Values(unittest.TestCase):
                     if key == "args":
                         value = bask.json.dumps(value, separators=(",", ":"), ensure_ascii=False)
                     self.assertEqual(row[key].lstrip("'"), figures(value) if key == "time_s" else value)
-        self.assertEqual(session.notes[1], bask.Note(2.5, "灯"))
+        self.assertEqual(session.notes, [bask.Note(1.5, 'a draught, "door"', "A. Hu"), bask.Note(2.5, "灯")])
         self.assertIn("EventStarted", [event.code for event in session.events])
         self.assertEqual(session.experiment["title"], "Three objects on a triangle")
         header = session.header

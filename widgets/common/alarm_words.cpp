@@ -16,7 +16,10 @@ struct Words {
 
 QString alarmStateWords(const Alarm& alarm) {
     QStringList words{alarm.isActive ? Words::tr("Active") : Words::tr("Over"),
-                      alarm.isAcknowledged ? Words::tr("seen") : Words::tr("new")};
+                      !alarm.isAcknowledged ? Words::tr("new")
+                      : alarm.seenBy.empty()
+                          ? Words::tr("seen")
+                          : Words::tr("seen by %1").arg(QString::fromStdString(alarm.seenBy))};
     if (alarm.isFirst)
         words << Words::tr("first");
     if (alarm.isFromBefore)
@@ -25,8 +28,11 @@ QString alarmStateWords(const Alarm& alarm) {
 }
 
 QString shelfWords(const Alarm& alarm, QDate today) {
-    return Words::tr("Shelved until %1: %2")
-        .arg(alarmTime(alarm.shelvedUntil_s, today), QString::fromStdString(alarm.shelfReason));
+    const QString until = alarmTime(alarm.shelvedUntil_s, today);
+    const QString reason = QString::fromStdString(alarm.shelfReason);
+    return alarm.seenBy.empty() ? Words::tr("Shelved until %1: %2").arg(until, reason)
+                                : Words::tr("Shelved until %1 by %3: %2")
+                                      .arg(until, reason, QString::fromStdString(alarm.seenBy));
 }
 
 QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {

@@ -5,6 +5,7 @@
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/run_label_words.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/common/theme.h"
 #include "widgets/review/final_values.h"
@@ -346,7 +347,7 @@ void ReviewPage::showEvents() {
             {event.time_s, m_sentences.value(static_cast<qsizetype>(i)), eventKind(event.message.code)});
     }
     for (const TraceNote& note : m_session->facts().notes)
-        lines.push_back({note.time_s, QString::fromStdString(note.text), EventKind::Note});
+        lines.push_back({note.time_s, noteText(note), EventKind::Note});
     std::ranges::stable_sort(lines, {}, &Line::time_s);
     m_events->clear();
     for (const Line& line : lines)
@@ -358,8 +359,10 @@ void ReviewPage::showOutcome() {
     m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
     m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->facts().outcome)
                                                      : outcomeWord(outcome));
-    m_outcomeWord->setToolTip(outcomeText());
-    m_outcome.value->setText(outcomeText());
+    const QString labels = runLabelWords(m_session->facts().labels);
+    const QString text = labels.isEmpty() ? outcomeText() : outcomeText() + u'\n' + labels;
+    m_outcomeWord->setToolTip(text);
+    m_outcome.value->setText(text);
 }
 
 QString ReviewPage::outcomeText() const {

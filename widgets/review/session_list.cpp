@@ -24,7 +24,7 @@
 namespace bask {
 namespace {
 
-enum ListColumn { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kListColumns };
+enum ListColumn { kDate, kExperiment, kOutcome, kDuration, kOperator, kSample, kRig, kTags, kListColumns };
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -51,6 +51,11 @@ QString joined(const std::vector<std::string>& texts, const QString& separator) 
     for (const std::string& one : texts)
         list << text(one);
     return list.join(separator);
+}
+
+std::vector<std::string> withoutEmpty(std::vector<std::string> texts) {
+    std::erase(texts, std::string());
+    return texts;
 }
 
 /// When it was recorded; of a file that does not say, when it was changed.
@@ -207,10 +212,16 @@ void SessionList::showRows() {
     if (current != nullptr)
         m_tree->setCurrentItem(current);
     if (isFirst)
-        for (const ListColumn column : {kDate, kExperiment, kRig})
+        for (const ListColumn column : {kDate, kExperiment, kOperator, kSample, kRig})
             m_tree->resizeColumnToContents(column);
     else
         m_tree->setColumnWidth(kDate, dateWidth);
+    const auto hide = [&](ListColumn column, auto isSaid) {
+        m_tree->setColumnHidden(column, std::ranges::none_of(m_sessions, isSaid));
+    };
+    hide(kOperator, [](const SessionHeader& each) { return !each.labels.operatorName.empty(); });
+    hide(kSample,
+         [](const SessionHeader& each) { return !each.labels.sample.empty() || !each.labels.batch.empty(); });
     fitExperiment();
     search();
 }
@@ -218,7 +229,7 @@ void SessionList::showRows() {
 /// Titles get what the other columns leave.
 void SessionList::fitExperiment() {
     int others = m_tree->header()->minimumSectionSize() + 40; // tags
-    for (const ListColumn column : {kDate, kOutcome, kDuration, kRig})
+    for (const ListColumn column : {kDate, kOutcome, kDuration, kOperator, kSample, kRig})
         others += m_tree->columnWidth(column);
     const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
     const int room = m_tree->viewport()->width() - others;
@@ -239,15 +250,21 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
                                                         : outcomeOf(session.outcome);
     const QString experiment = session.title.empty() ? file : text(session.title);
     const QString tags = joined(session.tags, QStringLiteral(", "));
+    const QString who = text(session.labels.operatorName);
+    const QString sample =
+        joined(withoutEmpty({session.labels.sample, session.labels.batch}), QStringLiteral(" / "));
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
     const QStringList texts{
-        formatDate(date), experiment, word, hasTime ? formatDuration(session.end_s) : kNoValue, rig, tags};
+        formatDate(date), experiment, word, hasTime ? formatDuration(session.end_s) : kNoValue, who,
+        sample,           rig,        tags};
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
                              experiment,
                              word,
                              hasTime ? session.end_s : -1.0,
+                             who,
+                             sample,
                              rig,
                              tags};
     for (int column = 0; column < kListColumns; ++column) {
@@ -255,7 +272,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));
     }
-    for (const ListColumn column : {kExperiment, kOutcome, kRig, kTags})
+    for (const ListColumn column : {kExperiment, kOutcome, kOperator, kSample, kRig, kTags})
         if (!texts[column].isEmpty())
             row->setToolTip(column, texts[column]);
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
@@ -268,7 +285,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     markOpened(row);
     row->setData(0, kSearchRole,
                  QStringList{file, experiment, joined(session.objects, QStringLiteral("\n")),
-                             joined(session.notes, QStringLiteral("\n")), tags, word, rig}
+                             joined(session.notes, QStringLiteral("\n")), who, sample, tags, word, rig}
                      .join(u'\n'));
 }
 
@@ -358,13 +375,13 @@ void SessionList::takeTags() {
 }
 
 void SessionList::retranslate() {
-    m_search->setPlaceholderText(tr("Search names, experiments, notes, tags"));
+    m_search->setPlaceholderText(tr("Search names, experiments, operators, samples, notes, tags"));
     m_search->setAccessibleName(tr("Search the recorded runs"));
     m_folder->setText(tr("Folder\u2026"));
     m_folder->setToolTip(m_folderPath.isEmpty() ? tr("Choose the folder whose runs are listed")
                                                 : tr("The runs listed are in %1").arg(m_folderPath));
-    m_tree->setHeaderLabels(
-        {tr("Recorded"), tr("Experiment"), tr("Outcome"), tr("Duration"), tr("Rig"), tr("Tags")});
+    m_tree->setHeaderLabels({tr("Recorded"), tr("Experiment"), tr("Outcome"), tr("Duration"), tr("Operator"),
+                             tr("Sample / batch"), tr("Rig"), tr("Tags")});
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

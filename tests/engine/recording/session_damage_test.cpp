@@ -182,7 +182,7 @@ TEST_F(DamagedSession, WhatComputesIsRefused) {
 // Catches a list that reads whatever lies in its folder into the memory.
 TEST_F(DamagedSession, AListReadsNoMoreThanItNeeds) {
     const SessionHeader header = readSessionHeader(altered(
-        "INSERT INTO note SELECT a.time_s, hex(zeroblob(5000)) FROM step AS a, step AS b LIMIT 2000"));
+        "INSERT INTO note SELECT a.time_s, hex(zeroblob(5000)), '' FROM step AS a, step AS b LIMIT 2000"));
     ASSERT_FALSE(header.error) << describe(*header.error);
     EXPECT_EQ(header.notes.size(), 1000U);
     EXPECT_EQ(header.notes.front().size(), 4096U);

@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
 #include "engine/recording/session_file.h"
+#include "engine/recording/session_header.h"
 #include "engine/recording/session_store.h"
 #include "tests/engine/recording/recording.h"
 #include "tests/support/first_version.h"
@@ -99,6 +100,43 @@ TEST_F(SessionFile, GivesBackWhatWasRecorded) {
     EXPECT_EQ(record->commands[0].value, "[313.15,320]");
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::Files), QStringList{"run.bask"})
         << "nothing is left beside it";
+}
+
+// Catches names that are lost, files that do not name operators refused, and an export over that of such a
+// file.
+TEST_F(SessionFile, NamesOperatorSampleAndBatch) {
+    const std::string path = file("run.bask");
+    const RunLabels labels{"A. Hu", "plate 7", "B3"};
+    {
+        auto writer =
+            SessionWriter::create(path, twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced, labels);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        ASSERT_TRUE((*writer)->add(madeUpSample(twoDisks(), 0)));
+        ASSERT_TRUE((*writer)->add(TraceNote{0.1, "hello", "A. Hu"}));
+        ASSERT_TRUE((*writer)->add(CommandRow{0.2, "hold", "", "B. Li"}));
+        ASSERT_TRUE((*writer)->finish("stopped"));
+    }
+    const auto record = readSession(path);
+    ASSERT_TRUE(record) << describe(record.error());
+    EXPECT_EQ(record->labels, labels);
+    EXPECT_EQ(readSessionHeader(path).labels, labels);
+    EXPECT_EQ(record->notes[0].operatorName, "A. Hu");
+    EXPECT_EQ(record->commands[0].operatorName, "B. Li");
+    ASSERT_TRUE(exportSessionCsv(path, file("new")));
+
+    auto store = SessionStore::create(path);
+    ASSERT_TRUE(store);
+    for (const char* sql :
+         {"ALTER TABLE note DROP COLUMN operator", "ALTER TABLE command DROP COLUMN operator"})
+        ASSERT_TRUE((*store)->execute(sql)) << sql;
+    store->reset();
+    const auto earlier = readSession(path);
+    ASSERT_TRUE(earlier) << describe(earlier.error());
+    EXPECT_EQ(earlier->notes[0].text, "hello");
+    EXPECT_EQ(earlier->notes[0].operatorName, "");
+    EXPECT_EQ(earlier->commands[0].name, "hold");
+    EXPECT_TRUE(exportSessionCsv(path, file("new"))) << "over one that names them";
+    ASSERT_TRUE(exportSessionCsv(recorded("next.bask", 3), file("new"))) << "and back";
 }
 
 // Catches files of version 1 refused, or read as something else.
@@ -447,7 +485,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
         auto writer = SessionWriter::create(path, twoDisks(), true);
         for (int k = 9; k < 12; ++k)
             ASSERT_TRUE((*writer)->add(madeUpSample(twoDisks(), k)));
-        ASSERT_TRUE((*writer)->add(TraceNote{1.5, "said \"no\", twice\nand left"}));
+        ASSERT_TRUE((*writer)->add(TraceNote{1.5, "said \"no\", twice\nand left", "A. Hu"}));
     }
     const std::string folder = file("deep/csv");
     const auto files = exportSessionCsv(path, folder);
@@ -467,7 +505,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     const double measured = std::stod(line.substr(line.find("right,") + 6));
     EXPECT_EQ(measured, madeUpSample(twoDisks(), 9).objects[1].measured_K) << "all digits";
     EXPECT_EQ(contents(qfile("deep/csv/note.csv")),
-              "time_s,text\n1.5,\"said \"\"no\"\", twice\nand left\"\n");
+              "time_s,text,operator\n1.5,\"said \"\"no\"\", twice\nand left\",A. Hu\n");
     EXPECT_EQ(contents(qfile("deep/csv/pose.csv")).substr(0, 29), "time_s,x_m,y_m,z_m,qw,qx,qy,q");
 
     QFile blocked(qfile("blocked"));
@@ -491,7 +529,8 @@ TEST_F(SessionFile, TextsOfACsvAreNoFormulas) {
     ASSERT_TRUE(exportSessionCsv(path, file("csv")));
     EXPECT_EQ(
         contents(qfile("csv/note.csv")),
-        "time_s,text\n-1.5,\"'=1,2\"\n-1.5,'+1\n-1.5,'-1\n-1.5,'@a\n-1.5,'\tb\n-1.5,\"'\rc\"\n-1.5,d=1\n");
+        "time_s,text,operator\n-1.5,\"'=1,2\",\n-1.5,'+1,\n-1.5,'-1,\n-1.5,'@a,\n-1.5,'\tb,\n-1.5,\"'\rc\",\n"
+        "-1.5,d=1,\n");
     EXPECT_NE(contents(qfile("csv/sample.csv")).find(",'=cmd|'/c calc'!A0,"), std::string::npos);
     EXPECT_NE(contents(qfile("csv/traces.csv")).find(",'=cmd|'/c calc'!A0 measured (degC),"),
               std::string::npos);

@@ -238,7 +238,7 @@ TEST_F(SessionVerify, namesWhatWasChanged) {
          300},
         {"DELETE FROM step WHERE number = 301", "step", Kind::Removed, 301, 301},
         {"DELETE FROM note WHERE rowid = 3", "note", Kind::Removed, 3, 150},
-        {"INSERT INTO note VALUES(999.0, 'mine')", "note", Kind::Added, 15, -2},
+        {"INSERT INTO note VALUES(999.0, 'mine', '')", "note", Kind::Added, 15, -2},
         {"UPDATE event SET text = 'nothing' WHERE rowid = 2", "event", Kind::Changed, 2, 50},
         {"UPDATE command SET value = '{}' WHERE rowid = 14", "command", Kind::Changed, 14, 650},
         {"UPDATE traffic SET bytes = x'00' WHERE rowid = 1", "traffic", Kind::Changed, 1, 0},

@@ -9,6 +9,7 @@
 #include <QThread>
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <vector>
 
@@ -18,8 +19,10 @@ namespace bask {
 class EngineThread : public QObject {
 public:
     explicit EngineThread(const std::string& alarmFile = {}, const std::string& deviceFile = {},
-                          std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>())
+                          std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>(),
+                          std::function<void(const Snapshot&)> watch = {})
         : m_worker(alarmFile, deviceFile, std::move(awake)) {
+        m_worker.setWatch(std::move(watch));
         m_worker.moveToThread(&m_thread);
         connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
         connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
@@ -39,6 +42,8 @@ public:
                 });
         m_thread.start();
     }
+    explicit EngineThread(std::function<void(const Snapshot&)> watch)
+        : EngineThread({}, {}, std::make_unique<AwakeClock>(), std::move(watch)) {}
     ~EngineThread() override {
         QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
         m_thread.quit();

@@ -13,7 +13,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <mutex>
 #include <thread>
 
 namespace bask {
@@ -68,6 +70,150 @@ TEST(EngineWorker, RunsRecordsAndDropsNoSample) {
     ASSERT_EQ(session->notes.size(), 1U);
     EXPECT_EQ(session->notes[0].text, "hello");
     EXPECT_TRUE(session->simulated);
+}
+
+// Catches an edit by which the simulated plate is hot again, objects cold, the robot elsewhere, or the
+// sensors not ready.
+TEST(EngineWorker, AnEditLeavesTheSimulatedRigAsItIs) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Settled));
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.source_K && *rig.last.source_K < 430.0; }));
+    rig.send(SetSimulationSpeed{1.0});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.simulationSpeed == 1.0; }));
+    const Snapshot before = rig.last;
+
+    Experiment edited = oneDisk();
+    edited.objects[0].material.emittance = 0.8;
+    rig.send(LoadExperiment{edited, true});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.loadId > before.loadId && rig.last.source_K; }));
+    EXPECT_NEAR(*rig.last.source_K, *before.source_K, 2.0);
+    EXPECT_NEAR(rig.last.latest.objects[0].measured_K, before.latest.objects[0].measured_K, 1.0);
+    EXPECT_LT((rig.last.latest.coordinates - before.latest.coordinates).norm(), 1e-3);
+    EXPECT_GE(rig.last.clock_s, before.clock_s);
+    const double loaded_s = rig.last.clock_s;
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_LT(rig.last.clock_s - loaded_s, 1.5) << "the windows of the sensors were full";
+
+    Experiment more = edited;
+    more.objects.push_back(edited.objects[0]);
+    more.objects[1].name = "new";
+    more.objects[1].mounting[0] = 0.05;
+    const double last_K = rig.last.latest.objects[0].measured_K;
+    rig.send(LoadExperiment{more, true});
+    ASSERT_TRUE(rig.waitFor([&] {
+        return rig.last.latest.objects.size() == 2 && std::isfinite(rig.last.latest.objects[1].measured_K);
+    }));
+    EXPECT_NEAR(rig.last.latest.objects[0].measured_K, last_K, 1.0);
+    EXPECT_NEAR(rig.last.latest.objects[1].measured_K, more.environment_K, 1.0) << "it was not there before";
+
+    rig.send(LoadExperiment{oneDisk()}); // another experiment, not an edit
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects.size() == 1 && rig.last.source_K; }));
+    EXPECT_NEAR(*rig.last.source_K, oneDisk().source.temperature_K, 1.0);
+}
+
+// Catches a watch that hears nothing while the window hangs, or hears an event twice.
+TEST(EngineWorker, TheWatchIsToldAlsoWhileNobodyTakesSnapshots) {
+    std::mutex mutex;
+    int told = 0;
+    std::vector<std::string> events;
+    RunState state = RunState::Idle;
+    Rig rig([&](const Snapshot& snapshot) {
+        const std::lock_guard lock(mutex);
+        ++told;
+        state = snapshot.state;
+        for (const TraceEvent& event : snapshot.newEvents)
+            events.emplace_back(messageName(event.message.code));
+    });
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    const auto now = [&] {
+        const std::lock_guard lock(mutex);
+        return std::pair(told, state);
+    };
+    const int before = now().first;
+    rig.send(EmergencyStop{});
+    for (int k = 0; k < 500 && (now().second != RunState::Fault || now().first < before + 20); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10)); // this thread takes no snapshot
+    EXPECT_EQ(now().second, RunState::Fault);
+    EXPECT_GE(now().first, before + 20) << "at most two snapshots wait for a receiver that hangs";
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(std::ranges::count(events, "EventEmergencyStop"), 1);
+    EXPECT_EQ(std::ranges::count(events, "EventStarted"), 1);
+}
+
+// Catches a command, note or acknowledgement without its operator, and labels that get lost with an
+// experiment.
+TEST(EngineWorker, RecordsWhoOperatesAndWhatIsHeated) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(SetLabels{{"A. Hu", "plate 7", "B3"}});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_EQ(rig.last.labels, (RunLabels{"A. Hu", "plate 7", "B3"}));
+    EXPECT_EQ(rig.last.objects, std::vector<std::string>{"disk"});
+    rig.send(SetLabels{{"two\nlines", "", ""}});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::NameNotPlain; }));
+    rig.send(Arm{path});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(AddNote{"hello"});
+    rig.send(SetLabels{{"B. Li", "another", "B3"}});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SessionAlreadyRunning; }))
+        << "the sample of a run stays what it is";
+    rig.send(SetLabels{{"B. Li", "plate 7", "B3"}});
+    rig.send(AddNote{"good bye"});
+    rig.send(SetTargets{{kelvinFromCelsius(36.0)}});
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->labels, (RunLabels{"A. Hu", "plate 7", "B3"}));
+    ASSERT_EQ(session->notes.size(), 2U);
+    EXPECT_EQ(session->notes[0].operatorName, "A. Hu");
+    EXPECT_EQ(session->notes[1].operatorName, "B. Li");
+    std::string names;
+    for (const CommandRow& command : session->commands)
+        names += command.name + " by " + command.operatorName + "; ";
+    EXPECT_EQ(names, "arm by A. Hu; start by A. Hu; operator by B. Li; targets by B. Li; stop by B. Li; ");
+}
+
+TEST(EngineWorker, AnAlarmKeepsWhoHasSeenIt) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    {
+        Rig rig(path);
+        rig.send(SetLabels{{"A. Hu", "", ""}});
+        rig.send(LoadExperiment{oneDisk()});
+        ASSERT_TRUE(rig.reaches(RunState::Ready));
+        rig.send(Arm{});
+        rig.send(Start{});
+        ASSERT_TRUE(rig.reaches(RunState::Running));
+        rig.send(SimulateFault{SimulatedFault::SensorLost, 0});
+        ASSERT_TRUE(rig.waitFor([&] { return !rig.last.alarms.empty(); }));
+        EXPECT_EQ(rig.last.alarms[0].seenBy, "");
+        rig.send(AcknowledgeAll{});
+        ASSERT_TRUE(rig.waitFor([&] { return rig.last.alarms[0].isAcknowledged; }));
+        EXPECT_EQ(rig.last.alarms[0].seenBy, "A. Hu");
+    }
+    const auto kept = readAlarms(path);
+    ASSERT_TRUE(kept);
+    ASSERT_FALSE(kept->empty());
+    EXPECT_EQ(kept->front().seenBy, "A. Hu");
 }
 
 // Catches targets that cannot be held and are run without a person's word, and one whose Start is lost.

@@ -39,6 +39,7 @@ struct SessionListTest : testing::Test {
         SessionHeader a = header("a", "2026-03-14T09:26:53Z", "settled");
         a.notes = {"door opened"};
         a.tags = {"good", "paper"};
+        a.labels = {"A. Hu", "plate 7", "B3"};
         SessionHeader b = header("b", "2026-03-15T09:26:53Z", "fault");
         b.simulated = false;
         const SessionHeader cut = header("cut", "2026-03-13T09:26:53Z", "");
@@ -77,10 +78,13 @@ TEST_F(SessionListTest, ARowTellsTheRun) {
     EXPECT_EQ(row("a")->text(1), "title of a");
     EXPECT_EQ(row("a")->text(2), "Settled");
     EXPECT_EQ(row("a")->text(3), "3:20");
-    EXPECT_EQ(row("a")->text(4), "SIMULATED");
-    EXPECT_EQ(row("a")->text(5), "good, paper");
+    EXPECT_EQ(row("a")->text(4), "A. Hu");
+    EXPECT_EQ(row("a")->text(5), "plate 7 / B3");
+    EXPECT_FALSE(tree->isColumnHidden(4));
+    EXPECT_EQ(row("a")->text(6), "SIMULATED");
+    EXPECT_EQ(row("a")->text(7), "good, paper");
     EXPECT_EQ(row("b")->text(2), "Fault");
-    EXPECT_EQ(row("b")->text(4), "LIVE");
+    EXPECT_EQ(row("b")->text(6), "LIVE");
     EXPECT_EQ(row("cut")->text(2), "Interrupted");
     EXPECT_EQ(row("bad")->text(2), "Unreadable");
     for (const char* name : {"a", "b", "cut", "bad"})
@@ -94,9 +98,9 @@ TEST_F(SessionListTest, ARowTellsTheRun) {
 // Catches a search that misses a field, or takes any word for all.
 TEST_F(SessionListTest, TheSearchLooksIntoAll) {
     const std::pair<const char*, QStringList> cases[] = {
-        {"DOOR", {"a"}},       {"paper", {"a"}},        {"title", {"a", "b", "cut"}},
-        {"bad.bask", {"bad"}}, {"live", {"b"}},         {"door good", {"a"}},
-        {"door live", {}},     {"circle fault", {"b"}}, {"", {"a", "b", "bad", "cut"}}};
+        {"DOOR", {"a"}},   {"paper", {"a"}},        {"title", {"a", "b", "cut"}},  {"bad.bask", {"bad"}},
+        {"live", {"b"}},   {"door good", {"a"}},    {"hu plate", {"a"}},           {"b3", {"a"}},
+        {"door live", {}}, {"circle fault", {"b"}}, {"", {"a", "b", "bad", "cut"}}};
     for (const auto& [text, wanted] : cases) {
         search->setText(text);
         EXPECT_EQ(found(), wanted) << text;

@@ -1,0 +1,15 @@
+#include "engine/model/run_labels.h"
+
+#include "engine/model/checker.h"
+
+namespace bask {
+
+Result<void> validate(const RunLabels& labels) {
+    Checker check;
+    check.name("operator", labels.operatorName);
+    check.name("sample", labels.sample);
+    check.name("batch", labels.batch);
+    return check.result();
+}
+
+} // namespace bask
