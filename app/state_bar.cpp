@@ -9,6 +9,7 @@
 #include "widgets/common/stop_button.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStyle>
@@ -22,8 +23,8 @@ namespace {
 constexpr int kMinWidth = 540; // what is left when all is short fits beside the navigation
 constexpr int kShortParts = 5;
 constexpr int kBarGap = 8;
-constexpr int kOperatorText = 150, kOperatorName = 90;
-constexpr int kAlarmText = 70; // of the gravest alarm this is worth more than the words on buttons
+constexpr int kOperatorText = 100; // about as wide as the clock with its caption
+constexpr int kAlarmText = 70;     // of the gravest alarm this is worth more than the words on buttons
 
 } // namespace
 
@@ -57,7 +58,9 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
 
     m_operator->setObjectName(QStringLiteral("operatorButton"));
     m_operator->setAutoRaise(true);
-    m_operator->setMinimumHeight(38);
+    QFont small = font();
+    small.setPointSizeF(font().pointSizeF() * 0.9);
+    m_operator->setFont(small);
     m_operator->setFocusPolicy(Qt::StrongFocus);
     m_operator->hide();
 
@@ -68,9 +71,13 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
         row->addWidget(button);
     row->addSpacing(12);
-    row->addWidget(m_clockCaption);
-    row->addWidget(m_clock);
-    row->addWidget(m_operator);
+    auto* clock = new QGridLayout; // the operator below takes no room from the verbs
+    clock->setHorizontalSpacing(6);
+    clock->setVerticalSpacing(0);
+    clock->addWidget(m_clockCaption, 0, 0);
+    clock->addWidget(m_clock, 0, 1);
+    clock->addWidget(m_operator, 1, 0, 1, 2, Qt::AlignLeft);
+    row->addLayout(clock);
     row->addSpacing(8);
     row->addWidget(m_alarm);
     row->addStretch(1);
@@ -242,8 +249,7 @@ void StateBar::showLabels() {
     } else if (m_shortParts == 0 && !who.isEmpty() && !sample.isEmpty()) {
         text += QStringLiteral(" · ") + sample;
     }
-    text = m_operator->fontMetrics().elidedText(text, Qt::ElideRight,
-                                                m_shortParts == 0 ? kOperatorText : kOperatorName);
+    text = m_operator->fontMetrics().elidedText(text, Qt::ElideRight, kOperatorText);
     m_operator->setText(text.replace(u'&', QStringLiteral("&&")));
     m_operator->setToolTip(words + u'\n' + tr("Click to change it."));
     m_operator->setAccessibleName(words);
