@@ -37,7 +37,7 @@ public:
     void start(const QString& alarmFile = {}, const QString& deviceFile = {});
     void send(const Command& command);
     /// As EngineWorker::setWatch(). Call it before start().
-    void setWatch(std::function<void(const Snapshot&)> watch) { m_watch = std::move(watch); }
+    void setWatch(EngineWatch watch) { m_watch = std::move(watch); }
 
     /// Enters the safe state, closes the recording and ends the thread. Returns false if the engine did not
     /// answer in time; its thread then runs until the process ends, and the devices' own watchdogs act.
@@ -67,7 +67,7 @@ private:
 
     struct Ending;
 
-    std::function<void(const Snapshot&)> m_watch;
+    EngineWatch m_watch;
     QThread* m_thread = nullptr;
     EngineWorker* m_worker = nullptr;
     std::shared_ptr<Ending> m_ending;

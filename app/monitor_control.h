@@ -20,7 +20,7 @@ public:
     MonitorControl(const QString& file, SessionActions& files, QWidget* window);
 
     /// Takes the snapshots, on any thread.
-    std::function<void(const Snapshot&)> inlet() const { return m_monitor.inlet(); }
+    EngineWatch inlet() const { return m_monitor.inlet(); }
     /// Publishes as it was set up.
     void begin();
     void askSettings();

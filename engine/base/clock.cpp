@@ -1,5 +1,6 @@
 #include "engine/base/clock.h"
 
+#include <chrono>
 #include <ctime>
 #include <stdexcept>
 
@@ -15,6 +16,10 @@ void ManualClock::advanceTo(double time_s) {
     if (!(time_s >= m_now_s))
         throw std::logic_error("ManualClock: time runs forward only");
     m_now_s = time_s;
+}
+
+double utcNow_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 } // namespace bask

@@ -30,4 +30,7 @@ private:
     double m_now_s = 0.0;
 };
 
+/// The time of day in UTC, seconds since 1970: for people and files. It can jump.
+double utcNow_s();
+
 } // namespace bask

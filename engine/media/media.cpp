@@ -3,7 +3,6 @@
 #include "engine/base/program_part.h"
 
 #include <cstdio>
-#include <dlfcn.h>
 #include <stdexcept>
 
 namespace bask {
@@ -16,13 +15,10 @@ namespace {
 
 /// A function of a module, which stays loaded.
 template <class Function> Function* functionOf(const char* module, const char* name) {
-    const std::string path = programPart(module, BASK_MODULES_BUILT);
-    if (path.empty())
-        fail(std::string(module) + " is missing");
-    void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    void* const found = library != nullptr ? ::dlsym(library, name) : nullptr;
+    std::string problem;
+    void* const found = moduleFunction(module, BASK_MODULES_BUILT, name, problem);
     if (found == nullptr)
-        fail(::dlerror());
+        fail(problem);
     return reinterpret_cast<Function*>(found);
 }
 

@@ -1,13 +1,14 @@
 #include "engine/monitor/monitor.h"
 
+#include "engine/base/clock.h"
 #include "engine/base/message_code.h"
+#include "engine/base/program_part.h"
 #include "engine/base/thread_name.h"
 #include "engine/monitor/broker_link.h"
 #include "engine/monitor/status_files.h"
 #include "engine/protocols/network_address.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <csignal>
@@ -30,11 +31,6 @@ constexpr milliseconds kLook{50};           ///< between two looks at what is to
 constexpr milliseconds kBetweenTries{1000}; ///< to connect
 constexpr milliseconds kSlow{5000};         ///< without an answer of a broker
 constexpr milliseconds kClosing{700};       ///< for the last messages: within Monitor::kGoodbye
-constexpr int kUsualPort = 1883, kUsualTlsPort = 8883;
-
-double utc_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// A thread that publishes, and what waits for it.
 class Post {
@@ -162,8 +158,7 @@ template <class Work> PostPointer start(const char* name, Work work) {
 }
 
 Result<BrokerAccess> accessOf(const BrokerSettings& settings) {
-    const int usual = settings.usesTls ? kUsualTlsPort : kUsualPort;
-    const auto address = networkAddress(settings.address, usual);
+    const auto address = networkAddress(settings.address, settings.usualPort());
     if (!address)
         return Error(MessageCode::MonitorAddressWrong, {}, {settings.address});
     BrokerAccess access;
@@ -178,11 +173,9 @@ Result<BrokerAccess> accessOf(const BrokerSettings& settings) {
             return password.error();
         access.password = std::move(*password);
     }
-    std::array<char, 64> host{};
-    ::gethostname(host.data(), host.size() - 1);
     static std::atomic<int> number = 0; // the same client twice would end the other one's connection
-    access.clientId = "bask-" + std::string(host.data()) + '-' + std::to_string(::getpid()) + '-' +
-                      std::to_string(++number);
+    access.clientId =
+        "bask-" + hostName() + '-' + std::to_string(::getpid()) + '-' + std::to_string(++number);
     return access;
 }
 
@@ -406,22 +399,26 @@ MonitorState Monitor::state() const {
     return state;
 }
 
-std::function<void(const Snapshot&)> Monitor::inlet() const {
-    return [posts = m_posts](const Snapshot& snapshot) {
+EngineWatch Monitor::inlet() const {
+    const auto isWanted = [posts = m_posts] {
         const auto [broker, files] = posts->both();
-        if (!broker && !files)
-            return;
-        const double now_s = utc_s();
-        auto status = std::make_shared<MonitorStatus>(MonitorStatus{now_s, false, snapshot});
-        std::vector<MonitorEvent> events;
-        for (const TraceEvent& event : snapshot.newEvents)
-            events.push_back({now_s, event});
-        status->snapshot.newEvents.clear();
-        status->snapshot.traffic.reset(); // it lives as long as the engine
-        for (const PostPointer& post : {broker, files})
-            if (post)
-                post->put(status, events);
+        return broker || files;
     };
+    return {isWanted, [posts = m_posts](const Snapshot& snapshot) {
+                const auto [broker, files] = posts->both();
+                if (!broker && !files)
+                    return;
+                const double now_s = utcNow_s();
+                auto status = std::make_shared<MonitorStatus>(MonitorStatus{now_s, false, snapshot});
+                std::vector<MonitorEvent> events;
+                for (const TraceEvent& event : snapshot.newEvents)
+                    events.push_back({now_s, event});
+                status->snapshot.newEvents.clear();
+                status->snapshot.traffic.reset(); // it lives as long as the engine
+                for (const PostPointer& post : {broker, files})
+                    if (post)
+                        post->put(status, events);
+            }};
 }
 
 Result<void> tryMonitor(const MonitorSettings& settings) {

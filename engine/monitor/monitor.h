@@ -46,7 +46,7 @@ public:
 
     /// Returns what takes the state of the engine and its new events (EngineWorker::setWatch), on any thread.
     /// It copies and returns; it may outlive this object.
-    std::function<void(const Snapshot&)> inlet() const;
+    EngineWatch inlet() const;
 
 private:
     struct Posts;

@@ -39,7 +39,7 @@ Result<void> validate(const MonitorSettings& settings) {
         return Error(MessageCode::JsonMissingKey, {}, {"status_folder"});
     if (!settings.usesBroker)
         return {};
-    if (!networkAddress(broker.address, 1883))
+    if (!networkAddress(broker.address, broker.usualPort()))
         return Error(MessageCode::MonitorAddressWrong, "broker.address", {broker.address});
     if (!isTopic(broker.topic))
         return Error(MessageCode::MonitorTopicWrong, "broker.topic", {broker.topic});

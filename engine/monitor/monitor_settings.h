@@ -11,12 +11,14 @@ namespace bask {
 
 /// A broker that speaks MQTT 3.1.1.
 struct BrokerSettings {
-    std::string address; ///< as networkAddress() takes it; the usual port is 1883, with TLS 8883
+    std::string address; ///< as networkAddress() takes it; port: usualPort()
     bool usesTls = false;
     std::string caFile;         ///< certificates (PEM) that are trusted; empty: those of the system
     std::string user;           ///< empty: none
     std::string passwordFile;   ///< its first line is the password; nobody else may read the file
     std::string topic = "bask"; ///< in front of all topics
+
+    int usualPort() const { return usesTls ? 8883 : 1883; }
     bool operator==(const BrokerSettings&) const = default;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/monitor/monitor_status.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/program_part.h"
 #include "engine/base/units.h"
 #include "engine/base/version.h"
 
@@ -22,11 +23,6 @@ using Json = nlohmann::ordered_json;
 constexpr std::array kStates{RunState::Idle,    RunState::NotReady, RunState::Ready,   RunState::Armed,
                              RunState::Running, RunState::Settled,  RunState::Holding, RunState::Stopping,
                              RunState::Stopped, RunState::Fault};
-
-std::string hostName() {
-    std::array<char, 256> name{};
-    return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
-}
 
 /// ISO 8601 with milliseconds.
 std::string utcText(double utc_s) {

@@ -1,22 +1,18 @@
 #include "engine/recipe/simulated_recipe.h"
 
+#include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/alarm_log.h"
 #include "engine/runtime/simulated_drive.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
 
 namespace bask {
 namespace {
-
-double utc_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// What EngineWorker is in real time, for the commands of a recipe.
 class SimulatedEngine {
@@ -41,7 +37,7 @@ public:
         if (!m_drive)
             return m_snapshot;
         const ServoLoop& loop = m_drive->loop();
-        m_alarms.update(utc_s(), loop.alarmConditions());
+        m_alarms.update(utcNow_s(), loop.alarmConditions());
         m_snapshot.alarms = m_alarms.alarms();
         m_snapshot.state = loop.state();
         m_snapshot.reasons = loop.reasons();

@@ -1,9 +1,9 @@
 #include "engine/recording/staged_files.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/program_part.h"
 #include "engine/base/replaced_files.h"
 
-#include <array>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -28,9 +28,7 @@ Error unwritable(const std::string& path, const std::string& reason) {
 /// With the computer's name: of a shared folder only its own are looked at, since not every lock is seen from
 /// elsewhere.
 std::string stagePrefix() {
-    std::array<char, 256> host{};
-    ::gethostname(host.data(), host.size() - 1);
-    return ".bask-export-" + plainFileName(host.data()) + '-';
+    return ".bask-export-" + plainFileName(hostName()) + '-';
 }
 
 int openStage(const std::string& stage) {

@@ -1,5 +1,6 @@
 #include "engine/runtime/engine_worker.h"
 
+#include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/words.h"
 #include "engine/drivers/heater_guard.h"
@@ -35,10 +36,6 @@ constexpr int kLongestStep_ms = 50;          ///< of the rig, between checks of 
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
-
-double utc_s() {
-    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 /// Appends rows and keeps the newest ones. A tenth is dropped at once, otherwise each new row would move all
 /// others.
@@ -163,7 +160,7 @@ void EngineWorker::tellHeatNotOff() {
     (void)m_recordings.add(std::move(rows)); // errors do not matter: it is about to be closed
     std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
     conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
-    if (m_alarms.update(utc_s(), conditions))
+    if (m_alarms.update(utcNow_s(), conditions))
         m_keeper.keep(m_alarms.all());
 }
 
@@ -620,7 +617,8 @@ Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
 }
 
 Result<void> EngineWorker::shelve(const ShelveAlarm& wanted) {
-    const auto put = m_alarms.shelve(wanted.id, utc_s(), wanted.for_s, wanted.reason, m_labels.operatorName);
+    const auto put =
+        m_alarms.shelve(wanted.id, utcNow_s(), wanted.for_s, wanted.reason, m_labels.operatorName);
     if (!put)
         return put;
     const auto alarm = std::ranges::find(m_alarms.alarms(), wanted.id, &Alarm::id);
@@ -642,7 +640,7 @@ Result<void> EngineWorker::unshelve(std::uint64_t id) {
 }
 
 void EngineWorker::updateAlarms() {
-    if (m_session && m_alarms.update(utc_s(), m_session->loop.alarmConditions()))
+    if (m_session && m_alarms.update(utcNow_s(), m_session->loop.alarmConditions()))
         m_keeper.keep(m_alarms.all());
 }
 
@@ -651,7 +649,7 @@ void EngineWorker::tell(const Message& message) {
 }
 
 void EngineWorker::addEvents(std::vector<TraceEvent> events) {
-    if (m_watch)
+    if (m_watch.tell)
         m_unwatched.insert(m_unwatched.end(), events.begin(), events.end());
     append(events, m_pending.newEvents);
 }
@@ -885,14 +883,15 @@ void EngineWorker::publish() {
 }
 
 void EngineWorker::tellWatch() {
-    if (!m_watch)
+    m_sinceWatched_s = 0.0;
+    m_watchedState = m_session ? m_session->loop.state() : RunState::NotReady;
+    auto events = std::exchange(m_unwatched, {});
+    if (!m_watch.tell || !m_watch.isWanted())
         return;
     Snapshot snapshot;
     fill(snapshot);
-    snapshot.newEvents = std::exchange(m_unwatched, {});
-    m_watchedState = snapshot.state;
-    m_sinceWatched_s = 0.0;
-    m_watch(snapshot);
+    snapshot.newEvents = std::move(events);
+    m_watch.tell(snapshot);
 }
 
 void EngineWorker::fill(Snapshot& snapshot) const {

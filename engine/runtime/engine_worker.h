@@ -51,7 +51,7 @@ public:
     /// Sets what gets the state about 20 times a second and at once when it changes, with the events since
     /// the last time, on the engine's thread: also while the receiver of snapshots hangs. It must not wait.
     /// Call it before start().
-    void setWatch(std::function<void(const Snapshot&)> watch) { m_watch = std::move(watch); }
+    void setWatch(EngineWatch watch) { m_watch = std::move(watch); }
 
     /// Returns whether a real source was not seen to go off. Call it after shutdown(), on the engine's
     /// thread.
@@ -185,7 +185,7 @@ private:
     double m_loopRate_Hz = 0.0;
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
-    std::function<void(const Snapshot&)> m_watch;
+    EngineWatch m_watch;
     std::vector<TraceEvent> m_unwatched; ///< since the watch was told last
     RunState m_watchedState = RunState::Idle;
     double m_sinceWatched_s = 0.0;

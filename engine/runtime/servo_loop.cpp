@@ -4,7 +4,6 @@
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace bask {
 
@@ -443,7 +442,7 @@ Result<Zeroing> ServoLoop::findZero() const {
 }
 
 void ServoLoop::take(Zeroing found) {
-    found.utc_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    found.utc_s = utcNow_s();
     m_readings.sensors().use(found);
     m_readings.takeSensors(); // otherwise the first step would use the old values
     m_safety.atRest(observe());

@@ -14,6 +14,7 @@
 #include "engine/runtime/zeroing.h"
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -124,6 +125,12 @@ struct Snapshot {
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< the last refused command; code None if there was none since the last snapshot
+};
+
+/// Whoever is told of the engine beside the window, on the engine's thread: neither function may wait.
+struct EngineWatch {
+    std::function<bool()> isWanted; ///< whether anybody wants to know now
+    std::function<void(const Snapshot&)> tell;
 };
 
 } // namespace bask

@@ -68,13 +68,14 @@ private:
     QProcess m_process;
 };
 
-/// Hears all below bask/.
+/// Hears all below bask/, from its construction on: the broker tells its version once it has subscribed.
 class MqttSubscriber {
 public:
     explicit MqttSubscriber(int port) {
         m_process.start("mosquitto_sub", {"-h", "127.0.0.1", "-p", QString::number(port), "-q", "1", "-t",
-                                          "bask/#", "-F", "%r %t %p"});
+                                          "bask/#", "-t", "$SYS/broker/version", "-F", "%r %t %p"});
         EXPECT_TRUE(m_process.waitForStarted()) << "mosquitto-clients is not installed";
+        EXPECT_TRUE(waitFor([this] { return heard().contains("$SYS"); }));
     }
     ~MqttSubscriber() {
         m_process.kill();
@@ -89,7 +90,8 @@ public:
         while (m_process.canReadLine()) {
             const QByteArray line = m_process.readLine().trimmed();
             const qsizetype topic = line.indexOf(' ') + 1, payload = line.indexOf(' ', topic) + 1;
-            m_heard.emplace(line.mid(topic + 5, payload - topic - 6).toStdString(),
+            const bool isOurs = line.mid(topic).startsWith("bask/");
+            m_heard.emplace(isOurs ? line.mid(topic + 5, payload - topic - 6).toStdString() : "$SYS",
                             line.mid(payload).toStdString());
         }
         return m_heard;

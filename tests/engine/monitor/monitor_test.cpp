@@ -75,7 +75,7 @@ std::string textOf(const std::string& path) {
 class Feeder {
 public:
     explicit Feeder(Monitor& monitor)
-        : m_thread([this, inlet = monitor.inlet()] {
+        : m_thread([this, inlet = monitor.inlet().tell] {
               for (int k = 0; !m_isOver; ++k) {
                   const Snapshot snapshot = withEvent(runningSnapshot(), k);
                   const auto begun = std::chrono::steady_clock::now();
@@ -190,13 +190,13 @@ TEST(MonitorSettings, ReadAPasswordThatNobodyElseMayRead) {
     EXPECT_EQ(readPassword(path + "2").error().code(), MessageCode::FileNotFound);
 }
 
-TEST(Monitor, PublishesToABroker) {
+TEST(MonitorWithBroker, PublishesToABroker) {
     test::MqttBroker broker;
     broker.start();
     {
         Monitor monitor;
         monitor.use(settingsFor(broker));
-        const auto inlet = monitor.inlet();
+        const auto inlet = monitor.inlet().tell;
         Snapshot snapshot = runningSnapshot();
         Alarm alarm;
         alarm.message = {MessageCode::SafetyStartUp, {}};
@@ -245,18 +245,18 @@ void killAgainAndAgain(int times) {
     EXPECT_LT(feeder.longest_s(), kMoment_s);
 }
 
-TEST(Monitor, ConnectsAgainToABrokerThatWasKilled) {
+TEST(MonitorWithBroker, ConnectsAgainToABrokerThatWasKilled) {
     killAgainAndAgain(10);
 }
 
-TEST(Monitor, SendsAgainWhatAKilledBrokerHasNotAcknowledged) {
+TEST(MonitorWithBroker, SendsAgainWhatAKilledBrokerHasNotAcknowledged) {
     test::MqttBroker broker;
     broker.start();
     Monitor monitor;
     monitor.use(settingsFor(broker));
     ASSERT_TRUE(waitFor([&] { return monitor.state().isConnected; }));
     broker.freeze(); // takes what is sent, and acknowledges nothing
-    const auto inlet = monitor.inlet();
+    const auto inlet = monitor.inlet().tell;
     const auto sent = monitor.state().sent;
     for (int k = 0; k < 5; ++k)
         inlet(withEvent(runningSnapshot(), k));
@@ -267,7 +267,7 @@ TEST(Monitor, SendsAgainWhatAKilledBrokerHasNotAcknowledged) {
     EXPECT_TRUE(waitFor([&] { return monitor.state().sent >= before + 5; }));
 }
 
-TEST(Monitor, TellsOfABrokerThatDoesNotAcknowledgeAndForgetsTheOldest) {
+TEST(MonitorWithBroker, TellsOfABrokerThatDoesNotAcknowledgeAndForgetsTheOldest) {
     test::MqttBroker broker;
     broker.start();
     Monitor monitor;
@@ -277,7 +277,7 @@ TEST(Monitor, TellsOfABrokerThatDoesNotAcknowledgeAndForgetsTheOldest) {
     broker.freeze();
     // It is told as slow first, and as lost when it has answered no ping.
     EXPECT_TRUE(waitFor([&] { return monitor.state().brokerProblem.code == MessageCode::MonitorSlow; }));
-    const auto inlet = monitor.inlet();
+    const auto inlet = monitor.inlet().tell;
     for (int k = 0; k < 3000; ++k)
         inlet(withEvent(runningSnapshot(), k));
     EXPECT_GE(monitor.state().leftOut, 1900u);
@@ -290,16 +290,16 @@ TEST(Monitor, TellsOfABrokerThatDoesNotAcknowledgeAndForgetsTheOldest) {
 }
 
 // Catches the last words of a run that nobody hears.
-TEST(Monitor, SendsAtItsEndWhatStillWaits) {
+TEST(MonitorWithBroker, SendsAtItsEndWhatStillWaits) {
     test::MqttBroker broker;
     broker.start();
     auto monitor = std::make_unique<Monitor>();
     monitor->use(settingsFor(broker));
     ASSERT_TRUE(waitFor([&] { return monitor->state().isConnected; }));
     test::MqttSubscriber subscriber(broker.port());
-    monitor->inlet()(withEvent(runningSnapshot(), 1));
+    monitor->inlet().tell(withEvent(runningSnapshot(), 1));
     ASSERT_TRUE(waitFor([&] { return subscriber.heard().count("event") == 1; }));
-    const auto inlet = monitor->inlet();
+    const auto inlet = monitor->inlet().tell;
     for (int k = 2; k <= 30; ++k)
         inlet(withEvent(runningSnapshot(), k));
     monitor.reset();
@@ -309,7 +309,7 @@ TEST(Monitor, SendsAtItsEndWhatStillWaits) {
 }
 
 // Catches a folder in which the files of one Bask lead out of it, and a disk that holds up the engine.
-TEST(Monitor, WritesThroughNoLinkAndWaitsForNoDisk) {
+TEST(MonitorWithBroker, WritesThroughNoLinkAndWaitsForNoDisk) {
     const QTemporaryDir folder, other;
     const std::string victim = other.filePath("victim").toStdString();
     std::ofstream(victim) << "mine";
@@ -368,7 +368,7 @@ TEST(Monitor, GivesUpABrokerThatSaysNothing) {
     }
 }
 
-TEST(Monitor, TellsWhyAPasswordIsRefused) {
+TEST(MonitorWithBroker, TellsWhyAPasswordIsRefused) {
     const QTemporaryDir folder;
     const std::string secret = folder.filePath("secret").toStdString();
     std::ofstream(secret) << "right\n";
@@ -429,7 +429,7 @@ private:
 
 } // namespace
 
-TEST(Monitor, SpeaksToABrokerThatHasTheRightCertificateAndNoOther) {
+TEST(MonitorWithBroker, SpeaksToABrokerThatHasTheRightCertificateAndNoOther) {
     Certificates certificates;
     const auto answerOf = [&](int days, const char* trusted) {
         test::MqttBroker broker(certificates.broker(days));
@@ -515,7 +515,7 @@ TEST(Monitor, KeepsTheOldStatusFileOnAFullDisk) {
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).size(), 2);
 }
 
-TEST(Monitor, EndsWhatWasSwitchedOff) {
+TEST(MonitorWithBroker, EndsWhatWasSwitchedOff) {
     test::MqttBroker broker;
     broker.start();
     Monitor monitor;

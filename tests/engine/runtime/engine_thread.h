@@ -22,7 +22,7 @@ public:
                           std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>(),
                           std::function<void(const Snapshot&)> watch = {})
         : m_worker(alarmFile, deviceFile, std::move(awake)) {
-        m_worker.setWatch(std::move(watch));
+        m_worker.setWatch({[] { return true; }, std::move(watch)});
         m_worker.moveToThread(&m_thread);
         connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
         connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
