@@ -18,7 +18,7 @@
 namespace bask {
 namespace {
 
-constexpr const char* kMark = "Bask alarm study";
+constexpr const char* kAlarmStudyMark = "Bask alarm study";
 
 Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
     const QTemporaryDir folder;
@@ -122,7 +122,7 @@ int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const 
     static constexpr const char* kStems[] = {"alarm_study_healthy", "alarm_study_faulty",
                                              "alarm_study_paper"};
     const char* stem = kStems[static_cast<int>(request.draw)];
-    const auto files = studyFiles(folder, kMark, stem, {".csv"});
+    const auto files = studyFiles(folder, kAlarmStudyMark, stem, {".csv"});
     if (!files)
         return kExitBadInput;
     auto rigs = alarmRigs(request.draw);

@@ -20,9 +20,9 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "calibrate-camera";
+constexpr const char* kCalibrateCamera = "calibrate-camera";
 
-struct Request {
+struct CalibrateCameraArguments {
     Board board;
     std::vector<std::string> images;
     std::string outputPath, rosPath; ///< rosPath may be empty
@@ -31,7 +31,7 @@ struct Request {
 };
 
 void tell(const Error& error) {
-    std::fprintf(stderr, "bask %s: %s\n", kName, describe(error).c_str());
+    std::fprintf(stderr, "bask %s: %s\n", kCalibrateCamera, describe(error).c_str());
 }
 
 int negative(const Error& error) {
@@ -40,7 +40,7 @@ int negative(const Error& error) {
 }
 
 // An earlier camera file names the camera matrix near its beginning, in either kind.
-Result<void> checkPlaces(const Request& request) {
+Result<void> checkPlaces(const CalibrateCameraArguments& request) {
     std::vector<OutputFile> outputs{{request.outputPath}};
     if (!request.rosPath.empty())
         outputs.push_back({request.rosPath});
@@ -55,11 +55,12 @@ Result<void> checkPlaces(const Request& request) {
     return {};
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<CalibrateCameraArguments> readCalibrateCameraArguments(const QCommandLineParser& parser) {
     const auto board = parseBoard(parser.value("board").toStdString());
     if (!board)
         return board.error();
-    Request request{*board, {}, parser.value("output").toStdString(), parser.value("ros").toStdString()};
+    CalibrateCameraArguments request{
+        *board, {}, parser.value("output").toStdString(), parser.value("ros").toStdString()};
     for (const QString& image : parser.positionalArguments())
         request.images.push_back(image.toStdString());
     const std::string coefficients = parser.value("coefficients").toStdString();
@@ -96,7 +97,7 @@ struct Survey {
 };
 
 // Tells of each picture that cannot be used why.
-Survey surveyOf(const Request& request) {
+Survey surveyOf(const CalibrateCameraArguments& request) {
     constexpr std::size_t kEnoughJudged = 12; // asking what board it is takes longest
     Survey survey;
     for (const std::string& path : request.images) {
@@ -137,7 +138,7 @@ Size keepCommonSize(Survey& survey) {
     return common;
 }
 
-void printFigures(const Request& request, const CameraCalibration& result) {
+void printFigures(const CalibrateCameraArguments& request, const CameraCalibration& result) {
     const auto print = [](const char* name, double value) { std::printf("%s %.9g\n", name, value); };
     const CameraModel& camera = result.camera;
     static constexpr const char* kParameters[] = {"fx_px", "fy_px", "cx_px", "cy_px", "k1", "k2",
@@ -161,10 +162,10 @@ void printFigures(const Request& request, const CameraCalibration& result) {
         std::printf("view_rms_px %.4g %s\n", view.rms_px, view.name.c_str());
 }
 
-int calibrate(const Request& request) {
+int calibrate(const CalibrateCameraArguments& request) {
     Survey survey = surveyOf(request);
     if (survey.readable == 0)
-        return refuse(kName,
+        return refuse(kCalibrateCamera,
                       Error{MessageCode::ViewsTooFew, "", {"0", std::to_string(kMinCalibrationViews)}});
     if (const Board seen = mostSeen(survey.seen, request.board); seen != request.board)
         return negative(Error{MessageCode::BoardOther, "", {boardText(seen), boardText(request.board)}});
@@ -177,10 +178,10 @@ int calibrate(const Request& request) {
     if (const auto reason = result->reasonAgainst())
         return negative(Error{reason->code, request.outputPath + " is not written", reason->args});
     if (const auto written = writeTextFile(request.outputPath, openCvYaml(result->camera)); !written)
-        return refuse(kName, written.error());
+        return refuse(kCalibrateCamera, written.error());
     if (!request.rosPath.empty())
         if (const auto written = writeTextFile(request.rosPath, rosYaml(result->camera, "camera")); !written)
-            return refuse(kName, written.error());
+            return refuse(kCalibrateCamera, written.error());
     return kExitDone;
 }
 
@@ -211,12 +212,12 @@ int calibrateCameraCommand(const QStringList& arguments) {
           "5"},
          {"distance", "From the camera, at which an error in mm is told.", "METRES", "0.6"}});
     parser.addPositionalArgument("IMAGES", "Three pictures or more of one size.", "IMAGES...");
-    if (const auto code = parseCommand(parser, kName, arguments, -1))
+    if (const auto code = parseCommand(parser, kCalibrateCamera, arguments, -1))
         return *code;
     if (!parser.isSet("board") || !parser.isSet("output"))
-        return refuse(kName, QStringLiteral("--board and -o are needed"));
-    const auto request = readRequest(parser);
-    return request ? calibrate(*request) : refuse(kName, request.error());
+        return refuse(kCalibrateCamera, QStringLiteral("--board and -o are needed"));
+    const auto request = readCalibrateCameraArguments(parser);
+    return request ? calibrate(*request) : refuse(kCalibrateCamera, request.error());
 }
 
 } // namespace bask

@@ -20,7 +20,7 @@ namespace bask {
 namespace {
 
 /// In every file of the study, near its beginning: what holds it may be replaced.
-constexpr const char* kMark = "Bask closed-loop study";
+constexpr const char* kClosedLoopStudyMark = "Bask closed-loop study";
 constexpr const char* kStem = "closed_loop_study";
 
 Result<Experiment> studyRig(StudyMounting mounting) {
@@ -34,7 +34,7 @@ Result<Experiment> studyRig(StudyMounting mounting) {
         folder.filePath(mounting == StudyMounting::Line ? "line.json" : "triangle.json").toStdString());
 }
 
-using Rows = std::vector<ClosedLoopRow>;
+using ClosedLoopRows = std::vector<ClosedLoopRow>;
 
 QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
     static constexpr const char* kMountings[] = {"triangle", "line", "random mountings",
@@ -57,7 +57,7 @@ QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
         .arg(QLatin1String(kMountings[static_cast<int>(request.mounting)]), conditions);
 }
 
-Figure settlingFigure(const Rows& rows, const QString& note) {
+Figure settlingFigure(const ClosedLoopRows& rows, const QString& note) {
     Figure figure;
     figure.title = QStringLiteral("Settling time against the least that physics allows");
     figure.note = note;
@@ -83,7 +83,7 @@ Figure settlingFigure(const Rows& rows, const QString& note) {
 }
 
 /// Runs in the order of their ratio, failures left out at the right end.
-Figure ratioFigure(const Rows& rows, const QString& note) {
+Figure ratioFigure(const ClosedLoopRows& rows, const QString& note) {
     Figure figure;
     figure.title = QStringLiteral("Settling time over the bound, best run first");
     figure.note = note;
@@ -109,7 +109,7 @@ Figure ratioFigure(const Rows& rows, const QString& note) {
     return figure;
 }
 
-Figure overshootFigure(const Rows& rows, const QString& note) {
+Figure overshootFigure(const ClosedLoopRows& rows, const QString& note) {
     Figure figure;
     figure.title = QStringLiteral("Overshoot of the true temperatures");
     figure.note = note;
@@ -125,7 +125,7 @@ Figure overshootFigure(const Rows& rows, const QString& note) {
     return figure;
 }
 
-void printSummary(const Rows& rows) {
+void printSummary(const ClosedLoopRows& rows) {
     for (std::size_t k = 0; k < rows.size(); ++k)
         if (!rows[k].failure.empty())
             std::printf("run %zu failed: %s\n", k + 1, rows[k].failure.c_str());
@@ -177,7 +177,7 @@ int runShardOf(const ClosedLoopStudy& study, const std::string& stem, const Clos
     return runShard("study", stem, {request.asked, study.count, "runs", compute}, options);
 }
 
-Result<Rows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
+Result<ClosedLoopRows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
     if (way.merged == nullptr) {
         Progress progress(study.count, "runs");
         return runClosedLoopStudy(study, way.shard.threads, [&](int done) { progress.tell(done); });
@@ -190,8 +190,8 @@ Result<Rows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way) {
 } // namespace
 
 int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request, const StudyWay& way) {
-    const auto files =
-        studyFiles(folder, kMark, kStem, {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
+    const auto files = studyFiles(folder, kClosedLoopStudyMark, kStem,
+                                  {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
     if (!files)
         return kExitBadInput;
     auto rig = studyRig(request.mounting);
@@ -207,7 +207,7 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
     std::vector<std::string> contents{closedLoopCsv(study, *rows)};
     for (const Figure& figure :
          {settlingFigure(*rows, note), ratioFigure(*rows, note), overshootFigure(*rows, note)})
-        contents.push_back(figurePng(figure, QString::fromLatin1(kMark)).toStdString());
+        contents.push_back(figurePng(figure, QString::fromLatin1(kClosedLoopStudyMark)).toStdString());
     if (const auto written = writeStudyFiles(*files, contents); !written)
         return refuseStudy(written.error());
     printSummary(*rows);

@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kName = "detect-markers";
+constexpr const char* kDetectMarkers = "detect-markers";
 constexpr double kMinSize_m = 1e-3, kMaxSize_m = 10.0;
 
 /// What a pose takes besides the picture.
@@ -32,7 +32,7 @@ struct PoseRequest {
     CameraModel camera;
 };
 
-struct Request {
+struct DetectMarkersArguments {
     std::string path, jsonPath;
     MarkerDictionary dictionary;
     std::optional<PoseRequest> pose;
@@ -65,8 +65,8 @@ Result<std::optional<PoseRequest>> poseRequest(const QCommandLineParser& parser)
     return std::optional(pose);
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
-    Request request;
+Result<DetectMarkersArguments> readDetectMarkersArguments(const QCommandLineParser& parser) {
+    DetectMarkersArguments request;
     request.path = parser.positionalArguments().front().toStdString();
     request.jsonPath = parser.value("json").toStdString();
     std::vector<OutputFile> outputs;
@@ -111,7 +111,7 @@ Json markerJson(const FoundMarker& marker, const std::optional<PoseRequest>& req
     return json;
 }
 
-Result<std::vector<FoundMarker>> markersIn(const Request& request) {
+Result<std::vector<FoundMarker>> markersIn(const DetectMarkersArguments& request) {
     const auto picture = readGreyPicture(request.path);
     if (!picture)
         return picture.error();
@@ -123,7 +123,7 @@ Result<std::vector<FoundMarker>> markersIn(const Request& request) {
     return markers;
 }
 
-void addOptions(QCommandLineParser& parser) {
+void addDetectMarkersOptions(QCommandLineParser& parser) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions(
         {{"dictionary", "6X6_250 and the like, or a dictionary file of OpenCV. Required.", "NAME|FILE.yml"},
@@ -146,19 +146,19 @@ int detectMarkersCommand(const QStringList& arguments) {
         "square);\n"
         "the second pose that a square allows, and whether the two can be told apart (\"ambiguous\").\n"
         "Exit code: 0 done, 2 bad input or unwritable output, 3 no marker is seen.");
-    addOptions(parser);
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    addDetectMarkersOptions(parser);
+    if (const auto code = parseCommand(parser, kDetectMarkers, arguments, 1))
         return *code;
     if (!parser.isSet("dictionary"))
-        return refuse(kName, QStringLiteral("--dictionary is needed"));
+        return refuse(kDetectMarkers, QStringLiteral("--dictionary is needed"));
     if (parser.isSet("size") != parser.isSet("camera"))
-        return refuse(kName, QStringLiteral("poses take both --size and --camera"));
-    const auto request = readRequest(parser);
+        return refuse(kDetectMarkers, QStringLiteral("poses take both --size and --camera"));
+    const auto request = readDetectMarkersArguments(parser);
     if (!request)
-        return refuse(kName, request.error());
+        return refuse(kDetectMarkers, request.error());
     const auto markers = markersIn(*request);
     if (!markers)
-        return refuse(kName, markers.error());
+        return refuse(kDetectMarkers, markers.error());
     Json json{{"markers", Json::array()}};
     for (const FoundMarker& marker : *markers)
         json["markers"].push_back(markerJson(marker, request->pose));
@@ -166,10 +166,10 @@ int detectMarkersCommand(const QStringList& arguments) {
     if (request->jsonPath.empty())
         std::fputs(text.c_str(), stdout);
     else if (const auto written = writeTextFile(request->jsonPath, text); !written)
-        return refuse(kName, written.error());
+        return refuse(kDetectMarkers, written.error());
     if (!markers->empty())
         return kExitDone;
-    refuse(kName, Error{MessageCode::MarkerNotFound, request->path, {request->dictionary.name}});
+    refuse(kDetectMarkers, Error{MessageCode::MarkerNotFound, request->path, {request->dictionary.name}});
     return kExitNegative;
 }
 

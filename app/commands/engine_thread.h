@@ -10,9 +10,14 @@
 
 namespace bask {
 
+/// A device that has just been connected answers a moment later: until then the engine is reset this often.
+constexpr double kBetweenResets_s = 1.0;
+
 /// Counts signals during its lifetime. Only one object at a time.
 class SignalCount {
 public:
+    static constexpr int kLook_ms = 20; ///< between two looks at it
+
     SignalCount();
     ~SignalCount();
     int now() const;

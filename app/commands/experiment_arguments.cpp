@@ -7,6 +7,7 @@
 #include <QCommandLineParser>
 #include <QStringList>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -16,6 +17,29 @@ namespace bask {
 Error badValue(const QString& option, const QString& value, const char* expected) {
     return Error(MessageCode::JsonWrongType, "--" + option.toStdString(),
                  {expected, "\"" + value.toStdString() + "\""});
+}
+
+Result<double> finiteNumber(const QString& text, const std::string& where) {
+    bool ok = false;
+    const double value = text.trimmed().toDouble(&ok);
+    if (!ok || !std::isfinite(value))
+        return Error(MessageCode::JsonWrongType, where, {"a finite number", '"' + text.toStdString() + '"'});
+    return value;
+}
+
+Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const Experiment& experiment) {
+    if (!parser.isSet("object") && experiment.objects.size() == 1)
+        return &experiment.objects.front();
+    std::string names;
+    for (const ObjectSpec& object : experiment.objects)
+        names += (names.empty() ? "" : ", ") + object.name;
+    if (!parser.isSet("object"))
+        return Error(MessageCode::JsonWrongType, "--object", {"one of " + names, "nothing"});
+    const std::string name = parser.value("object").toStdString();
+    const auto found = std::ranges::find(experiment.objects, name, &ObjectSpec::name);
+    if (found == experiment.objects.end())
+        return Error(MessageCode::ValueUnknown, "--object", {name, names});
+    return &*found;
 }
 
 Result<void> replaceTargets(const QCommandLineParser& parser, Experiment& experiment) {

@@ -15,6 +15,12 @@ namespace bask {
 /// Returns the error for a value of `option` that is not as expected, in words.
 Error badValue(const QString& option, const QString& value, const char* expected);
 
+/// Returns the finite number in `text`; `where` is named in the error.
+Result<double> finiteNumber(const QString& text, const std::string& where);
+
+/// Returns the object of --object, or the only one.
+Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const Experiment& experiment);
+
 /// Replaces the experiment's values by those of --targets ("50,40,40", degC) and --source-model, if they are
 /// given. The result is not validated.
 Result<void> replaceTargets(const QCommandLineParser& parser, Experiment& experiment);

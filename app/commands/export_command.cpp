@@ -16,7 +16,7 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "export";
+constexpr const char* kExport = "export";
 constexpr std::array kKinds{"csv", "nexus", "vtk", "figures", "frames"};
 
 using Files = Result<std::vector<std::string>>;
@@ -59,23 +59,23 @@ int exportCommand(const QStringList& arguments) {
          {"frames", "Recorded pictures of the thermal camera: TIFF of 16 bits, and times.csv.", "DIR"},
          {"language", "Of the figures: en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    if (const auto code = parseCommand(parser, kExport, arguments, 1))
         return *code;
     QStringList wanted;
     for (const char* kind : kKinds)
         if (!parser.value(kind).isEmpty())
             wanted << kind;
     if (wanted.isEmpty())
-        return refuse(kName, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
+        return refuse(kExport, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
-        return refuse(kName, spoken.error());
+        return refuse(kExport, spoken.error());
     std::optional<SessionRecord> session;
     for (const QString& kind : wanted) {
         const auto files = exported(kind, parser.positionalArguments().front().toStdString(), session,
                                     parser.value(kind).toStdString());
         if (!files)
-            return refuse(kName, files.error());
+            return refuse(kExport, files.error());
         for (const std::string& file : *files)
             std::printf("%s\n", file.c_str());
     }

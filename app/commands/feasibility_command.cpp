@@ -35,7 +35,7 @@ struct Prediction {
 };
 
 /// Everything asked for on the command line, checked.
-struct Request {
+struct FeasibilityArguments {
     Experiment experiment;
     std::vector<bool> fixed;
     std::string summaryPath; ///< empty: none
@@ -55,12 +55,12 @@ Result<std::vector<bool>> fixedObjects(const QStringList& names, const Experimen
     return fixed;
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<FeasibilityArguments> readFeasibilityArguments(const QCommandLineParser& parser) {
     const std::string path = parser.positionalArguments().first().toStdString();
     auto experiment = readExperiment(path);
     if (!experiment)
         return experiment.error();
-    Request request{std::move(*experiment), {}, parser.value("summary").toStdString()};
+    FeasibilityArguments request{std::move(*experiment), {}, parser.value("summary").toStdString()};
     if (const auto model = replaceSourceModel(parser, request.experiment); !model)
         return model.error();
     if (const auto targets = replaceTargets(parser, request.experiment); !targets)
@@ -255,10 +255,6 @@ Result<void> writeMaps(const FeasibilityRequest& question, const std::vector<Out
     return writeStudyFiles(files, contents);
 }
 
-int refuse(const Error& error) {
-    return refuse("feasibility", error);
-}
-
 } // namespace
 
 int feasibilityCommand(const QStringList& arguments) {
@@ -281,11 +277,11 @@ int feasibilityCommand(const QStringList& arguments) {
           "DIR"}});
     if (const auto code = parseCommand(parser, "feasibility", arguments, 1, {"hold"}))
         return *code;
-    const auto request = readRequest(parser);
+    const auto request = readFeasibilityArguments(parser);
     if (!request) {
         if (request.error().code() == MessageCode::MountingOverlap)
             std::printf("not feasible: %s\n", describe(request.error()).c_str());
-        return refuse(request.error());
+        return refuse("feasibility", request.error());
     }
     std::vector<OutputFile> maps;
     if (parser.isSet("reachable")) {
@@ -302,7 +298,7 @@ int feasibilityCommand(const QStringList& arguments) {
     if (verdict.feasible && !parser.isSet("no-prediction")) {
         const auto predicted = predictedSettling_s(request->experiment);
         if (!predicted)
-            return refuse(predicted.error());
+            return refuse("feasibility", predicted.error());
         prediction = Prediction{*predicted};
     }
     warnOfOverlaps("feasibility", request->experiment);
@@ -320,7 +316,7 @@ int feasibilityCommand(const QStringList& arguments) {
     if (written && !maps.empty())
         written = writeMaps(question, maps);
     if (!written)
-        return refuse(written.error());
+        return refuse("feasibility", written.error());
     replaced.keepNew();
     return verdict.feasible ? kExitDone : kExitNegative;
 }

@@ -1,5 +1,6 @@
 #include "app/commands/field_axes.h"
 
+#include "app/commands/experiment_arguments.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
@@ -20,14 +21,6 @@ Result<Coordinate> parseCoordinate(const std::string& name, const std::string& w
     if (found == kCoordinateNames.end())
         return Error(MessageCode::ValueUnknown, where, {name, "x, y, z, theta_x, theta_y, theta_z"});
     return static_cast<Coordinate>(found - kCoordinateNames.begin());
-}
-
-Result<double> parseNumber(const QString& text, const std::string& where) {
-    bool ok = false;
-    const double value = text.trimmed().toDouble(&ok);
-    if (!ok || !std::isfinite(value))
-        return Error(MessageCode::JsonWrongType, where, {"a finite number", '"' + text.toStdString() + '"'});
-    return value;
 }
 
 /// "name=rest", the name a coordinate.
@@ -55,13 +48,13 @@ Result<FieldAxis> parseAxis(const QString& text) {
     if (parts.size() != 3)
         return Error(MessageCode::JsonWrongType, "--axes", {kExpected, '"' + text.toStdString() + '"'});
     const std::string where = std::string("--axes: ") + kCoordinateNames[item->coordinate] + ": ";
-    const auto first = parseNumber(parts[0], where + "first");
+    const auto first = finiteNumber(parts[0], where + "first");
     if (!first)
         return first.error();
-    const auto last = parseNumber(parts[1], where + "last");
+    const auto last = finiteNumber(parts[1], where + "last");
     if (!last)
         return last.error();
-    const auto step = parseNumber(parts[2], where + "step");
+    const auto step = finiteNumber(parts[2], where + "step");
     if (!step)
         return step.error();
     if (!(*step > 0.0))
@@ -111,7 +104,7 @@ Result<void> parseFixed(const std::string& text, const std::vector<FieldAxis>& a
             return Error(MessageCode::HeldIsAxis, option, {name});
         if (std::ranges::find(seen, item->coordinate) != seen.end())
             return Error(MessageCode::JsonDuplicateKey, option, {name});
-        const auto value = parseNumber(item->rest, option + ": " + name);
+        const auto value = finiteNumber(item->rest, option + ": " + name);
         if (!value)
             return value.error();
         seen.push_back(item->coordinate);

@@ -19,8 +19,6 @@
 namespace bask {
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr const char* kImage = ".vti";
 constexpr const char* kStore = ".h5";
 constexpr std::size_t kImageAxes = 4;
@@ -160,8 +158,8 @@ Result<std::unique_ptr<FieldSink>> sinkOf(const FieldFile& file, const Field& he
     return std::unique_ptr<FieldSink>(std::make_unique<StoreSink>(std::move(*store)));
 }
 
-Json jsonOf(const Field& header) {
-    Json axes = Json::array();
+nlohmann::json jsonOf(const Field& header) {
+    nlohmann::json axes = nlohmann::json::array();
     for (const FieldAxis& axis : header.axes)
         axes.push_back({{"coordinate", kCoordinateNames[axis.coordinate]},
                         {"first", axis.first},
@@ -176,9 +174,9 @@ Json jsonOf(const Field& header) {
 }
 
 /// Throws as the library does.
-Field headerOf(const Json& json) {
+Field headerOf(const nlohmann::json& json) {
     Field header;
-    for (const Json& each : json.at("axes")) {
+    for (const nlohmann::json& each : json.at("axes")) {
         const auto name = std::ranges::find(kCoordinateNames, each.at("coordinate").get<std::string>());
         header.axes.push_back({static_cast<Coordinate>(name - kCoordinateNames.begin()), each.at("first"),
                                each.at("step"), each.at("count")});
@@ -253,7 +251,7 @@ Result<FieldFigures> sampleInto(const FieldFile& file, const FieldSampler& sampl
 }
 
 std::string fieldAsked(const FieldFile& file, const Field& header, const std::string& besides) {
-    Json work = Json::parse(besides);
+    nlohmann::json work = nlohmann::json::parse(besides);
     work["field"] = jsonOf(header);
     work["title"] = file.title;
     work["gradient"] = file.withGradient;
@@ -273,7 +271,7 @@ Result<MergedField> mergeFieldInto(const MergedParts& parts, const std::string& 
     MergedField merged;
     FieldFile file{path, {}, false};
     try {
-        const Json work = Json::parse(parts.work());
+        const nlohmann::json work = nlohmann::json::parse(parts.work());
         merged.header = headerOf(work.at("field"));
         file.title = work.at("title");
         file.withGradient = work.at("gradient");

@@ -2,6 +2,7 @@
 // ParaView.
 
 #include "app/commands/command_line.h"
+#include "app/commands/experiment_arguments.h"
 #include "app/commands/field_axes.h"
 #include "app/commands/field_blocks.h"
 #include "app/commands/output_file.h"
@@ -32,12 +33,12 @@
 namespace bask {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyTime = std::chrono::steady_clock;
 
-constexpr double kQuiet_s = 1.0; // before progress is shown
+constexpr double kBeforeProgress_s = 1.0; // before progress is shown
 
 /// Everything asked for on the command line, checked.
-struct Request {
+struct FieldArguments {
     FieldRequest field;
     FieldFile file = {};
     ShardOptions shard = {};
@@ -47,25 +48,6 @@ struct Request {
 
 Error refused(const std::string& option, const std::string& expected, const std::string& found) {
     return {MessageCode::JsonWrongType, option, {expected, found}};
-}
-
-/// The object of --object, or the only one; none when a preset has one of its own.
-Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const Experiment& experiment) {
-    if (!parser.isSet("object") && parser.isSet("preset"))
-        return static_cast<const ObjectSpec*>(nullptr);
-    std::string names;
-    for (const ObjectSpec& object : experiment.objects)
-        names += (names.empty() ? "" : ", ") + object.name;
-    const std::string name = parser.value("object").toStdString();
-    if (!parser.isSet("object")) {
-        if (experiment.objects.size() == 1)
-            return &experiment.objects.front();
-        return refused("--object", "one of " + names, "nothing");
-    }
-    const auto found = std::ranges::find(experiment.objects, name, &ObjectSpec::name);
-    if (found == experiment.objects.end())
-        return Error(MessageCode::ValueUnknown, "--object", {name, names});
-    return &*found;
 }
 
 FieldQuantity steadyTemperature(const Experiment& experiment, const ObjectSpec& object) {
@@ -84,7 +66,7 @@ std::string besides(const std::string& experiment, const std::string& object, co
 }
 
 /// Source, object and quantity; axes, held values and tolerance are still those of the default.
-Result<Request> readScene(const QCommandLineParser& parser, const std::string& path) {
+Result<FieldArguments> readScene(const QCommandLineParser& parser, const std::string& path) {
     std::optional<Experiment> experiment;
     const ObjectSpec* object = nullptr;
     if (!path.empty()) {
@@ -92,10 +74,12 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
         if (!read)
             return read.error();
         experiment = std::move(*read);
-        const auto chosen = chosenObject(parser, *experiment);
-        if (!chosen)
-            return chosen.error();
-        object = *chosen;
+        if (parser.isSet("object") || !parser.isSet("preset")) { // which has one of its own
+            const auto chosen = chosenObject(parser, *experiment);
+            if (!chosen)
+                return chosen.error();
+            object = *chosen;
+        }
     } else if (parser.isSet("object") || !parser.isSet("preset")) {
         return refused("EXPERIMENT.json", "an experiment (or a preset without --object)", "none");
     }
@@ -105,10 +89,10 @@ Result<Request> readScene(const QCommandLineParser& parser, const std::string& p
     if (quantity == "T" && object == nullptr)
         return refused("--quantity T", "an experiment with an object named by --object", "none");
     const Shape shape = object ? object->shape : presetObject();
-    Request request{{experiment ? radiatingSource(*experiment) : RadiatingContour(presetSource()),
-                     RadiatingContour(shape),
-                     {}},
-                    {}};
+    FieldArguments request{{experiment ? radiatingSource(*experiment) : RadiatingContour(presetSource()),
+                            RadiatingContour(shape),
+                            {}},
+                           {}};
     const QString shade = parser.value("shade");
     if (shade != "rough" && shade != "exact" && shade != "none")
         return Error(MessageCode::ValueUnknown, "--shade", {shade.toStdString(), "rough, exact, none"});
@@ -162,7 +146,7 @@ Result<void> readGrid(const QCommandLineParser& parser, FieldRequest& field) {
     return {};
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<FieldArguments> readFieldArguments(const QCommandLineParser& parser) {
     const std::string path = parser.positionalArguments().value(0).toStdString();
     auto request = readScene(parser, path);
     if (!request)
@@ -251,7 +235,7 @@ void tellBefore(const FieldSampler& sampler, const FieldFile& file, const ShardO
     constexpr double kProbe_s = 0.5;
     const std::size_t samples = sampler.samples();
     std::array<double, 7 * kTogether> numbers;
-    const Clock::time_point start = Clock::now();
+    const SteadyTime::time_point start = SteadyTime::now();
     std::size_t probed = 0;
     double took_s = 0.0;
     for (std::size_t k = 0; k < kProbes && took_s < kProbe_s; ++k) {
@@ -260,13 +244,13 @@ void tellBefore(const FieldSampler& sampler, const FieldFile& file, const ShardO
         (void)sampler.sample(begin, end, numbers.data(),
                              file.withGradient ? numbers.data() + kTogether : nullptr);
         probed += end - begin;
-        took_s = std::chrono::duration<double>(Clock::now() - start).count();
+        took_s = std::chrono::duration<double>(SteadyTime::now() - start).count();
     }
     const double threads =
         shard.threads > 0 ? shard.threads : std::max(1U, std::thread::hardware_concurrency());
     const double all_s = took_s * static_cast<double>(samples) / static_cast<double>(probed) / threads;
     const double share = shard.shard ? 1.0 / shard.shard->of : 1.0;
-    if (all_s * share < kQuiet_s)
+    if (all_s * share < kBeforeProgress_s)
         return;
     std::fprintf(stderr, "bask field: %zu samples", samples);
     if (!file.path.empty())
@@ -275,25 +259,21 @@ void tellBefore(const FieldSampler& sampler, const FieldFile& file, const ShardO
     std::fprintf(stderr, "; this takes about %s\n", roughDuration(all_s * share).c_str());
 }
 
-int refuse(const Error& error) {
-    return refuse("field", error);
-}
-
-int sampleAndWrite(const Request& request) {
+int sampleAndWrite(const FieldArguments& request) {
     const auto sampler = FieldSampler::of(request.field);
     if (!sampler)
-        return refuse(sampler.error());
+        return refuse("field", sampler.error());
     tellBefore(*sampler, request.file, request.shard);
     if (request.shard.shard)
         return runShard("field", request.file.path,
                         fieldWork(*sampler, request.file.withGradient,
                                   fieldAsked(request.file, sampler->header(), request.besides)),
                         request.shard);
-    const Clock::time_point start = Clock::now();
+    const SteadyTime::time_point start = SteadyTime::now();
     const auto figures = sampleInto(request.file, *sampler, request.shard.threads);
-    const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
+    const double time_s = std::chrono::duration<double>(SteadyTime::now() - start).count();
     if (!figures)
-        return refuse(figures.error());
+        return refuse("field", figures.error());
     tellOf("field", sampler->header(), sampler->samples(), figures->tally);
     printRange(sampler->header(), *figures);
     printSpeed(sampler->samples(), time_s);
@@ -344,8 +324,8 @@ int fieldCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, "field", arguments, parsed && given == 0 ? 0 : 1))
         return *code;
     try {
-        const auto request = readRequest(parser);
-        return request ? sampleAndWrite(*request) : refuse(request.error());
+        const auto request = readFieldArguments(parser);
+        return request ? sampleAndWrite(*request) : refuse("field", request.error());
     } catch (const std::bad_alloc&) {
         std::fputs("bask field: there is not enough memory for that many samples\n", stderr);
         return kExitBadInput;

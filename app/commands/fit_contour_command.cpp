@@ -21,7 +21,7 @@
 namespace bask {
 namespace {
 
-struct Request {
+struct FitContourArguments {
     std::string path;
     ContourImportOptions import;
     std::optional<std::size_t> pick;
@@ -29,11 +29,6 @@ struct Request {
     double tolerance_m = 0.0; ///< of the automatic number
     std::string contourPath, previewPath;
 };
-
-int refuse(const std::string& words) {
-    std::fprintf(stderr, "bask fit-contour: %s\n", words.c_str());
-    return kExitBadInput;
-}
 
 void warn(const Message& message) {
     std::fprintf(stderr, "bask fit-contour: %s\n", describe(message).c_str());
@@ -181,7 +176,7 @@ Result<ContourImportOptions> readImport(const QCommandLineParser& parser) {
     return options;
 }
 
-Result<void> readFit(const QCommandLineParser& parser, Request& request) {
+Result<void> readFit(const QCommandLineParser& parser, FitContourArguments& request) {
     const QString harmonics = parser.value("harmonics");
     if (harmonics == QLatin1String("auto")) {
         if (!parser.isSet("tolerance"))
@@ -203,8 +198,8 @@ Result<void> readFit(const QCommandLineParser& parser, Request& request) {
     return {};
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
-    Request request;
+Result<FitContourArguments> readFitContourArguments(const QCommandLineParser& parser) {
+    FitContourArguments request;
     request.path = parser.positionalArguments().front().toStdString();
     auto import = readImport(parser);
     if (!import)
@@ -226,7 +221,7 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
 }
 
 /// A picture of the user's own is no preview, and is not replaced.
-Result<void> checkPlaces(const QCommandLineParser& parser, Request& request) {
+Result<void> checkPlaces(const QCommandLineParser& parser, FitContourArguments& request) {
     std::vector<OutputFile> outputs;
     if (parser.isSet("output")) {
         request.contourPath = parser.value("output").toStdString();
@@ -259,28 +254,28 @@ void printFigures(const PickedOutline& picked, const FourierFit& fit) {
     print("outline_perimeter_mm", contourPerimeter(picked.contour) * 1e3);
 }
 
-int list(const Request& request) {
+int list(const FitContourArguments& request) {
     const auto file = readOutlines(request.path, request.import);
     if (!file)
-        return refuse(describe(file.error()));
+        return refuse("fit-contour", file.error());
     for (const Message& warning : file->warnings)
         warn(warning);
     std::printf("%s\n", outlineList(*file).dump(1).c_str());
     return kExitDone;
 }
 
-int fitAndReport(const Request& request, bool asJson) {
+int fitAndReport(const FitContourArguments& request, bool asJson) {
     const auto file = readOutlines(request.path, request.import);
     if (!file)
-        return refuse(describe(file.error()));
+        return refuse("fit-contour", file.error());
     auto picked = pickOutline(*file, request.pick, request.path);
     if (!picked)
-        return refuse(describe(picked.error()));
+        return refuse("fit-contour", picked.error());
     const Contour& outline = picked->contour;
     const auto fit = request.harmonics == 0 ? fitFourierWithin(outline, request.tolerance_m)
                                             : fitFourier(outline, request.harmonics);
     if (!fit)
-        return refuse(describe(fit.error()));
+        return refuse("fit-contour", fit.error());
     if (fit->crossesItself)
         picked->warnings.push_back({MessageCode::SeriesLoops, {}});
     if (!checkHoles(shapeOfFit(*fit, picked->holes)))
@@ -290,11 +285,11 @@ int fitAndReport(const Request& request, bool asJson) {
     const std::string report = fitReport(*picked, *fit, file->unit).dump(1) + '\n';
     if (!request.contourPath.empty())
         if (const auto written = writeTextFile(request.contourPath, report); !written)
-            return refuse(describe(written.error()));
+            return refuse("fit-contour", written.error());
     if (!request.previewPath.empty())
         if (const auto written = writeTextFile(request.previewPath, fitPreview(*picked, *fit).toStdString());
             !written)
-            return refuse(describe(written.error()));
+            return refuse("fit-contour", written.error());
     if (asJson)
         std::printf("%s", report.c_str());
     else
@@ -311,14 +306,14 @@ int fitContourCommand(const QStringList& arguments) {
         return *code;
     const bool isList = parser.isSet("list");
     if (isList && (parser.isSet("output") || parser.isSet("preview")))
-        return refuse("--list writes no file. See bask fit-contour --help.");
+        return refuse("fit-contour", QStringLiteral("--list writes no file"));
     if (!isList && !parser.isSet("harmonics"))
-        return refuse("--harmonics is needed. See bask fit-contour --help.");
-    auto request = readRequest(parser);
+        return refuse("fit-contour", QStringLiteral("--harmonics is needed"));
+    auto request = readFitContourArguments(parser);
     if (!request)
-        return refuse(describe(request.error()));
+        return refuse("fit-contour", request.error());
     if (const auto places = checkPlaces(parser, *request); !places)
-        return refuse(describe(places.error()));
+        return refuse("fit-contour", places.error());
     return isList ? list(*request) : fitAndReport(*request, parser.isSet("json"));
 }
 

@@ -31,7 +31,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-struct Request {
+struct IdentifyArguments {
     std::shared_ptr<RecordedSession> session;
     std::optional<HeatRecords> records;
     std::optional<TraceSample> last; ///< before Stop
@@ -79,9 +79,9 @@ Result<void> checkOutput(const std::string& session, const std::string& output) 
     return {};
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<IdentifyArguments> readIdentifyArguments(const QCommandLineParser& parser) {
     const std::string path = parser.positionalArguments().front().toStdString();
-    Request request;
+    IdentifyArguments request;
     request.options = {parser.isSet("free-ambient"), parser.isSet("convection")};
     if (parser.isSet("o")) {
         request.outputPath = parser.value("o").toStdString();
@@ -99,10 +99,10 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         if (sample.time_s <= until_s)
             request.last = sample;
     });
-    return read ? Result<Request>(std::move(request)) : read.error();
+    return read ? Result<IdentifyArguments>(std::move(request)) : read.error();
 }
 
-std::vector<Row> identifiedRows(const Request& request) {
+std::vector<Row> identifiedRows(const IdentifyArguments& request) {
     const Experiment& experiment = request.session->facts().experiment;
     const double J = surroundingsOf(experiment).netSourcePower_W_m2;
     const std::vector<IdentifiedRates> identified = request.records->identify(request.options);
@@ -192,7 +192,7 @@ Json rowJson(const Row& row) {
     return j;
 }
 
-void printJson(const Request& request, const std::vector<Row>& rows) {
+void printJson(const IdentifyArguments& request, const std::vector<Row>& rows) {
     Json j;
     j["session"] = request.session->facts().path;
     j["convection"] = request.options.convection;
@@ -205,7 +205,7 @@ void printJson(const Request& request, const std::vector<Row>& rows) {
 
 /// The session's experiment with the rates that can be used, of the balance that the controllers know: with
 /// the air that the experiment states, and no other convection.
-Result<void> writeStartValues(const Request& request) {
+Result<void> writeStartValues(const IdentifyArguments& request) {
     Experiment experiment = request.session->facts().experiment;
     SessionIdentification options = request.options;
     options.convection = false;
@@ -228,11 +228,6 @@ Result<void> writeStartValues(const Request& request) {
     return writeExperiment(experiment, request.outputPath);
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "bask identify: %s\n", describe(error).c_str());
-    return kExitBadInput;
-}
-
 } // namespace
 
 int identifyCommand(const QStringList& arguments) {
@@ -253,9 +248,9 @@ int identifyCommand(const QStringList& arguments) {
           "EXPERIMENT.json"}});
     if (const auto code = parseCommand(parser, "identify", arguments, 1))
         return *code;
-    const auto request = readRequest(parser);
+    const auto request = readIdentifyArguments(parser);
     if (!request)
-        return refuse(request.error());
+        return refuse("identify", request.error());
     if (request->session->facts().interrupted())
         std::fputs("bask identify: the recording was interrupted or is still on; taking what is there\n",
                    stderr);
@@ -266,7 +261,7 @@ int identifyCommand(const QStringList& arguments) {
         printTable(rows);
     if (!request->outputPath.empty())
         if (const auto written = writeStartValues(*request); !written)
-            return refuse(written.error());
+            return refuse("identify", written.error());
     const auto usable = [](const Row& row) { return row.identified.usable(); };
     return std::ranges::all_of(rows, usable) ? kExitDone : kExitNegative;
 }

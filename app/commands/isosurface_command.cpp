@@ -29,7 +29,7 @@ namespace {
 constexpr double kMinStep = 0.01; ///< cm or degrees
 
 /// Everything asked for on the command line, checked.
-struct Request {
+struct IsosurfaceArguments {
     TargetGeometry geometry;
     HeatRates rates;
     SurfaceSet set;             ///< without its surfaces
@@ -37,10 +37,6 @@ struct Request {
     std::string path;           ///< empty: nothing is written
     double maxViewFactor = 1.0; ///< no pose has more
 };
-
-Error refused(const std::string& option, const std::string& expected, const std::string& found) {
-    return {MessageCode::JsonWrongType, option, {expected, '"' + found + '"'}};
-}
 
 Result<Experiment> experimentAsked(const QCommandLineParser& parser, const std::string& path) {
     auto experiment = readExperiment(path);
@@ -53,28 +49,6 @@ Result<Experiment> experimentAsked(const QCommandLineParser& parser, const std::
     return experiment;
 }
 
-/// The object of --object, or the only one.
-Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const Experiment& experiment) {
-    if (!parser.isSet("object") && experiment.objects.size() == 1)
-        return &experiment.objects.front();
-    std::string names;
-    for (const ObjectSpec& object : experiment.objects)
-        names += (names.empty() ? "" : ", ") + object.name;
-    const std::string name = parser.value("object").toStdString();
-    const auto found = std::ranges::find(experiment.objects, name, &ObjectSpec::name);
-    if (found == experiment.objects.end())
-        return Error(MessageCode::ValueUnknown, "--object", {name, names});
-    return &*found;
-}
-
-Result<double> parseNumber(const QString& text, const std::string& where) {
-    bool ok = false;
-    const double value = text.trimmed().toDouble(&ok);
-    if (!ok || !std::isfinite(value))
-        return refused(where, "a finite number", text.toStdString());
-    return value;
-}
-
 Error outOfRange(const std::string& where, double value, double min, double max, const char* unit) {
     return {MessageCode::ValueOutOfRange,
             where,
@@ -82,11 +56,11 @@ Error outOfRange(const std::string& where, double value, double min, double max,
 }
 
 /// "F=0.3" or "T=50" (degrees Celsius) as a view factor, with its steady temperature.
-Result<void> readValue(const QString& text, Request& request) {
+Result<void> readValue(const QString& text, IsosurfaceArguments& request) {
     const std::string where = "--value " + text.toStdString();
     if (!text.startsWith("F=") && !text.startsWith("T="))
-        return refused("--value", "F=0.3 or T=50 (degrees Celsius)", text.toStdString());
-    const auto number = parseNumber(text.mid(2), where);
+        return badValue("value", text, "F=0.3 or T=50 (degrees Celsius)");
+    const auto number = finiteNumber(text.mid(2), where);
     if (!number)
         return number.error();
     const HeatRates& rates = request.rates;
@@ -103,7 +77,8 @@ Result<void> readValue(const QString& text, Request& request) {
 }
 
 /// Those of --value, or the object's target.
-Result<void> readValues(const QCommandLineParser& parser, const ObjectSpec& object, Request& request) {
+Result<void> readValues(const QCommandLineParser& parser, const ObjectSpec& object,
+                        IsosurfaceArguments& request) {
     QStringList values = parser.values("value");
     if (values.isEmpty())
         values = {"T=" + QString::number(celsiusFromKelvin(object.target_K), 'g', 12)};
@@ -121,7 +96,7 @@ Result<void> readGrid(const QCommandLineParser& parser, const Experiment& experi
     const bool moves = name == "translation";
     double step = moves ? kSurfaceStep_m : kSurfaceStep_rad;
     if (parser.isSet("step")) {
-        const auto asked = parseNumber(parser.value("step"), "--step");
+        const auto asked = finiteNumber(parser.value("step"), "--step");
         if (!asked)
             return asked.error();
         if (*asked < kMinStep || *asked > 90.0)
@@ -155,7 +130,7 @@ Result<std::string> outputPath(const QCommandLineParser& parser, const std::stri
     return path;
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<IsosurfaceArguments> readIsosurfaceArguments(const QCommandLineParser& parser) {
     const std::string input = parser.positionalArguments().value(0).toStdString();
     const auto experiment = experimentAsked(parser, input);
     if (!experiment)
@@ -165,15 +140,15 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return chosen.error();
     const ObjectSpec& object = **chosen;
     const SourceSpec& source = experiment->source;
-    Request request{{radiatingSource(*experiment),
-                     poseFromCoordinates(source.pose),
-                     mountedContours(*experiment),
-                     screensOf(*experiment),
-                     {}},
-                    {},
-                    {},
-                    {},
-                    {}};
+    IsosurfaceArguments request{{radiatingSource(*experiment),
+                                 poseFromCoordinates(source.pose),
+                                 mountedContours(*experiment),
+                                 screensOf(*experiment),
+                                 {}},
+                                {},
+                                {},
+                                {},
+                                {}};
     request.geometry.only = static_cast<std::size_t>(&object - experiment->objects.data());
     request.rates = heatRates(object, surroundingsOf(*experiment));
     request.maxViewFactor = emissionWithoutRings(*experiment).maxWeight(experiment->source.temperature_K);
@@ -191,13 +166,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     return request;
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "bask isosurface: %s\n", describe(error).c_str());
-    return kExitBadInput;
-}
-
 /// One line a surface; whether there is any.
-bool printSurfaces(const Request& request, const Field& field) {
+bool printSurfaces(const IsosurfaceArguments& request, const Field& field) {
     double min = INFINITY;
     double max = -INFINITY;
     for (const double F : field.values) // comparisons with NaN are false
@@ -220,17 +190,17 @@ bool printSurfaces(const Request& request, const Field& field) {
     return any;
 }
 
-int cutAndWrite(Request& request) {
+int cutAndWrite(IsosurfaceArguments& request) {
     const auto fields = targetFields(request.geometry);
     if (!fields)
-        return refuse(fields.error());
+        return refuse("isosurface", fields.error());
     const Field& field = *fields->front();
     request.set.surfaces = isosurfaces(field, request.values);
     if (!printSurfaces(request, field))
         return kExitNegative;
     if (!request.path.empty())
         if (const auto written = writeSurfaces(field, request.set, request.path); !written)
-            return refuse(written.error());
+            return refuse("isosurface", written.error());
     return kExitDone;
 }
 
@@ -267,8 +237,8 @@ int isosurfaceCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, "isosurface", arguments, 1, {"value"}))
         return *code;
     try {
-        auto request = readRequest(parser);
-        return request ? cutAndWrite(*request) : refuse(request.error());
+        auto request = readIsosurfaceArguments(parser);
+        return request ? cutAndWrite(*request) : refuse("isosurface", request.error());
     } catch (const std::bad_alloc&) {
         std::fputs("bask isosurface: there is not enough memory for that many samples\n", stderr);
         return kExitBadInput;

@@ -22,9 +22,7 @@ namespace {
 
 constexpr double kReadyWithin_s = 60.0;
 constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move any more
-constexpr double kBetweenResets_s = 1.0;
-constexpr double kArmed_s = 1.0; // the readings are fresh again after the session file was made
-constexpr int kLook_ms = 20;
+constexpr double kArmed_s = 1.0;           // the readings are fresh again after the session file was made
 
 /// One step of the way for each snapshot.
 class LiveRun {
@@ -46,7 +44,7 @@ public:
         const SignalCount signalCount;
         QTimer look;
         QObject::connect(&look, &QTimer::timeout, &m_here, [&] { obey(signalCount.now()); });
-        look.start(kLook_ms);
+        look.start(SignalCount::kLook_ms);
         m_engine->ask([this] { m_engine->worker.start(); });
         for (const Command& program : m_allowed)
             post(program);

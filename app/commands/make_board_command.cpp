@@ -18,7 +18,7 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "make-board";
+constexpr const char* kMakeBoard = "make-board";
 
 // An earlier sheet names its maker in the PDF's information, two bytes a letter.
 Result<void> checkPlace(const std::string& path) {
@@ -51,27 +51,27 @@ int makeBoardCommand(const QStringList& arguments) {
         "charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in metres, "
         "dictionary) or marker:6X6_250:1-4,11:0.05 (dictionary, ids, side in metres).",
         "BOARD...");
-    if (const auto code = parseCommand(parser, kName, arguments, -1))
+    if (const auto code = parseCommand(parser, kMakeBoard, arguments, -1))
         return *code;
     if (!parser.isSet("output"))
-        return refuse(kName, QStringLiteral("-o SHEET.pdf is needed"));
+        return refuse(kMakeBoard, QStringLiteral("-o SHEET.pdf is needed"));
     const QString paper = parser.value("paper");
     if (paper != "A4" && paper != "A3" && paper != "Letter")
-        return refuse(kName,
+        return refuse(kMakeBoard,
                       Error{MessageCode::ValueUnknown, "--paper", {paper.toStdString(), "A4, A3, Letter"}});
     const auto size = paper == "A4" ? QPageSize::A4 : paper == "A3" ? QPageSize::A3 : QPageSize::Letter;
     std::vector<BoardSheet> sheets;
     for (const QString& setting : parser.positionalArguments()) {
         auto some = boardSheets(setting.toStdString(), size);
         if (!some)
-            return refuse(kName, some.error());
+            return refuse(kMakeBoard, some.error());
         std::ranges::move(*some, std::back_inserter(sheets));
     }
     const std::string path = parser.value("output").toStdString();
     if (const auto place = checkPlace(path); !place)
-        return refuse(kName, place.error());
+        return refuse(kMakeBoard, place.error());
     if (const auto written = writeTextFile(path, sheetPdf(sheets).toStdString()); !written)
-        return refuse(kName, written.error());
+        return refuse(kMakeBoard, written.error());
     return kExitDone;
 }
 

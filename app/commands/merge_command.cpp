@@ -24,7 +24,7 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "merge";
+constexpr const char* kMerge = "merge";
 
 /// The parts that are named, and those in folders that are.
 Result<std::vector<std::string>> partsOf(const QStringList& arguments) {
@@ -94,13 +94,13 @@ int printStatus(const std::vector<std::string>& paths) {
         if (!part && part.error().code() == MessageCode::FileEmpty)
             continue; // its process has just begun
         if (!part)
-            return refuse(kName, part.error());
+            return refuse(kMerge, part.error());
         if (!first) {
             first = part->header;
             has.resize(static_cast<std::size_t>(first->cases));
         }
         if (const auto same = checkSameParts(path, part->header, *first); !same)
-            return refuse(kName, same.error());
+            return refuse(kMerge, same.error());
         for (const PartRecord& record : part->records)
             has[static_cast<std::size_t>(record.index)] = true;
         begun.insert(part->header.shard.number);
@@ -113,7 +113,7 @@ int printStatus(const std::vector<std::string>& paths) {
                     static_cast<long long>(share), wordOf(state, *part).c_str());
     }
     if (!first)
-        return refuse(kName, Error(MessageCode::FileEmpty, paths.front()));
+        return refuse(kMerge, Error(MessageCode::FileEmpty, paths.front()));
     if (const int lacking = first->shard.of - static_cast<int>(begun.size()); lacking > 0)
         std::printf("%d of %d shards have not begun\n", lacking, first->shard.of);
     const auto done = std::count(has.begin(), has.end(), true);
@@ -141,9 +141,9 @@ Result<void> checkVersion(const MergedParts& parts) {
 int mergeInto(const QString& output, const std::vector<std::string>& paths) {
     const auto parts = MergedParts::of(paths);
     if (!parts)
-        return refuse(kName, parts.error());
+        return refuse(kMerge, parts.error());
     if (const auto version = checkVersion(*parts); !version)
-        return refuse(kName, version.error());
+        return refuse(kMerge, version.error());
     return nlohmann::json::parse(parts->work()).contains("field") ? mergeField(*parts, output)
                                                                   : mergeStudy(*parts, output);
 }
@@ -167,22 +167,22 @@ int mergeCommand(const QStringList& arguments) {
          {{"o", "output"}, "Folder of a study's files, or file of a field.", "PATH"},
          {"status", "Prints how far each part is, and about how long the rest takes. Writes nothing."}});
     parser.addPositionalArgument("PART", "Parts, or folders with them.", "PART...");
-    if (const auto code = parseCommand(parser, kName, arguments, -1))
+    if (const auto code = parseCommand(parser, kMerge, arguments, -1))
         return *code;
     const auto paths = partsOf(parser.positionalArguments());
     if (!paths)
-        return refuse(kName, paths.error());
+        return refuse(kMerge, paths.error());
     if (parser.isSet("status")) {
         if (parser.isSet("output"))
-            return refuse(kName, QStringLiteral("--status writes no files; leave -o out"));
+            return refuse(kMerge, QStringLiteral("--status writes no files; leave -o out"));
         return printStatus(*paths);
     }
     if (parser.value("output").isEmpty())
-        return refuse(kName, QStringLiteral("-o PATH is needed"));
+        return refuse(kMerge, QStringLiteral("-o PATH is needed"));
     try {
         return mergeInto(parser.value("output"), *paths);
     } catch (const std::bad_alloc&) {
-        return refuse(kName, QStringLiteral("there is not enough memory for these parts"));
+        return refuse(kMerge, QStringLiteral("there is not enough memory for these parts"));
     }
 }
 

@@ -40,4 +40,14 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
     return std::nullopt;
 }
 
+int refuse(const char* command, const Error& error) {
+    std::fprintf(stderr, "bask %s: %s\n", command, describe(error).c_str());
+    return kExitBadInput;
+}
+
+int refuse(const char* command, const QString& words) {
+    std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", command, qPrintable(words), command);
+    return kExitBadInput;
+}
+
 } // namespace bask

@@ -1,6 +1,8 @@
 #pragma once
 // The part of the command line that all subcommands share: --help, complaints about usage, the exit code.
 
+#include "engine/base/result.h"
+
 #include <QCommandLineParser>
 
 #include <optional>
@@ -12,5 +14,10 @@ namespace bask {
 /// `repeatable` may come twice.
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
                                 int positionals, const QStringList& repeatable = {});
+
+/// Reports on standard error, in the subcommand's name, why it is not done; returns the exit code. Words are
+/// about usage, and name --help.
+int refuse(const char* command, const Error& error);
+int refuse(const char* command, const QString& words);
 
 } // namespace bask

@@ -29,9 +29,9 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kName = "plate-profile";
+constexpr const char* kPlateProfile = "plate-profile";
 constexpr std::uintmax_t kLargestPose = 1 << 20;
-constexpr qsizetype kMaxFrames = 200;
+constexpr qsizetype kMaxPlateFrames = 200;
 constexpr const char* kFirstColumns = "radius_mm,temperature_ratio";
 
 /// What is known of the plate and the camera, which is not zeroed: docs/thermal-cameras.md.
@@ -83,7 +83,7 @@ Result<std::vector<PlateView>> readViews(const std::vector<std::string>& paths,
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
-        tellWarnings(kName, path, *frame);
+        tellWarnings(kPlateProfile, path, *frame);
         if (lens.width == 0) {
             lens.width = frame->picture.width;
             lens.height = frame->picture.height;
@@ -107,7 +107,7 @@ Result<double> ownTemperature_K(const QCommandLineParser& parser, const Experime
     return own_K;
 }
 
-struct Request {
+struct PlateProfileArguments {
     Experiment experiment;
     CameraModel lens;
     Pose X_RC = Pose::Identity();
@@ -115,7 +115,7 @@ struct Request {
     std::vector<PlateView> views;
 };
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser& parser) {
     QStringList files = parser.positionalArguments();
     const std::string path = files.takeFirst().toStdString();
     auto experiment = readExperiment(path);
@@ -149,7 +149,7 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         return views.error();
     if (!PixelRays::isUsable(*lens))
         return Error{MessageCode::LensNotInvertible, parser.value("camera").toStdString()};
-    return Request{std::move(*experiment), std::move(*lens), *X_RC, *own_K, std::move(*views)};
+    return PlateProfileArguments{std::move(*experiment), std::move(*lens), *X_RC, *own_K, std::move(*views)};
 }
 
 double ratioOf(const PlateRing& ring, double own_K, double environment_K) {
@@ -183,7 +183,7 @@ std::string sentences(const PlateProfile& found, double own_K, double environmen
     return out;
 }
 
-bool isOfThePictures(MessageCode code) {
+bool isOfThePlatePictures(MessageCode code) {
     switch (code) {
     case MessageCode::ThermalFaceOutside:
     case MessageCode::ThermalFaceGrazing:
@@ -208,7 +208,7 @@ Result<void> checkUsable(const PlateProfile& found, double emittance) {
                   differenceArg(2.0 * kMaxReadingUncertainty_K, 2)}};
 }
 
-void addOptions(QCommandLineParser& parser) {
+void addPlateProfileOptions(QCommandLineParser& parser) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions(
         {{"camera", "The camera's intrinsics, as `bask calibrate-camera` writes them. Required.", "CAM.yml"},
@@ -235,39 +235,39 @@ int plateProfileCommand(const QStringList& arguments) {
         "that a fixed thermal camera took while it was hot: no object is between them. Outline, pose and\n"
         "emittance of the source, shields and the room are the experiment's; the source is a disk.\n"
         "Exit code: 0 done, 2 bad input or unwritable output, 3 the frames do not tell the profile.");
-    addOptions(parser);
-    if (const auto code = parseCommand(parser, kName, arguments, -2))
+    addPlateProfileOptions(parser);
+    if (const auto code = parseCommand(parser, kPlateProfile, arguments, -2))
         return *code;
-    if (parser.positionalArguments().size() > kMaxFrames + 1)
-        return refuse(kName, QStringLiteral("at most %1 frames").arg(kMaxFrames));
+    if (parser.positionalArguments().size() > kMaxPlateFrames + 1)
+        return refuse(kPlateProfile, QStringLiteral("at most %1 frames").arg(kMaxPlateFrames));
     if (!parser.isSet("camera") || !parser.isSet("pose"))
-        return refuse(kName, QStringLiteral("--camera CAM.yml and --pose POSE.json are needed"));
-    const auto request = readRequest(parser);
+        return refuse(kPlateProfile, QStringLiteral("--camera CAM.yml and --pose POSE.json are needed"));
+    const auto request = readPlateProfileArguments(parser);
     if (!request)
-        return refuse(kName, request.error());
+        return refuse(kPlateProfile, request.error());
     const SourceSpec& source = request->experiment.source;
     const double room_K = request->experiment.environment_K, own_K = request->own_K;
     if (!std::holds_alternative<Disk>(source.shape) || !source.uneven.parts.empty())
-        return refuse(kName, QStringLiteral("only a source that is one disk has a profile"));
+        return refuse(kPlateProfile, QStringLiteral("only a source that is one disk has a profile"));
     const auto found = plateProfile(thermalBand(), PixelRays(request->lens), request->X_RC,
                                     {source.shape, poseFromCoordinates(source.pose)}, request->views,
                                     {source.emittance, {}, room_K}, uncertaintyAbout(room_K));
     if (!found) {
-        const int code = refuse(kName, found.error());
-        return isOfThePictures(found.error().code()) ? kExitNegative : code;
+        const int code = refuse(kPlateProfile, found.error());
+        return isOfThePlatePictures(found.error().code()) ? kExitNegative : code;
     }
     std::fputs(
         (parser.isSet("json") ? jsonText(*found, own_K, room_K) : sentences(*found, own_K, room_K)).c_str(),
         stdout);
     if (const auto usable = checkUsable(*found, source.emittance); !usable) {
-        refuse(kName, usable.error());
+        refuse(kPlateProfile, usable.error());
         return kExitNegative;
     }
     if (parser.isSet("output"))
         if (const auto written =
                 writeTextFile(parser.value("output").toStdString(), radialProfileCsv(*found, own_K, room_K));
             !written)
-            return refuse(kName, written.error());
+            return refuse(kPlateProfile, written.error());
     return kExitDone;
 }
 

@@ -5,6 +5,7 @@
 #include "app/commands/engine_thread.h"
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
+#include "app/commands/parse_command.h"
 #include "app/commands/recipe_live.h"
 #include "app/examples.h"
 #include "engine/base/message_code.h"
@@ -170,11 +171,6 @@ std::string summaryJson(const RecipeRunner& runner, double wall_s) {
     return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "bask run: %s\n", describe(error).c_str());
-    return kExitBadInput;
-}
-
 /// For the session of a step's run.
 std::string recordingOf(const Recipe& recipe, std::size_t step, const QDir& folder) {
     return folder
@@ -245,12 +241,12 @@ int runRecipe(const RecipeRequest& request) {
     const std::string path = request.recipe.toStdString();
     auto recipe = readRecipe(path);
     if (!recipe)
-        return refuse(recipe.error());
+        return refuse("run", recipe.error());
     auto experiments = readExperiments(
         *recipe, [](const std::string& name) { return readExample(QString::fromStdString(name)); });
     if (!experiments)
-        return refuse(Error(experiments.error().code(), path + ": " + experiments.error().where,
-                            experiments.error().message.args));
+        return refuse("run", Error(experiments.error().code(), path + ": " + experiments.error().where,
+                                   experiments.error().message.args));
     if (const auto trouble = request.isLive ? otherRig(*experiments) : std::nullopt) {
         std::fprintf(stderr, "bask run: %s: %s\n", path.c_str(), trouble->c_str());
         return kExitBadInput;
@@ -276,11 +272,11 @@ int runRecipe(const RecipeRequest& request) {
         std::error_code failed;
         made = makeFolders(request.folder.toStdString(), failed);
         if (failed)
-            return refuse(Error(MessageCode::FileUnwritable, request.folder.toStdString(),
-                                {"the folder cannot be made: " + failed.message()}));
+            return refuse("run", Error(MessageCode::FileUnwritable, request.folder.toStdString(),
+                                       {"the folder cannot be made: " + failed.message()}));
     }
     if (const auto fits = checkOutputs(request, *recipe); !fits)
-        return refuse(fits.error());
+        return refuse("run", fits.error());
     std::set<const Experiment*> told;
     for (const auto& experiment : *experiments)
         if (told.insert(experiment.get()).second)
@@ -291,7 +287,7 @@ int runRecipe(const RecipeRequest& request) {
     if (request.mayStartPrograms) {
         auto allowed = allowedPrograms(*experiments->front()); // all are of one rig
         if (!allowed)
-            return refuse(allowed.error());
+            return refuse("run", allowed.error());
         start.allowed = std::move(*allowed);
     }
     RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
@@ -317,7 +313,7 @@ int runRecipe(const RecipeRequest& request) {
     if (!request.summary.isEmpty())
         if (const auto written = writeTextFile(request.summary.toStdString(), summaryJson(runner, wall_s));
             !written)
-            return refuse(written.error());
+            return refuse("run", written.error());
     if (std::ranges::any_of(runner.progress(), [](const RecipeProgress& step) {
             return step.state == State::Failed && step.reason.code == MessageCode::FileUnwritable;
         }))

@@ -14,8 +14,6 @@
 namespace bask {
 namespace {
 
-constexpr int kLook_ms = 20;
-constexpr double kBetweenResets_s = 1.0;
 constexpr double kRoom_K = 295.0; // roughly; a recipe has several experiments
 
 } // namespace
@@ -68,7 +66,7 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, const LiveStart& st
         if (runner.isOver() && (wasOver || seen > 1)) // a person looks after the source
             QCoreApplication::exit();
     });
-    look.start(kLook_ms);
+    look.start(SignalCount::kLook_ms);
     engine.ask([&] { engine.worker.start(); });
     post(start.allowed);
     post({SetLabels{labels}});

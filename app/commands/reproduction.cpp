@@ -195,6 +195,13 @@ bool ReproducedExperiment::asExpected(std::size_t by) const {
     return paper.expected[by].holds(runs[by].ending, largest_K);
 }
 
+std::string targetWords(const Experiment& experiment) {
+    std::string words;
+    for (const ObjectSpec& object : experiment.objects)
+        words += (words.empty() ? "" : ", ") + formatNumber(celsiusFromKelvin(object.target_K), 4);
+    return words;
+}
+
 std::string finalErrorWords(const ReproducedRun& run) {
     std::string words;
     for (const ObjectOutcome& object : run.outcome.objects)

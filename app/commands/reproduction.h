@@ -39,6 +39,9 @@ Result<std::vector<ReproducedExperiment>> reproduce(const std::vector<PaperExper
                                                     int threads,
                                                     const std::function<void(int done, int all)>& progress);
 
+/// Returns the targets in degC: "50, 40".
+std::string targetWords(const Experiment& experiment);
+
 /// Returns "+0.12, -1.40": true temperatures minus targets at the end, K.
 std::string finalErrorWords(const ReproducedRun& run);
 

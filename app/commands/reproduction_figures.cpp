@@ -19,7 +19,7 @@ using Experiments = std::vector<const ReproducedExperiment*>;
 constexpr double kHours = 4.0 * 3600.0; // beyond it the axis is in hours
 constexpr QSize kHalfPage_px{1160, 800};
 constexpr std::array<std::size_t, 2> kBoth{kByThePaper, kByTheLevelServo};
-const QString kComment = QStringLiteral("Bask reproduction");
+const QString kFigureComment = QStringLiteral("Bask reproduction");
 
 QString controllerWords(ControllerKind kind) {
     const QString name = QString::fromUtf8(controllerEntry(kind).name);
@@ -30,11 +30,8 @@ QString plain(double value) {
     return QString::fromStdString(formatNumber(value, 4));
 }
 
-QString targetWords(const Experiment& experiment) {
-    QStringList targets;
-    for (const ObjectSpec& object : experiment.objects)
-        targets << plain(celsiusFromKelvin(object.target_K));
-    return targets.join(QStringLiteral(", ")) + QString::fromUtf8(" °C");
+QString targetsInDegrees(const Experiment& experiment) {
+    return QString::fromStdString(targetWords(experiment)) + QString::fromUtf8(" °C");
 }
 
 double duration_s(const ReproducedExperiment& experiment) {
@@ -88,7 +85,7 @@ FigureRange errorRange(const Experiments& experiments) {
 }
 
 ReportPicture pictureOf(const Figure& figure) {
-    return {figurePng(figure, kComment), figure.title + QStringLiteral(": ") + figure.note, false};
+    return {figurePng(figure, kFigureComment), figure.title + QStringLiteral(": ") + figure.note, false};
 }
 
 std::vector<ReportPicture> errorPictures(const Experiments& experiments) {
@@ -97,9 +94,9 @@ std::vector<ReportPicture> errorPictures(const Experiments& experiments) {
         const Experiment& experiment = each->paper.experiment;
         for (const std::size_t by : kBoth) {
             const ReproducedRun& run = each->runs[by];
-            Figure figure =
-                emptyFigure(controllerWords(run.controller) + QStringLiteral(": ") + targetWords(experiment),
-                            QString::fromStdString(each->paper.name), duration_s(*each));
+            Figure figure = emptyFigure(controllerWords(run.controller) + QStringLiteral(": ") +
+                                            targetsInDegrees(experiment),
+                                        QString::fromStdString(each->paper.name), duration_s(*each));
             figure.yRange = errorRange({each});
             for (std::size_t i = 0; i < experiment.objects.size(); ++i)
                 figure.series << seriesOf(QString::fromStdString(experiment.objects[i].name), run,
@@ -116,7 +113,7 @@ QString overlayName(const Experiments& all, const Experiment& experiment) {
     const bool sameGain = std::ranges::all_of(all, [&](const ReproducedExperiment* other) {
         return other->paper.experiment.controller.modelBased.K == experiment.controller.modelBased.K;
     });
-    return sameGain ? targetWords(experiment)
+    return sameGain ? targetsInDegrees(experiment)
                     : QStringLiteral("K = %1").arg(plain(experiment.controller.modelBased.K));
 }
 
@@ -148,7 +145,7 @@ std::vector<ReportPicture> normPictures(const Experiments& experiments) {
     std::vector<ReportPicture> pictures;
     for (const ReproducedExperiment* each : experiments) {
         Figure figure =
-            emptyFigure(QStringLiteral("Norm of the error, ") + targetWords(each->paper.experiment),
+            emptyFigure(QStringLiteral("Norm of the error, ") + targetsInDegrees(each->paper.experiment),
                         QString::fromStdString(each->paper.name), duration_s(*each));
         figure.yLabel = QStringLiteral("Norm of the errors (K)");
         figure.band = 0.0;
@@ -189,13 +186,14 @@ std::vector<ReportPicture> pathPictures(const Experiments& experiments) {
             figure.source_cm << QPointF(100.0 * point.x(), 100.0 * point.y());
         for (const std::size_t by : kBoth) {
             const ReproducedRun& run = each->runs[by];
-            figure.title = controllerWords(run.controller) + QStringLiteral(": ") + targetWords(experiment);
+            figure.title =
+                controllerWords(run.controller) + QStringLiteral(": ") + targetsInDegrees(experiment);
             figure.note = QString::fromStdString(each->paper.name) +
                           QStringLiteral(": from the ring to the dot; black: the source");
             figure.paths.clear();
             for (std::size_t i = 0; i < experiment.objects.size(); ++i)
                 figure.paths << pathOf(*each, run, i);
-            pictures.push_back({pathsPng(figure, kComment), figure.title, true});
+            pictures.push_back({pathsPng(figure, kFigureComment), figure.title, true});
         }
     }
     return pictures;

@@ -53,13 +53,6 @@ std::string cell(const std::string& text, const char* kind = "") {
            "</td>";
 }
 
-std::string targetWords(const Experiment& experiment) {
-    std::string words;
-    for (const ObjectSpec& object : experiment.objects)
-        words += (words.empty() ? "" : ", ") + formatNumber(celsiusFromKelvin(object.target_K), 4);
-    return words;
-}
-
 std::string feasibilityWords(const JointVerdict& verdict) {
     return verdict.feasible ? "yes" : "no: " + describe(verdict.reason);
 }

@@ -13,10 +13,10 @@
 namespace bask {
 namespace {
 
-const QString kComment = QStringLiteral("Bask reproduction");
+const QString kSurfaceComment = QStringLiteral("Bask reproduction");
 const QString kDisks =
     QStringLiteral("disk of 1.5 cm over a disk of 10 cm (black); the quarter towards the eye is cut away");
-constexpr double kTolerance = 1e-7;
+constexpr double kSurfaceTolerance = 1e-7;
 constexpr std::array kLevels{0.1, 0.3, 0.5, 0.7, 0.9};
 
 /// From violet to yellow: still apart in grey.
@@ -74,7 +74,7 @@ Result<SurfacePanel> levelPanel(const QString& title, bool overRotations, const 
     FieldRequest request{RadiatingContour(presetSource()), RadiatingContour(presetObject()),
                          overRotations ? rotations() : translations()};
     request.fixed = fixed;
-    request.tolerance = kTolerance;
+    request.tolerance = kSurfaceTolerance;
     const auto field = sampleField(request);
     if (!field)
         return field.error();
@@ -112,7 +112,7 @@ Result<QList<SurfacePanel>> levelPanels(const std::vector<LevelCase>& cases) {
 }
 
 std::vector<ReportPicture> onePicture(const SurfacesFigure& figure) {
-    return {{surfacesPng(figure, kComment), figure.title + QStringLiteral(". ") + figure.note, true}};
+    return {{surfacesPng(figure, kSurfaceComment), figure.title + QStringLiteral(". ") + figure.note, true}};
 }
 
 QColor objectColor(std::size_t object) {
@@ -125,7 +125,7 @@ Result<QList<FigureSurface>> steadySurfaces(const Experiment& experiment, std::s
     const HeatRates rates = nominalRates(experiment, experiment.environment_K)[object];
     FieldRequest request{radiatingSource(experiment), RadiatingContour(experiment.objects[object].shape),
                          translations()};
-    request.tolerance = kTolerance;
+    request.tolerance = kSurfaceTolerance;
     const auto field = sampleField(request);
     if (!field)
         return field.error();

@@ -31,13 +31,13 @@ namespace bask {
 namespace {
 
 /// Everything asked for on the command line, checked.
-struct Request {
+struct RunArguments {
     Experiment experiment;
     SimulatedRunOptions options;
     std::string summaryPath;
 };
 
-Result<void> readOutputs(const QCommandLineParser& parser, const std::string& path, Request& request) {
+Result<void> readOutputs(const QCommandLineParser& parser, const std::string& path, RunArguments& request) {
     request.options.sessionPath = parser.value("o").toStdString();
     request.summaryPath = parser.value("summary").toStdString();
     std::vector<OutputFile> outputs;
@@ -56,12 +56,12 @@ Result<void> readOutputs(const QCommandLineParser& parser, const std::string& pa
     return checked;
 }
 
-Result<Request> readRequest(const QCommandLineParser& parser) {
+Result<RunArguments> readRunArguments(const QCommandLineParser& parser) {
     const std::string path = parser.positionalArguments().first().toStdString();
     auto experiment = readExperiment(path);
     if (!experiment)
         return experiment.error();
-    Request request;
+    RunArguments request;
     request.experiment = std::move(*experiment);
     bool ok = true;
     if (parser.isSet("seed")) {
@@ -186,11 +186,6 @@ int refuseWords(const QString& words) {
     return kExitBadInput;
 }
 
-int refuse(const Error& error) {
-    std::fprintf(stderr, "bask run: %s\n", describe(error).c_str());
-    return kExitBadInput;
-}
-
 } // namespace
 
 int runExperimentCommand(const QStringList& arguments) {
@@ -255,19 +250,20 @@ int runExperimentCommand(const QStringList& arguments) {
             return refuseWords(QStringLiteral("--%1 is for a recording (%2), or for --monitor")
                                    .arg(QLatin1String(option), QLatin1String(isRecipe ? "--out" : "-o")));
     if (const auto valid = validate(labels); !valid)
-        return refuse(Error(valid.error().code(), "--" + valid.error().where, valid.error().message.args));
+        return refuse("run",
+                      Error(valid.error().code(), "--" + valid.error().where, valid.error().message.args));
     const auto monitor = readMonitor(parser);
     if (!monitor)
-        return refuse(monitor.error());
+        return refuse("run", monitor.error());
     if (isRecipe)
         return runRecipe({parser.value("recipe"), parser.value("out"), parser.value("summary"),
                           parser.isSet("live"), livePlace(parser), parser.isSet("accept-limits"),
                           parser.isSet("allow-program"), labels, *monitor});
     if (parser.isSet("out"))
         return refuseWords(QStringLiteral("--out is for recipes; -o is the session file of one run"));
-    auto request = readRequest(parser);
+    auto request = readRunArguments(parser);
     if (!request)
-        return refuse(request.error());
+        return refuse("run", request.error());
     request->options.labels = labels;
     if (parser.isSet("live") && !parser.isSet("accept-limits"))
         if (const Message loosened = limitsLoosened(widenedFromUsual(request->experiment));
@@ -291,7 +287,7 @@ int runExperimentCommand(const QStringList& arguments) {
     if (parser.isSet("allow-program")) {
         auto allowed = allowedPrograms(request->experiment);
         if (!allowed)
-            return refuse(allowed.error());
+            return refuse("run", allowed.error());
         start.allowed = std::move(*allowed);
     }
     const auto outcome = isLive ? runLive(request->experiment, request->options, start)
@@ -299,7 +295,7 @@ int runExperimentCommand(const QStringList& arguments) {
     if (terminal)
         std::fputc('\n', stderr);
     if (!outcome)
-        return refuse(outcome.error());
+        return refuse("run", outcome.error());
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     for (const TraceEvent& event : outcome->events)
         if (alarmPriority(event.message.code) > 0)
@@ -307,7 +303,7 @@ int runExperimentCommand(const QStringList& arguments) {
     printOutcome(*outcome, wall_s);
     if (!request->summaryPath.empty())
         if (const auto written = writeTextFile(request->summaryPath, summaryJson(*outcome, wall_s)); !written)
-            return refuse(written.error());
+            return refuse("run", written.error());
     return outcome->fault ? kExitFault : outcome->settled ? kExitDone : kExitNegative;
 }
 

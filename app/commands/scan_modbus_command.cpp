@@ -23,13 +23,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kName = "scan-modbus";
+constexpr const char* kScanModbus = "scan-modbus";
 constexpr const char* kUsualLines = "19200-8E1,9600-8N1";
-
-int refuse(const std::string& words) {
-    std::fprintf(stderr, "bask %s: %s\n", kName, words.c_str());
-    return kExitBadInput;
-}
 
 std::string lineText(const SerialSettings& line) {
     return std::to_string(line.baud) + '-' + std::to_string(line.dataBits) + line.parity +
@@ -133,7 +128,7 @@ int scanModbusCommand(const QStringList& arguments) {
               .arg(QLatin1String(kUsualLines), commonLines()),
           "BAUD-8N1[,...]", kUsualLines},
          {"json", "Prints what was found as JSON."}});
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    if (const auto code = parseCommand(parser, kScanModbus, arguments, 1))
         return *code;
     static const QRegularExpression kUnits(QStringLiteral("^(\\d{1,3})(?:-(\\d{1,3}))?$"));
     const auto units = kUnits.match(parser.value("units"));
@@ -141,19 +136,22 @@ int scanModbusCommand(const QStringList& arguments) {
     spec.firstUnit = units.captured(1).toInt();
     spec.lastUnit = units.captured(2).isEmpty() ? spec.firstUnit : units.captured(2).toInt();
     if (!units.hasMatch() || spec.firstUnit < 1 || spec.lastUnit > 247 || spec.firstUnit > spec.lastUnit)
-        return refuse("--units: 1-16, or one unit, expected");
+        return refuse(kScanModbus, QStringLiteral("--units: 1-16, or one unit, expected"));
     const QString lines = parser.value("line");
     spec.port = parser.positionalArguments().first().toStdString();
     spec.isNetwork = !spec.port.starts_with('/') && !spec.port.starts_with('.');
     spec.lines = lines == QLatin1String("common") ? kCommonModbusLines : linesOf(lines);
     if (spec.lines.empty())
-        return refuse("--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1, several with commas, or common");
+        return refuse(
+            kScanModbus,
+            QStringLiteral(
+                "--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1, several with commas, or common"));
     if (spec.isNetwork)
         spec.lines.resize(1);
     const bool isJson = parser.isSet("json");
     const ModbusSearchState state = searched(spec, !isJson);
     if (state.problem != Message{})
-        return refuse(describe(state.problem));
+        return refuse(kScanModbus, Error(state.problem.code, {}, state.problem.args));
     const bool isAnyThere = !state.found.empty();
     if (isJson) {
         Json found = Json::array();

@@ -1,6 +1,7 @@
 #include "app/commands/shard_run.h"
 
 #include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/commands/study_output.h"
 #include "app/exact_version.h"
@@ -26,7 +27,7 @@ namespace {
 
 constexpr int kMaxThreads = 1024;
 
-Error refused(const char* option, const std::string& expected, const QString& found) {
+Error refusedShard(const char* option, const std::string& expected, const QString& found) {
     return {MessageCode::JsonWrongType, option, {expected, '"' + found.toStdString() + '"'}};
 }
 
@@ -43,9 +44,9 @@ Result<std::optional<Shard>> readShard(const QCommandLineParser& parser) {
     }
     if (!isNumber || !isOf || shard.of < 1 || shard.of > kMaxShards || shard.number < 1 ||
         shard.number > shard.of)
-        return refused("--shard",
-                       "i/N with i from 1 to N and N up to " + std::to_string(kMaxShards) + ", as 3/64",
-                       text);
+        return refusedShard("--shard",
+                            "i/N with i from 1 to N and N up to " + std::to_string(kMaxShards) + ", as 3/64",
+                            text);
     return std::optional(shard);
 }
 
@@ -120,13 +121,13 @@ Result<ShardOptions> readShardOptions(const QCommandLineParser& parser) {
     options.shard = *shard;
     options.resumes = parser.isSet("resume");
     if (options.resumes && !options.shard)
-        return refused("--resume", "--shard with it (1/1 for one process)", "nothing");
+        return refusedShard("--resume", "--shard with it (1/1 for one process)", "nothing");
     if (parser.isSet("threads")) {
         bool isNumber = false;
         options.threads = parser.value("threads").toInt(&isNumber);
         if (!isNumber || options.threads < 1 || options.threads > kMaxThreads)
-            return refused("--threads", "a whole number from 1 to " + std::to_string(kMaxThreads),
-                           parser.value("threads"));
+            return refusedShard("--threads", "a whole number from 1 to " + std::to_string(kMaxThreads),
+                                parser.value("threads"));
     }
     if (parser.isSet("processor"))
         if (auto selected = selectProcessor(parser.value("processor")); !selected)

@@ -2,6 +2,7 @@
 // drivers or other programs.
 
 #include "app/commands/command_line.h"
+#include "app/commands/end_signal.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
 #include "engine/base/clock.h"
@@ -19,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <functional>
 #include <numbers>
@@ -28,8 +28,8 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "simulate-device";
-constexpr int kTurn_ms = 2;
+constexpr const char* kSimulateDevice = "simulate-device";
+constexpr int kDeviceTurn_ms = 2;
 constexpr int kUnit = 1;
 constexpr const char* kModule = "modmux-pm6rtd";
 constexpr const char* kController = "eurotherm-2400";
@@ -110,7 +110,7 @@ Simulated networkController() {
     return {std::move(device)};
 }
 
-constexpr std::array kKinds{
+constexpr std::array kDeviceKinds{
     Kind{"robot", "grbl", "115200 baud, 8N1", robot},
     Kind{"thermometer", "stream", "115200 baud, 8N1", thermometer},
     Kind{"heater", "namur", "9600 baud, 7E1", hotplate},
@@ -123,7 +123,7 @@ constexpr std::array kKinds{
 /// "heater namur: none, silent, ..."
 std::string listOfFaults() {
     std::string text;
-    for (const Kind& kind : kKinds) {
+    for (const Kind& kind : kDeviceKinds) {
         text += std::string("  ") + kind.role + ' ' + kind.driver + ':';
         for (const std::string& fault : kind.make().device->faults())
             text += ' ' + fault;
@@ -134,7 +134,7 @@ std::string listOfFaults() {
 
 Result<const Kind*> kindOf(const std::string& role, const std::string& driver) {
     std::string roles, drivers;
-    for (const Kind& kind : kKinds) {
+    for (const Kind& kind : kDeviceKinds) {
         roles += (roles.empty() ? "" : ", ") + std::string(kind.role);
         if (role != kind.role)
             continue;
@@ -147,18 +147,12 @@ Result<const Kind*> kindOf(const std::string& role, const std::string& driver) {
     return Error{MessageCode::ValueUnknown, "--driver", {driver, drivers}};
 }
 
-volatile std::sig_atomic_t isOver = 0;
-
-void end(int) {
-    isOver = 1;
-}
-
 void serveUntilEnded(DeviceServer& server, const Simulated& simulated) {
     const SteadyClock clock;
-    while (isOver == 0) {
+    while (!hasEndSignal()) {
         simulated.move(clock.now_s());
         server.work(clock.now_s());
-        ::poll(nullptr, 0, kTurn_ms);
+        ::poll(nullptr, 0, kDeviceTurn_ms);
     }
 }
 
@@ -182,13 +176,11 @@ Result<std::unique_ptr<DeviceServer>> serverAt(std::string& path, ByteDevice& de
 int serve(const Kind& kind, std::string path, bool isThere, const std::string& fault) {
     const Simulated simulated = kind.make();
     if (const auto known = simulated.device->setFault(fault); !known)
-        return refuse(kName, Error{known.error().code(), "--fault", known.error().message.args});
+        return refuse(kSimulateDevice, Error{known.error().code(), "--fault", known.error().message.args});
     auto server = serverAt(path, *simulated.device, kind.isNetwork, isThere);
     if (!server)
-        return refuse(kName, server.error());
-    isOver = 0;
-    std::signal(SIGINT, end);
-    std::signal(SIGTERM, end);
+        return refuse(kSimulateDevice, server.error());
+    catchEndSignals();
     std::printf("%s\n", path.c_str());
     std::fflush(stdout);
     std::fprintf(stderr,
@@ -223,14 +215,14 @@ int simulateDeviceCommand(const QStringList& arguments) {
          {"driver", "The language that it speaks.", "NAME"},
          {"fault", "Has a fault from the beginning.", "NAME", "none"}});
     parser.addPositionalArgument("DEVICE", "robot, thermometer or heater.");
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    if (const auto code = parseCommand(parser, kSimulateDevice, arguments, 1))
         return *code;
     if (parser.value("link").isEmpty())
-        return refuse(kName, QStringLiteral("--link is needed"));
+        return refuse(kSimulateDevice, QStringLiteral("--link is needed"));
     const auto kind =
         kindOf(parser.positionalArguments().first().toStdString(), parser.value("driver").toStdString());
     if (!kind)
-        return refuse(kName, kind.error());
+        return refuse(kSimulateDevice, kind.error());
     return serve(**kind, parser.value("link").toStdString(), parser.isSet("open"),
                  parser.value("fault").toStdString());
 }

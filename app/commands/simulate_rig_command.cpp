@@ -2,6 +2,7 @@
 // thermal plant.
 
 #include "app/commands/command_line.h"
+#include "app/commands/end_signal.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/study_output.h"
 #include "engine/base/clock.h"
@@ -16,7 +17,6 @@
 #include <QCommandLineParser>
 
 #include <array>
-#include <csignal>
 #include <cstdio>
 #include <poll.h>
 #include <unistd.h>
@@ -24,14 +24,8 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "simulate-rig";
+constexpr const char* kSimulateRig = "simulate-rig";
 constexpr int kTurn_ms = 2;
-
-volatile std::sig_atomic_t isOver = 0;
-
-void end(int) {
-    isOver = 1;
-}
 
 Result<BenchDevices> benchDevices(const Experiment& experiment) {
     const auto missing = [](const char* what) { return Error(MessageCode::RigIncomplete, {}, {what}); };
@@ -95,7 +89,7 @@ public:
 
     void serve() {
         const SteadyClock clock;
-        while (isOver == 0) {
+        while (!hasEndSignal()) {
             for (std::size_t i = 0; i < m_servers.size(); ++i) {
                 if (m_servers[i])
                     m_servers[i]->work(clock.now_s());
@@ -150,7 +144,7 @@ private:
         } else if (line == "switched") {
             std::printf("heat %s since %.6f s\n", m_isHeating ? "on" : "off", m_switched_s);
         } else if (const auto set = setFault(line); !set) {
-            std::fprintf(stderr, "bask %s: %s\n", kName, describe(set.error()).c_str());
+            std::fprintf(stderr, "bask %s: %s\n", kSimulateRig, describe(set.error()).c_str());
         } else {
             std::printf("%s\n", line.c_str());
         }
@@ -186,25 +180,23 @@ int simulateRigCommand(const QStringList& arguments) {
     parser.addOption({"open", "Opens the terminals that are at the paths already, of null-modem cables or of "
                               "socat, instead of making new ones."});
     parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.");
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    if (const auto code = parseCommand(parser, kSimulateRig, arguments, 1))
         return *code;
     const std::string path = parser.positionalArguments().first().toStdString();
     const auto experiment = readExperiment(path);
     if (!experiment)
-        return refuse(kName, experiment.error());
+        return refuse(kSimulateRig, experiment.error());
     auto devices = benchDevices(*experiment);
     if (!devices)
-        return refuse(kName, Error(devices.error().code(), path, devices.error().message.args));
+        return refuse(kSimulateRig, Error(devices.error().code(), path, devices.error().message.args));
     devices->heating_s = parser.value("heating-time").toDouble();
     if (!(devices->heating_s >= 1.0 && devices->heating_s <= 1e5))
-        return refuse(kName, QStringLiteral("--heating-time is in seconds, 1 to 1e5"));
+        return refuse(kSimulateRig, QStringLiteral("--heating-time is in seconds, 1 to 1e5"));
     Bench bench(simulatedRigConfig(*experiment), *devices);
     BenchServer server(bench);
-    isOver = 0;
-    std::signal(SIGINT, end);
-    std::signal(SIGTERM, end);
+    catchEndSignals();
     if (const auto opened = server.open(*experiment->rig, parser.isSet("open")); !opened)
-        return refuse(kName, opened.error());
+        return refuse(kSimulateRig, opened.error());
     const RigSpec& rig = *experiment->rig;
     std::printf("robot %s\nthermometer %s\nheater %s\n", rig.robot->port.c_str(),
                 rig.thermometer->port.c_str(), rig.source->port.c_str());

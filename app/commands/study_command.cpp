@@ -153,7 +153,7 @@ int runDivided(const QCommandLineParser& parser, const QString& study, const QSt
     return study == kClosedLoop ? runClosedLoop(parser, folder, way) : runAlarms(parser, folder, way);
 }
 
-void addOptions(QCommandLineParser& parser) {
+void addStudyOptions(QCommandLineParser& parser) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption({{"o", "output"}, "Folder for the files; made if it is not there. Required.", "DIR"});
     parser.addOption({"elements",
@@ -208,7 +208,7 @@ int studyCommand(const QStringList& arguments) {
         "Exit code 3: an alarm was false, or a fault that showed itself was not found.\n\n"
         "closed-loop and alarms can be divided among processes with --shard: the same files, byte for byte,\n"
         "come out of bask merge, whatever the number of shards.");
-    addOptions(parser);
+    addStudyOptions(parser);
     parser.addPositionalArgument("STUDY", "view-factor, closed-loop or alarms.");
     if (const auto code = parseCommand(parser, "study", arguments, 1))
         return *code;
@@ -241,7 +241,7 @@ int mergeStudy(const MergedParts& parts, const QString& folder) {
             arguments << "--" + QString::fromStdString(key)
                       << QString::fromStdString(value.get<std::string>());
     QCommandLineParser parser;
-    addOptions(parser);
+    addStudyOptions(parser);
     if (!parser.parse(arguments) || (study != kClosedLoop && study != kAlarms))
         return refuse("merge", unknown);
     return runDivided(parser, study, folder, {{}, &parts});

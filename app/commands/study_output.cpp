@@ -1,6 +1,6 @@
 #include "app/commands/study_output.h"
 
-#include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
 #include "engine/base/unfinished.h"
@@ -49,16 +49,6 @@ Result<void> checkReplaced(const std::vector<OutputFile>& files, const char* mar
 }
 
 } // namespace
-
-int refuse(const char* command, const Error& error) {
-    std::fprintf(stderr, "bask %s: %s\n", command, describe(error).c_str());
-    return kExitBadInput;
-}
-
-int refuse(const char* command, const QString& words) {
-    std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", command, qPrintable(words), command);
-    return kExitBadInput;
-}
 
 int refuseStudy(const Error& error) {
     return refuse("study", error);

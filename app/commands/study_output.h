@@ -14,8 +14,6 @@ namespace bask {
 /// Reports on standard error why the study is not done; returns the exit code.
 int refuseStudy(const Error& error);
 int refuseStudy(const QString& words);
-int refuse(const char* command, const Error& error);
-int refuse(const char* command, const QString& words);
 
 /// Returns the names of the files in a folder of the studies' own resources.
 QStringList studyResources(const QString& below);

@@ -25,7 +25,7 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kName = "thermal-frame";
+constexpr const char* kThermalFrame = "thermal-frame";
 constexpr std::uintmax_t kLargestRegions = 1 << 20;
 constexpr std::size_t kMaxRegions = 100, kMaxCorners = 1000;
 
@@ -165,7 +165,7 @@ std::string sentences(const ThermalPicture& picture, const Result<PictureRange>&
     return out;
 }
 
-void addOptions(QCommandLineParser& parser) {
+void addThermalFrameOptions(QCommandLineParser& parser) {
     QString names;
     for (const ThermalProfile& profile : shippedThermalProfiles())
         names += QString::fromStdString(profile.name) + QStringLiteral(", ");
@@ -200,27 +200,27 @@ int thermalFrameCommand(const QStringList& arguments) {
         "told by its content. A size, a format or a value that does not fit is refused, not guessed.\n"
         "Exit code: 0 done, 2 a frame that does not fit, or another bad input, 3 a region without a "
         "temperature.");
-    addOptions(parser);
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    addThermalFrameOptions(parser);
+    if (const auto code = parseCommand(parser, kThermalFrame, arguments, 1))
         return *code;
     const auto profile = profileOption(parser);
     if (!profile)
-        return refuse(kName, profile.error());
+        return refuse(kThermalFrame, profile.error());
     std::vector<Region> asked;
     if (parser.isSet("regions")) {
         auto read = readRegions(parser.value("regions").toStdString());
         if (!read)
-            return refuse(kName, read.error());
+            return refuse(kThermalFrame, read.error());
         asked = std::move(*read);
     }
     const std::string path = parser.positionalArguments().front().toStdString();
     const auto frame = readFrame(path, *profile);
     if (!frame)
-        return refuse(kName, frame.error());
+        return refuse(kThermalFrame, frame.error());
     const auto range = pictureRange(frame->picture);
     if (!range && asked.empty())
-        return refuse(kName, located(range.error(), path));
-    tellWarnings(kName, path, *frame);
+        return refuse(kThermalFrame, located(range.error(), path));
+    tellWarnings(kThermalFrame, path, *frame);
     std::vector<MeasuredRegion> regions;
     bool areAllKnown = true;
     for (const Region& region : asked) {

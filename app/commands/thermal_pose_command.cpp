@@ -27,9 +27,9 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kName = "thermal-pose";
+constexpr const char* kThermalPose = "thermal-pose";
 constexpr std::uintmax_t kLargestList = 1 << 20;
-constexpr std::size_t kMaxFrames = 200;
+constexpr std::size_t kMaxPoseFrames = 200;
 
 struct ListedFrame {
     std::string file;
@@ -59,8 +59,9 @@ Result<FrameList> readList(const std::string& path) {
             });
             fields.close();
             out.frames.push_back(std::move(frame));
-            if (out.frames.size() > kMaxFrames)
-                root.fail(MessageCode::FileTooLarge, "frames", {"more frames", std::to_string(kMaxFrames)});
+            if (out.frames.size() > kMaxPoseFrames)
+                root.fail(MessageCode::FileTooLarge, "frames",
+                          {"more frames", std::to_string(kMaxPoseFrames)});
         });
         root.close();
     });
@@ -75,7 +76,7 @@ Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
-        tellWarnings(kName, path, *frame);
+        tellWarnings(kThermalPose, path, *frame);
         views.push_back({std::move(frame->picture), poseFromCoordinates(listed.pose)});
     }
     return views;
@@ -133,7 +134,7 @@ std::string sentences(const SilhouettePose& found) {
     return out;
 }
 
-bool isOfThePictures(MessageCode code) {
+bool isOfTheSilhouettes(MessageCode code) {
     switch (code) {
     case MessageCode::SilhouetteViewsFew:
     case MessageCode::SilhouetteOutside:
@@ -167,38 +168,38 @@ int thermalPoseCommand(const QStringList& arguments) {
          {"json", "Prints pose, covariance, verdict and residuals as JSON."}});
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
     parser.addPositionalArgument("FRAMES.json", "The frames with the robot's poses.");
-    if (const auto code = parseCommand(parser, kName, arguments, 2))
+    if (const auto code = parseCommand(parser, kThermalPose, arguments, 2))
         return *code;
     const auto experiment = readExperiment(parser.positionalArguments().at(0).toStdString());
     if (!experiment)
-        return refuse(kName, experiment.error());
+        return refuse(kThermalPose, experiment.error());
     const std::string listPath = parser.positionalArguments().at(1).toStdString();
     const auto list = readList(listPath);
     if (!list)
-        return refuse(kName, list.error());
+        return refuse(kThermalPose, list.error());
     if (!parser.isSet("camera"))
-        return refuse(kName, QStringLiteral("--camera CAM.yml is needed"));
+        return refuse(kThermalPose, QStringLiteral("--camera CAM.yml is needed"));
     const auto camera = readCamera(parser.value("camera").toStdString());
     if (!camera)
-        return refuse(kName, camera.error());
+        return refuse(kThermalPose, camera.error());
     const auto profile = profileOption(parser);
     if (!profile)
-        return refuse(kName, profile.error());
+        return refuse(kThermalPose, profile.error());
     const auto views = readViews(listPath, *list, *profile);
     if (!views)
-        return refuse(kName, views.error());
+        return refuse(kThermalPose, views.error());
     CameraModel lens = *camera;
     if (lens.width == 0 && !views->empty()) { // a file of another tool
         lens.width = views->front().picture.width;
         lens.height = views->front().picture.height;
     }
     if (experiment->objects.empty())
-        return refuse(kName, QStringLiteral("the experiment has no objects"));
+        return refuse(kThermalPose, QStringLiteral("the experiment has no objects"));
     const auto found =
         silhouettePose(lens, *views, silhouetteScene(*experiment), poseFromCoordinates(list->cameraPose));
     if (!found) {
-        const int code = refuse(kName, found.error());
-        return isOfThePictures(found.error().code()) ? kExitNegative : code;
+        const int code = refuse(kThermalPose, found.error());
+        return isOfTheSilhouettes(found.error().code()) ? kExitNegative : code;
     }
     std::fputs((parser.isSet("json") ? jsonText(*found) : sentences(*found)).c_str(), stdout);
     return judged(*found).verdict == Verdict::Redo ? kExitNegative : kExitDone;

@@ -13,7 +13,7 @@
 namespace bask {
 namespace {
 
-constexpr const char* kName = "verify";
+constexpr const char* kVerify = "verify";
 constexpr qsizetype kHeadDigits = 64;
 
 void print(const SessionFinding& finding) {
@@ -87,16 +87,16 @@ int verifyCommand(const QStringList& arguments) {
         {{{"h", "help"}, "Displays this help."},
          {"head", "The head that is expected, as the run's report has it: 64 hexadecimal digits.", "HEX"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
-    if (const auto code = parseCommand(parser, kName, arguments, 1))
+    if (const auto code = parseCommand(parser, kVerify, arguments, 1))
         return *code;
     const QString head = parser.value("head").toLower();
     if (parser.isSet("head") &&
         (head.size() != kHeadDigits || QByteArray::fromHex(head.toLatin1()).toHex() != head.toLatin1()))
-        return refuse(kName, QStringLiteral("--head has 64 hexadecimal digits"));
+        return refuse(kVerify, QStringLiteral("--head has 64 hexadecimal digits"));
     const auto verdict =
         verifySession(parser.positionalArguments().front().toStdString(), head.toStdString());
     if (!verdict)
-        return refuse(kName, verdict.error());
+        return refuse(kVerify, verdict.error());
     return tell(*verdict, head.toStdString()) ? kExitDone : kExitNegative;
 }
 

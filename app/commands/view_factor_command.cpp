@@ -30,12 +30,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr qint64 kMaxBytes = qint64{256} << 20;
-
-int refuse(const Error& error) {
-    std::fprintf(stderr, "bask view-factor: %s\n", describe(error).c_str());
-    return kExitBadInput;
-}
+constexpr qint64 kMaxShapeBytes = qint64{256} << 20;
 
 // Bare words such as NaN and numbers too large for a double are no JSON, yet they spoil one case, not the
 // file: they are put in quotes, and the case that they stand in is then refused with their place.
@@ -166,10 +161,10 @@ Result<std::string> answersTo(const std::string& path) {
         return Error{MessageCode::FileNotFound, path};
     if (!file.open(QIODevice::ReadOnly))
         return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    const QByteArray bytes = file.read(kMaxBytes + 1);
+    const QByteArray bytes = file.read(kMaxShapeBytes + 1);
     if (file.error() != QFile::NoError)
         return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    if (bytes.size() > kMaxBytes)
+    if (bytes.size() > kMaxShapeBytes)
         return Error{MessageCode::FileTooLarge, path, {"more than 256 MiB", "256 MiB"}};
     if (bytes.trimmed().isEmpty())
         return Error{MessageCode::FileEmpty, path};
@@ -218,15 +213,15 @@ int viewFactorCommand(const QStringList& arguments) {
     if (parser.isSet("output"))
         outputs = {{parser.value("output").toStdString(), "results", "a list of results written by Bask"}};
     if (const auto place = checkOutputs({path}, outputs); !place)
-        return refuse(place.error());
+        return refuse("view-factor", place.error());
     const auto text = answersTo(path);
     if (!text)
-        return refuse(text.error());
+        return refuse("view-factor", text.error());
     if (outputs.empty())
         std::fwrite(text->data(), 1, text->size(), stdout);
     for (const OutputFile& output : outputs)
         if (const auto written = writeTextFile(output.path, *text); !written)
-            return refuse(written.error());
+            return refuse("view-factor", written.error());
     return kExitDone;
 }
 

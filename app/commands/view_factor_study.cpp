@@ -18,17 +18,17 @@
 namespace bask {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using SteadyTime = std::chrono::steady_clock;
 
 /// Value of `evaluate` and the median time of one call (us): of seven batches of 0.2 ms, of three calls where
 /// one takes longer, of one where it takes a second.
 double timed(const std::function<double()>& evaluate, double& time_us) {
     const auto batch = [&](int calls) {
         double value = 0.0;
-        const auto start = Clock::now();
+        const auto start = SteadyTime::now();
         for (int i = 0; i < calls; ++i)
             value = evaluate();
-        const std::chrono::duration<double, std::micro> taken = Clock::now() - start;
+        const std::chrono::duration<double, std::micro> taken = SteadyTime::now() - start;
         return std::pair(value, taken.count() / calls);
     };
     const auto [value, first_us] = batch(1);

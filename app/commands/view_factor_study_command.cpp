@@ -11,7 +11,7 @@ namespace bask {
 namespace {
 
 /// In every file of the study, near its beginning: what holds it may be replaced.
-constexpr const char* kMark = "Bask view-factor study";
+constexpr const char* kViewFactorStudyMark = "Bask view-factor study";
 
 void printRow(const StudyRow& row) {
     std::string detail;
@@ -55,7 +55,7 @@ void printSummary(const ViewFactorStudy& study) {
 } // namespace
 
 int viewFactorStudyCommand(const QString& folder, int maxElements) {
-    const auto files = studyFiles(folder, kMark, "view_factor_study",
+    const auto files = studyFiles(folder, kViewFactorStudyMark, "view_factor_study",
                                   {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"});
     if (!files)
         return kExitBadInput;
@@ -64,7 +64,7 @@ int viewFactorStudyCommand(const QString& folder, int maxElements) {
         return refuseStudy(study.error());
     std::vector<std::string> contents{studyCsv(*study)};
     for (const Figure& figure : viewFactorStudyFigures(*study))
-        contents.push_back(figurePng(figure, QString::fromLatin1(kMark)).toStdString());
+        contents.push_back(figurePng(figure, QString::fromLatin1(kViewFactorStudyMark)).toStdString());
     if (const auto written = writeStudyFiles(*files, contents); !written)
         return refuseStudy(written.error());
     printSummary(*study);

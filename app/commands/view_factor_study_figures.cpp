@@ -5,11 +5,11 @@
 namespace bask {
 namespace {
 
-using Rows = std::vector<StudyRow>;
+using StudyRows = std::vector<StudyRow>;
 
 /// Points of the rows that `wanted` picks.
 template <class Wanted, class Point>
-FigureSeries seriesOf(const QString& name, const Rows& rows, const Wanted& wanted, const Point& point) {
+FigureSeries seriesOf(const QString& name, const StudyRows& rows, const Wanted& wanted, const Point& point) {
     FigureSeries series{name, {}};
     for (const StudyRow& row : rows)
         if (wanted(row))
