@@ -17,10 +17,22 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <utility>
 #include <vector>
 
 namespace bask {
+
+/// A rule of exponent x is off by kRuleSafety times both perimeters times exp(-x): two for the rule, the rest
+/// for the potential's size in the complex plane.
+constexpr double kRuleSafety = 24.0;
+constexpr double kHalfError = 0.7; ///< log 2: object and source share the error
+
+/// Returns an upper bound of the logarithm, at most log 2 too large; faster than std::log.
+inline double logAbove(double x) {
+    const int power = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
+    return power * std::numbers::ln2;
+}
 
 /// The required accuracy of an integral, and its limit.
 struct IntegralGoal {
@@ -40,7 +52,7 @@ public:
     OutlineIntegrator(Source& source, const RadiatingContour::Impl& object, const Sight& sight,
                       const IntegralGoal& goal)
         : m_source(source), m_object(object), m_sight(sight), m_goal(goal),
-          m_exponent(logAbove(kSafety * goal.sourcePerimeter_m * object.perimeter / goal.allowed_m2)) {}
+          m_exponent(logAbove(kRuleSafety * goal.sourcePerimeter_m * object.perimeter / goal.allowed_m2)) {}
 
     /// Integrates over the whole outline, which must lie in front of the source plane.
     OutlineIntegral whole() {
@@ -50,7 +62,7 @@ public:
         const double nearest =
             std::max(fromCentre - m_object.reach, height.z0 - m_object.reach * height.slope);
         if (const auto [table, exponent] = tabulated(fromCentre, nearest); table) {
-            const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalf);
+            const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalfError);
             if (reached > m_exponent) {
                 addSums(sumsOver(table->view()));
                 m_error = 2.0 * errorAt(std::min(exponent, reached));
@@ -74,18 +86,8 @@ public:
     }
 
 private:
-    // factor on the error before the exponential: two for the rule, the rest for the potential's size in the
-    // complex plane
-    static constexpr double kSafety = 24.0;
-    static constexpr double kHalf = 0.7; // log 2: object and source share the error
     static constexpr int kMaxDoubled = 512;
     static constexpr double kDense = 3.0; // spacings to the source's outline
-
-    // An upper bound of the logarithm, at most log 2 too large; faster than std::log.
-    static double logAbove(double x) {
-        const int power = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
-        return power * std::numbers::ln2;
-    }
 
     /// Interval of a piece's parameter.
     struct Panel {
@@ -116,7 +118,7 @@ private:
             const GaussTable* rule = m_exponent < kTableExponent ? m_object.gauss(nearest) : nullptr;
             return {rule ? &rule->table : nullptr, kTableExponent};
         }
-        const auto [rule, exponent] = m_object.foreseen(fromCentre, nearest, m_exponent + kHalf);
+        const auto [rule, exponent] = m_object.foreseen(fromCentre, nearest, m_exponent + kHalfError);
         return {rule ? &rule->table : nullptr, exponent};
     }
 
@@ -132,7 +134,7 @@ private:
             n *= 2;
         if (!dense(2 * n) || fromCentre <= 0.0)
             return false;
-        const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalf);
+        const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalfError);
         if (reached <= m_exponent)
             return false;
         kernels::Sums coarse = sumsOver(m_object.trapezoid(n)->table.view());
@@ -188,7 +190,7 @@ private:
     }
 
     double errorAt(double exponent) const {
-        return kSafety * m_goal.sourcePerimeter_m * m_object.perimeter * std::exp(-exponent);
+        return kRuleSafety * m_goal.sourcePerimeter_m * m_object.perimeter * std::exp(-exponent);
     }
 
     Eigen::Vector3d inS(const Eigen::Vector2d& p) const {
@@ -208,7 +210,7 @@ private:
         if (piece.straight && piece.a == piece.b)
             return;
         m_source.follow(inS(piece.a), inS(piece.b), piece.onCut); // of a smooth piece a and b are equal
-        const double exponent = m_exponent + kHalf;
+        const double exponent = m_exponent + kHalfError;
         // The error of a panel this short is below its share, whatever the field is.
         const double min_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
         std::vector<Panel> open{piece.straight ? Panel{0.0, 1.0} : Panel{piece.from, piece.to}};
@@ -231,7 +233,7 @@ private:
             }
             lay(piece, panel, gaussOrder(room, exponent));
             if (max < exponent) { // too short to matter, or points have run out
-                m_error += length * std::min(length, kSafety * m_goal.sourcePerimeter_m * std::exp(-max));
+                m_error += length * std::min(length, kRuleSafety * m_goal.sourcePerimeter_m * std::exp(-max));
                 m_source.prepare(middle_S, 0.0, std::max(away, length), exponent);
             } else {
                 m_reached = std::min(m_reached, prepareForLaid(middle_S, away));
@@ -316,7 +318,7 @@ private:
         double radius = 0.0;
         for (int i = 0; i < m_buffer.count && !m_source.closedForm(); ++i)
             radius = std::max(radius, (inS({m_buffer.x[i], m_buffer.y[i]}) - middle_S).norm());
-        return m_source.prepare(middle_S, radius, std::max(away - radius, 0.0), m_exponent + kHalf);
+        return m_source.prepare(middle_S, radius, std::max(away - radius, 0.0), m_exponent + kHalfError);
     }
 
     void flush(bool onCut) {

@@ -57,10 +57,6 @@ void OutlineTable::seal() {
         add(m_x.back(), m_y.back(), 0.0, 0.0);
 }
 
-kernels::Outline OutlineTable::view() const {
-    return {m_x.data(), m_y.data(), m_dx.data(), m_dy.data(), static_cast<int>(m_x.size())};
-}
-
 double squaredDistance(const kernels::Edge& edge, const Eigen::Vector3d& p) {
     const double r1 = p.x() - edge.a1, r2 = p.y() - edge.a2;
     const double along = r1 * edge.t1 + r2 * edge.t2;
@@ -212,6 +208,18 @@ const GaussTable* RadiatingContour::Impl::gauss(double distance_m) const {
     return nullptr;
 }
 
+void RadiatingContour::Impl::tabulateQuick() {
+    constexpr int kPoints = 32;
+    const TrapezoidTable& rule = *trapezoid(kPoints);
+    m_quickRule = static_cast<std::size_t>(&rule - m_trapezoids.data());
+    m_quickFrom_m.fill(std::numeric_limits<double>::infinity());
+    for (int step = AnalyticStrip::kSteps - 1; step >= 0; --step) {
+        const double reached = rule.points * AnalyticStrip::width(step) - strip.growth(step);
+        for (int exponent = 0; exponent <= kMaxQuickExponent && exponent <= reached; ++exponent)
+            m_quickFrom_m[static_cast<std::size_t>(exponent)] = strip.reach_m(step);
+    }
+}
+
 void RadiatingContour::Impl::tabulateSmooth() {
     for (const int n : kTrapezoidPoints) {
         TrapezoidTable& made = m_trapezoids.emplace_back();
@@ -246,6 +254,8 @@ void RadiatingContour::Impl::tabulateSmooth() {
     maxSpeed_m *= disk ? 1.0 : 1.1; // between the scanned points, too
     reach += disk ? 0.0 : 0.5 * maxSpeed_m / scan;
     strip = AnalyticStrip(m_coefficients, harmonics, perimeter);
+    if (disk)
+        tabulateQuick();
 }
 
 // Number of points on an edge for which a rule of order n leaves only rounding errors: the ratio of half

@@ -39,7 +39,7 @@ public:
     int size() const { return static_cast<int>(m_x.size()); }
     /// Pads the table with zero steps for the kernels; call before view().
     void seal();
-    kernels::Outline view() const;
+    kernels::Outline view() const { return {m_x.data(), m_y.data(), m_dx.data(), m_dy.data(), size()}; }
 
 private:
     std::vector<double> m_x, m_y, m_dx, m_dy;
@@ -80,6 +80,9 @@ public:
     double radius(double distance_m) const;
     /// Returns the smallest distance (m) at which radius() is at least `radius`; infinite if none is.
     double distanceFor(double radius) const;
+
+    /// Returns the smallest distance (m) of a singularity from O's origin at which fromCentre() is `step`.
+    double reach_m(int step) const { return m_reach[static_cast<std::size_t>(step)]; }
 
     static double width(int step); ///< b, rad
     /// Returns the log of the largest |dp/dphi| in the strip divided by the perimeter: the cost of a wide
@@ -148,10 +151,17 @@ struct RadiatingContour::Impl {
     /// Returns a trapezoidal rule on a whole smooth outline for an error exp(-exponent), where the source's
     /// outline is at least `fromCentre` from O's origin and `nearest` from the outline (m).
     ForeseenRule foreseen(double fromCentre, double nearest, double exponent) const;
+    /// Returns the distance (m) of the source's outline from O's origin from which on quick() is exact to
+    /// exp(-exponent), at most kMaxQuickExponent; infinite where there is none.
+    double quickFrom_m(int exponent) const { return m_quickFrom_m[static_cast<std::size_t>(exponent)]; }
+    static constexpr int kMaxQuickExponent = 63;
+    /// A rule of a disk's outline.
+    kernels::Outline quick() const { return m_trapezoids[m_quickRule].table.view(); }
     /// Returns Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding;
     /// null if none do.
     const GaussTable* gauss(double distance_m) const;
 
+    bool isPlainDisk() const { return disk != nullptr && holes.empty(); }
     PlaneSide side(const HeightPlane& height) const;
     /// Returns the part with positive height as a closed loop, with straight pieces on the cut line. Empty if
     /// there is none.
@@ -184,6 +194,7 @@ struct RadiatingContour::Impl {
 private:
     kernels::SeriesPoints seriesAt(double from, double width, std::span<const double> nodes) const;
     void tabulateSmooth();
+    void tabulateQuick();
     void tabulatePolygon(const Contour& polygon);
     std::vector<double> crossings(const HeightPlane& height) const;
     std::vector<OutlinePiece> smoothPieces(const HeightPlane& height) const;
@@ -194,9 +205,11 @@ private:
     std::shared_ptr<LatePlate> m_plate = latePlate();
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
-    std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, in ascending order of points
-    std::vector<GaussTable> m_gauss;                  // of a polygon, in descending order of distance
-    std::vector<double> m_speeds;                     // bounds from each scanned point to the next
+    std::size_t m_quickRule = 0;                      ///< of m_trapezoids
+    std::array<double, kMaxQuickExponent + 1> m_quickFrom_m{};
+    std::vector<TrapezoidTable> m_trapezoids; // of a smooth outline, in ascending order of points
+    std::vector<GaussTable> m_gauss;          // of a polygon, in descending order of distance
+    std::vector<double> m_speeds;             // bounds from each scanned point to the next
     std::vector<OutlinePoint> m_scan; // smooth outlines: evenly spaced, in order, for finding crossings
 };
 

@@ -12,10 +12,10 @@
 namespace bask {
 namespace {
 
-constexpr double kRuleSafety = 2.0 * 24.0; // on the error before the exponential, as in outline_integral.h
-constexpr double kRuleShare = 0.6;         // of the tolerance
-constexpr double kInFront = 1e-10;         // relative height over a plane from which a face is in front of it
-constexpr int kWorthIt = 3;                // poses; fewer are as fast one by one
+constexpr double kBatchSafety = 2.0 * 24.0; // on the error before the exponential, as in outline_integral.h
+constexpr double kRuleShare = 0.6;          // of the tolerance
+constexpr double kInFront = 1e-10; // relative height over a plane from which a face is in front of it
+constexpr int kWorthIt = 3;        // poses; fewer are as fast one by one
 
 /// Cosines of half a circle's points, (k + 1/2) 2 pi / n: the other half has the same.
 template <int kPoints> std::array<double, kPoints / 2> halfCircle() {
@@ -57,7 +57,7 @@ PoseBatch::PoseBatch(const RadiatingContour& source, const RadiatingContour& obj
     const double perimeters = m_source.impl().perimeter * m_object.impl().perimeter;
     const double perCirculation = 1.0 / (2.0 * std::numbers::pi * m_object.area_m2());
     m_floor = 32.0 * std::numeric_limits<double>::epsilon() * perimeters * perCirculation;
-    m_bound = kRuleSafety * perimeters * perCirculation;
+    m_bound = kBatchSafety * perimeters * perCirculation;
     m_exponent = std::log(m_bound / std::max(kRuleShare * tolerance, m_floor));
 }
 
@@ -152,8 +152,8 @@ void PoseBatch::compute(const Poses& poses, int count, bool withGradient, Factor
         return;
     factors.error = std::min(m_floor + m_bound * std::exp(-exponent), 1.0);
     const bool isParallel = poses.isOneRotation && poses.R[0][2][0] == 0.0 && poses.R[1][2][0] == 0.0;
-    if (!withGradient && isParallel && m_object.impl().disk != nullptr && !cosinesOf(rule->points).empty()) {
-        parallel(poses, distances, rule->points, factors);
+    if (isParallel && m_object.impl().disk != nullptr && !cosinesOf(rule->points).empty()) {
+        parallel(poses, distances, rule->points, withGradient, factors);
     } else {
         kernels::Outline points = rule->table.view();
         points.count = rule->points; // without those that fill it up
@@ -163,13 +163,33 @@ void PoseBatch::compute(const Poses& poses, int count, bool withGradient, Factor
         value = std::clamp(value, 0.0, 1.0) + 0.0;
 }
 
-void PoseBatch::parallel(const Poses& poses, const Distances& distances, int points, Factors& factors) const {
+void PoseBatch::parallel(const Poses& poses, const Distances& distances, int points, bool withGradient,
+                         Factors& factors) const {
     const double radius = m_object.impl().disk->radius_m;
+    const double perSum = 4.0 * m_radius * m_radius / (radius * points);
     const std::span<const double> cosines = cosinesOf(points);
-    kernels::kernels().parallelDisks(m_radius * m_radius, radius, distances.fromAxis, poses.p[2],
-                                     cosines.data(), static_cast<int>(cosines.size()), factors.values);
-    for (double& value : factors.values)
-        value *= 4.0 * m_radius * m_radius / (radius * points);
+    const auto count = static_cast<int>(cosines.size());
+    if (!withGradient) {
+        kernels::kernels().parallelDisks(m_radius * m_radius, radius, distances.fromAxis, poses.p[2],
+                                         cosines.data(), count, factors.values);
+        for (double& value : factors.values)
+            value *= perSum;
+        return;
+    }
+    double sums[4][kPoses];
+    kernels::kernels().parallelDiskSums(m_radius * m_radius, radius, distances.fromAxis, poses.p[2],
+                                        cosines.data(), count, sums);
+    for (int k = 0; k < kPoses; ++k) {
+        const double away = distances.fromAxis[k];
+        const double c = away > 0.0 ? poses.p[0][k] / away : 1.0, s = away > 0.0 ? poses.p[1][k] / away : 0.0;
+        factors.values[k] = perSum * sums[0][k];
+        factors.gradients[0][k] = perSum * c * sums[1][k];
+        factors.gradients[1][k] = perSum * s * sums[1][k];
+        factors.gradients[2][k] = perSum * sums[2][k];
+        factors.gradients[3][k] = -perSum * s * sums[3][k];
+        factors.gradients[4][k] = perSum * c * sums[3][k];
+        factors.gradients[5][k] = 0.0;
+    }
 }
 
 void PoseBatch::tilted(const Poses& poses, const kernels::Outline& points, bool withGradient,

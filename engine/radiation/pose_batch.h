@@ -47,7 +47,8 @@ private:
     PoseBatch(const RadiatingContour& source, const RadiatingContour& object, double tolerance);
     struct Distances;
     unsigned seen(const Poses& poses, Distances& distances) const;
-    void parallel(const Poses& poses, const Distances& distances, int points, Factors& factors) const;
+    void parallel(const Poses& poses, const Distances& distances, int points, bool withGradient,
+                  Factors& factors) const;
     void tilted(const Poses& poses, const kernels::Outline& points, bool withGradient,
                 Factors& factors) const;
 

@@ -44,13 +44,6 @@ bool isOnLine(const kernels::Edge& edge, const Eigen::Vector3d& a, const Eigen::
 
 } // namespace
 
-WholeDiskSource::WholeDiskSource(double radius_m, const Sight& sight)
-    : m_radius(radius_m), m_factor(-2.0 * std::numbers::pi * radius_m * radius_m), m_R(sight.X_SO.linear()) {
-    m_disk.radius2 = radius_m * radius_m;
-    Eigen::Map<Eigen::Vector3d>(m_disk.o) = m_R.transpose() * sight.X_SO.translation();
-    Eigen::Map<Eigen::Vector3d>(m_disk.k) = m_R.row(2).transpose();
-}
-
 Vector6d WholeDiskSource::moments(const double* raw) const {
     Vector6d result;
     result << m_factor * (m_R * Eigen::Map<const Eigen::Vector3d>(raw)),

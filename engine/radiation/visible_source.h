@@ -30,7 +30,13 @@ struct Sight {
 /// Whole disk, closed form.
 class WholeDiskSource {
 public:
-    WholeDiskSource(double radius_m, const Sight& sight);
+    WholeDiskSource(double radius_m, const Sight& sight)
+        : m_radius(radius_m), m_factor(-2.0 * std::numbers::pi * radius_m * radius_m),
+          m_R(sight.X_SO.linear()) {
+        m_disk.radius2 = radius_m * radius_m;
+        Eigen::Map<Eigen::Vector3d>(m_disk.o) = m_R.transpose() * sight.X_SO.translation();
+        Eigen::Map<Eigen::Vector3d>(m_disk.k) = m_R.row(2).transpose();
+    }
 
     /// Returns a lower bound of the distance (m) of a point of S to the visible outline, without the edges
     /// that are followed.

@@ -101,6 +101,11 @@ struct Kernels {
     /// radius.
     void (*parallelDisks)(double radius2, double objectRadius, const double* away, const double* height,
                           const double* cosines, int count, double* sums);
+    /// The same with its derivatives, in axes along the line of centres, across it and along the normal:
+    /// sums[0] are values, then the forces along and normal, and the torque about the axis across; the others
+    /// are zero.
+    void (*parallelDiskSums)(double radius2, double objectRadius, const double* away, const double* height,
+                             const double* cosines, int count, double (*sums)[kPoses]);
     double (*segmentValue)(const Segment&, const Outline&);
     Sums (*segmentSums)(const Segment&, const Outline&, bool onCut);
     double (*loopValue)(const Loop&, const Placement&, const Outline&);

@@ -75,6 +75,40 @@ void parallelDisks(double radius2, double objectRadius, const double* aways, con
     }
 }
 
+void parallelDiskSums(double radius2, double objectRadius, const double* aways, const double* heights,
+                      const double* cosines, int count, double (*sums)[kPoses]) {
+    for (int from = 0; from < kPoses; from += kLanes) {
+        const Lanes away = load(aways + from);
+        const Lanes height = load(heights + from);
+        const Lanes z2 = height * height;
+        const Lanes middle = away * away + objectRadius * objectRadius + z2;
+        const Lanes swing = (2.0 * objectRadius) * away;
+        const Lanes rim = (4.0 * radius2) * z2 + 1e-300;
+        Lanes value{}, along{}, normal{}, across{};
+        for (int i = 0; i < count; ++i) {
+            const Lanes square = middle + swing * cosines[i];
+            const Lanes t = square - radius2;
+            const Lanes s = laneSqrt(t * t + rim);
+            const Lanes a = square + radius2;
+            const Lanes both = 1.0 / (s * (a + s));
+            const Lanes u = s * both;
+            const Lanes v = (a + s) * both;
+            const Lanes step = objectRadius + away * cosines[i];
+            const Lanes gz = -2.0 * height * both;
+            const Lanes h = 2.0 * u * (1.0 - (square - z2) * (s + t) * both - z2 * v);
+            const Lanes lift = gz * step;
+            value += step * u;
+            along += cosines[i] * (h - gz * height);
+            normal += lift;
+            across -= (objectRadius * cosines[i]) * lift;
+        }
+        store(sums[0] + from, value);
+        store(sums[1] + from, along);
+        store(sums[2] + from, normal);
+        store(sums[3] + from, across);
+    }
+}
+
 double segmentValue(const Segment& segment, const Outline& outline) {
     Term term;
     for (int i = 0; i < outline.count; i += kLanes)
@@ -149,8 +183,9 @@ void seriesPoints(const Series& series, const double* cosines, const double* sin
 }
 
 constexpr Kernels kernelsNamed(const char* name) {
-    return {name,         diskValue,   diskSums,  diskPoseValues, diskPoseSums, parallelDisks,
-            segmentValue, segmentSums, loopValue, loopSums,       seriesPoints};
+    return {name,         diskValue,     diskSums,         diskPoseValues,
+            diskPoseSums, parallelDisks, parallelDiskSums, segmentValue,
+            segmentSums,  loopValue,     loopSums,         seriesPoints};
 }
 
 } // namespace

@@ -248,6 +248,22 @@ TEST(ViewFactor, errorEstimateIsHonestAndNothingIsNotANumber) {
     }
 }
 
+// Catches: the quick sum of a disk over a disk where it is not enough, or where a face is cut or hidden.
+TEST(ViewFactor, valueAloneOfDisksIsWithinTheTolerance) {
+    Draw draw(37);
+    for (int i = 0; i < 6000; ++i) {
+        const double tolerance = std::pow(10.0, -4.0 - i % 10);
+        const double r1 = draw.between(0.02, 0.2);
+        const RadiatingContour object(Disk{std::exp(draw.between(std::log(0.003), std::log(0.2)))});
+        Pose X_SO = poseFromRotationVector(draw.vector(0.3), draw.vector(i % 2 == 0 ? 0.0 : 1.5));
+        X_SO.translation().z() = i % 3 == 0 ? draw.between(0.0, 0.02) : draw.between(0.02, 0.4);
+        const ViewFactor sharp = viewFactor({r1}, object, X_SO, {1e-15, 100000});
+        EXPECT_NEAR(viewFactorValue({r1}, object, X_SO, tolerance), sharp.value,
+                    tolerance + sharp.errorEstimate)
+            << "pose " << i << ", tolerance " << tolerance;
+    }
+}
+
 // Catches: a result with few points allowed that claims more than it has.
 TEST(ViewFactor, saysWhatWasReachedWhenPointsRunOut) {
     const RadiatingContour object(Disk{0.05});
