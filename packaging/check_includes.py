@@ -206,6 +206,9 @@ class Checker:
         elif target == "zlib.h":
             if home != ("engine", "studies") or header:
                 self.report(path, line, "zlib", f"{name}: zlib only in the .cpp files of engine/studies")
+        elif target == "png.h":
+            if path.as_posix() != "engine/media/plain_png.cpp":
+                self.report(path, line, "png", f"{name}: libpng only in engine/media/plain_png.cpp")
         elif target == "mosquitto.h":
             if path.as_posix() != "engine/monitor/mqtt_module.cpp":
                 self.report(path, line, "mosquitto", f"{name}: libmosquitto only in bask-mqtt.so")

@@ -10,7 +10,7 @@ set -eu
 
 run_packages="
     g++ cmake ninja-build pkg-config
-    libeigen3-dev nlohmann-json3-dev libopencv-dev libvtk9-dev libqcustomplot-dev libdxflib-dev libceres-dev libhdf5-dev libmosquitto-dev zlib1g-dev
+    libeigen3-dev nlohmann-json3-dev libopencv-dev libvtk9-dev libqcustomplot-dev libdxflib-dev libceres-dev libhdf5-dev libmosquitto-dev zlib1g-dev libpng-dev
     qt6-base-dev libqt6opengl6-dev? qt6-svg-dev|libqt6svg6-dev libqt6sql6-sqlite
     qt6-serialport-dev|libqt6serialport6-dev
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n

@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/media/media.h"
+#include "engine/media/plain_png.h"
 #include "engine/shape/contour_import.h"
 
 #include "engine/shape/contour_file.h"
@@ -40,7 +41,9 @@ Result<cv::Mat> decoded(const std::string& bytes, const std::string& path) {
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     // Only the first way turns a photograph as its EXIF says, only the second keeps an alpha channel.
     const int how = isJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH : cv::IMREAD_UNCHANGED;
-    cv::Mat image = pictureCodecs().decode(raw, how);
+    cv::Mat image = isJpeg(bytes) ? cv::Mat() : decodePlainPng(raw);
+    if (image.empty())
+        image = pictureCodecs().decode(raw, how);
     if (image.empty() || (image.depth() != CV_8U && image.depth() != CV_16U))
         return Error{MessageCode::ImageUnreadable, path};
     if (const auto checked = checkPixels(image.total(), path); !checked)

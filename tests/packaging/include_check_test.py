@@ -89,6 +89,7 @@ class IncludeCheck(unittest.TestCase):
             ("engine/exchange/bad.h", "<vtkImageData.h>", "vtk"),
             ("engine/recording/bad.cpp", "<hdf5.h>", "hdf5"),
             ("engine/recording/bad.cpp", "<zlib.h>", "zlib"),
+            ("engine/shape/bad.cpp", "<png.h>", "png"),
             ("widgets/run/bad.cpp", "<qcustomplot.h>", "qcustomplot"),
             ("engine/recording/bad.h", "<nlohmann/json.hpp>", "json"),
             ("engine/base/bad.cpp", "<boost/optional.hpp>", "library"),

@@ -1,6 +1,7 @@
 // Outlines from pictures: true size to a fraction of a pixel, and refusals of what is no silhouette.
 
 #include "engine/base/message_code.h"
+#include "engine/media/plain_png.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"
@@ -8,6 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <filesystem>
 #include <iterator>
 #include <random>
 
@@ -212,6 +214,45 @@ TEST(ContourImage, RefusesWhatIsNoPicture) {
     for (const double scale : {0.0, -3.0, std::nan(""), HUGE_VAL})
         EXPECT_EQ(pictureCode(readContourImage(test::examplePath("bunny_1200.png"), scale)),
                   MessageCode::ScaleNotPositive);
+}
+
+// Catches: channels in another order, a picture that OpenCV's decoder gives otherwise, damage that is not
+// noticed.
+TEST(ContourImage, APlainPngIsWhatOpenCvMakesOfIt) {
+    const auto plain = [](const std::string& bytes) {
+        return decodePlainPng(
+            cv::Mat(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data())));
+    };
+    const auto isSame = [](const cv::Mat& a, const cv::Mat& b) {
+        return a.size() == b.size() && a.type() == b.type() && cv::norm(a, b, cv::NORM_INF) == 0.0;
+    };
+    std::mt19937 random(3);
+    for (const int type : {CV_8UC1, CV_8UC3, CV_8UC4}) {
+        cv::Mat noise(37, 53, type);
+        cv::randu(noise, 0, 256);
+        EXPECT_TRUE(isSame(plain(encoded(noise)), noise)) << type;
+    }
+    EXPECT_TRUE(plain(encoded(cv::Mat(9, 9, CV_16U, cv::Scalar(7)))).empty());
+    EXPECT_TRUE(plain(encoded(cv::Mat(9, 9, CV_8U, cv::Scalar(7)), ".bmp")).empty());
+    EXPECT_TRUE(plain("").empty());
+    int read = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(test::dataPath(""))) {
+        if (entry.path().extension() != ".png")
+            continue;
+        const std::string bytes = fileBytes(entry.path());
+        const cv::Mat image = plain(bytes);
+        read += image.empty() ? 0 : 1;
+        EXPECT_TRUE(image.empty() || isSame(image, cv::imread(entry.path(), cv::IMREAD_UNCHANGED)))
+            << entry.path();
+    }
+    EXPECT_GT(read, 2);
+    const std::string whole = fileBytes(test::examplePath("hand_1200.png"));
+    for (int i = 0; i < 60; ++i) {
+        EXPECT_TRUE(plain(whole.substr(0, random() % (whole.size() - 12))).empty());
+        std::string changed = whole;
+        changed[random() % changed.size()] ^= static_cast<char>(1U << random() % 8);
+        plain(changed); // ends, whatever it gives
+    }
 }
 
 TEST(ContourImage, RefusesAnAbsurdSizeBeforeItIsUnpacked) {
