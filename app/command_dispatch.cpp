@@ -2,13 +2,11 @@
 
 #include "app/commands/command_line.h"
 #include "app/exact_version.h"
-#include "app/resources.h"
 #include "engine/base/program_part.h"
 #include "engine/base/unfinished.h"
 
-#include <QApplication>
+#include <QCoreApplication>
 #include <QFileInfo>
-#include <QLocale>
 
 #include <array>
 #include <cerrno>
@@ -91,17 +89,21 @@ int unknown(const QString& word) {
     return kExitBadInput;
 }
 
-int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
-    std::unique_ptr<QCoreApplication> application;
-    int onlyProgram = 1; // a QApplication would take -platform and the like for itself
-    if (subcommand.drawsFigures) {
-        qputenv("QT_QPA_PLATFORM", "offscreen");
-        application = std::make_unique<QApplication>(onlyProgram, argv);
-        initResources(); // a report's languages
-        QLocale::setDefault(QLocale::c());
-    } else {
-        application = std::make_unique<QCoreApplication>(argc, argv);
-    }
+/// Becomes a program that belongs to this one. Returns an exit code, after a sentence, if it cannot.
+int become(const char* part, char** argv) {
+    const std::string path = programPart(part, {});
+    ::execv(path.c_str(), argv);
+    std::fprintf(stderr, "bask: a part of the program, %s, cannot be started: %s; install Bask again\n", part,
+                 std::strerror(errno));
+    return kExitFault;
+}
+
+int runSubcommand(const Subcommand& subcommand, int& argc, char** argv,
+                  std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv)) {
+    if (subcommand.run == nullptr)
+        return become("bask-draw", argv);
+    const auto application =
+        subcommand.drawsFigures ? makeDrawing(argv) : std::make_unique<QCoreApplication>(argc, argv);
     deleteUnfinishedOnSignals();
     std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: devices and files want the decimal point
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
@@ -127,7 +129,7 @@ QString missingDisplay() {
 
 } // namespace
 
-Dispatch dispatch(int& argc, char** argv) {
+Dispatch dispatch(int& argc, char** argv, std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv)) {
     Dispatch result;
     if (const std::string sentence = notUtf8(argc, argv); !sentence.empty()) {
         std::fprintf(stderr, "bask: %s\n", sentence.c_str());
@@ -144,7 +146,7 @@ Dispatch dispatch(int& argc, char** argv) {
         if (i == 1)
             for (const Subcommand& each : subcommands())
                 if (word == QLatin1String(each.name))
-                    return ended(runSubcommand(each, argc, argv));
+                    return ended(runSubcommand(each, argc, argv, makeDrawing));
         if (word == QLatin1String("-h") || word == QLatin1String("--help"))
             return ended(finished(printHelp()));
         if (word == QLatin1String("-v") || word == QLatin1String("--version")) {
@@ -182,12 +184,7 @@ int becomeWindow(char* program, const Dispatch& asked) {
     for (QByteArray& word : words)
         arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const std::string window = programPart("bask-window", {});
-    ::execv(window.c_str(), arguments.data());
-    std::fprintf(stderr,
-                 "bask: the window's program, bask-window, cannot be started: %s; install Bask again\n",
-                 std::strerror(errno));
-    return kExitFault;
+    return become("bask-window", arguments.data());
 }
 
 } // namespace bask

@@ -3,7 +3,10 @@
 
 #include <QStringList>
 
+#include <memory>
 #include <optional>
+
+class QCoreApplication;
 
 namespace bask {
 
@@ -15,8 +18,10 @@ struct Dispatch {
 };
 
 /// Takes the arguments of main(). Prints --help, --version and complaints; runs subcommands on a
-/// QCoreApplication.
-Dispatch dispatch(int& argc, char** argv);
+/// QCoreApplication, those that draw figures on what `makeDrawing` returns. Where a subcommand is in the
+/// program `bask-draw`, this becomes it, with its process and its arguments.
+Dispatch dispatch(int& argc, char** argv,
+                  std::unique_ptr<QCoreApplication> (*makeDrawing)(char** argv) = nullptr);
 
 /// Replaces this program by the window, `bask-window`, which keeps its process and its first argument.
 /// Returns an exit code, after a sentence, if there is no display or the window's program cannot be started.

@@ -1,5 +1,5 @@
-// `bask`: the subcommands, and the door to the window, which is a program of its own. What a command does not
-// use, the window's views above all, is not loaded with it.
+// `bask`: the subcommands, and the door to the window, which is a program of its own, as are the subcommands
+// that draw. What a command does not use, the window's views above all, is not loaded with it.
 
 #include "app/command_dispatch.h"
 #include "engine/drivers/program_link.h"

@@ -21,7 +21,7 @@
 namespace bask {
 namespace {
 
-constexpr int kFieldWidth = 320;
+constexpr int kMonitorFieldWidth = 320;
 
 std::string textOf(const QLineEdit* field) {
     return field->text().trimmed().toStdString();
@@ -111,7 +111,7 @@ MonitorDialog::MonitorDialog(const MonitorSettings& settings, Ask ask, QWidget* 
 QLineEdit* MonitorDialog::field(const char* name, const std::string& text) {
     auto* made = new QLineEdit(QString::fromStdString(text), this);
     made->setObjectName(QLatin1String(name));
-    made->setMinimumWidth(kFieldWidth);
+    made->setMinimumWidth(kMonitorFieldWidth);
     return made;
 }
 

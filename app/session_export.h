@@ -1,7 +1,7 @@
 #pragma once
 // Exports a recorded session in another form from the window.
 
-#include "app/commands/session_outputs.h"
+#include "app/drawing/session_outputs.h"
 #include "widgets/common/latest_job.h"
 #include "widgets/review/session_form.h"
 

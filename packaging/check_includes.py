@@ -17,7 +17,8 @@ HEADER_SUFFIXES = {".h", ".hpp"}
 
 # Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots; sheets of `bask make-board`, which the
 # Calibrate page draws, too; the language of reports. These headers have no widget.
-COMMAND_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
+COMMAND_FOLDERS = {("app", "commands"), ("app", "drawing")}
+DRAWING_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # Names of messages, from their tables.
 MADE_BY_THE_BUILD = {"engine/base/message_names.inc", "engine/base/condition_names.inc"}
 
@@ -174,8 +175,10 @@ class Checker:
             return "only the SVG reader's own sources include it"
         if target in VTK_INSIDE and path.parts[:2] != ("engine", "exchange"):
             return "only the writers of VTK files in engine/exchange include it"
-        if path.parts[:2] == ("app", "commands") and parts[0] == "widgets" and target not in COMMAND_HEADERS:
-            return "app/commands includes no widgets: it runs without a display"
+        if path.parts[:2] == ("app", "commands") and (parts[0] == "widgets" or parts[:2] == ("app", "drawing")):
+            return "app/commands includes neither widgets nor app/drawing: its program does not load their libraries"
+        if path.parts[:2] == ("app", "drawing") and parts[0] == "widgets" and target not in DRAWING_HEADERS:
+            return "app/drawing includes only widgets that draw without a display"
         return None
 
     # -- libraries -----------------------------------------------------------------------------------------------
@@ -216,7 +219,7 @@ class Checker:
             if home not in QCUSTOMPLOT_FOLDERS:
                 self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")
         elif target.startswith("nlohmann/"):
-            forward = target == "nlohmann/json_fwd.hpp" and (home == ("app", "commands") or is_json_inside(path))
+            forward = target == "nlohmann/json_fwd.hpp" and (home in COMMAND_FOLDERS or is_json_inside(path))
             if header and not forward:
                 self.report(path, line, "json", f"{name}: the JSON library only in .cpp files")
         elif re.match(r"Q([A-Z]|t)", target):
@@ -231,7 +234,7 @@ class Checker:
         return bool(standard or eigen or SYSTEM_HEADER.fullmatch(target))
 
     def check_qt_include(self, path, line, target):
-        if path.parts[0] == "app" and len(path.parts) > 2 and path.parts[1] == "commands":
+        if tuple(path.parts[:2]) in COMMAND_FOLDERS:
             module, _, name = target.rpartition("/")
             if name.startswith(("QApplication", "QGuiApplication", "QWidget")) or module in ("QtGui", "QtWidgets"):
                 self.report(path, line, "qt", f"<{target}>: subcommands run without a display")

@@ -11,7 +11,8 @@ namespace bask {
 /// input.
 enum ExitCode { kExitDone = 0, kExitFault = 1, kExitBadInput = 2, kExitNegative = 3 };
 
-/// A subcommand; `run` gets the arguments after its name and returns an ExitCode.
+/// A subcommand; `run` gets the arguments after its name and returns an ExitCode. Null: it is in the program
+/// `bask-draw`.
 struct Subcommand {
     const char* name;
     const char* summary;
@@ -19,6 +20,7 @@ struct Subcommand {
     bool drawsFigures = false; ///< runs on a QApplication off screen, with any display or none
 };
 
+/// Of the program that asks.
 std::span<const Subcommand> subcommands();
 
 int runExperimentCommand(const QStringList& arguments);

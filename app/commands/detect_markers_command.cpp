@@ -3,7 +3,6 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/calibration/camera_file.h"
 #include "engine/calibration/dictionary_file.h"

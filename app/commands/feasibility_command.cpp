@@ -4,8 +4,8 @@
 #include "app/commands/command_line.h"
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
+#include "app/commands/output_folder.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
@@ -252,7 +252,7 @@ Result<void> writeMaps(const FeasibilityRequest& question, const std::vector<Out
         contents.push_back(reachableCsv(question.names, map));
     if (contents.empty()) // no pose of the workspace is allowed
         return {};
-    return writeStudyFiles(files, contents);
+    return writeFiles(files, contents);
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"

@@ -4,7 +4,6 @@
 #include "app/commands/command_line.h"
 #include "app/commands/end_signal.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"

@@ -2,7 +2,6 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"

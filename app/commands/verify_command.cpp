@@ -2,7 +2,6 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
-#include "app/commands/study_output.h"
 #include "engine/model/experiment.h"
 #include "engine/recording/session_verify.h"
 

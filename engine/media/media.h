@@ -22,6 +22,12 @@ public:
                         const std::vector<int>& options) const = 0;
 };
 
+/// Without these codecs, for the commonest picture of an outline: returns the picture as cv::imdecode() with
+/// IMREAD_UNCHANGED gives it, if `bytes` (one row, 8 bits) are a
+/// whole PNG of 8 bits that is grey, RGB or RGBA, without interlace or transparent colour, of at most 64
+/// megapixels; else an empty one.
+cv::Mat decodePlainPng(const cv::Mat& bytes);
+
 /// A cv::VideoCapture.
 class VideoInput {
 public:

@@ -1,4 +1,4 @@
-#include "engine/media/plain_png.h"
+#include "engine/media/media.h"
 
 #include <opencv2/core.hpp>
 

@@ -12,7 +12,7 @@ namespace {
 static_assert(std::endian::native == std::endian::little,
               "the file's numbers are taken as they lie in memory");
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr auto kIsPlotted = [](const auto& column) { return column.plot.has_value(); };
 constexpr std::size_t kQuantities = 1 + // the speed, which is no column
@@ -41,7 +41,7 @@ const PlottedAs& plottedAs(Quantity quantity) {
 }
 
 double finiteOrNaN(double value) {
-    return std::isfinite(value) ? value : kNaN;
+    return std::isfinite(value) ? value : kNotKnown;
 }
 
 template <class T> void append(std::string& out, const T& value) {
@@ -89,7 +89,7 @@ std::size_t lineIndex(Quantity quantity, std::size_t series, std::size_t objects
 double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t series) {
     if (const ObjectColumn* column = plottedColumn(quantity)) {
         if (series >= sample.objects.size() || (column->isReading && !sample.objects[series].valid))
-            return kNaN;
+            return kNotKnown;
         return finiteOrNaN(column->value.get(sample.objects[series]));
     }
     if (const RunColumn* column = plottedRunColumn(quantity))

@@ -1,6 +1,5 @@
 #include "engine/base/message_code.h"
 #include "engine/media/media.h"
-#include "engine/media/plain_png.h"
 #include "engine/shape/contour_import.h"
 
 #include "engine/shape/contour_file.h"

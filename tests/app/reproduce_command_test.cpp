@@ -1,7 +1,7 @@
 // bask reproduce: the paper's experiments hold what the paper says, and the report says what came of them.
 
 #include "app/commands/command_line.h"
-#include "app/commands/reproduction.h"
+#include "app/drawing/reproduction.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/rig/rig_setup.h"

@@ -1,7 +1,7 @@
 // Reports and figures of sessions, by the subcommands.
 
 #include "app/commands/command_line.h"
-#include "app/commands/session_outputs.h"
+#include "app/drawing/session_outputs.h"
 #include "app/report/report_record.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"

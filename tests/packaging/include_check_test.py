@@ -28,7 +28,7 @@ CLEAN = {
     "widgets/run/run_page.cpp": '#include "widgets/plots/plot.h"\n#include "widgets/scene/view.h"\n',
     "widgets/plots/plot.h": "#pragma once\n",
     "widgets/plots/figure_png.h": "#pragma once\n",
-    "app/commands/study_command.cpp": '#include "widgets/plots/figure_png.h"\n',
+    "app/drawing/study_command.cpp": '#include "widgets/plots/figure_png.h"\n',
     "app/main_window.cpp": '#include "engine/runtime/engine_worker.h"\n#include "widgets/common/chip.h"\n',
     "app/commands/run_command.cpp": '#include "engine/shape/contour.h"\n#include <QString>\n',
 }
@@ -61,6 +61,7 @@ class IncludeCheck(unittest.TestCase):
 
     def test_command_includes_widgets(self):
         self.assert_violation("app/commands/bad.cpp", '#include "widgets/common/chip.h"\n', 1, "folder")
+        self.assert_violation("app/drawing/bad.cpp", '#include "widgets/common/chip.h"\n', 1, "folder")
 
     def test_command_needs_a_display(self):
         self.assert_violation("app/commands/bad.cpp", "#include <QApplication>\n", 1, "qt")

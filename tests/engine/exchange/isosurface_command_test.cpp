@@ -149,7 +149,7 @@ TEST_F(IsosurfaceCommand, refusesBadInputInWords) {
     const std::pair<QStringList, const char*> bad[] = {
         {{}, "1 argument expected, 0 given"},
         {{"/no/such.json"}, "/no/such.json: there is no such file"},
-        {{kThreeObjects}, "--object: \"\" is not known; known: circle, bunny, hand"},
+        {{kThreeObjects}, "--object: one of circle, bunny, hand expected, nothing found"},
         {{kThreeObjects, "--object", "cat"}, "--object: \"cat\" is not known; known: circle, bunny"},
         {with({"--value", "0.3"}), "--value: F=0.3 or T=50 (degrees Celsius) expected, \"0.3\" found"},
         {with({"--value", "F=much"}), "--value F=much: a finite number expected, \"much\" found"},

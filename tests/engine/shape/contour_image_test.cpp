@@ -1,7 +1,7 @@
 // Outlines from pictures: true size to a fraction of a pixel, and refusals of what is no silhouette.
 
 #include "engine/base/message_code.h"
-#include "engine/media/plain_png.h"
+#include "engine/media/media.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"

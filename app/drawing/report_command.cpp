@@ -1,0 +1,46 @@
+// bask report: a recorded session as one file to read, HTML or PDF.
+
+#include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
+#include "app/drawing/session_outputs.h"
+#include "app/drawing/study_output.h"
+
+#include <QCommandLineParser>
+
+namespace bask {
+
+int reportCommand(const QStringList& arguments) {
+    constexpr const char* kName = "report";
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        "Writes a report of a recorded session: how it ended, metrics with their definitions, traces, "
+        "trajectories,\n"
+        "set-up, feasibility of the targets, calibration, events, versions and the file's SHA-256. "
+        "Everything\n"
+        "is in the one file. Exit code: 0 done, 2 bad input or unwritable output.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addOptions({{{"o", "output"}, "The report, *.html or *.pdf. Required.", "FILE"},
+                       {"language", "en, fr, zh_CN or zh_TW.", "CODE", "en"}});
+    parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
+    if (const auto code = parseCommand(parser, kName, arguments, 1))
+        return *code;
+    if (!parser.isSet("output"))
+        return refuse(kName, QStringLiteral("-o FILE.html or -o FILE.pdf is needed"));
+    const std::string path = parser.value("output").toStdString();
+    const std::string from = parser.positionalArguments().front().toStdString();
+    if (const auto place = checkReportFile(path, from); !place)
+        return refuse(kName, place.error());
+    Language language;
+    if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
+        return refuse(kName, spoken.error());
+    auto session = readSession(from);
+    if (!session)
+        return refuse(kName, session.error());
+    RunReportInput input = reportInput(std::move(*session), TemperatureUnit::Celsius);
+    input.language = language.current();
+    if (const auto written = writeReport(input, path); !written)
+        return refuse(kName, written.error());
+    return kExitDone;
+}
+
+} // namespace bask
