@@ -83,6 +83,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     endRecording->setEnabled(false);
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
+    largeNumbers = make("largeNumbers");
     monitoring = make("monitoring");
     labels = make("labels", QKeySequence(Qt::CTRL | Qt::Key_L));
     m_clearRecent = make("clearRecent");
@@ -249,7 +250,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_viewMenu->addMenu(m_hornMenu);
     m_viewMenu->addMenu(m_languageMenu);
     m_viewMenu->addSeparator();
-    m_viewMenu->addAction(monitoring);
+    m_viewMenu->addActions({largeNumbers, monitoring});
     for (QAction* action : m_units)
         m_unitMenu->addAction(action);
     for (QAction* action : m_themes)
@@ -361,6 +362,7 @@ void Actions::retranslateView() {
         action->setToolTip(tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or "
                               "over; once for priority 3"));
     m_languageMenu->setTitle(tr("&Language"));
+    largeNumbers->setText(tr("Large &numbers"));
     monitoring->setText(tr("&Monitoring…"));
     m_toolsMenu->setTitle(tr("&Tools"));
     retranslateFaults();

@@ -59,7 +59,7 @@ public:
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo; ///< UndoActions sets their texts
-    QAction *endRecording, *acknowledgeAlarms, *labels, *monitoring;
+    QAction *endRecording, *acknowledgeAlarms, *labels, *largeNumbers, *monitoring;
     QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
 signals:

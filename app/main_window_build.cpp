@@ -6,6 +6,7 @@
 #include "app/cut_off_run.h"
 #include "app/data_folder.h"
 #include "app/error_text.h"
+#include "app/large_numbers_control.h"
 #include "app/main_window.h"
 #include "app/monitor_control.h"
 #include "app/recipe_control.h"
@@ -191,6 +192,10 @@ void MainWindow::connectParts() {
             qOverload<const MonitorState&>(&StatusLine::showMonitor));
     connect(m_monitor, &MonitorControl::problem, m_pages, &PageHost::showProblem);
     connect(m_actions.monitoring, &QAction::triggered, m_monitor, &MonitorControl::askSettings);
+    auto* largeNumbers = new LargeNumbersControl(*m_pages->run(), this);
+    connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::open);
+    connect(largeNumbers, &LargeNumbersControl::stopRequested, m_stateBar, &StateBar::stopRequested);
+    connect(&m_engine, &EngineClient::answeringChanged, largeNumbers, &LargeNumbersControl::setAnswering);
     connectRecipe();
     connectCoach();
 }

@@ -187,4 +187,12 @@ void SettingsStore::setWindow(const QByteArray& geometry, const QByteArray& stat
     m_settings.setValue(windowKey("state"), state);
 }
 
+QByteArray SettingsStore::largeNumbersGeometry() const {
+    return m_settings.value(windowKey("large-numbers")).toByteArray();
+}
+
+void SettingsStore::setLargeNumbersGeometry(const QByteArray& geometry) {
+    m_settings.setValue(windowKey("large-numbers"), geometry);
+}
+
 } // namespace bask

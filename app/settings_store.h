@@ -69,6 +69,8 @@ public:
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);
+    QByteArray largeNumbersGeometry() const;
+    void setLargeNumbersGeometry(const QByteArray& geometry);
 
 private:
     QSettings m_settings;

@@ -3,6 +3,7 @@
 #include "app/error_text.h"
 #include "app/icons.h"
 #include "widgets/common/alarm_button.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/run_label_words.h"
 #include "widgets/common/run_state_chip.h"
@@ -267,7 +268,7 @@ void StateBar::showTag() {
     tinted.setColor(QPalette::ButtonText, colour);
     m_tagIcon->setPixmap(themedIcon(m_simulated ? QStringLiteral("simulated") : QStringLiteral("run"), tinted)
                              .pixmap(QSize(18, 18), devicePixelRatio()));
-    m_tagWord->setText(m_simulated ? tr("SIMULATED") : tr("LIVE"));
+    m_tagWord->setText(rigWord(m_simulated));
     m_tag->setToolTip(m_simulated ? tr("The rig is simulated: no device moves or heats.")
                                   : tr("The rig is real: Start moves it and opens the heat."));
     m_tag->setAccessibleName(m_tagWord->text());

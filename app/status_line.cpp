@@ -130,24 +130,11 @@ QString StatusLine::sourceText() const {
     return m_source.source_K ? tr("source %1 as typed,").arg(now) : tr("source: no temperature typed,");
 }
 
-QString StatusLine::heatText() const {
-    if (m_source.isSourceManual)
-        return tr("heated by hand");
-    switch (m_answering ? m_source.heat : HeatState::Unknown) {
-    case HeatState::Off:
-        return tr("heat off");
-    case HeatState::On:
-        return tr("heat on");
-    case HeatState::Unknown:
-        break;
-    }
-    return tr("heat UNKNOWN");
-}
-
 /// Unknown is a word, a mark and a colour of its own, and the last temperature is grey.
 void StatusLine::showHeat() {
     const bool isUnknown = !m_source.isSourceManual && (!m_answering || m_source.heat == HeatState::Unknown);
-    if (const QString text = heatText(); text != m_heatLabel->text())
+    const QString text = heatWord(m_answering ? m_source.heat : HeatState::Unknown, m_source.isSourceManual);
+    if (text != m_heatLabel->text())
         m_heatLabel->setText(text);
     showOld(m_sourceLabel, !m_answering || !m_source.source_K);
     showUnknown(m_heatMark, m_heatLabel, isUnknown);

@@ -36,7 +36,6 @@ private:
     void retranslate();
     QString ageText() const;
     QString sourceText() const;
-    QString heatText() const;
     void showHeat();
     void showMonitor();
     QString trackingText() const;

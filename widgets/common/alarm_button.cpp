@@ -16,11 +16,6 @@ constexpr int kMark = 18;
 constexpr int kButtonPadding = 8;
 constexpr int kMaxText = 420;
 
-/// It still is so, and nobody has seen it.
-bool isCalling(const AlarmGroup& group) {
-    return group.isActive() && !group.alarm.isAcknowledged;
-}
-
 } // namespace
 
 AlarmButton::AlarmButton(QWidget* parent) : QAbstractButton(parent) {
@@ -77,7 +72,7 @@ QString AlarmButton::othersText() const {
 
 QFont AlarmButton::textFont() const {
     QFont shown = font();
-    shown.setBold(!m_alarms.empty() && isCalling(m_alarms.front()));
+    shown.setBold(!m_alarms.empty() && m_alarms.front().isCalling());
     return shown;
 }
 
@@ -110,7 +105,7 @@ void AlarmButton::paintEvent(QPaintEvent*) {
     const Alarm& alarm = m_alarms.front().alarm;
     const bool isOver = !m_alarms.front().isActive();
     const bool dark = isDark(this);
-    const bool isNew = isCalling(m_alarms.front()) && !m_isStale;
+    const bool isNew = m_alarms.front().isCalling() && !m_isStale;
     const QColor colour = isNew ? alarmColor(alarm.priority, dark) : secondaryText(dark);
 
     QPainter painter(this);

@@ -22,6 +22,10 @@ bool AlarmGroup::isActive() const {
     return alarm.isActive || std::ranges::any_of(consequences, &Alarm::isActive);
 }
 
+bool AlarmGroup::isCalling() const {
+    return isActive() && !alarm.isAcknowledged;
+}
+
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {
     std::vector<std::size_t> roots(alarms.size());
     for (std::size_t i = 0; i < alarms.size(); ++i)

@@ -11,7 +11,8 @@ namespace bask {
 struct AlarmGroup {
     Alarm alarm;
     std::vector<Alarm> consequences;
-    bool isActive() const; ///< whether any of them is active
+    bool isActive() const;  ///< whether any of them is active
+    bool isCalling() const; ///< it still is so, and nobody has seen it
     bool operator==(const AlarmGroup&) const = default;
 };
 

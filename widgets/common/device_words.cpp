@@ -153,6 +153,24 @@ QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit) {
         .arg(formatTemperature(snapshot.latest.source_K, unit), formatAge(snapshot.sourceAge_s));
 }
 
+QString heatWord(HeatState heat, bool isManual) {
+    if (isManual)
+        return DeviceWords::tr("heated by hand");
+    switch (heat) {
+    case HeatState::Off:
+        return DeviceWords::tr("heat off");
+    case HeatState::On:
+        return DeviceWords::tr("heat on");
+    case HeatState::Unknown:
+        break;
+    }
+    return DeviceWords::tr("heat UNKNOWN");
+}
+
+QString rigWord(bool isSimulated) {
+    return isSimulated ? DeviceWords::tr("SIMULATED") : DeviceWords::tr("LIVE");
+}
+
 QString ageText(double age_s) {
     if (!(age_s < kLongestAge_s))
         return {};

@@ -21,6 +21,10 @@ QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit);
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
                                          DeviceRole::Camera, DeviceRole::ThermalCamera};
 
+/// Returns "heat on", or "heated by hand" if a person heats the source and types its temperature.
+QString heatWord(HeatState heat, bool isManual);
+QString rigWord(bool isSimulated); ///< "SIMULATED", "LIVE"
+
 const char* roleName(DeviceRole role); ///< "robot", for object names
 QString roleWord(DeviceRole role);     ///< "Robot"
 QString linkWord(LinkState state);     ///< "Live"

@@ -263,14 +263,25 @@ void ObjectTile::setTemperatureUnit(TemperatureUnit unit) {
     showValues();
 }
 
+/// What is shown of a reading that is not known is the last that was: grey and with its age, never as if it
+/// were the present one, and never 0.
+ShownObject ObjectTile::shown() const {
+    const bool isOld = isUnknown(m_activity);
+    const double told_K =
+        std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
+    const double known_K = m_sample.valid && !isOld ? m_sample.measured_K : ShownObject::kNothing;
+    const QString age = isOld && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s) : QString();
+    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, known_K - m_sample.target_K,
+            age};
+}
+
 void ObjectTile::showValues() {
-    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    const ShownObject now = shown();
     const bool isKnown = m_sample.valid && !isUnknown(m_activity);
-    const double measured_K = isKnown ? m_sample.measured_K : nothing;
-    showTemperature();
-    m_target->setText(formatTemperature(m_sample.target_K, m_unit));
-    m_error->setText(formatDifference(measured_K - m_sample.target_K, m_unit));
-    m_rate->setText(formatRate(isKnown ? rate_K_s() : nothing, m_unit));
+    showTemperature(now);
+    m_target->setText(formatTemperature(now.target_K, m_unit));
+    m_error->setText(formatDifference(now.error_K, m_unit));
+    m_rate->setText(formatRate(isKnown ? rate_K_s() : ShownObject::kNothing, m_unit));
 
     const bool dark = isDark(this);
     const QColor ink = isUnknown(m_activity) ? unknownColor(dark) : palette().color(QPalette::WindowText);
@@ -287,17 +298,10 @@ void ObjectTile::showValues() {
         QStringLiteral("%1, %2 %3").arg(m_stateLabel->text(), m_temperature->text(), m_age->text()));
 }
 
-/// What is shown of a reading that is not known is the last that was: grey and with its age, never as if it
-/// were the present one, and never 0.
-void ObjectTile::showTemperature() {
+void ObjectTile::showTemperature(const ShownObject& now) {
     const bool isOld = isUnknown(m_activity);
     const bool isDoubted = m_activity == ObjectActivity::SensorDistrusted;
-    const double told_K =
-        std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
-    m_temperature->setText(formatTemperature(isOld            ? told_K
-                                             : m_sample.valid ? m_sample.measured_K
-                                                              : std::numeric_limits<double>::quiet_NaN(),
-                                             m_unit));
+    m_temperature->setText(formatTemperature(now.temperature_K, m_unit));
     if (QFont font = m_temperature->font(); font.strikeOut() != isDoubted) {
         font.setStrikeOut(isDoubted);
         m_temperature->setFont(font);
@@ -307,27 +311,37 @@ void ObjectTile::showTemperature() {
         shown.setColor(QPalette::WindowText, secondaryText(isDark(this)));
     if (m_temperature->palette() != shown)
         m_temperature->setPalette(shown);
-    m_age->setText(footText());
+    m_age->setText(isOld ? now.age : cameraText());
     m_age->setVisible(!isDoubted);
     m_confirm->setVisible(isDoubted);
 }
 
-/// The age of a reading that is not known; else what the thermal camera sees.
-QString ObjectTile::footText() const {
-    if (isUnknown(m_activity))
-        return std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s) : QString();
+/// What the thermal camera sees, in the place of an age.
+QString ObjectTile::cameraText() const {
     if (std::isfinite(m_sample.camera.T_K))
         return tr("Camera %1").arg(formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit));
     return {};
 }
 
+QString ObjectTile::targetWord() {
+    return tr("Target");
+}
+
+QString ObjectTile::errorWord() {
+    return tr("Error");
+}
+
+QString ObjectTile::nameWords(const QString& name) {
+    return tr("Object %1").arg(name);
+}
+
 void ObjectTile::retranslateUi() {
-    m_targetCaption->setText(tr("Target"));
-    m_errorCaption->setText(tr("Error"));
+    m_targetCaption->setText(targetWord());
+    m_errorCaption->setText(errorWord());
     m_errorCaption->setToolTip(tr("Measured minus target"));
     m_rateCaption->setText(tr("Rate"));
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
-    setAccessibleName(tr("Object %1").arg(m_name));
+    setAccessibleName(nameWords(m_name));
     m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
     m_age->setToolTip(
         tr("Age of the newest reading that was believed, or what the thermal camera sees of the "

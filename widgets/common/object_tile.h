@@ -37,6 +37,18 @@ struct SensorView {
     bool operator==(const SensorView&) const = default;
 };
 
+/// What a tile shows of its object: other views of the same run show this and judge nothing again.
+struct ShownObject {
+    static constexpr double kNothing = std::numeric_limits<double>::quiet_NaN(); ///< shown as a dash
+
+    QString name;
+    ObjectActivity activity = ObjectActivity::Waiting;
+    double temperature_K = kNothing; ///< of an unknown one the last that was told
+    double target_K = kNothing;
+    double error_K = kNothing;
+    QString age; ///< of a reading that is not known; empty if there was none
+};
+
 /// A temperature that is not, or no longer, known is grey with its age; an untrusted one is struck out, and a
 /// person can confirm it. Object names: the tile "objectTile.<index>"; inside "tileName", "tileState",
 /// "tileTemperature", "tileAge", "confirmSensor", "tileTarget", "tileError", "tileRate".
@@ -59,6 +71,12 @@ public:
     void clear(double target_K);
     void setTemperatureUnit(TemperatureUnit unit);
     ObjectActivity activity() const { return m_activity; }
+    ShownObject shown() const;
+
+    static QString targetWord(); ///< "Target"
+    static QString errorWord();  ///< "Error"
+    /// Returns "Object bunny", for a screen reader.
+    static QString nameWords(const QString& name);
 
 signals:
     /// A person confirms that the sensor is correct.
@@ -72,8 +90,8 @@ private:
     void retranslateUi();
     void restyle();
     void showValues();
-    void showTemperature();
-    QString footText() const;
+    void showTemperature(const ShownObject& now);
+    QString cameraText() const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
     double rate_K_s() const; ///< NaN if there is none

@@ -28,20 +28,6 @@ constexpr std::array kStates{RunState::Idle,    RunState::NotReady, RunState::Re
                              RunState::Running, RunState::Holding,  RunState::Settled, RunState::Stopping,
                              RunState::Stopped, RunState::Fault};
 
-/// Alarm priority of a state; 0 for the normal ones.
-int alarmPriority(RunState state) {
-    switch (state) {
-    case RunState::Fault:
-        return 1;
-    case RunState::Holding:
-        return 2;
-    case RunState::NotReady:
-        return 3;
-    default:
-        return 0;
-    }
-}
-
 QColor inkColor(RunState state, bool dark) {
     switch (state) {
     case RunState::Armed:
@@ -100,6 +86,19 @@ QString chipText(RunState state, qsizetype reasons) {
 
 } // namespace
 
+int statePriority(RunState state) {
+    switch (state) {
+    case RunState::Fault:
+        return 1;
+    case RunState::Holding:
+        return 2;
+    case RunState::NotReady:
+        return 3;
+    default:
+        return 0;
+    }
+}
+
 RunStateChip::RunStateChip(QWidget* parent) : QAbstractButton(parent), m_menu(new QMenu(this)) {
     setObjectName(QStringLiteral("runStateChip"));
     m_menu->setObjectName(QStringLiteral("runStateReasons"));
@@ -149,8 +148,12 @@ void RunStateChip::setCompact(bool isCompact) {
     updateGeometry();
 }
 
+QString RunStateChip::unknownWord() {
+    return tr("UNKNOWN", "state of the run");
+}
+
 QString RunStateChip::word() const {
-    return m_isUnknown ? tr("UNKNOWN", "state of the run") : chipText(m_state, m_reasons.size());
+    return m_isUnknown ? unknownWord() : chipText(m_state, m_reasons.size());
 }
 
 void RunStateChip::retranslateUi() {
@@ -206,7 +209,7 @@ QSize RunStateChip::sizeHint() const {
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics(bold);
-    int widest = metrics.horizontalAdvance(tr("UNKNOWN", "state of the run"));
+    int widest = metrics.horizontalAdvance(unknownWord());
     for (RunState state : kStates)
         widest =
             std::max(widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
@@ -216,7 +219,7 @@ QSize RunStateChip::sizeHint() const {
 
 void RunStateChip::paintEvent(QPaintEvent*) {
     const bool dark = isDark(this);
-    const int priority = m_isUnknown ? 0 : alarmPriority(m_state);
+    const int priority = m_isUnknown ? 0 : statePriority(m_state);
     const bool fault = m_isUnknown || m_state == RunState::Fault;
     const QColor signal = m_isUnknown    ? unknownColor(dark)
                           : priority > 0 ? alarmColor(priority, dark)

@@ -11,6 +11,9 @@ class QMenu;
 
 namespace bask {
 
+/// Returns the priority of an alarm whose mark and colour a state has; 0 for the normal ones.
+int statePriority(RunState state);
+
 /// Shows only what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with one
 /// action for each reason (its text is the reason).
 class RunStateChip : public QAbstractButton {
@@ -33,6 +36,7 @@ public:
     const QString& caption() const { return m_caption; }
     const QStringList& reasons() const { return m_reasons; }
     QMenu* reasonsMenu() const { return m_menu; }
+    static QString unknownWord(); ///< of a state that is not known
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

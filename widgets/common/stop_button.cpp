@@ -19,13 +19,15 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     retranslateUi();
 }
 
-StopButton::StopButton(StopButton& original, QWidget* dialog) : QAbstractButton(dialog) {
+StopButton::StopButton(StopButton& original, QWidget* dialog)
+    : QAbstractButton(dialog), m_original(&original) {
     setWindowFlags(Qt::Tool | Qt::FramelessWindowHint | Qt::WindowStaysOnTopHint |
                    Qt::WindowDoesNotAcceptFocus);
     setObjectName(QStringLiteral("stopTwin"));
     setAttribute(Qt::WA_ShowWithoutActivating);
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
+    setFont(original.font());
     connect(this, &QAbstractButton::pressed, &original, &StopButton::stopRequested);
     retranslateUi();
     setGeometry({original.mapToGlobal(QPoint(0, 0)), original.size()});
@@ -33,16 +35,22 @@ StopButton::StopButton(StopButton& original, QWidget* dialog) : QAbstractButton(
 }
 
 void StopButton::standOver(QWidget* dialog) {
-    const bool hasTwin = dialog->findChild<StopButton*>(QString(), Qt::FindDirectChildrenOnly) != nullptr;
-    if (isVisible() && dialog->isVisible() && !hasTwin)
+    if (isVisible() && dialog->isVisible() && twinOn(dialog) == nullptr)
         new StopButton(*this, dialog);
+}
+
+StopButton* StopButton::twinOn(const QWidget* dialog) const {
+    for (StopButton* twin : dialog->findChildren<StopButton*>(QString(), Qt::FindDirectChildrenOnly))
+        if (twin->m_original == this)
+            return twin;
+    return nullptr;
 }
 
 bool StopButton::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show || event->type() == QEvent::Hide) {
         auto* dialog = qobject_cast<QWidget*>(watched);
         if (dialog != nullptr && dialog->isWindow() && dialog->isModal()) {
-            auto* twin = dialog->findChild<StopButton*>(QString(), Qt::FindDirectChildrenOnly);
+            StopButton* twin = twinOn(dialog);
             if (event->type() == QEvent::Show) // the twin comes when the dialog's own window is there
                 QMetaObject::invokeMethod(
                     this, [this, there = QPointer(dialog)] { there ? standOver(there) : void(); },

@@ -6,8 +6,8 @@
 namespace bask {
 
 /// Object name "stopButton"; its twins "stopTwin". A modal dialog blocks the mouse in all other windows: then
-/// a twin, a window of the dialog, covers the button and does the same. It never asks for confirmation and is
-/// never disabled by the program.
+/// a twin, a window of the dialog, covers the button and does the same; each window's button has its own. It
+/// never asks for confirmation and is never disabled by the program. It grows with its font.
 class StopButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -28,7 +28,10 @@ protected:
 private:
     StopButton(StopButton& original, QWidget* dialog);
     void standOver(QWidget* dialog);
+    StopButton* twinOn(const QWidget* dialog) const; ///< null without one
     void retranslateUi();
+
+    const StopButton* m_original = nullptr; ///< of a twin
 };
 
 } // namespace bask

@@ -111,6 +111,14 @@ void RunPage::apply(const Snapshot& snapshot) {
         index >= 0 && !m_speed->view()->isVisible())
         m_speed->setCurrentIndex(index);
     showBehind();
+    emit applied(snapshot);
+}
+
+std::vector<ShownObject> RunPage::shownObjects() const {
+    std::vector<ShownObject> objects;
+    for (const ObjectTile* tile : m_tiles->tiles())
+        objects.push_back(tile->shown());
+    return objects;
 }
 
 void RunPage::showScene(const Snapshot& snapshot) {

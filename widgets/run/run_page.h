@@ -5,6 +5,7 @@
 #include "engine/model/experiment.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/thermography/thermal_view.h"
+#include "widgets/common/object_tile.h"
 #include "widgets/plots/trace_store.h"
 
 #include <QWidget>
@@ -46,6 +47,9 @@ public:
     /// the event loop.
     void apply(const Snapshot& snapshot);
     void setTemperatureUnit(TemperatureUnit unit);
+    TemperatureUnit temperatureUnit() const { return m_unit; }
+    /// Returns what the tiles show now.
+    std::vector<ShownObject> shownObjects() const;
     /// Shows a recorded moment on all plots (from the event list).
     void showMoment(double time_s);
 
@@ -56,6 +60,8 @@ public slots:
     void setThermalView(const bask::ThermalView& view);
 
 signals:
+    /// All of the snapshot is shown.
+    void applied(const bask::Snapshot& snapshot);
     void controllerApplied(const bask::ControllerSettings& settings);
     void noteAdded(const QString& text);
     /// A person confirms that the sensor of an object is correct.

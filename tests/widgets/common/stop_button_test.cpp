@@ -58,3 +58,24 @@ TEST(StopButton, HasATwinOverAModalDialog) {
         EXPECT_TRUE(QTest::qWaitFor([&] { return twin() == nullptr; }));
     }
 }
+
+// Catches a window whose red button is deaf behind a dialog, since another window's button has a twin there.
+TEST(StopButton, EveryWindowsButtonHasATwinOfItsOwn) {
+    StopButton button, other;
+    button.move(40, 30);
+    other.move(300, 200);
+    for (StopButton* each : {&button, &other})
+        each->show();
+    QSignalSpy stop(&button, &StopButton::stopRequested), otherStop(&other, &StopButton::stopRequested);
+    QDialog dialog;
+    dialog.setModal(true);
+    dialog.show();
+    const auto twins = [&] { return dialog.findChildren<StopButton*>(QStringLiteral("stopTwin")); };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return twins().size() == 2; }));
+    for (StopButton* twin : twins())
+        QTest::mousePress(twin, Qt::LeftButton);
+    EXPECT_EQ(stop.count(), 1);
+    EXPECT_EQ(otherStop.count(), 1);
+    dialog.hide();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return twins().isEmpty(); }));
+}

@@ -1,0 +1,248 @@
+#include "widgets/run/large_numbers.h"
+
+#include "widgets/common/alarm_groups.h"
+#include "widgets/common/alarm_words.h"
+#include "widgets/common/device_words.h"
+#include "widgets/common/display.h"
+#include "widgets/common/run_state_chip.h"
+#include "widgets/common/stop_button.h"
+#include "widgets/common/theme.h"
+#include "widgets/run/large_text.h"
+#include "widgets/run/large_tile.h"
+
+#include <QEvent>
+#include <QPainter>
+#include <QShortcut>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr double kTopPart = 0.16, kAlarmPart = 0.067, kGapPart = 0.011; // of the window's height
+constexpr double kStateRow = 0.58;                                      // of the part at the top
+constexpr double kStopPart = 0.27;                                      // of the window's width
+constexpr float kCallingGround = 0.18F, kSeenGround = 0.06F;            // as on the state bar
+
+} // namespace
+
+LargeNumbers::LargeNumbers(QWidget* parent)
+    : QWidget(parent, Qt::Window), m_rig(new LargeText("largeRig", Qt::AlignHCenter, this)),
+      m_state(new LargeText("largeState", Qt::AlignLeft, this)),
+      m_clock(new LargeText("largeClock", Qt::AlignRight, this)),
+      m_source(new LargeText("largeSource", Qt::AlignLeft, this)),
+      m_heat(new LargeText("largeHeat", Qt::AlignRight, this)),
+      m_alarm(new LargeText("largeAlarm", Qt::AlignLeft, this)), m_stop(new StopButton(this)) {
+    setObjectName(QStringLiteral("largeNumbersWindow"));
+    m_stop->setObjectName(QStringLiteral("largeStop"));
+    setFocusPolicy(Qt::StrongFocus);
+    setFocus(); // or Space would be for STOP
+    QFont bold = font();
+    bold.setBold(true);
+    m_rig->setFont(bold);
+    m_state->setFont(bold);
+    m_alarm->setWordWrap(true);
+    connect(m_stop, &StopButton::stopRequested, this, &LargeNumbers::stopRequested);
+    new QShortcut(Qt::Key_F11, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    new QShortcut(Qt::Key_Escape, this, [this] { setWindowState(windowState() & ~Qt::WindowFullScreen); });
+    setMinimumSize(480, 300);
+    resize(960, 600);
+    retranslate();
+}
+
+void LargeNumbers::apply(const Snapshot& snapshot, const std::vector<ShownObject>& objects,
+                         TemperatureUnit unit) {
+    m_isTold = true;
+    m_last.simulated = snapshot.simulated;
+    m_last.state = snapshot.state;
+    m_last.runTime_s = snapshot.runTime_s;
+    m_last.alarms = snapshot.alarms;
+    m_last.source_K = snapshot.source_K;
+    m_last.latest.source_K = snapshot.latest.source_K;
+    m_last.sourceAge_s = snapshot.sourceAge_s;
+    m_last.heat = snapshot.heat;
+    m_last.isSourceManual = snapshot.isSourceManual;
+    m_objects = objects;
+    m_unit = unit;
+    refresh();
+}
+
+void LargeNumbers::setAnswering(bool answering) {
+    m_isAnswering = answering;
+    refresh();
+}
+
+void LargeNumbers::refresh() {
+    showState();
+    showSource();
+    showAlarm();
+    showTiles();
+}
+
+void LargeNumbers::showState() {
+    if (m_isTold) {
+        m_rig->setText(rigWord(m_last.simulated));
+        m_clock->setText(tr("Run %1", "%1 is the time since Start").arg(formatDuration(m_last.runTime_s)));
+    }
+    m_state->setText(!m_isAnswering ? RunStateChip::unknownWord()
+                     : m_isTold     ? runStateWord(m_last.state)
+                                    : QString());
+    m_state->setLook(m_isAnswering && m_isTold ? LargeLook{.priority = statePriority(m_last.state)}
+                                               : LargeLook{.isUnknown = !m_isAnswering});
+    m_clock->setLook({.isGrey = !m_isAnswering});
+    m_rig->setLook({.isGrey = m_last.simulated});
+}
+
+void LargeNumbers::showSource() {
+    if (!m_isTold)
+        return;
+    const HeatState heat = m_isAnswering ? m_last.heat : HeatState::Unknown;
+    m_source->setText(tr("Source %1", "%1 is its newest temperature").arg(sourceReadingText(m_last, m_unit)));
+    m_source->setLook({.isGrey = !m_isAnswering || !m_last.source_K});
+    m_heat->setText(asSentence(heatWord(heat, m_last.isSourceManual)));
+    m_heat->setLook({.isUnknown = heat == HeatState::Unknown && !m_last.isSourceManual});
+}
+
+/// The gravest that still is so; that the engine is silent comes before it.
+void LargeNumbers::showAlarm() {
+    const bool dark = isDark(this);
+    const std::vector<AlarmGroup> alarms = groupAlarms(m_last.alarms).present;
+    const bool isAlarm = !alarms.empty() && alarms.front().isActive();
+    QString words;
+    LargeLook look;
+    QColor ground;
+    if (isAlarm) {
+        const AlarmGroup& first = alarms.front();
+        words = alarmHeadline(first.alarm, m_unit);
+        if (alarms.size() > 1)
+            words += QStringLiteral(" (+%1)").arg(alarms.size() - 1);
+        look.priority = first.alarm.priority;
+        ground = first.isCalling() ? alarmColor(first.alarm.priority, dark) : secondaryText(dark);
+        ground.setAlphaF(first.isCalling() ? kCallingGround : kSeenGround);
+    }
+    if (!m_isAnswering) {
+        words =
+            tr("The engine is not answering: what is shown is old.") + (isAlarm ? u' ' + words : QString());
+        look = {.isUnknown = true};
+        ground = unknownColor(dark);
+        ground.setAlphaF(kCallingGround);
+    }
+    m_alarm->setText(words);
+    m_alarm->setLook(look);
+    if (ground != m_alarmGround) {
+        m_alarmGround = ground;
+        update();
+    }
+}
+
+void LargeNumbers::showTiles() {
+    const std::size_t before = m_tiles.size();
+    while (m_tiles.size() > m_objects.size()) {
+        delete m_tiles.back();
+        m_tiles.pop_back();
+    }
+    while (m_tiles.size() < m_objects.size()) {
+        m_tiles.push_back(new LargeTile(static_cast<int>(m_tiles.size()), this));
+        m_tiles.back()->show();
+    }
+    for (std::size_t i = 0; i < m_tiles.size(); ++i)
+        m_tiles[i]->setShown(m_objects[i], m_unit);
+    if (m_tiles.size() != before)
+        arrange();
+}
+
+void LargeNumbers::arrange() {
+    const int gap = std::max(4, qRound(kGapPart * height()));
+    const QRect all = rect().adjusted(gap, gap, -gap, -gap);
+    const int top = qRound(kTopPart * height()), alarm = qRound(kAlarmPart * height());
+    sizeStop({qRound(kStopPart * width()), top});
+    m_stop->setGeometry(all.right() + 1 - qRound(kStopPart * width()), all.top(), qRound(kStopPart * width()),
+                        top);
+    const int left = m_stop->x() - gap - all.left(), upper = qRound(kStateRow * (top - gap));
+    placeInRow(QRect(all.left(), all.top(), left, upper), gap, {{m_state, 0.66}, {m_clock, 0.34}});
+    placeInRow(QRect(all.left(), all.top() + upper + gap, left, top - gap - upper), gap,
+               {{m_rig, 0.24}, {m_source, 0.42}, {m_heat, 0.34}});
+    m_rigFrame = m_rig->geometry();
+    m_rig->setGeometry(m_rigFrame.adjusted(gap, gap / 2, -gap, -gap / 2));
+    m_alarm->setGeometry(all.adjusted(gap, all.height() - alarm, -gap, 0));
+    arrangeTiles(all.adjusted(0, top + gap, 0, -alarm - gap), gap);
+    update();
+}
+
+/// In the rows and columns that make the figures largest.
+void LargeNumbers::arrangeTiles(const QRect& room, int gap) {
+    const auto count = static_cast<int>(m_tiles.size());
+    if (count == 0)
+        return;
+    const auto rowsFor = [count](int columns) { return (count + columns - 1) / columns; };
+    const auto cellFor = [&](int columns) {
+        const int rows = rowsFor(columns);
+        return QSize((room.width() - (columns - 1) * gap) / columns,
+                     (room.height() - (rows - 1) * gap) / rows);
+    };
+    int best = 1;
+    for (int columns = 2; columns <= count; ++columns)
+        if (m_tiles.front()->figureHeight(cellFor(columns)) > m_tiles.front()->figureHeight(cellFor(best)))
+            best = columns;
+    const QSize cell = cellFor(best);
+    for (int i = 0; i < count; ++i)
+        m_tiles[static_cast<std::size_t>(i)]->setGeometry(
+            QRect(QPoint(room.left() + i % best * (cell.width() + gap),
+                         room.top() + i / best * (cell.height() + gap)),
+                  cell));
+}
+
+/// Its size follows from its font, not quite in proportion: from below in a few steps.
+void LargeNumbers::sizeStop(QSize room) {
+    QFont letters = font();
+    letters.setPointSizeF(4.0);
+    for (int step = 0; step < 5; ++step) {
+        m_stop->setFont(letters);
+        const QSize needed = m_stop->sizeHint();
+        const double larger = std::min(static_cast<double>(room.width()) / needed.width(),
+                                       static_cast<double>(room.height()) / needed.height());
+        if (larger <= 1.0)
+            break;
+        letters.setPointSizeF(letters.pointSizeF() * larger);
+    }
+}
+
+void LargeNumbers::retranslate() {
+    setWindowTitle(tr("Bask: large numbers"));
+    refresh();
+}
+
+void LargeNumbers::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        refresh();
+    else if (event->type() == QEvent::FontChange)
+        arrange();
+}
+
+void LargeNumbers::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_isTold) {
+        const bool dark = isDark(this);
+        const double frame = std::max(1.5, height() / 400.0);
+        painter.setPen(m_last.simulated ? QPen(secondaryText(dark), frame, Qt::DashLine)
+                                        : QPen(accentColor(dark), frame));
+        painter.drawRoundedRect(QRectF(m_rigFrame).adjusted(1, 1, -1, -1), 5, 5);
+    }
+    if (m_alarmGround.isValid()) {
+        const QRectF band = rect().adjusted(2, m_alarm->y(), -2, -2);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(m_alarmGround);
+        painter.drawRoundedRect(band, 6, 6);
+    }
+}
+
+void LargeNumbers::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+} // namespace bask
