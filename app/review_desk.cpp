@@ -1,6 +1,7 @@
 #include "app/review_desk.h"
 
 #include "app/error_text.h"
+#include "widgets/review/comparison_view.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
@@ -13,11 +14,14 @@
 namespace bask {
 
 ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent)
-    : QObject(parent), m_page(page), m_document(document), m_files(files), m_library(*page.sessions()) {
+    : QObject(parent), m_page(page), m_document(document), m_files(files), m_library(*page.sessions()),
+      m_overlayCount(*page.replay()) {
     connectList();
     connectCount();
     connect(&m_page, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
     connect(&m_page, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
+    connect(m_page.replay()->comparison(), &ComparisonView::exportRequested, &m_files,
+            &SessionActions::exportComparison);
     connect(&m_page, &ReviewPage::useIdentifiedRequested, this, &ReviewDesk::useIdentified);
     connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
 }
@@ -63,12 +67,14 @@ void ReviewDesk::connectList() {
     });
     connect(&m_library, &SessionLibrary::problem, this, &ReviewDesk::problem);
     connect(&m_library, &SessionLibrary::closing, this, [this](const QString& path) {
+        m_overlayCount.release(path);
         if (!isOpen(path))
             return;
         m_count.stop();
         m_page.replay()->pause();
     });
     connect(&m_library, &SessionLibrary::closed, this, [this](const QString& path, bool isDone) {
+        m_overlayCount.resume();
         if (isDone)
             emit told(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
                           .arg(QFileInfo(path).fileName()));
@@ -109,6 +115,8 @@ void ReviewDesk::connectCount() {
                 showIdentified();
             });
     connect(m_page.replay(), &ReplayView::readFailed, this, tellDamage);
+    connect(&m_overlayCount, &OverlayCount::failed, this,
+            [this](const Error& error) { emit problem(sentence(error)); });
 }
 
 void ReviewDesk::showSession() {

@@ -2,6 +2,7 @@
 // The Review page with the run that is open, its numbers and the list of runs.
 
 #include "app/document.h"
+#include "app/overlay_count.h"
 #include "app/session_actions.h"
 #include "app/session_count.h"
 #include "app/session_library.h"
@@ -47,6 +48,7 @@ private:
     SessionActions& m_files;
     SessionLibrary m_library;
     SessionCount m_count;
+    OverlayCount m_overlayCount;
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
     /// numbers of m_session; null if they are being computed or not available

@@ -315,6 +315,14 @@ void SessionActions::exportSession(SessionForm form) {
         m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language());
 }
 
+void SessionActions::exportComparison(const QString& csv) {
+    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the comparison"),
+                            QDir(m_settings.lastFolder()).filePath(QStringLiteral("comparison.csv")),
+                            tr("Tables (*.csv)"), QStringLiteral("csv")});
+    if (!to.isEmpty())
+        m_export.writeComparison(csv, to);
+}
+
 QString SessionActions::nextRecordingPath() {
     const QDir folder(recordingFolder());
     if (!folder.mkpath(QStringLiteral("."))) {

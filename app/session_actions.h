@@ -69,6 +69,8 @@ public:
     /// Exports the open session in another form, to a folder or file that is asked for. Figures and reports
     /// are not exported while a run or recipe is on or if one begins, since drawing blocks the window.
     void exportSession(SessionForm form);
+    /// Saves a comparison of metrics (CSV) as a file that is asked for.
+    void exportComparison(const QString& csv);
     static bool isSession(const QString& path);
     /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();

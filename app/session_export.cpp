@@ -1,9 +1,12 @@
 #include "app/session_export.h"
 
 #include "app/error_text.h"
+#include "engine/experiment/text_file.h"
 #include "engine/recording/nexus_file.h"
 #include "engine/recording/session_vtk.h"
+#include "widgets/review/metric_comparison.h"
 
+#include <QCursor>
 #include <QFileInfo>
 #include <QGuiApplication>
 
@@ -27,6 +30,13 @@ Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& i
     if (form == SessionForm::Figures)
         return exportFigures(input.session, to, input.unit);
     const auto done = writeReport(input, to);
+    return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
+}
+
+Result<std::vector<std::string>> comparisonWritten(const std::string& csv, const std::string& to) {
+    auto done = checkOwn(to, QString::fromLatin1(kComparisonMark), "a comparison written by Bask");
+    if (done)
+        done = writeTextFile(to, csv);
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
 }
 
@@ -61,6 +71,12 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
             QGuiApplication::restoreOverrideCursor();
             tell(files, to);
         });
+}
+
+void SessionExport::writeComparison(const QString& csv, const QString& to) {
+    m_comparison.run(
+        [csv = csv.toStdString(), path = to.toStdString()] { return comparisonWritten(csv, path); },
+        [this, to](const Files& files) { tell(files, to); });
 }
 
 void SessionExport::tell(const Files& files, const QString& to) {

@@ -33,6 +33,8 @@ public:
     /// Several forms may be exported at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
                const QString& language);
+    /// Writes a comparison of metrics, as ComparisonView makes it.
+    void writeComparison(const QString& csv, const QString& to);
 
 signals:
     void problem(const QString& sentence);
@@ -44,6 +46,7 @@ private:
 
     std::function<bool()> m_mayDraw;
     std::map<SessionForm, LatestJob<Files>> m_files;
+    LatestJob<Files> m_comparison;
     std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };
 

@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/recording/csv_field.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/ro_crate.h"
 #include "engine/recording/session_facts.h"
@@ -23,8 +24,6 @@ namespace {
 constexpr qsizetype kCsvChunk = 1 << 20;   // bytes held before they are written
 constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
-/// RFC 4180: quoted when the text holds a comma, a quote or a line break. What a spreadsheet would take for a
-/// formula gets a ' before it.
 void appendField(QByteArray& out, const SqlValue& value) {
     std::array<char, 32> digits{};
     if (const auto* number = std::get_if<double>(&value)) {
@@ -35,15 +34,7 @@ void appendField(QByteArray& out, const SqlValue& value) {
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *whole).ptr;
         out.append(digits.data(), end - digits.data());
     } else if (const auto* text = std::get_if<std::string>(&value)) {
-        QByteArray field = QByteArray::fromStdString(*text);
-        const bool isQuoted = text->find_first_of(",\"\r\n") != std::string::npos;
-        if (isQuoted)
-            field.replace("\"", "\"\"");
-        if (text->find_first_of("=+-@\t\r") == 0)
-            field.prepend('\'');
-        if (isQuoted)
-            field = '"' + field + '"';
-        out.append(field);
+        out.append(QByteArray::fromStdString(csvField(*text)));
     } else if (const auto* blob = std::get_if<SqlBlob>(&value)) {
         out.append(QByteArray::fromStdString(blob->bytes).toHex());
     }

@@ -222,6 +222,36 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
         EXPECT_TRUE(problem.contains(QStringLiteral("/proc/no-such-place"))) << problem.toStdString();
 }
 
+// Catches: a comparison that is not written, or is written over what Bask has not made.
+TEST_F(SessionActionsTest, AComparisonIsSaved) {
+    const QTemporaryDir folder;
+    QStringList told;
+    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    QString answer = folder.filePath(QStringLiteral("two")); // without the suffix
+    files.setFileChooser([&](const FileQuestion&) { return answer; });
+    const QString csv = QStringLiteral("metric,object,A,B,B - A\nfinal (degC),h\u00e4nd,40,41,1\n");
+    files.exportComparison(csv);
+    ASSERT_TRUE(waitFor([&] { return told.size() + problems.size() == 1; }));
+    EXPECT_TRUE(told.value(0).contains(QStringLiteral("two.csv"))) << problems.join('\n').toStdString();
+    QFile file(folder.filePath(QStringLiteral("two.csv")));
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(QString::fromUtf8(file.readAll()), csv);
+    file.close();
+    files.exportComparison(csv);
+    ASSERT_TRUE(waitFor([&] { return told.size() + problems.size() == 2; }));
+    EXPECT_EQ(told.size(), 2) << "an earlier one is replaced";
+
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("my own table");
+    file.close();
+    files.exportComparison(csv);
+    ASSERT_TRUE(waitFor([&] { return problems.size() == 1; }));
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("two.csv")));
+    answer.clear();
+    files.exportComparison(csv);
+    EXPECT_EQ(told.size(), 2) << "cancelled";
+}
+
 // Catches: a window that draws for a minute, its STOP dead, under a run or recipe that was on or has begun
 // while the session was read.
 TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {

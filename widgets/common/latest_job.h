@@ -3,6 +3,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QThreadPool>
 #include <QtConcurrentRun>
 
 #include <functional>
@@ -13,15 +14,17 @@
 
 namespace bask {
 
-/// Runs one request at a time on the thread pool. A newer request replaces a waiting one and discards the
-/// answer of a running one. GUI thread only; `work` may use only what it captured by value. `done` is not
-/// called after the owner was destroyed.
+/// Runs one request at a time on a thread pool, the common one unless another is given: what may keep a
+/// thread for long has one of its own. A newer request replaces a waiting one and discards the answer of a
+/// running one. GUI thread only; `work` may use only what it captured by value. `done` is not called after
+/// the owner was destroyed.
 template <class Value> class LatestJob {
 public:
     using Work = std::function<Value(const std::stop_token&)>;
     using Done = std::function<void(Value)>;
 
-    LatestJob() {
+    LatestJob() : LatestJob(*QThreadPool::globalInstance()) {}
+    explicit LatestJob(QThreadPool& pool) : m_pool(pool) {
         QObject::connect(&m_watcher, &QFutureWatcherBase::finished, &m_watcher, [this] { finish(); });
     }
 
@@ -56,7 +59,7 @@ private:
     void startNext() {
         m_running = std::exchange(m_next, {});
         m_stop = std::stop_source();
-        m_watcher.setFuture(QtConcurrent::run([work = m_running.work, stop = m_stop.get_token()] {
+        m_watcher.setFuture(QtConcurrent::run(&m_pool, [work = m_running.work, stop = m_stop.get_token()] {
             return std::make_shared<Value>(work(stop));
         }));
     }
@@ -70,6 +73,7 @@ private:
             finished.done(std::move(*value));
     }
 
+    QThreadPool& m_pool;
     Request m_running;
     Request m_next;
     std::stop_source m_stop; ///< stop source of the running request

@@ -1,11 +1,13 @@
 #include "widgets/common/metric_words.h"
 
+#include "engine/base/unit.h"
 #include "widgets/common/display.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <cmath>
+#include <string_view>
 
 namespace bask {
 namespace {
@@ -14,8 +16,74 @@ struct MetricWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Metrics)
 };
 
-QString seconds(double time_s) {
-    return MetricWords::tr("%1 s").arg(QLocale().toString(time_s, 'f', 1));
+struct MetricFacts {
+    const char* name; ///< English, to be translated; in files in small letters
+    Unit unit;
+    int decimals; ///< on a screen
+};
+
+MetricFacts factsOf(ObjectMetric metric) {
+    switch (metric) {
+    case ObjectMetric::Target:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Target"), unit::kCelsius, 1};
+    case ObjectMetric::Final:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Final"), unit::kCelsius, 2};
+    case ObjectMetric::Settling:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Settling time"), unit::kSeconds, 1};
+    case ObjectMetric::Rise:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Rise time"), unit::kSeconds, 1};
+    case ObjectMetric::Overshoot:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Overshoot"), unit::kKelvin, 2};
+    case ObjectMetric::SteadyError:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Steady-state error"), unit::kKelvin, 2};
+    case ObjectMetric::PathLength:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Path length"), unit::kMillimetres, 1};
+    }
+    return {};
+}
+
+MetricFacts factsOf(RunMetric metric) {
+    switch (metric) {
+    case RunMetric::Duration:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Duration of control"), unit::kSeconds, 1};
+    case RunMetric::PathLength:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Path of the end-effector"), unit::kMillimetres, 1};
+    case RunMetric::Turned:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Rotation of the end-effector"), unit::kDegrees, 1};
+    case RunMetric::VelocityLimit:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Time at a velocity limit"), unit::kSeconds, 1};
+    case RunMetric::Clamped:
+        return {QT_TRANSLATE_NOOP("bask::Metrics", "Time at any limit"), unit::kSeconds, 1};
+    }
+    return {};
+}
+
+bool isIn(const Unit& unit, const Unit& other) {
+    return std::string_view(unit.suffix) == other.suffix;
+}
+
+/// A number with its unit, neither of which is a temperature's.
+QString withUnit(const QString& number, const Unit& unit) {
+    if (isIn(unit, unit::kSeconds))
+        return MetricWords::tr("%1 s").arg(number);
+    return number + QChar(0x00a0) + QString::fromUtf8(unit.symbol);
+}
+
+QString valueText(const MetricFacts& facts, double value) {
+    return withUnit(QLocale().toString(value * facts.unit.symbolPerSi, 'f', facts.decimals), facts.unit);
+}
+
+QString differenceText(const MetricFacts& facts, double difference, TemperatureUnit shown) {
+    if (isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin))
+        return formatDifference(difference, shown, facts.decimals);
+    return withUnit(formatSigned(difference * facts.unit.symbolPerSi, facts.decimals), facts.unit);
+}
+
+QString nameInFiles(const MetricFacts& facts) {
+    const bool isTemperature = isIn(facts.unit, unit::kCelsius);
+    const QString unit =
+        isTemperature ? QString::fromUtf8(facts.unit.words) : QString::fromStdString(siUnit(facts.unit));
+    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(facts.name).toLower(), unit);
 }
 
 QString share(double part) {
@@ -28,7 +96,7 @@ bool isSmallStep(const ObjectMetrics& metrics, double band_K) {
 
 QString riseText(const ObjectMetrics& metrics, double band_K) {
     if (metrics.rise_s)
-        return seconds(*metrics.rise_s);
+        return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s);
     if (!metrics.step_K)
         return MetricWords::tr("start unknown");
     return isSmallStep(metrics, band_K) ? MetricWords::tr("step too small") : MetricWords::tr("not reached");
@@ -39,18 +107,21 @@ QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit) {
         return metrics.step_K ? MetricWords::tr("step too small") : MetricWords::tr("start unknown");
     if (*metrics.overshoot_K <= 0.0)
         return MetricWords::tr("none");
+    const int decimals = factsOf(ObjectMetric::Overshoot).decimals;
     return QStringLiteral("%1\u00a0%2 (%3)")
-        .arg(QLocale().toString(displayDifference(*metrics.overshoot_K, unit), 'f', 2),
+        .arg(QLocale().toString(displayDifference(*metrics.overshoot_K, unit), 'f', decimals),
              differenceUnitSymbol(unit), share(*metrics.overshootShare()));
 }
 
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
-    const QString mean = formatDifference(*metrics.steadyError_K, unit, 2);
+    const MetricFacts facts = factsOf(ObjectMetric::SteadyError);
+    const QString mean = differenceText(facts, *metrics.steadyError_K, unit);
     if (!metrics.steadyDeviation_K)
         return mean;
-    const QString deviation = QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', 2);
+    const QString deviation =
+        QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', facts.decimals);
     return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")
         .arg(mean, deviation);
 }
@@ -58,39 +129,11 @@ QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
 } // namespace
 
 QString metricName(ObjectMetric metric) {
-    switch (metric) {
-    case ObjectMetric::Target:
-        return MetricWords::tr("Target");
-    case ObjectMetric::Final:
-        return MetricWords::tr("Final");
-    case ObjectMetric::Settling:
-        return MetricWords::tr("Settling time");
-    case ObjectMetric::Rise:
-        return MetricWords::tr("Rise time");
-    case ObjectMetric::Overshoot:
-        return MetricWords::tr("Overshoot");
-    case ObjectMetric::SteadyError:
-        return MetricWords::tr("Steady-state error");
-    case ObjectMetric::PathLength:
-        return MetricWords::tr("Path length");
-    }
-    return {};
+    return MetricWords::tr(factsOf(metric).name);
 }
 
 QString metricName(RunMetric metric) {
-    switch (metric) {
-    case RunMetric::Duration:
-        return MetricWords::tr("Duration of control");
-    case RunMetric::PathLength:
-        return MetricWords::tr("Path of the end-effector");
-    case RunMetric::Turned:
-        return MetricWords::tr("Rotation of the end-effector");
-    case RunMetric::VelocityLimit:
-        return MetricWords::tr("Time at a velocity limit");
-    case RunMetric::Clamped:
-        return MetricWords::tr("Time at any limit");
-    }
-    return {};
+    return MetricWords::tr(factsOf(metric).name);
 }
 
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit) {
@@ -152,13 +195,15 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     const ObjectMetrics& metrics = run.objects.at(object);
     if (run.samples == 0)
         return MetricWords::tr("no samples");
+    const MetricFacts facts = factsOf(metric);
     switch (metric) {
     case ObjectMetric::Target:
-        return formatTemperature(metrics.target_K, unit);
+        return formatTemperature(metrics.target_K, unit, facts.decimals);
     case ObjectMetric::Final:
-        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, 2) : MetricWords::tr("not known");
+        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, facts.decimals)
+                               : MetricWords::tr("not known");
     case ObjectMetric::Settling:
-        return metrics.settling_s ? seconds(*metrics.settling_s) : MetricWords::tr("not settled");
+        return metrics.settling_s ? valueText(facts, *metrics.settling_s) : MetricWords::tr("not settled");
     case ObjectMetric::Rise:
         return riseText(metrics, run.band_K);
     case ObjectMetric::Overshoot:
@@ -166,32 +211,81 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     case ObjectMetric::SteadyError:
         return steadyText(metrics, unit);
     case ObjectMetric::PathLength:
-        return formatLength_mm(metrics.pathLength_m);
+        return valueText(facts, metrics.pathLength_m);
     }
     return {};
 }
 
 QString metricText(RunMetric metric, const RunMetrics& run) {
-    if (run.samples == 0)
+    const std::optional<double> value = metricValue(metric, run);
+    if (!value)
         return MetricWords::tr("no samples");
-    const auto withShare = [&](double time_s) {
-        return run.duration_s > 0.0
-                   ? QStringLiteral("%1 (%2)").arg(seconds(time_s), share(time_s / run.duration_s))
-                   : seconds(time_s);
-    };
+    const QString text = valueText(factsOf(metric), *value);
+    const bool isPartOfTime = metric == RunMetric::VelocityLimit || metric == RunMetric::Clamped;
+    return isPartOfTime && run.duration_s > 0.0
+               ? QStringLiteral("%1 (%2)").arg(text, share(*value / run.duration_s))
+               : text;
+}
+
+std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
+    const ObjectMetrics& metrics = run.objects.at(object);
+    if (run.samples == 0)
+        return std::nullopt;
+    switch (metric) {
+    case ObjectMetric::Target:
+        return std::isfinite(metrics.target_K) ? std::optional(metrics.target_K) : std::nullopt;
+    case ObjectMetric::Final:
+        return metrics.final_K;
+    case ObjectMetric::Settling:
+        return metrics.settling_s;
+    case ObjectMetric::Rise:
+        return metrics.rise_s;
+    case ObjectMetric::Overshoot:
+        return metrics.overshoot_K;
+    case ObjectMetric::SteadyError:
+        return metrics.steadyError_K;
+    case ObjectMetric::PathLength:
+        return metrics.pathLength_m;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> metricValue(RunMetric metric, const RunMetrics& run) {
+    if (run.samples == 0)
+        return std::nullopt;
     switch (metric) {
     case RunMetric::Duration:
-        return seconds(run.duration_s);
+        return run.duration_s;
     case RunMetric::PathLength:
-        return formatLength_mm(run.pathLength_m);
+        return run.pathLength_m;
     case RunMetric::Turned:
-        return QLocale().toString(degFromRad(run.turned_rad), 'f', 1) + QStringLiteral("\u00a0\u00b0");
+        return run.turned_rad;
     case RunMetric::VelocityLimit:
-        return withShare(run.atVelocityLimit_s);
+        return run.atVelocityLimit_s;
     case RunMetric::Clamped:
-        return withShare(run.clamped_s);
+        return run.clamped_s;
     }
-    return {};
+    return std::nullopt;
+}
+
+QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit) {
+    return differenceText(factsOf(metric), difference, unit);
+}
+
+QString metricDifferenceText(RunMetric metric, double difference) {
+    return differenceText(factsOf(metric), difference, TemperatureUnit::Kelvin); // none is a temperature
+}
+
+QString metricNameInFiles(ObjectMetric metric) {
+    return nameInFiles(factsOf(metric));
+}
+
+QString metricNameInFiles(RunMetric metric) {
+    return nameInFiles(factsOf(metric));
+}
+
+double metricValueInFiles(ObjectMetric metric, double value) {
+    return isIn(factsOf(metric).unit, unit::kCelsius) ? celsiusFromKelvin(value) : value;
 }
 
 } // namespace bask

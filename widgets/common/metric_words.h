@@ -1,5 +1,6 @@
 #pragma once
-// The metrics of a run in words: name, definition, and value with its unit or the reason why there is none.
+// The metrics of a run in words: name, definition, and value with its unit or the reason why there is none;
+// and their differences between two runs.
 
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
@@ -7,6 +8,7 @@
 #include <QString>
 
 #include <array>
+#include <optional>
 
 namespace bask {
 
@@ -28,5 +30,19 @@ QString metricDefinition(RunMetric metric);
 /// Returns "42.0 s", "+0.12 K", or why there is no value: "not settled".
 QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
 QString metricText(RunMetric metric, const RunMetrics& run);
+
+/// Returns the number of metricText() in SI; empty where that says why there is none.
+std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, std::size_t object);
+std::optional<double> metricValue(RunMetric metric, const RunMetrics& run);
+/// Returns a difference of two such numbers, "+1.5 s", with the decimals of metricText().
+QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit);
+QString metricDifferenceText(RunMetric metric, double difference);
+
+/// Returns "settling time (s)": the metric in exported tables, in English, with the unit of its numbers
+/// there.
+QString metricNameInFiles(ObjectMetric metric);
+QString metricNameInFiles(RunMetric metric);
+/// Converts a number of metricValue(): temperatures are in degC there, all else in SI.
+double metricValueInFiles(ObjectMetric metric, double value);
 
 } // namespace bask

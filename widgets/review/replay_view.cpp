@@ -6,6 +6,7 @@
 #include "widgets/common/tile_grid.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
+#include "widgets/review/comparison_view.h"
 #include "widgets/review/recorded_pictures.h"
 #include "widgets/review/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -43,13 +44,6 @@ QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {
     painter.setPen(pen);
     painter.drawLine(QPointF(0, 6), QPointF(28, 6));
     return QIcon(pixmap);
-}
-
-QStringList objectNames(const RecordedSession& run) {
-    QStringList names;
-    for (const ObjectSpec& object : run.facts().experiment.objects)
-        names << QString::fromStdString(object.name);
-    return names;
 }
 
 /// The newest sample at or before a moment, else the first, after those by which a tile judges it.
@@ -91,6 +85,8 @@ ReplayView::ReplayView(QWidget* parent)
     m_picture->setObjectName(QStringLiteral("reviewPicture"));
     m_picture->setRecorded();
     m_picture->hide();
+    m_comparison = new ComparisonView(m_tabs);
+    m_comparison->hide();
     stack->addWidget(m_tabs);
     stack->setSizes({300, 240});
     stack->setStretchFactor(0, 3);
@@ -142,8 +138,8 @@ void ReplayView::connectPlots() {
 }
 
 void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
-    m_overlays.clear();
     m_run = std::move(run);
+    m_runs.setOpen(m_run);
     m_way.clear();
     m_sample.reset();
     m_isFailureTold = false;
@@ -166,11 +162,12 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
     showOverlays();
     const bool isEmpty = m_run->size() == 0;
     m_transport->setSpan(isEmpty ? 0.0 : m_run->overview().from_s(0), m_run->lastTime_s());
+    emit overlaysChanged();
 }
 
 void ReplayView::clear() {
-    m_overlays.clear();
     m_run.reset();
+    m_runs.setOpen(nullptr);
     m_way.clear();
     m_sample.reset();
     showPictureTab();
@@ -182,6 +179,7 @@ void ReplayView::clear() {
     }
     m_transport->setSpan(0.0, 0.0);
     showOverlays();
+    emit overlaysChanged();
 }
 
 void ReplayView::fill(Plot& each) {
@@ -190,8 +188,8 @@ void ReplayView::fill(Plot& each) {
     each.isFilled = true;
     each.plot->setRun(m_run);
     addMarkers(*each.plot);
-    for (const Overlay& overlay : m_overlays)
-        each.plot->addOverlay(overlay.mark, overlay.run);
+    for (std::size_t k = 0; k < m_runs.over().size(); ++k)
+        each.plot->addOverlay(OverlaidRuns::mark(k + 1), m_runs.over()[k].session);
     if (m_visible_s)
         each.plot->setTimeRange(m_visible_s->first, m_visible_s->second);
 }
@@ -324,57 +322,75 @@ void ReplayView::showScene() {
 }
 
 bool ReplayView::addOverlay(std::shared_ptr<RecordedSession> run) {
-    const auto same = [&](const RecordedSession& other) { return other.facts().path == run->facts().path; };
-    if (!m_run || same(*m_run) || static_cast<int>(m_overlays.size()) >= kMaxOverlays ||
-        std::ranges::any_of(m_overlays, [&](const Overlay& overlay) { return same(*overlay.run); }))
+    if (!m_runs.add(std::move(run), kMaxOverlays))
         return false;
-    m_overlays.push_back({std::move(run), {}});
     showOverlays();
+    emit overlaysChanged();
     return true;
 }
 
 void ReplayView::removeOverlay(const QString& path) {
-    std::erase_if(m_overlays,
-                  [&](const Overlay& overlay) { return overlay.run->facts().path == path.toStdString(); });
+    m_runs.remove(path);
     showOverlays();
+    emit overlaysChanged();
 }
 
-/// Lines and legend anew: marks and dashes are by the place in the list.
+void ReplayView::setMetrics(const QString& path, const RunMetrics* metrics) {
+    m_runs.setMetrics(path, metrics);
+    showComparison();
+}
+
+/// Lines, legend and table anew: marks and dashes are by the place in the list.
 void ReplayView::showOverlays() {
+    for (const Plot& each : m_plots) {
+        each.plot->clearOverlays();
+        for (std::size_t k = 0; k < m_runs.over().size(); ++k)
+            if (each.isFilled)
+                each.plot->addOverlay(OverlaidRuns::mark(k + 1), m_runs.over()[k].session);
+    }
+    showLegend();
+    showComparison();
+}
+
+void ReplayView::showLegend() {
     while (QLayoutItem* item = m_legendLayout->takeAt(0)) {
         if (item->widget() != nullptr)
             item->widget()->deleteLater(); // it may be the button that was just clicked
         delete item;
     }
-    for (const Plot& each : m_plots)
-        each.plot->clearOverlays();
-    m_legend->setVisible(!m_overlays.empty());
-    if (m_overlays.empty())
+    m_legend->setVisible(!m_runs.over().empty());
+    if (m_runs.over().empty())
         return;
     auto* caption = new QLabel(tr("Laid over it:"), m_legend);
     caption->setPalette(captionPalette(palette()));
     m_legendLayout->addWidget(caption, 0, 0);
-    for (std::size_t k = 0; k < m_overlays.size(); ++k) {
-        Overlay& overlay = m_overlays[k];
-        overlay.mark = QChar(static_cast<char16_t>(u'B' + k));
-        const QString path = QString::fromStdString(overlay.run->facts().path);
+    for (std::size_t k = 0; k < m_runs.over().size(); ++k) {
+        const QString mark = OverlaidRuns::mark(k + 1), path = m_runs.over()[k].path();
         const QString file = QFileInfo(path).completeBaseName();
         auto* button = new QPushButton(
             overlayIcon(static_cast<int>(k), palette().color(QPalette::ButtonText), devicePixelRatioF()),
-            QStringLiteral("%1  %2  \u2715")
-                .arg(overlay.mark, QString(file).replace(u'&', QStringLiteral("&&"))),
+            QStringLiteral("%1  %2  \u2715").arg(mark, QString(file).replace(u'&', QStringLiteral("&&"))),
             m_legend);
-        button->setObjectName(QStringLiteral("overlay.") + overlay.mark);
+        button->setObjectName(QStringLiteral("overlay.") + mark);
         button->setIconSize({32, 12});
         button->setFlat(true);
         button->setAccessibleName(tr("Take %1 away").arg(file));
         button->setToolTip(button->accessibleName());
         connect(button, &QPushButton::clicked, this, [this, path] { removeOverlay(path); });
         m_legendLayout->addWidget(button, static_cast<int>(k) / 2, 1 + static_cast<int>(k) % 2);
-        for (const Plot& each : m_plots)
-            if (each.isFilled)
-                each.plot->addOverlay(overlay.mark, overlay.run);
     }
+}
+
+void ReplayView::showComparison() {
+    const int tab = m_tabs->indexOf(m_comparison);
+    if (m_runs.over().empty()) {
+        if (tab >= 0)
+            m_tabs->removeTab(tab);
+        return m_comparison->setRuns({});
+    }
+    m_comparison->setRuns(m_runs.compared());
+    if (tab < 0)
+        m_tabs->addTab(m_comparison, tr("Comparison"));
 }
 
 void ReplayView::seek(double time_s) {
@@ -399,6 +415,7 @@ void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
     for (const Plot& each : m_plots)
         each.plot->setTemperatureUnit(unit);
     m_picture->setTemperatureUnit(unit);
+    m_comparison->setTemperatureUnit(unit);
     if (m_scene != nullptr)
         m_scene->setTemperatureUnit(unit);
 }
@@ -409,6 +426,8 @@ void ReplayView::retranslate() {
     m_tabs->setTabText(m_tabs->indexOf(m_sceneTab), tr("Scene"));
     if (const int tab = m_tabs->indexOf(m_picture); tab >= 0)
         m_tabs->setTabText(tab, tr("Thermal picture"));
+    if (const int tab = m_tabs->indexOf(m_comparison); tab >= 0)
+        m_tabs->setTabText(tab, tr("Comparison"));
     m_tabs->setAccessibleName(tr("Further traces and the scene"));
     if (m_scene != nullptr)
         m_scene->setAccessibleName(tr("3-D scene of the run: source, objects and their paths"));

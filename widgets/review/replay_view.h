@@ -5,6 +5,7 @@
 #include "engine/base/message.h"
 #include "engine/base/units.h"
 #include "engine/recording/recorded_session.h"
+#include "widgets/review/overlaid_runs.h"
 
 #include <QWidget>
 
@@ -18,6 +19,7 @@ class QTabWidget;
 
 namespace bask {
 
+class ComparisonView;
 class TileGrid;
 class RecordedPictures;
 class SceneView;
@@ -27,8 +29,8 @@ class TransportBar;
 
 /// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "review." and the key of their column
 /// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at;
-/// "reviewPicture" of a run with thermal pictures; a button
-/// to take an overlay away "overlay.<letter>".
+/// "reviewPicture" of a run with thermal pictures; with overlays those of ComparisonView, and a button to
+/// take each away "overlay.<letter>".
 class ReplayView : public QWidget {
     Q_OBJECT
 
@@ -48,6 +50,14 @@ public:
     /// Draws another run over this one. Returns false if there is no room, or it is already shown.
     bool addOverlay(std::shared_ptr<RecordedSession> run);
     void removeOverlay(const QString& path);
+    /// Sets the metrics of the open run or of one over it, for their comparison; null: they cannot be
+    /// computed.
+    void setMetrics(const QString& path, const RunMetrics* metrics);
+    /// Returns an overlay whose metrics are not known yet, other than that of a path; null if there is none.
+    std::shared_ptr<RecordedSession> uncounted(const QString& except = {}) const {
+        return m_runs.uncounted(except);
+    }
+    ComparisonView* comparison() const { return m_comparison; }
 
     /// Moves the replay there, and also plots that do not show that moment.
     void seek(double time_s);
@@ -58,6 +68,7 @@ public:
 signals:
     /// A moment of the run cannot be read; sent once for each run.
     void readFailed(const bask::Error& error);
+    void overlaysChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -66,10 +77,6 @@ private:
     struct Plot {
         TracePlot* plot;
         bool isFilled; ///< a plot is filled when it is first shown
-    };
-    struct Overlay {
-        std::shared_ptr<RecordedSession> run;
-        QString mark;
     };
 
     TracePlot* makePlot(Quantity quantity);
@@ -84,6 +91,8 @@ private:
     void showPicture(double time_s);
     void tellFailure(const Error& error);
     void showOverlays();
+    void showLegend();
+    void showComparison();
     void clearTiles();
     void addMarkers(TracePlot& plot) const;
     void showTiles(double time_s);
@@ -91,9 +100,9 @@ private:
     void retranslate();
 
     SteadyClock m_clock;
-    std::shared_ptr<RecordedSession> m_run; ///< null if there is none
+    OverlaidRuns m_runs;
+    std::shared_ptr<RecordedSession> m_run; ///< the open one; null if there is none
     std::vector<TraceSample> m_way;
-    std::vector<Overlay> m_overlays;
     QStringList m_names;
     std::optional<TraceSample> m_sample; ///< the shown sample
     bool m_isFailureTold = false;
@@ -111,6 +120,7 @@ private:
     SceneView* m_scene = nullptr;
     ThermalPictureView* m_picture; ///< in no tab without thermal pictures
     std::unique_ptr<RecordedPictures> m_pictures;
+    ComparisonView* m_comparison; ///< in no tab without overlays
 };
 
 } // namespace bask

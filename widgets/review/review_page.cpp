@@ -276,13 +276,12 @@ void ReviewPage::showCounting() {
 }
 
 void ReviewPage::setMetrics(const RunMetrics& metrics) {
-    QStringList names;
-    for (const ObjectSpec& object : m_session->facts().experiment.objects)
-        names << QString::fromStdString(object.name);
+    const QStringList names = objectNames(*m_session);
     m_counted_percent.reset();
     showCounting();
     m_final->setValues(finalValues(names, metrics));
     m_metrics->setMetrics(names, metrics);
+    m_replay->setMetrics(QString::fromStdString(m_session->facts().path), &metrics);
 }
 
 void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
@@ -313,6 +312,8 @@ void ReviewPage::setCountFailed() {
     setIdentified({});
     m_counted_percent.reset();
     m_isCountFailed = true;
+    if (m_session)
+        m_replay->setMetrics(QString::fromStdString(m_session->facts().path), nullptr);
     showCounting();
 }
 

@@ -93,5 +93,21 @@ TEST(LatestJob, WorksOnAnotherThread) {
     EXPECT_TRUE(other);
 }
 
+// Catches: long work that keeps the common pool from all else although it has a pool of its own.
+TEST(LatestJob, RunsOnThePoolThatItIsGiven) {
+    QThreadPool own;
+    const int most = QThreadPool::globalInstance()->maxThreadCount();
+    QThreadPool::globalInstance()->setMaxThreadCount(1);
+    auto gate = std::make_shared<std::binary_semaphore>(0);
+    LatestJob<int> aside(own), common;
+    int done = 0;
+    aside.run([gate] { return gate->acquire(), 1; }, [&](int) { ++done; });
+    common.run([] { return 2; }, [&](int value) { done += value; });
+    EXPECT_TRUE(waitFor([&] { return done == 2; }));
+    gate->release();
+    EXPECT_TRUE(waitFor([&] { return done == 3; }));
+    QThreadPool::globalInstance()->setMaxThreadCount(most);
+}
+
 } // namespace
 } // namespace bask::test

@@ -11,6 +11,7 @@
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
+#include "widgets/review/comparison_view.h"
 #include "widgets/review/final_values.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/outcome_words.h"
@@ -20,6 +21,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMenu>
@@ -493,6 +495,57 @@ TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     next.path = "next.bask";
     show(next);
     EXPECT_TRUE(plot->overlayLabels().isEmpty());
+}
+
+// Catches a comparison that is there without overlays, lacks a run or its metrics, or cannot tell two files
+// of one name apart.
+TEST_F(ReviewPageTest, OverlaidRunsAreComparedInATable) {
+    const auto open = show(record());
+    auto* tabs = child<QTabWidget>("reviewTabs");
+    const auto isThere = [&] { return tabs->indexOf(page.replay()->comparison()) >= 0; };
+    EXPECT_FALSE(isThere());
+    SessionRecord evening = record();
+    evening.path = "evening.bask";
+    for (TraceSample& sample : evening.samples)
+        sample.time_s *= 2.0;
+    QSignalSpy changed(page.replay(), &ReplayView::overlaysChanged);
+    const auto other = opened(evening);
+    const QString path = QString::fromStdString(other->facts().path);
+    ASSERT_TRUE(page.replay()->addOverlay(other));
+    ASSERT_TRUE(isThere());
+    EXPECT_EQ(changed.count(), 1);
+    EXPECT_EQ(page.replay()->uncounted(), other);
+    EXPECT_EQ(page.replay()->uncounted(path), nullptr);
+    auto* table = child<QTableWidget>("comparisonTable");
+    ASSERT_EQ(table->columnCount(), 3);
+    EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "A 2026-03-14 morning");
+    EXPECT_EQ(table->horizontalHeaderItem(1)->text(), "B evening");
+    const QString dash(QChar(0x2014)), alone = child<QTableWidget>("metricsTable")->item(2, 0)->text();
+    EXPECT_EQ(table->item(6, 0)->text(), alone) << "settling of the circle, counted already";
+    EXPECT_EQ(table->item(6, 1)->text(), dash);
+    const RunMetrics metrics = runMetrics(evening);
+    page.replay()->setMetrics(path, &metrics);
+    EXPECT_EQ(page.replay()->uncounted(), nullptr);
+    const double settling_s = std::ceil(18.0 * std::log(30.0));
+    EXPECT_EQ(table->item(6, 1)->text(), QString("%1.0 s").arg(2.0 * settling_s));
+    EXPECT_EQ(table->item(6, 2)->text(), QString("+%1.0 s").arg(settling_s));
+    page.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.2"));
+
+    ASSERT_TRUE(QDir(folder.path()).mkdir("monday"));
+    evening.path = "monday/evening.bask";
+    ASSERT_TRUE(page.replay()->addOverlay(opened(evening)));
+    ASSERT_EQ(table->columnCount(), 5);
+    EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "C evening (monday)");
+    EXPECT_NE(table->horizontalHeaderItem(1)->text(), "B evening");
+    tabs->setCurrentWidget(page.replay()->comparison());
+    QTest::qWait(100);
+    EXPECT_TRUE(page.grab().save("review_comparison.png"));
+    QTest::mouseClick(child<QPushButton>("overlay.C"), Qt::LeftButton);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QTest::mouseClick(child<QPushButton>("overlay.B"), Qt::LeftButton);
+    EXPECT_FALSE(isThere());
+    EXPECT_EQ(table->rowCount(), 0);
 }
 
 // Catches a page that reads all of a long run, or of one laid over it, to show some of it.

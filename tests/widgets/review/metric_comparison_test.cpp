@@ -1,0 +1,224 @@
+#include "widgets/review/comparison_view.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+namespace bask {
+namespace {
+
+/// A settled object with a step of 15 K.
+ObjectMetrics settled(double final_degC, double settling_s) {
+    ObjectMetrics object;
+    object.target_K = 313.15;
+    object.step_K = 15.0;
+    object.final_K = kelvinFromCelsius(final_degC);
+    object.settling_s = object.settledFrom_s = settling_s;
+    object.rise_s = 30.0;
+    object.overshoot_K = 0.0;
+    object.steadyError_K = 0.02;
+    object.pathLength_m = 0.1;
+    return object;
+}
+
+ComparedRun comparedRun(const QString& mark,
+                        const std::vector<std::pair<const char*, ObjectMetrics>>& objects) {
+    RunMetrics metrics;
+    metrics.samples = 100;
+    metrics.duration_s = 200.0;
+    ComparedRun run{mark, mark + QStringLiteral(" run"), QStringLiteral("/runs/%1.bask").arg(mark), {}};
+    for (const auto& [name, object] : objects) {
+        run.objects << QString::fromUtf8(name);
+        metrics.objects.push_back(object);
+    }
+    run.metrics = metrics;
+    return run;
+}
+
+/// Two runs: the second has the objects in another order, one that the first lacks, and lacks one.
+std::vector<ComparedRun> twoRuns() {
+    ObjectMetrics unsettled = settled(39.7, 0.0);
+    unsettled.settling_s.reset();
+    return {comparedRun("A", {{"circle", settled(40.0, 62.0)},
+                              {"hand", settled(40.1, 70.0)},
+                              {"cup", settled(40.0, 50.0)}}),
+            comparedRun(
+                "B", {{"ring", settled(40.0, 55.0)}, {"hand", unsettled}, {"circle", settled(40.3, 58.0)}})};
+}
+
+const ComparedMetric& row(const std::vector<ComparedMetric>& metrics, const char* name, const char* object) {
+    for (const ComparedMetric& metric : metrics)
+        if (metric.name == QLatin1String(name) && metric.object == QLatin1String(object))
+            return metric;
+    ADD_FAILURE() << name << " of " << object;
+    static const ComparedMetric kNone{{}, {}, {}, {}, {{}, {}, {}}};
+    return kNone;
+}
+
+std::string plain(QString text) {
+    return text.replace(QChar(0x00a0), u' ').toStdString();
+}
+
+} // namespace
+
+// Catches objects that are matched by their place, and a difference without sign or unit, or of the wrong
+// sign.
+TEST(MetricComparison, MatchesObjectsByTheirNames) {
+    const auto metrics = compareMetrics(twoRuns(), 0, TemperatureUnit::Celsius);
+    ASSERT_EQ(metrics.size(), 7U * 4U + 5U) << "a row for each metric and object";
+    const ComparedMetric& settling = row(metrics, "Settling time", "circle");
+    EXPECT_EQ(plain(settling.cells[0].text), "62.0 s");
+    EXPECT_EQ(plain(settling.cells[1].text), "58.0 s");
+    EXPECT_EQ(plain(settling.cells[1].difference), "\u22124.0 s");
+    EXPECT_TRUE(settling.cells[0].difference.isEmpty()) << "it is the reference";
+    const ComparedMetric& last = row(metrics, "Final", "circle");
+    EXPECT_EQ(plain(last.cells[1].text), "40.30 °C");
+    EXPECT_EQ(plain(last.cells[1].difference), "+0.30 K");
+    EXPECT_EQ(plain(row(metrics, "Path length", "hand").cells[1].difference), "0.0 mm");
+    EXPECT_EQ(plain(row(metrics, "Overshoot", "circle").cells[1].text), "none");
+    EXPECT_EQ(plain(row(metrics, "Overshoot", "circle").cells[1].difference), "0.00 K");
+    EXPECT_EQ(plain(row(metrics, "Duration of control", "").cells[1].difference), "0.0 s");
+    const auto fahrenheit = compareMetrics(twoRuns(), 0, TemperatureUnit::Fahrenheit);
+    EXPECT_EQ(plain(row(fahrenheit, "Final", "circle").cells[1].difference), "+0.54 °F");
+}
+
+// Catches a number that is made up for what a run does not have.
+TEST(MetricComparison, WhatARunLacksIsADash) {
+    auto runs = twoRuns();
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    const QString dash(QChar(0x2014));
+    EXPECT_EQ(row(metrics, "Settling time", "cup").cells[1].text, dash);
+    EXPECT_EQ(row(metrics, "Settling time", "cup").cells[1].difference, dash);
+    EXPECT_EQ(row(metrics, "Settling time", "ring").cells[0].text, dash);
+    EXPECT_EQ(plain(row(metrics, "Settling time", "ring").cells[1].text), "55.0 s");
+    EXPECT_EQ(row(metrics, "Settling time", "ring").cells[1].difference, dash);
+    EXPECT_EQ(row(metrics, "Settling time", "hand").cells[1].text, "not settled") << "as on the page Metrics";
+    EXPECT_EQ(row(metrics, "Settling time", "hand").cells[1].difference, dash);
+    runs[1].metrics.reset(); // not computed yet
+    const auto waiting = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    EXPECT_EQ(waiting.size(), metrics.size());
+    EXPECT_EQ(row(waiting, "Final", "circle").cells[1].text, dash);
+    EXPECT_EQ(row(waiting, "Duration of control", "").cells[1].text, dash);
+}
+
+// Catches a file that cannot be read as a table, or has its numbers rounded or in the window's unit.
+TEST(MetricComparison, IsExportedAsNumbers) {
+    auto runs = twoRuns();
+    runs[1].name = "B evening, late";
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Fahrenheit);
+    const QStringList lines = QString::fromStdString(comparisonCsv(runs, 0, metrics)).split('\n');
+    ASSERT_EQ(lines.size(), 7 * 4 + 5 + 2) << "with a header, ending in a line break";
+    EXPECT_EQ(lines[0].toStdString(), "metric,object,A run,\"B evening, late\",B - A");
+    EXPECT_TRUE(lines.contains("final (degC),circle,40,40.3,0.3")) << lines.join('\n').toStdString();
+    EXPECT_TRUE(lines.contains("settling time (s),hand,70,,"));
+    EXPECT_TRUE(lines.contains("settling time (s),ring,,55,"));
+    EXPECT_TRUE(lines.contains("path length (m),circle,0.1,0.1,0"));
+    EXPECT_TRUE(lines.contains("rotation of the end-effector (rad),,0,0,0"));
+    EXPECT_TRUE(lines[0].startsWith(QLatin1String(kComparisonMark)));
+}
+
+struct ComparisonViewTest : testing::Test {
+    ComparisonView view;
+    QTableWidget* table = view.findChild<QTableWidget*>("comparisonTable");
+    QComboBox* references = view.findChild<QComboBox*>("comparisonReference");
+    QPushButton* save = view.findChild<QPushButton*>("comparisonExport");
+    QLabel* note = view.findChild<QLabel*>("comparisonNote");
+
+    ComparisonViewTest() {
+        view.resize(760, 300);
+        view.show();
+        QApplication::processEvents();
+    }
+    QStringList header() const {
+        QStringList names;
+        for (int k = 0; k < table->columnCount(); ++k)
+            names << table->horizontalHeaderItem(k)->text();
+        return names;
+    }
+};
+
+// Catches a reference that cannot be chosen, or that changes when the runs are told anew.
+TEST_F(ComparisonViewTest, TheReferenceIsChosen) {
+    view.setRuns(twoRuns());
+    EXPECT_FALSE(table->accessibleName().isEmpty());
+    EXPECT_EQ(header(), (QStringList{"A run", "B run", "B \u2212 A"}));
+    EXPECT_EQ(table->verticalHeaderItem(0)->text(), "Target \u00b7 circle");
+    references->setCurrentIndex(1);
+    emit references->activated(1);
+    EXPECT_EQ(header(), (QStringList{"A run", "A \u2212 B", "B run"}));
+    EXPECT_EQ(plain(table->item(8, 1)->text()), "+4.0 s") << "settling of the circle";
+    view.setRuns(twoRuns());
+    EXPECT_EQ(references->currentText(), "B run");
+    auto others = twoRuns();
+    others[1].path = "/runs/C.bask";
+    view.setRuns(others);
+    EXPECT_EQ(references->currentText(), "A run") << "the chosen one is gone";
+    view.setRuns({});
+    EXPECT_EQ(table->rowCount(), 0);
+}
+
+// Catches a table that cannot be copied, or an export of what is not known yet.
+TEST_F(ComparisonViewTest, IsCopiedAndExported) {
+    auto runs = twoRuns();
+    view.setRuns(runs);
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    const QStringList copied = QApplication::clipboard()->text().split('\n');
+    ASSERT_EQ(copied.size(), 7 * 4 + 5 + 1);
+    EXPECT_EQ(copied[0].toStdString(), "Metric\tObject\tA run\tB run\tB \u2212 A");
+    EXPECT_EQ(plain(copied[5]), "Final\tcircle\t40.00 °C\t40.30 °C\t+0.30 K");
+    QApplication::clipboard()->clear();
+    QTest::mouseClick(view.findChild<QPushButton*>("comparisonCopy"), Qt::LeftButton);
+    EXPECT_EQ(QApplication::clipboard()->text(), copied.join('\n'));
+    QSignalSpy wanted(&view, &ComparisonView::exportRequested);
+    QTest::mouseClick(save, Qt::LeftButton);
+    ASSERT_EQ(wanted.count(), 1);
+    EXPECT_TRUE(wanted[0][0].toString().startsWith("metric,object,A run,"));
+
+    runs[1].metrics.reset();
+    view.setRuns(runs);
+    EXPECT_FALSE(save->isEnabled());
+    EXPECT_TRUE(note->isVisible());
+    EXPECT_TRUE(note->text().contains("B run"));
+    runs[1].isFailed = true;
+    view.setRuns(runs);
+    EXPECT_TRUE(save->isEnabled()) << "it will not be known";
+    EXPECT_TRUE(note->text().startsWith("No metrics"));
+    view.setRuns(twoRuns());
+    EXPECT_FALSE(note->isVisible());
+}
+
+// Catches a table that keeps the window waiting.
+TEST_F(ComparisonViewTest, SixRunsOfEightObjectsAreShownAtOnce) {
+    std::vector<ComparedRun> runs;
+    const char* names[] = {"one", "two", "three", "four", "five", "six", "seven", "eight"};
+    for (int k = 0; k < 6; ++k) {
+        std::vector<std::pair<const char*, ObjectMetrics>> objects;
+        for (const char* name : names)
+            objects.emplace_back(name, settled(40.0 + 0.1 * k, 60.0 + k));
+        runs.push_back(comparedRun(QString(QChar(u'A' + k)), objects));
+    }
+    QElapsedTimer timer;
+    timer.start();
+    for (int k = 0; k < 6; ++k) // once for each run whose metrics come
+        view.setRuns(runs);
+    QApplication::processEvents();
+    RecordProperty("ms_each", std::to_string(static_cast<double>(timer.elapsed()) / 6.0));
+    EXPECT_LT(timer.elapsed(), 6'000);
+    EXPECT_EQ(table->rowCount(), 7 * 8 + 5);
+    EXPECT_EQ(table->columnCount(), 11);
+    EXPECT_EQ(plain(table->item(16, 10)->text()), "+5.0 s") << "settling of the first object in F";
+    EXPECT_TRUE(view.grab().save("comparison.png"));
+}
+
+} // namespace bask
