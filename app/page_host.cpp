@@ -83,6 +83,21 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connect(&m_files, &SessionActions::recipeChosen, m_bar, &MessageBar::clear);
     connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
+    connectExports();
+}
+
+/// What was written can be opened from its message.
+void PageHost::connectExports() {
+    connect(&m_files, &SessionActions::exported, this, &PageHost::showExported);
+    connect(m_targets, &TargetsPage::exported, this, &PageHost::showExported);
+    connect(m_bar, &MessageBar::actionClicked, this, [this] { m_desktop.open(m_exported); });
+    connect(m_bar, &MessageBar::otherClicked, this, [this] { m_desktop.showInFolder(m_exported); });
+    connect(&m_desktop, &DesktopFiles::problem, this, &PageHost::showProblem);
+}
+
+void PageHost::showExported(const QString& sentence, const QStringList& files) {
+    m_exported = files;
+    m_messages.showWritten(sentence, tr("Open"), tr("Show in folder"));
 }
 
 void PageHost::connectReview() {
@@ -218,7 +233,6 @@ void PageHost::connectDocument() {
         emit commandIssued(SetController{m_document.experiment().controller});
     });
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
-    connect(m_targets, &TargetsPage::told, this, &PageHost::showNote);
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
         Experiment changed = m_document.experiment();
         changed.start = pose;

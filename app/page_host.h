@@ -1,6 +1,7 @@
 #pragma once
 // The six pages with the message bar above them, connected to the document and the engine.
 
+#include "app/desktop_files.h"
 #include "app/document.h"
 #include "app/page.h"
 #include "app/page_messages.h"
@@ -84,6 +85,8 @@ private:
     void connectDocument();
     void connectJudge();
     void connectReview();
+    void connectExports();
+    void showExported(const QString& sentence, const QStringList& files);
     void reportInfeasible();
     void showDocument();
     void showEditable();
@@ -106,6 +109,8 @@ private:
     ReviewDesk m_reviewDesk;
     PageMessages m_messages;
 
+    DesktopFiles m_desktop;
+    QStringList m_exported;       ///< files of the message that offers to open them
     std::vector<double> m_told_K; ///< newest reading of each sensor, trusted or not
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isThermalOnRun = false; ///< that page shows its pictures

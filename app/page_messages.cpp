@@ -15,6 +15,10 @@ void PageMessages::showNote(const QString& sentence) {
     m_bar.say(MessageBar::Kind::Note, sentence);
 }
 
+void PageMessages::showWritten(const QString& sentence, const QString& open, const QString& other) {
+    m_bar.ask(sentence, open, other);
+}
+
 void PageMessages::clear() {
     m_bar.clear();
 }

@@ -16,6 +16,8 @@ public:
     /// Shows a sentence above the pages until it is closed.
     void showProblem(const QString& sentence);
     void showNote(const QString& sentence);
+    /// Shows that files were written, with a button that opens them and another one.
+    void showWritten(const QString& sentence, const QString& open, const QString& other);
     void clear();
 
     void showOfEdit(const QString& note); ///< gone with the next edit

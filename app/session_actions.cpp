@@ -36,7 +36,7 @@ SessionActions::SessionActions(Document& document, SettingsStore& settings, QWid
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
     m_export.setDrawGuard([this] { return !refusedToDraw(); });
     connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
-    connect(&m_export, &SessionExport::told, this, &SessionActions::told);
+    connect(&m_export, &SessionExport::exported, this, &SessionActions::exported);
 }
 
 QString SessionActions::ask(const FileQuestion& question) {
@@ -364,7 +364,7 @@ void SessionActions::saveReport(const QString& text) {
         return;
     if (const auto written = writeTextFile(path.toStdString(), text.toStdString()); !written)
         return emit problem(sentence(written.error()));
-    emit told(tr("The report was saved as %1.").arg(path));
+    emit exported(tr("The report was saved as %1.").arg(path), {path});
 }
 
 void SessionActions::saveRig() {

@@ -96,6 +96,8 @@ public:
 signals:
     void problem(const QString& sentence);
     void told(const QString& sentence);
+    /// Files were written for others to read.
+    void exported(const QString& sentence, const QStringList& files);
     void sessionOpened(std::shared_ptr<bask::RecordedSession> session);
     void rigRead(const bask::RigSpec& rig);
     /// A recipe file was chosen to be opened.

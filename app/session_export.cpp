@@ -81,11 +81,14 @@ void SessionExport::writeComparison(const QString& csv, const QString& to) {
 
 void SessionExport::tell(const Files& files, const QString& to) {
     if (!files)
-        emit problem(sentence(files.error()));
-    else if (files->size() == 1)
-        emit told(tr("%1 written").arg(QFileInfo(QString::fromStdString(files->front())).fileName()));
-    else
-        emit told(tr("%n file(s) written to %1", nullptr, static_cast<int>(files->size())).arg(to));
+        return emit problem(sentence(files.error()));
+    QStringList paths;
+    for (const std::string& file : *files)
+        paths << QString::fromStdString(file);
+    emit exported(paths.size() == 1
+                      ? tr("%1 written").arg(QFileInfo(paths.front()).fileName())
+                      : tr("%n file(s) written to %1", nullptr, static_cast<int>(paths.size())).arg(to),
+                  paths);
 }
 
 } // namespace bask

@@ -6,6 +6,7 @@
 #include "widgets/review/session_form.h"
 
 #include <QObject>
+#include <QStringList>
 
 #include <functional>
 #include <map>
@@ -38,7 +39,8 @@ public:
 
 signals:
     void problem(const QString& sentence);
-    void told(const QString& sentence);
+    /// The files are there.
+    void exported(const QString& sentence, const QStringList& files);
 
 private:
     using Files = Result<std::vector<std::string>>;

@@ -21,6 +21,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -34,6 +35,8 @@
 #include <QSqlQuery>
 #include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTextBrowser>
+#include <QUrl>
 
 #include <algorithm>
 
@@ -63,6 +66,32 @@ TEST_F(MainWindowTest, ButtonsFollowTheReportedState) {
     ASSERT_TRUE(waitForState(RunState::Ready));
     EXPECT_TRUE(find<QAbstractButton>("armButton")->isEnabled());
     EXPECT_FALSE(find<QAbstractButton>("startButton")->isEnabled());
+}
+
+// Catches: an export whose file has to be looked for, and buttons that stay at a message about something
+// else.
+TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
+    openWindow();
+    const QTemporaryDir folder;
+    QFile file(folder.filePath(QStringLiteral("two.csv")));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.close();
+    QTextBrowser desktop; // has a slot that takes an address, and keeps it
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), &desktop, "setSource");
+    emit window->files().exported(QStringLiteral("two.csv written"), {file.fileName()});
+    EXPECT_EQ(message(), QStringLiteral("two.csv written"));
+    const auto button = [&](const char* name) {
+        return find<MessageBar>("messageBar")->findChild<QAbstractButton*>(QLatin1String(name));
+    };
+    EXPECT_EQ(button("messageAction")->text(), QStringLiteral("Open"));
+    EXPECT_EQ(button("messageOther")->text(), QStringLiteral("Show in folder"));
+    EXPECT_TRUE(button("messageOther")->isVisible());
+    QTest::mouseClick(button("messageAction"), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return desktop.source() == QUrl::fromLocalFile(file.fileName()); }));
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    window->pages().showNote(QStringLiteral("Something else."));
+    EXPECT_FALSE(button("messageAction")->isVisible());
+    EXPECT_FALSE(button("messageOther")->isVisible());
 }
 
 // Catches: Start has the keyboard, cannot be pressed any more, and the next Space is for Stop.

@@ -189,9 +189,12 @@ QString recorded(const QTemporaryDir& folder) {
 TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
     const QTemporaryDir folder;
     int opened = 0;
-    QStringList told;
+    QStringList told, written;
     QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
-    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    QObject::connect(&files, &SessionActions::exported, [&](const QString& text, const QStringList& paths) {
+        told << text;
+        written << paths;
+    });
     QStringList asked;
     QString folderOfAnswers = folder.path();
     files.setFileChooser([&](const FileQuestion& question) {
@@ -213,6 +216,10 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
     for (const char* name : {"traces.csv", "my \"run\" <b>.nxs", "outlines.pvd", "errors.svg",
                              "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QString::fromUtf8(name)))) << name;
+    EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("my \"run\" <b>.pdf"))));
+    EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("traces.csv"))));
+    for (const QString& file : written)
+        EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
 
     folderOfAnswers = QStringLiteral("/proc/no-such-place");
     for (const SessionForm form : kForms)
@@ -225,14 +232,18 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
 // Catches: a comparison that is not written, or is written over what Bask has not made.
 TEST_F(SessionActionsTest, AComparisonIsSaved) {
     const QTemporaryDir folder;
-    QStringList told;
-    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    QStringList told, written;
+    QObject::connect(&files, &SessionActions::exported, [&](const QString& text, const QStringList& paths) {
+        told << text;
+        written << paths;
+    });
     QString answer = folder.filePath(QStringLiteral("two")); // without the suffix
     files.setFileChooser([&](const FileQuestion&) { return answer; });
     const QString csv = QStringLiteral("metric,object,A,B,B - A\nfinal (degC),h\u00e4nd,40,41,1\n");
     files.exportComparison(csv);
     ASSERT_TRUE(waitFor([&] { return told.size() + problems.size() == 1; }));
     EXPECT_TRUE(told.value(0).contains(QStringLiteral("two.csv"))) << problems.join('\n').toStdString();
+    EXPECT_EQ(written, QStringList{folder.filePath(QStringLiteral("two.csv"))});
     QFile file(folder.filePath(QStringLiteral("two.csv")));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_EQ(QString::fromUtf8(file.readAll()), csv);
@@ -257,10 +268,13 @@ TEST_F(SessionActionsTest, AComparisonIsSaved) {
 TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {
     const QTemporaryDir folder, out;
     int opened = 0, asked = 0;
-    QStringList told;
+    QStringList told, written;
     bool runIsOn = false, recipeIsOn = false;
     QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
-    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    QObject::connect(&files, &SessionActions::exported, [&](const QString& text, const QStringList& paths) {
+        told << text;
+        written << paths;
+    });
     files.setRunGuard([&] { return runIsOn; });
     files.setRecipeGuard([&] { return recipeIsOn; });
     files.setFileChooser([&](const FileQuestion& question) {

@@ -25,10 +25,6 @@ QString framePath(const QString& folder, int index) {
     return QDir(folder).filePath(QStringLiteral("frame-%1.png").arg(index + 1));
 }
 
-QString sheetPath(const QString& folder) {
-    return QDir(folder).filePath(QStringLiteral("panels.png"));
-}
-
 /// A file is there that is no earlier export.
 bool isForeign(const QString& path) {
     return QFileInfo(path).size() > 0 && !isMarkedPicture(path, kMark);
@@ -41,6 +37,10 @@ QFont captionFont(const QImage& picture, QFont font) {
 }
 
 } // namespace
+
+QString SceneSequence::sheetPath(const QString& folder) {
+    return QDir(folder).filePath(QStringLiteral("panels.png"));
+}
 
 SceneSequence::SceneSequence(TargetScene& scene, QObject* parent) : QObject(parent), m_scene(scene) {
     m_player.setInterval(kFrameTime_ms);

@@ -36,6 +36,7 @@ public:
     /// Writes frame-1.png ... and panels.png, three in a row, all with their captions, into the folder, which
     /// must exist. Ends with saved(). Replaces an earlier export, but refuses to replace other files.
     void save(const QString& folder, QSize size);
+    static QString sheetPath(const QString& folder); ///< of panels.png
     /// Cancels a save() without saved(); pictures already written stay.
     void cancel();
     bool isSaving() const { return m_saver.isActive(); }

@@ -55,21 +55,27 @@ template <class Write> Result<void> writeWhole(const QString& path, Write write)
     return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }
 
+QString tableOf(const ExportedMap& map) {
+    return map.stem + QStringLiteral(".csv");
+}
+
+QString pictureOf(const ExportedMap& map) {
+    return map.stem + QStringLiteral(".png");
+}
+
 Result<void> writeMaps(const std::vector<ExportedMap>& maps, const std::vector<std::string>& names) {
-    const auto table = [](const ExportedMap& map) { return map.stem + QStringLiteral(".csv"); };
-    const auto picture = [](const ExportedMap& map) { return map.stem + QStringLiteral(".png"); };
     for (const ExportedMap& map : maps)
-        for (const QString& path : {table(map), picture(map)})
+        for (const QString& path : {tableOf(map), pictureOf(map)})
             if (!mayReplace(path))
                 return Error(MessageCode::ExportForeign, path.toStdString());
     for (const ExportedMap& map : maps) {
         const QByteArray text = QByteArray::fromStdString(reachableCsv(names, map.map));
         const auto written =
-            writeWhole(table(map), [&](QIODevice& to) { return to.write(text) == text.size(); });
+            writeWhole(tableOf(map), [&](QIODevice& to) { return to.write(text) == text.size(); });
         if (!written)
             return written;
         const auto drawn =
-            writeWhole(picture(map), [&](QIODevice& to) { return map.picture.save(&to, "PNG"); });
+            writeWhole(pictureOf(map), [&](QIODevice& to) { return map.picture.save(&to, "PNG"); });
         if (!drawn)
             return drawn;
     }
@@ -224,22 +230,24 @@ void PairsView::exportTo(const QString& folder) {
     for (const ObjectSpec& object : m_experiment.objects)
         names.push_back(object.name);
     std::vector<ExportedMap> maps;
+    QStringList files;
     for (std::size_t i = 0; i < m_made.size(); ++i) {
         const ReachableMap& map = m_made[i];
         const QString stem = QString::fromStdString(reachableFileStem(map.first, map.second));
         QImage picture = m_maps[i]->picture(kPicture, kPictureScale);
         markPicture(picture, QLatin1String(kReachableMark));
         maps.push_back({QDir(folder).filePath(stem), map, std::move(picture)});
+        files << tableOf(maps.back()) << pictureOf(maps.back());
     }
-    m_export.run([maps = std::move(maps), names = std::move(names)] { return writeMaps(maps, names); },
-                 [this, folder](Result<void> written) {
-                     if (!written)
-                         emit problem(
-                             QStringLiteral("%1: %2").arg(QString::fromStdString(written.error().where),
+    m_export.run(
+        [maps = std::move(maps), names = std::move(names)] { return writeMaps(maps, names); },
+        [this, folder, files](Result<void> written) {
+            if (!written)
+                emit problem(QStringLiteral("%1: %2").arg(QString::fromStdString(written.error().where),
                                                           messageText(written.error().message)));
-                     else
-                         emit told(tr("Tables and pictures of the pairs written to %1").arg(folder));
-                 });
+            else
+                emit exported(tr("Tables and pictures of the pairs written to %1").arg(folder), files);
+        });
 }
 
 void PairsView::showAll() {

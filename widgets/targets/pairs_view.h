@@ -48,7 +48,7 @@ signals:
     void dragDropped();
     void wanted(bool shown);
     void problem(const QString& sentence);
-    void told(const QString& sentence);
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

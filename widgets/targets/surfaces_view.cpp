@@ -300,7 +300,7 @@ void SurfacesView::savePicture(const QString& path, QSize size) {
     if (const auto saved = m_scene->saveImage(path, size); !saved)
         emit problem(QStringLiteral("%1: %2").arg(path, messageText(saved.error().message)));
     else
-        emit told(tr("Picture saved: %1").arg(QDir::toNativeSeparators(path)));
+        emit exported(tr("Picture saved: %1").arg(QDir::toNativeSeparators(path)), {path});
 }
 
 void SurfacesView::saveAnimation(const QString& folder, QSize size) {
@@ -319,8 +319,9 @@ void SurfacesView::saveAnimation(const QString& folder, QSize size) {
 void SurfacesView::tellAnimation(const Error& error) {
     endExport();
     if (error.code() == MessageCode::None)
-        emit told(tr("Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png")
-                      .arg(QDir::toNativeSeparators(m_exportFolder)));
+        emit exported(tr("Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png")
+                          .arg(QDir::toNativeSeparators(m_exportFolder)),
+                      {SceneSequence::sheetPath(m_exportFolder)});
     else
         emit problem(
             QStringLiteral("%1: %2").arg(QString::fromStdString(error.where), messageText(error.message)));

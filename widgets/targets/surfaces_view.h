@@ -56,7 +56,7 @@ signals:
     /// The picked point was chosen as the start of runs.
     void startWanted(const bask::Vector6d& pose);
     void problem(const QString& sentence);
-    void told(const QString& sentence);
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

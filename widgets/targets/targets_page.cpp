@@ -143,8 +143,8 @@ TargetsPage::TargetsPage(QWidget* parent)
     connect(m_pairs, &PairsView::dragDropped, this, &TargetsPage::triesDropped);
     connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
     connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
-    connect(m_pairs, &PairsView::told, this, &TargetsPage::told);
-    connect(m_surfaces, &SurfacesView::told, this, &TargetsPage::told);
+    connect(m_pairs, &PairsView::exported, this, &TargetsPage::exported);
+    connect(m_surfaces, &SurfacesView::exported, this, &TargetsPage::exported);
     buildRows();
 }
 

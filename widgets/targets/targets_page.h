@@ -73,7 +73,7 @@ signals:
     void startWanted(const bask::Vector6d& pose);
     void pairsWanted(bool shown);
     void problem(const QString& sentence);
-    void told(const QString& sentence);
+    void exported(const QString& sentence, const QStringList& files);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -36,7 +36,7 @@ const Experiment& shipped() {
 struct PairsViewTest : testing::Test {
     PairsView view;
     QTemporaryDir folder;
-    QSignalSpy told{&view, &PairsView::told};
+    QSignalSpy told{&view, &PairsView::exported};
     QSignalSpy problem{&view, &PairsView::problem};
     Experiment experiment = shipped();
 
@@ -128,6 +128,10 @@ TEST_F(PairsViewTest, ExportWritesWhatTheCommandWrites) {
     ASSERT_TRUE(test::waitFor([&] { return told.count() + problem.count() > 0; }));
     ASSERT_EQ(told.count(), 1) << problem.value(0).value(0).toString().toStdString();
     EXPECT_TRUE(told[0][0].toString().contains(folder.path()));
+    const QStringList files = told[0][1].toStringList();
+    EXPECT_EQ(files.size(), 6) << "a table and a picture of each pair";
+    for (const QString& file : files)
+        EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
     const QString commands = folder.filePath("commands");
     ASSERT_EQ(test::captured(feasibilityCommand, {kTriangle, "--reachable", commands}).code, 0);
     for (const char* stem : {"/reachable-1-2", "/reachable-1-3", "/reachable-2-3"}) {

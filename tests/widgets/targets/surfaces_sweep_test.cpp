@@ -126,7 +126,7 @@ TEST_F(SurfacesSweepTest, AnAnimationIsExported) {
         GTEST_SKIP() << "no OpenGL";
     const QImage before = withSurfaces();
     QTemporaryDir folder;
-    QSignalSpy told(&view, &SurfacesView::told), problem(&view, &SurfacesView::problem);
+    QSignalSpy told(&view, &SurfacesView::exported), problem(&view, &SurfacesView::problem);
     auto* progress = find<QProgressBar>("exportProgress");
     view.saveAnimation(folder.path(), {400, 300});
     EXPECT_TRUE(progress->isVisible());
@@ -137,6 +137,7 @@ TEST_F(SurfacesSweepTest, AnAnimationIsExported) {
     ASSERT_TRUE(waitFor([&] { return told.count() == 1; }));
     EXPECT_EQ(problem.count(), 0);
     EXPECT_TRUE(told[0][0].toString().contains(QDir::toNativeSeparators(folder.path())));
+    EXPECT_EQ(told[0][1].toStringList(), QStringList{folder.filePath("panels.png")});
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 10);
     const QImage first(folder.filePath(QStringLiteral("frame-1.png")));
     EXPECT_EQ(first.size(), QSize(400, 300));
@@ -153,7 +154,7 @@ TEST_F(SurfacesSweepTest, AnExportIsCancelledOrFails) {
         GTEST_SKIP() << "no OpenGL";
     const QImage before = withSurfaces();
     QTemporaryDir folder;
-    QSignalSpy told(&view, &SurfacesView::told), problem(&view, &SurfacesView::problem);
+    QSignalSpy told(&view, &SurfacesView::exported), problem(&view, &SurfacesView::problem);
     view.saveAnimation(folder.path(), {400, 300});
     ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() >= 2; }));
     QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
@@ -180,7 +181,7 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
         GTEST_SKIP() << "no OpenGL";
     const QImage before = withSurfaces();
     QTemporaryDir folder, again;
-    QSignalSpy told(&view, &SurfacesView::told);
+    QSignalSpy told(&view, &SurfacesView::exported);
     view.saveAnimation(folder.path(), {200, 150});
     ASSERT_TRUE(waitFor([&] { return told.count() == 1; }));
     view.saveAnimation(again.path(), {200, 150});
@@ -223,7 +224,7 @@ TEST_F(SurfacesSweepTest, APictureIsSavedInItsSize) {
         GTEST_SKIP() << "no OpenGL";
     withSurfaces();
     QTemporaryDir folder;
-    QSignalSpy told(&view, &SurfacesView::told), problem(&view, &SurfacesView::problem);
+    QSignalSpy told(&view, &SurfacesView::exported), problem(&view, &SurfacesView::problem);
     const QString path = folder.filePath(QStringLiteral("targets.png"));
     view.savePicture(path, {1700, 1200});
     EXPECT_EQ(QImage(path).size(), QSize(1700, 1200));
