@@ -4,7 +4,6 @@
 #include "app/icons.h"
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
-#include "widgets/common/display.h"
 #include "widgets/common/language.h"
 
 #include <QActionGroup>
@@ -68,7 +67,7 @@ bool allowsEdits(RunState state) {
     return state != RunState::Armed && !isRunOn(state);
 }
 
-Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
+Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_faults(window) {
     newExperiment = make("newExperiment", QKeySequence::New);
     open = make("open", QKeySequence::Open);
     save = make("save", QKeySequence::Save);
@@ -95,13 +94,14 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
 
-    for (QMenu** menu : {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu,
-                         &m_unitMenu, &m_themeMenu, &m_textSizeMenu, &m_hornMenu, &m_languageMenu,
-                         &m_toolsMenu, &m_faultMenu, &m_helpMenu})
+    for (QMenu** menu :
+         {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu, &m_unitMenu,
+          &m_themeMenu, &m_textSizeMenu, &m_hornMenu, &m_languageMenu, &m_toolsMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
     m_editMenu->setToolTipsVisible(true);
     m_runMenu->setToolTipsVisible(true);
+    m_toolsMenu->setToolTipsVisible(true);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
     m_fileMenu->setObjectName(QStringLiteral("fileMenu"));
     m_editMenu->setObjectName(QStringLiteral("editMenu"));
@@ -111,7 +111,6 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
                 [this, name] { emit exampleChosen(name); });
     makeVerbs();
     makeView();
-    makeFaults();
     retranslate();
 }
 
@@ -189,43 +188,6 @@ void Actions::makeView() {
     }
 }
 
-void Actions::makeFaults() {
-    for (int i = 0; i < kSimulatedFaults; ++i) {
-        const auto fault = static_cast<SimulatedFault>(i);
-        const auto k = static_cast<std::size_t>(i);
-        if (isOfObject(fault)) {
-            m_objectFaults[k] = new QMenu(m_window);
-            m_objectFaults[k]->setObjectName(QLatin1String(simulatedFaultName(fault)));
-            continue;
-        }
-        m_rigFaults[k] = make(fault == SimulatedFault::None ? "restoreDevices" : simulatedFaultName(fault));
-        connect(m_rigFaults[k], &QAction::triggered, this, [this, fault] { emit faultChosen({fault, 0}); });
-    }
-}
-
-void Actions::fillFaults() {
-    for (QMenu* menu : m_objectFaults)
-        if (menu)
-            m_faultMenu->addMenu(menu);
-    m_faultMenu->addSeparator();
-    for (std::size_t k = 1; k < m_rigFaults.size(); ++k)
-        if (m_rigFaults[k])
-            m_faultMenu->addAction(m_rigFaults[k]);
-    m_faultMenu->addSeparator();
-    m_faultMenu->addAction(m_rigFaults.front());
-}
-
-void Actions::retranslateFaults() {
-    m_faultMenu->setTitle(tr("&Simulate fault"));
-    for (std::size_t k = 0; k < m_rigFaults.size(); ++k) {
-        const QString word = simulatedFaultWord(static_cast<SimulatedFault>(k));
-        if (m_objectFaults[k])
-            m_objectFaults[k]->setTitle(word);
-        else
-            m_rigFaults[k]->setText(word);
-    }
-}
-
 void Actions::fillMenus(QMenuBar* bar) {
     m_fileMenu->addActions({newExperiment, open});
     m_fileMenu->addMenu(m_exampleMenu);
@@ -259,8 +221,7 @@ void Actions::fillMenus(QMenuBar* bar) {
         m_hornMenu->addAction(action);
     m_textSizeMenu->addActions(m_textSizes);
     m_languageMenu->addActions(m_languages);
-    m_toolsMenu->addMenu(m_faultMenu);
-    fillFaults();
+    m_toolsMenu->addMenu(m_faults.menu());
     m_helpMenu->addActions({manual, firstFiveMinutes, reportProblem});
     m_helpMenu->addSeparator();
     m_helpMenu->addAction(about);
@@ -365,7 +326,7 @@ void Actions::retranslateView() {
     largeNumbers->setText(tr("Large &numbers"));
     monitoring->setText(tr("&Monitoring…"));
     m_toolsMenu->setTitle(tr("&Tools"));
-    retranslateFaults();
+    m_faults.retranslate();
 }
 
 void Actions::restyle(const QPalette& palette) {
@@ -389,19 +350,7 @@ void Actions::apply(const Snapshot& snapshot) {
     endRecording->setEnabled(edits && !snapshot.recordingPath.empty());
     newExperiment->setEnabled(edits);
     m_exampleMenu->setEnabled(edits);
-    m_toolsMenu->setEnabled(snapshot.simulated);
-}
-
-void Actions::setObjects(const QStringList& names) {
-    for (std::size_t k = 0; k < m_objectFaults.size(); ++k) {
-        if (!m_objectFaults[k])
-            continue;
-        m_objectFaults[k]->clear();
-        for (qsizetype i = 0; i < names.size(); ++i)
-            connect(m_objectFaults[k]->addAction(plain(names[i])), &QAction::triggered, this, [this, k, i] {
-                emit faultChosen({static_cast<SimulatedFault>(k), static_cast<std::size_t>(i)});
-            });
-    }
+    m_faults.apply(snapshot);
 }
 
 void Actions::setRecent(const QStringList& files) {

@@ -2,6 +2,7 @@
 // All actions of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
 // allows.
 
+#include "app/fault_menu.h"
 #include "app/horn.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
@@ -43,7 +44,6 @@ public:
     void restyle(const QPalette& palette);
 
     void apply(const Snapshot& snapshot);
-    void setObjects(const QStringList& names);
     void setRecent(const QStringList& files);
     void showTemperatureUnit(TemperatureUnit unit);
     void showTheme(Theme theme);
@@ -53,6 +53,7 @@ public:
     void showPage(int page);
 
     QAction* verb(Verb verb) const { return m_verbs[static_cast<std::size_t>(verb)]; }
+    FaultMenu& faults() { return m_faults; }
     QAction* page(int index) const { return m_pages[static_cast<std::size_t>(index)]; }
     QMenu* unitMenu() const { return m_unitMenu; }
     QMenu* languageMenu() const { return m_languageMenu; }
@@ -75,15 +76,11 @@ signals:
     void exampleChosen(const QString& name);
     void recentChosen(const QString& path);
     void recentCleared();
-    void faultChosen(const bask::SimulateFault& fault);
 
 private:
     QAction* make(const char* name, const QKeySequence& keys = {});
     void makeVerbs();
     void makeView();
-    void makeFaults();
-    void fillFaults();
-    void retranslateFaults();
     void retranslateFile();
     void retranslateRun();
     void retranslateView();
@@ -97,10 +94,9 @@ private:
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_hornGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{}, m_horns{};
     QList<QAction*> m_textSizes, m_languages;
-    std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null for faults of objects
-    std::array<QMenu*, kSimulatedFaults> m_objectFaults{};
+    FaultMenu m_faults;
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
-        *m_themeMenu, *m_textSizeMenu, *m_hornMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
+        *m_themeMenu, *m_textSizeMenu, *m_hornMenu, *m_languageMenu, *m_toolsMenu, *m_helpMenu;
 };
 
 } // namespace bask

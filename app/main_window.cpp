@@ -5,6 +5,7 @@
 #include "app/cut_off_run.h"
 #include "app/data_folder.h"
 #include "app/error_text.h"
+#include "app/fault_words.h"
 #include "app/infeasible_dialog.h"
 #include "app/labels_dialog.h"
 #include "app/manual_window.h"
@@ -403,6 +404,9 @@ void MainWindow::showNotes() {
     QStringList notes;
     if (m_last.remedy.code != MessageCode::None)
         notes << messageText(m_last.remedy);
+    if (const QStringList faults = activeFaultWords(m_last); !faults.isEmpty())
+        notes << tr("Simulated faults are active: %1. Tools > Simulate fault ends them.")
+                     .arg(faults.join(QStringLiteral("; ")));
     const TemperatureUnit unit = m_settings.temperatureUnit();
     const bool isOverHeat = isOverHotSource(m_last, m_document.experiment().environment_K);
     if (isOverHeat)

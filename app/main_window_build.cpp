@@ -125,7 +125,7 @@ void MainWindow::connectActions() {
         m_settings.clearRecentFiles();
         m_actions.setRecent({});
     });
-    connect(&m_actions, &Actions::faultChosen, this,
+    connect(&m_actions.faults(), &FaultMenu::faultChosen, this,
             [this](const SimulateFault& fault) { m_engine.send(fault); });
 }
 
@@ -169,18 +169,14 @@ void MainWindow::connectParts() {
     connect(&m_files, &SessionActions::recordingChanged, this,
             [this] { m_actions.saveSession->setEnabled(true); });
     connect(&m_document, &Document::changed, this, &MainWindow::showTitle);
-    const auto names = [this] {
-        QStringList list;
-        for (const ObjectSpec& object : m_document.experiment().objects)
-            list << QString::fromStdString(object.name);
-        m_actions.setObjects(list);
-    };
+    const auto faults = [this] { m_actions.faults().setExperiment(m_document.experiment()); };
     connect(&m_document, &Document::changed, this, &MainWindow::takeAges);
     auto* minute = new QTimer(this);
     connect(minute, &QTimer::timeout, this, &MainWindow::takeAges);
     minute->start(std::chrono::minutes(1));
-    connect(&m_document, &Document::opened, this, names);
-    connect(&m_document, &Document::edited, this, names);
+    connect(&m_document, &Document::opened, this, faults);
+    connect(&m_document, &Document::edited, this, faults);
+    connect(&m_document, &Document::visionChanged, this, faults);
     m_cutOff = new CutOffRun(m_pages->cutOffBar(), runMarkFolder(), this);
     connect(m_cutOff, &CutOffRun::openWanted, &m_files, &SessionActions::open);
     m_recovery = new RecoveryOffer(m_pages->questionBar(), m_document, m_autosave, m_files, this);

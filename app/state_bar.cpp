@@ -1,10 +1,12 @@
 #include "app/state_bar.h"
 
 #include "app/error_text.h"
+#include "app/fault_words.h"
 #include "app/icons.h"
 #include "widgets/common/alarm_button.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/run_label_words.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/stop_button.h"
@@ -31,16 +33,24 @@ constexpr int kAlarmText = 70;     // of the gravest alarm this is worth more th
 
 StateBar::StateBar(Actions& actions, QWidget* parent)
     : QFrame(parent), m_actions(actions), m_tag(new QFrame(this)), m_tagIcon(new QLabel(m_tag)),
-      m_tagWord(new QLabel(m_tag)), m_chip(new RunStateChip(this)), m_clockCaption(new QLabel(this)),
-      m_clock(new QLabel(this)), m_operator(new QToolButton(this)), m_alarm(new AlarmButton(this)),
-      m_emergency(new StopButton(this)) {
+      m_tagWord(new QLabel(m_tag)), m_faultWord(new ElidedLabel(m_tag)), m_chip(new RunStateChip(this)),
+      m_clockCaption(new QLabel(this)), m_clock(new QLabel(this)), m_operator(new QToolButton(this)),
+      m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
     setObjectName(QStringLiteral("stateBar"));
-    auto* tagRow = new QHBoxLayout(m_tag);
-    tagRow->setContentsMargins(8, 3, 10, 3);
-    tagRow->setSpacing(6);
-    tagRow->addWidget(m_tagIcon);
-    tagRow->addWidget(m_tagWord);
+    auto* tag = new QGridLayout(m_tag);
+    tag->setContentsMargins(8, 1, 10, 1); // with the fault it is no higher than the chip
+    tag->setHorizontalSpacing(6);
+    tag->setVerticalSpacing(0);
+    tag->addWidget(m_tagIcon, 0, 0);
+    tag->addWidget(m_tagWord, 0, 1);
+    tag->addWidget(m_faultWord, 1, 0, 1, 2);
     m_tag->setObjectName(QStringLiteral("rigTag"));
+    m_faultWord->setObjectName(QStringLiteral("faultWord"));
+    m_faultWord->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    QFont tiny = font();
+    tiny.setPointSizeF(font().pointSizeF() * 0.82);
+    m_faultWord->setFont(tiny);
+    m_faultWord->hide();
 
     m_arm = makeButton(actions.verb(Verb::Arm), "armButton");
     m_start = makeButton(actions.verb(Verb::Start), "startButton");
@@ -104,8 +114,10 @@ QToolButton* StateBar::makeButton(QAction* action, const char* name) {
 }
 
 void StateBar::apply(const Snapshot& snapshot) {
-    if (snapshot.simulated != m_simulated) {
+    const QStringList faults = activeFaultWords(snapshot);
+    if (snapshot.simulated != m_simulated || faults != m_faults) {
         m_simulated = snapshot.simulated;
+        m_faults = faults;
         showTag();
     }
     m_state = snapshot.state;
@@ -177,6 +189,7 @@ void StateBar::shorten(int parts) {
         button->setIconSize({icon, icon});
     reserveHold();
     m_tagWord->setVisible(parts < 4);
+    m_faultWord->setVisible(!m_faults.isEmpty() && parts < 4);
     m_clockCaption->setVisible(parts < 4);
     const int gap = parts < kShortParts ? kBarGap : kBarGap / 2;
     layout()->setSpacing(gap);
@@ -269,9 +282,16 @@ void StateBar::showTag() {
     m_tagIcon->setPixmap(themedIcon(m_simulated ? QStringLiteral("simulated") : QStringLiteral("run"), tinted)
                              .pixmap(QSize(18, 18), devicePixelRatio()));
     m_tagWord->setText(rigWord(m_simulated));
-    m_tag->setToolTip(m_simulated ? tr("The rig is simulated: no device moves or heats.")
-                                  : tr("The rig is real: Start moves it and opens the heat."));
-    m_tag->setAccessibleName(m_tagWord->text());
+    QString tip = m_simulated ? tr("The rig is simulated: no device moves or heats.")
+                              : tr("The rig is real: Start moves it and opens the heat.");
+    if (!m_faults.isEmpty())
+        tip +=
+            u'\n' + tr("Simulated faults, which Tools > Simulate fault ends:") + u'\n' + m_faults.join(u'\n');
+    m_tag->setToolTip(tip);
+    m_faultWord->setToolTip(tip);
+    m_faultWord->setText(tr("fault active", "a simulated one; under SIMULATED"));
+    m_faultWord->setVisible(!m_faults.isEmpty() && m_shortParts < 4);
+    m_tag->setAccessibleName((QStringList(m_tagWord->text()) + m_faults).join(QStringLiteral(", ")));
 }
 
 void StateBar::retranslate() {

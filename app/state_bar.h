@@ -15,11 +15,12 @@ class AlarmButton;
 class RunStateChip;
 class StopButton;
 
-/// Object names: "rigTag", "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume),
-/// "stopRunButton", "retreatButton", "resetButton", "runClock", "alarmButton" (only with alarms),
-/// "operatorButton" (only if operator or sample are known), "stopButton". In a narrow window first
-/// sample and name give way, then buttons and tag lose their words, then clock and operator disappear: STOP
-/// is always complete. The verbs have the same places in every state and with every alarm.
+/// Object names: "rigTag" with "faultWord" (only while a simulated fault is active), "runStateChip",
+/// "armButton", "startButton", "holdButton" (Hold or Resume), "stopRunButton", "retreatButton",
+/// "resetButton", "runClock", "alarmButton" (only with alarms), "operatorButton" (only if operator or sample
+/// are known), "stopButton". In a narrow window first sample and name give way, then buttons and tag lose
+/// their words, then clock and operator disappear: STOP is always complete. The verbs have the same places in
+/// every state and with every alarm.
 class StateBar : public QFrame {
     Q_OBJECT
 
@@ -69,6 +70,8 @@ private:
     QFrame* m_tag;
     QLabel* m_tagIcon;
     QLabel* m_tagWord;
+    QLabel* m_faultWord; ///< under the word of the tag, where it takes no room from the verbs
+    QStringList m_faults;
     RunStateChip* m_chip;
     QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_retreat, *m_reset;
     QLabel* m_clockCaption;

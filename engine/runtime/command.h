@@ -59,10 +59,11 @@ struct SetLabels {
 struct SetSimulationSpeed {
     double factor = 1.0;
 }; ///< simulated s/s, 1..20; 1 in a hold, less if the camera that follows the source is late
-/// Replaces the simulated fault before it; None ends it.
+/// Replaces all simulated faults; None ends them. With isOn false it ends this one, and the others stay.
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
     std::size_t object = 0;
+    bool isOn = true;
 };
 
 /// Acknowledges the alarm with this number in the snapshot.

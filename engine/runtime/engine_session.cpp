@@ -98,6 +98,8 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.clock_s = now_s;
     snapshot.latest = loop.latest();
     snapshot.simulated = simulated != nullptr;
+    if (simulated)
+        snapshot.faults = activeFaults(*simulated);
     snapshot.place = loop.motion().placeState();
     snapshot.placeAge_s = loop.motion().placeAge_s();
     // if it is unknown, the robot does not report its position

@@ -594,6 +594,8 @@ Result<void> EngineWorker::setLabels(const RunLabels& labels) {
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     if (!m_session->simulated)
         return Error(MessageCode::FaultOnRealRig, {});
+    if (!fault.isOn)
+        return endFault(*m_session->simulated, fault.fault, fault.object), Result<void>();
     clearFaults(*m_session->simulated);
     setFault(*m_session->simulated, fault.fault, fault.object, true);
     if (fault.fault != SimulatedFault::None)

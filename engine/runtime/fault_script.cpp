@@ -1,71 +1,91 @@
 #include "engine/runtime/fault_script.h"
 
+#include <algorithm>
+#include <array>
+
 namespace bask {
 namespace {
 
-void setSensor(SimulatedRig& rig, std::size_t object, SensorTrouble trouble, bool isOn) {
-    if (object < static_cast<std::size_t>(rig.simulatedThermometer().channels()))
-        rig.simulatedThermometer().setTrouble(object, isOn ? trouble : SensorTrouble::None,
-                                              rig.environment_K());
+/// A fault and what its device has then.
+template <class Trouble> struct FaultRow {
+    SimulatedFault fault;
+    Trouble trouble;
+};
+
+constexpr std::array kSensorRows{FaultRow{SimulatedFault::SensorLost, SensorTrouble::Lost},
+                                 FaultRow{SimulatedFault::SensorOpen, SensorTrouble::Open},
+                                 FaultRow{SimulatedFault::SensorShort, SensorTrouble::Short},
+                                 FaultRow{SimulatedFault::SensorFrozen, SensorTrouble::Frozen},
+                                 FaultRow{SimulatedFault::SensorJumping, SensorTrouble::Jumping},
+                                 FaultRow{SimulatedFault::SensorOff, SensorTrouble::Off}};
+constexpr std::array kRobotRows{FaultRow{SimulatedFault::RobotLost, RobotTrouble::LinkLost},
+                                FaultRow{SimulatedFault::RobotAlarm, RobotTrouble::Alarm},
+                                FaultRow{SimulatedFault::RobotRestarted, RobotTrouble::Restarted},
+                                FaultRow{SimulatedFault::RobotSlow, RobotTrouble::Slow}};
+constexpr std::array kSourceRows{FaultRow{SimulatedFault::SourceLost, SourceTrouble::LinkLost},
+                                 FaultRow{SimulatedFault::SourceSilent, SourceTrouble::Silent},
+                                 FaultRow{SimulatedFault::SourceNotHeating, SourceTrouble::NotHeating},
+                                 FaultRow{SimulatedFault::SourceHeatsAlone, SourceTrouble::HeatsAlone},
+                                 FaultRow{SimulatedFault::SourceOverheats, SourceTrouble::Overheats},
+                                 FaultRow{SimulatedFault::SourceLimited, SourceTrouble::Limited},
+                                 FaultRow{SimulatedFault::SourceKeepsHeat, SourceTrouble::KeepsHeat}};
+
+template <class Rows> const auto* rowOf(const Rows& rows, SimulatedFault fault) {
+    const auto found = std::ranges::find(rows, fault, [](const auto& row) { return row.fault; });
+    return found == rows.end() ? nullptr : &*found;
 }
 
-void setRobot(SimulatedRig& rig, RobotTrouble trouble, bool isOn) {
-    rig.simulatedRobot().setTrouble(isOn ? trouble : RobotTrouble::None);
+std::size_t sensorsOf(SimulatedRig& rig) {
+    return static_cast<std::size_t>(rig.simulatedThermometer().channels());
 }
 
-void setSource(SimulatedRig& rig, SourceTrouble trouble, bool isOn) {
-    rig.simulatedHeatSource().setTrouble(isOn ? trouble : SourceTrouble::None);
+bool hasFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object) {
+    if (const auto* row = rowOf(kSensorRows, fault))
+        return rig.simulatedThermometer().trouble(object) == row->trouble;
+    if (const auto* row = rowOf(kRobotRows, fault))
+        return rig.simulatedRobot().trouble() == row->trouble;
+    if (const auto* row = rowOf(kSourceRows, fault))
+        return rig.simulatedHeatSource().trouble() == row->trouble;
+    switch (fault) {
+    case SimulatedFault::SensorsSwapped:
+        return rig.simulatedThermometer().swapped() && rig.simulatedThermometer().swapped()->first == object;
+    case SimulatedFault::ObjectHot:
+        return rig.isHot(object);
+    case SimulatedFault::SourceCovered:
+        return rig.simulatedCamera().isCovered();
+    case SimulatedFault::CameraLost:
+        return rig.simulatedCamera().isUnplugged();
+    default:
+        return false;
+    }
+}
+
+/// Calls `take` with each fault, and of those of objects with each object.
+template <class Take> void forEachFault(SimulatedRig& rig, const Take& take) {
+    for (int i = 1; i < kSimulatedFaults; ++i) {
+        const auto fault = static_cast<SimulatedFault>(i);
+        for (std::size_t object = 0; object < (isOfObject(fault) ? sensorsOf(rig) : 1); ++object)
+            take(fault, object);
+    }
 }
 
 } // namespace
 
 void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool isOn) {
+    if (isOfObject(fault) && object >= sensorsOf(rig))
+        return;
+    if (const auto* row = rowOf(kSensorRows, fault))
+        return rig.simulatedThermometer().setTrouble(object, isOn ? row->trouble : SensorTrouble::None,
+                                                     rig.environment_K());
+    if (const auto* row = rowOf(kRobotRows, fault))
+        return rig.simulatedRobot().setTrouble(isOn ? row->trouble : RobotTrouble::None);
+    if (const auto* row = rowOf(kSourceRows, fault))
+        return rig.simulatedHeatSource().setTrouble(isOn ? row->trouble : SourceTrouble::None);
     switch (fault) {
-    case SimulatedFault::None:
-        return;
-    case SimulatedFault::SensorLost:
-        return setSensor(rig, object, SensorTrouble::Lost, isOn);
-    case SimulatedFault::SensorOpen:
-        return setSensor(rig, object, SensorTrouble::Open, isOn);
-    case SimulatedFault::SensorShort:
-        return setSensor(rig, object, SensorTrouble::Short, isOn);
-    case SimulatedFault::SensorFrozen:
-        return setSensor(rig, object, SensorTrouble::Frozen, isOn);
-    case SimulatedFault::SensorJumping:
-        return setSensor(rig, object, SensorTrouble::Jumping, isOn);
-    case SimulatedFault::SensorOff:
-        return setSensor(rig, object, SensorTrouble::Off, isOn);
     case SimulatedFault::SensorsSwapped:
-        if (const auto sensors = static_cast<std::size_t>(rig.simulatedThermometer().channels());
-            object < sensors)
-            rig.simulatedThermometer().setSwapped(object, (object + 1) % sensors, isOn);
-        return;
+        return rig.simulatedThermometer().setSwapped(object, (object + 1) % sensorsOf(rig), isOn);
     case SimulatedFault::ObjectHot:
-        if (object < static_cast<std::size_t>(rig.simulatedThermometer().channels()))
-            rig.setHot(object, isOn);
-        return;
-    case SimulatedFault::RobotLost:
-        return setRobot(rig, RobotTrouble::LinkLost, isOn);
-    case SimulatedFault::RobotAlarm:
-        return setRobot(rig, RobotTrouble::Alarm, isOn);
-    case SimulatedFault::RobotRestarted:
-        return setRobot(rig, RobotTrouble::Restarted, isOn);
-    case SimulatedFault::RobotSlow:
-        return setRobot(rig, RobotTrouble::Slow, isOn);
-    case SimulatedFault::SourceLost:
-        return setSource(rig, SourceTrouble::LinkLost, isOn);
-    case SimulatedFault::SourceSilent:
-        return setSource(rig, SourceTrouble::Silent, isOn);
-    case SimulatedFault::SourceNotHeating:
-        return setSource(rig, SourceTrouble::NotHeating, isOn);
-    case SimulatedFault::SourceHeatsAlone:
-        return setSource(rig, SourceTrouble::HeatsAlone, isOn);
-    case SimulatedFault::SourceOverheats:
-        return setSource(rig, SourceTrouble::Overheats, isOn);
-    case SimulatedFault::SourceLimited:
-        return setSource(rig, SourceTrouble::Limited, isOn);
-    case SimulatedFault::SourceKeepsHeat:
-        return setSource(rig, SourceTrouble::KeepsHeat, isOn);
+        return rig.setHot(object, isOn);
     case SimulatedFault::SourceCovered:
         rig.simulatedSourceTracker().setLost(isOn);
         return rig.simulatedCamera().setCovered(isOn);
@@ -74,16 +94,28 @@ void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool 
         if (rig.simulatedThermalCamera() != nullptr)
             rig.simulatedThermalCamera()->setUnplugged(isOn);
         return rig.simulatedCamera().setUnplugged(isOn);
+    default:
+        return;
     }
 }
 
+void endFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object) {
+    if (!(isOfObject(fault) && object >= sensorsOf(rig)) && hasFault(rig, fault, object))
+        setFault(rig, fault, object, false);
+}
+
 void clearFaults(SimulatedRig& rig) {
-    const auto channels = static_cast<std::size_t>(rig.simulatedThermometer().channels());
-    for (int i = 1; i < kSimulatedFaults; ++i) {
-        const auto fault = static_cast<SimulatedFault>(i);
-        for (std::size_t object = 0; object < (isOfObject(fault) ? channels : 1); ++object)
-            setFault(rig, fault, object, false);
-    }
+    forEachFault(rig,
+                 [&rig](SimulatedFault fault, std::size_t object) { setFault(rig, fault, object, false); });
+}
+
+std::vector<ActiveFault> activeFaults(SimulatedRig& rig) {
+    std::vector<ActiveFault> active;
+    forEachFault(rig, [&](SimulatedFault fault, std::size_t object) {
+        if (hasFault(rig, fault, object))
+            active.push_back({fault, object});
+    });
+    return active;
 }
 
 std::vector<ScriptedFault> FaultScript::play(SimulatedRig& rig, double runTime_s) {

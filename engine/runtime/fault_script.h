@@ -2,6 +2,7 @@
 // Faults of the simulated rig: one by its name, and those of an experiment's script at their times.
 
 #include "engine/model/safety_spec.h"
+#include "engine/runtime/snapshot.h"
 #include "engine/simulation/simulated_rig.h"
 
 #include <string>
@@ -11,8 +12,13 @@ namespace bask {
 
 /// Activates or clears the fault; no effect if `object` is out of range.
 void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool isOn);
+/// Ends the fault if the rig has it; another fault of the same device stays.
+void endFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object);
 /// Clears all faults.
 void clearFaults(SimulatedRig& rig);
+/// Returns the faults that the devices have now, whoever set them; one that a device has ended is not among
+/// them.
+std::vector<ActiveFault> activeFaults(SimulatedRig& rig);
 
 class FaultScript {
 public:

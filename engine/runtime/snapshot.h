@@ -10,6 +10,7 @@
 #include "engine/drivers/serial_ports.h"
 #include "engine/model/alarm.h"
 #include "engine/model/run_labels.h"
+#include "engine/model/safety_spec.h"
 #include "engine/model/trace.h"
 #include "engine/runtime/zeroing.h"
 
@@ -58,6 +59,13 @@ struct TriedDevice {
     std::optional<Vector6d> coordinates; ///< of a robot
 };
 
+/// A fault that the simulated rig has now.
+struct ActiveFault {
+    SimulatedFault fault = SimulatedFault::None;
+    std::size_t object = 0; ///< of a fault of one object
+    bool operator==(const ActiveFault&) const = default;
+};
+
 /// The next action that the engine takes by itself unless something changes.
 struct PendingAction {
     Message action; ///< ActionHold, ActionEndRun, ActionHeatOff or ActionRetreat
@@ -75,6 +83,7 @@ struct Snapshot {
     std::optional<PendingAction> pending; ///< the next action that the engine takes by itself
     bool canRetreat = false;              ///< the robot answers and can move
     std::vector<Alarm> alarms;            ///< sorted by AlarmLog
+    std::vector<ActiveFault> faults;      ///< as the devices of the simulated rig have them
     bool simulated = true;
     std::uint64_t loadId = 0; ///< increases with each loaded experiment
     /// of the rig (simulated time if simulated); restarts with each load that is no edit

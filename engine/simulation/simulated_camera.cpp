@@ -99,9 +99,19 @@ void SimulatedCamera::setCovered(bool covered) {
     m_isCovered = covered;
 }
 
+bool SimulatedCamera::isCovered() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_isCovered;
+}
+
 void SimulatedCamera::setUnplugged(bool unplugged) {
     const std::scoped_lock lock(m_mutex);
     m_isUnplugged = unplugged;
+}
+
+bool SimulatedCamera::isUnplugged() const {
+    const std::scoped_lock lock(m_mutex);
+    return m_isUnplugged;
 }
 
 // Under the lock.

@@ -72,7 +72,9 @@ public:
     void setBoard(std::optional<Board> board);
     /// Shows a hand in front of the source's markers.
     void setCovered(bool covered);
+    bool isCovered() const;
     void setUnplugged(bool unplugged);
+    bool isUnplugged() const;
 
 private:
     struct Observed {

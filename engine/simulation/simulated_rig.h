@@ -104,6 +104,7 @@ public:
 
     /// Lets something else warm the object, at kHot_K_s.
     void setHot(std::size_t object, bool hot) { m_isHot.at(object) = hot; }
+    bool isHot(std::size_t object) const { return m_isHot.at(object); }
     double environment_K() const { return m_config.environment_K; }
 
     SimulatedRobot& simulatedRobot() { return m_robot; }

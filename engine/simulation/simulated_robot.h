@@ -53,6 +53,7 @@ public:
     void setLinkLost(bool lost) { m_trouble = lost ? RobotTrouble::LinkLost : RobotTrouble::None; }
     /// An alarm, and an unsure position, last until they are cleared or another fault is set.
     void setTrouble(RobotTrouble trouble);
+    RobotTrouble trouble() const { return m_trouble; }
 
     static constexpr double kSlow_s = 5.0;
 

@@ -52,6 +52,9 @@ public:
     void setTrouble(std::size_t channel, SensorTrouble trouble, double room_K = 298.15);
     /// Lets two channels give each other's readings, or no longer; one pair at a time.
     void setSwapped(std::size_t a, std::size_t b, bool isOn);
+    SensorTrouble trouble(std::size_t channel) const { return m_troubles.at(channel).kind; }
+    /// Returns the swapped pair; empty: none.
+    const std::optional<std::pair<std::size_t, std::size_t>>& swapped() const { return m_swapped; }
     /// Sets the time constant in still air of sensors that come off, s; 0: they read the room's temperature
     /// at once.
     void setOffLag(double lag_s) { m_offLag_s = lag_s; }
@@ -124,6 +127,7 @@ public:
     }
     void setLinkLost(bool lost) { m_trouble = lost ? SourceTrouble::LinkLost : SourceTrouble::None; }
     void setTrouble(SourceTrouble trouble) { m_trouble = trouble; }
+    SourceTrouble trouble() const { return m_trouble; }
 
     static constexpr double kAlone_K_s = 1.0;
     static constexpr double kOverheating_K_s = 2.0;

@@ -782,9 +782,24 @@ TEST_F(MainWindowTest, EveryFaultCanBeSimulated) {
             EXPECT_FALSE(action->text().isEmpty()) << qPrintable(name);
         }
     }
-    window->findChild<QAction*>(QStringLiteral("robot-alarm"))->trigger();
+    auto* alarm = window->findChild<QAction*>(QStringLiteral("robot-alarm"));
+    auto* restore = window->findChild<QAction*>(QStringLiteral("restoreDevices"));
+    EXPECT_FALSE(restore->isEnabled());
+    alarm->trigger();
     EXPECT_TRUE(waitForState(RunState::Fault));
-    window->findChild<QAction*>(QStringLiteral("restoreDevices"))->trigger();
+    EXPECT_TRUE(waitFor([alarm] { return alarm->isChecked(); }));
+    EXPECT_TRUE(find<QWidget>("faultWord")->isVisible());
+    EXPECT_TRUE(std::ranges::any_of(
+        find<RunStateChip>("runStateChip")->reasonsMenu()->actions(), [](const QAction* line) {
+            return line->text().startsWith(QStringLiteral("Simulated faults are active: Robot"));
+        }));
+    alarm->trigger(); // ends it
+    EXPECT_TRUE(waitFor([alarm] { return !alarm->isChecked(); }));
+    EXPECT_FALSE(find<QWidget>("faultWord")->isVisible());
+    alarm->trigger();
+    ASSERT_TRUE(waitFor([restore] { return restore->isEnabled(); }));
+    restore->trigger();
+    EXPECT_TRUE(waitFor([alarm] { return !alarm->isChecked(); }));
     click("resetButton");
     EXPECT_TRUE(waitFor([this] { return state() == RunState::Ready; }));
 }

@@ -1,8 +1,11 @@
+#include "app/resources.h"
 #include "app/state_bar.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/language.h"
 
 #include <QAbstractButton>
+#include <QLabel>
 #include <QMainWindow>
 #include <QPixmap>
 #include <QSignalSpy>
@@ -54,7 +57,7 @@ Alarm longAlarm() {
 
 } // namespace
 
-// Catches: Reset under the hand that was about to press Stop, and verbs pushed aside by an alarm.
+// Catches: Reset under the hand that was about to press Stop, and verbs pushed aside by an alarm or a fault.
 TEST(StateBar, EveryVerbKeepsItsPlaceInEveryStateAndWithAlarms) {
     for (const int width : {640, 853, 1024, 1280, 1600}) {
         Bar bar(width);
@@ -68,6 +71,7 @@ TEST(StateBar, EveryVerbKeepsItsPlaceInEveryStateAndWithAlarms) {
                 snapshot.reasons.assign(static_cast<std::size_t>(state % 3),
                                         {MessageCode::ReasonNoExperiment, {}});
                 snapshot.alarms.assign(alarms, longAlarm());
+                snapshot.faults.assign(alarms > 0 ? 3 : 0, {SimulatedFault::SensorsSwapped, 0});
                 bar.tell(snapshot);
                 for (const char* name : kVerbButtons) {
                     const QAbstractButton* button = bar.button(name);
@@ -79,6 +83,42 @@ TEST(StateBar, EveryVerbKeepsItsPlaceInEveryStateAndWithAlarms) {
                 }
             }
     }
+}
+
+// Catches: a fault that is simulated unseen, one that is told when it is over, and a word that is cut off.
+TEST(StateBar, ASimulatedFaultIsToldInWords) {
+    initResources();
+    Bar bar(1280);
+    Language language;
+    auto* tag = bar.bar.findChild<QWidget*>(QStringLiteral("rigTag"));
+    auto* word = bar.bar.findChild<QLabel*>(QStringLiteral("faultWord"));
+    Snapshot snapshot;
+    snapshot.objects = {"circle", "bunny"};
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        bar.settle();
+        snapshot.faults.clear();
+        bar.tell(snapshot);
+        EXPECT_FALSE(word->isVisible()) << code.toStdString();
+        const QString before = tag->accessibleName();
+        const int width = tag->width();
+        snapshot.faults = {{SimulatedFault::SensorLost, 1}};
+        bar.tell(snapshot);
+        EXPECT_TRUE(word->isVisible()) << code.toStdString();
+        EXPECT_GE(word->width(), word->sizeHint().width()) << code.toStdString();
+        EXPECT_EQ(tag->width(), width) << code.toStdString();
+        EXPECT_TRUE(tag->toolTip().contains(QStringLiteral("bunny"))) << code.toStdString();
+        EXPECT_TRUE(tag->accessibleName().startsWith(before + QStringLiteral(", ")));
+    }
+    language.set(QStringLiteral("en"));
+    bar.settle();
+    bar.tell(snapshot);
+    EXPECT_EQ(word->text(), QStringLiteral("fault active"));
+    EXPECT_TRUE(tag->toolTip().contains(QStringLiteral("Sensor lost: bunny")))
+        << tag->toolTip().toStdString();
+    bar.bar.resize(640, bar.bar.height()); // the words are with the tag's own
+    bar.settle();
+    EXPECT_TRUE(tag->accessibleName().contains(QStringLiteral("Sensor lost: bunny")));
 }
 
 // Catches: a greyed button that does nothing and says nothing.

@@ -440,6 +440,39 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     EXPECT_EQ(rig.last.heat, HeatState::Off);
 }
 
+// Catches active faults as they were asked for: one that another replaced, that the robot has ended, that an
+// end of another took along, or that is told of the next experiment.
+TEST(EngineWorker, TellsTheSimulatedFaultsThatTheRigHas) {
+    using Faults = std::vector<ActiveFault>;
+    Rig rig;
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_TRUE(rig.last.faults.empty());
+    const auto becomes = [&](const Faults& faults) {
+        return rig.waitFor([&] { return rig.last.faults == faults; });
+    };
+    rig.send(SimulateFault{SimulatedFault::SensorLost, 0});
+    EXPECT_TRUE(becomes({{SimulatedFault::SensorLost, 0}}));
+    rig.send(SimulateFault{SimulatedFault::RobotAlarm});
+    EXPECT_TRUE(becomes({{SimulatedFault::RobotAlarm, 0}})) << "it replaces what was before";
+    rig.send(ClearRobotAlarm{});
+    EXPECT_TRUE(becomes({})) << "the robot has ended it";
+    rig.send(SimulateFault{SimulatedFault::SourceSilent});
+    ASSERT_TRUE(becomes({{SimulatedFault::SourceSilent, 0}}));
+    rig.send(SimulateFault{SimulatedFault::SourceLost, 0, false});
+    const int before = rig.snapshots;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.snapshots > before + 2; }));
+    EXPECT_EQ(rig.last.faults, (Faults{{SimulatedFault::SourceSilent, 0}}));
+    rig.send(SimulateFault{SimulatedFault::SourceSilent, 0, false});
+    EXPECT_TRUE(becomes({}));
+    rig.send(SimulateFault{SimulatedFault::ObjectHot, 0});
+    ASSERT_TRUE(becomes({{SimulatedFault::ObjectHot, 0}}));
+    const std::uint64_t load = rig.last.loadId;
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.loadId > load; }));
+    EXPECT_TRUE(rig.last.faults.empty());
+}
+
 // Catches a hold that is over before a person can do anything: its limit of 15 s was 0.75 s of theirs.
 TEST(EngineWorker, AHoldIsNotFastForwarded) {
     Rig rig;
