@@ -28,6 +28,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/point_at.h"
 #include "widgets/common/run_state_chip.h"
+#include "widgets/common/source_words.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QApplication>
@@ -411,13 +412,22 @@ void MainWindow::showNotes() {
     const bool isOverHeat = isOverHotSource(m_last, m_document.experiment().environment_K);
     if (isOverHeat)
         notes << tr("The objects are over the source, which has %1: they get warm although no run is on. "
-                    "Retreat takes "
-                    "them away.")
+                    "Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. "
+                    "Retreat takes them away.")
                      .arg(sourceReadingText(m_last, unit));
+    const bool isCold = !isRunOn(m_last.state) && m_last.state != RunState::Fault && isSourceCold(m_last);
+    if (isCold)
+        notes << coldSourceText(m_last, unit);
     m_stateBar->chip()->setNotes(notes + m_ages);
-    m_stateBar->chip()->setCaption(isOverHeat ? tr("source %1 below", "a temperature; under the objects")
-                                                    .arg(formatTemperature(m_last.latest.source_K, unit, 0))
-                                              : QString());
+    QString caption;
+    if (isOverHeat)
+        caption = tr("source %1 below", "a temperature; under the objects")
+                      .arg(formatTemperature(m_last.latest.source_K, unit, 0));
+    else if (isCold)
+        caption = tr("source %1 of %2", "temperatures: that of now, and the set point")
+                      .arg(formatTemperatureNumber(m_last.latest.source_K, unit, 0),
+                           formatTemperature(m_last.warmUp->setPoint_K, unit, 0));
+    m_stateBar->chip()->setCaption(caption);
 }
 
 void MainWindow::retranslate() {

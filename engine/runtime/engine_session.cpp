@@ -86,6 +86,16 @@ Thermometer& EngineSession::thermometerOf(const Experiment& experiment) {
     return readsByCamera(experiment) ? noCamera : real->thermometer();
 }
 
+/// A real source is not known well enough to say how long it takes.
+SourceWarmUp EngineSession::warmUp() const {
+    const bool isOfRun = isRunOn(loop.state()) && loop.state() != RunState::Stopping;
+    const double atStart_K = sourceSetPoint_K(loop.experiment().source, 0.0);
+    SourceWarmUp out{isOfRun ? loop.heatSetPoint_K().value_or(atStart_K) : atStart_K};
+    if (simulated)
+        out.in_s = simulated->simulatedHeatSource().heatingTime_s(out.setPoint_K, SourceWarmUp::kWarm_K);
+    return out;
+}
+
 void EngineSession::tell(Snapshot& snapshot) const {
     const RigReadings& readings = loop.readings();
     const double now_s = clock().now_s();
@@ -123,6 +133,7 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.robotAlarm = readings.robot().alarm;
     snapshot.isPlaceSure = readings.robot().isPlaceSure;
     snapshot.heatSetPoint_K = loop.heatSetPoint_K();
+    snapshot.warmUp = warmUp();
     snapshot.isSourceManual = real && real->heatSource().isManual();
     snapshot.zeroing = readings.sensors().zeroing();
     if (const auto zero = loop.findZero(); !zero)

@@ -49,6 +49,7 @@ struct EngineSession {
     FaultScript script;
 
 private:
+    SourceWarmUp warmUp() const;
     RigDevices devices(const Experiment& experiment);
     Thermometer& thermometerOf(const Experiment& experiment);
 };

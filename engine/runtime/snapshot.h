@@ -66,6 +66,15 @@ struct ActiveFault {
     bool operator==(const ActiveFault&) const = default;
 };
 
+/// Where a run has the source, and how soon it would be there.
+struct SourceWarmUp {
+    static constexpr double kWarm_K = 5.0; ///< within this of its set point the source is warm
+
+    double setPoint_K = 0.0; ///< of the run that is on, or else of one that starts now
+    /// Until it is warm if it is heated from now on, s; empty: not known.
+    std::optional<double> in_s{};
+};
+
 /// The next action that the engine takes by itself unless something changes.
 struct PendingAction {
     Message action; ///< ActionHold, ActionEndRun, ActionHeatOff or ActionRetreat
@@ -84,6 +93,7 @@ struct Snapshot {
     bool canRetreat = false;              ///< the robot answers and can move
     std::vector<Alarm> alarms;            ///< sorted by AlarmLog
     std::vector<ActiveFault> faults;      ///< as the devices of the simulated rig have them
+    std::optional<SourceWarmUp> warmUp;   ///< empty without an experiment
     bool simulated = true;
     std::uint64_t loadId = 0; ///< increases with each loaded experiment
     /// of the rig (simulated time if simulated); restarts with each load that is no edit

@@ -144,6 +144,13 @@ std::optional<double> SimulatedHeatSource::setPoint_K() const {
     return m_setPoint_K - (m_trouble == SourceTrouble::Limited ? kLimited_K : 0.0);
 }
 
+std::optional<double> SimulatedHeatSource::heatingTime_s(double setPoint_K, double within_K) const {
+    if (m_trouble != SourceTrouble::None)
+        return std::nullopt;
+    const double left_K = std::abs(setPoint_K - m_temperature_K);
+    return left_K <= within_K ? 0.0 : kHeating_s * std::log(left_K / within_K);
+}
+
 void SimulatedHeatSource::advance(double dt_s) {
     const auto go = [&](double towards_K, double constant_s) {
         m_temperature_K += (towards_K - m_temperature_K) * -std::expm1(-dt_s / constant_s);

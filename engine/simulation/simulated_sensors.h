@@ -128,6 +128,9 @@ public:
     void setLinkLost(bool lost) { m_trouble = lost ? SourceTrouble::LinkLost : SourceTrouble::None; }
     void setTrouble(SourceTrouble trouble) { m_trouble = trouble; }
     SourceTrouble trouble() const { return m_trouble; }
+    /// Returns how long it takes to come within this of a set point if it is heated from now on, s; empty
+    /// with a fault.
+    std::optional<double> heatingTime_s(double setPoint_K, double within_K) const;
 
     static constexpr double kAlone_K_s = 1.0;
     static constexpr double kOverheating_K_s = 2.0;

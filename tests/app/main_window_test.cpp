@@ -735,6 +735,44 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     EXPECT_EQ(chip->caption(), QString());
 }
 
+// Catches: a Start with a cold source of which nobody was told what it costs.
+TEST_F(MainWindowTest, AColdSourceIsToldBeforeStart) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Snapshot told = window->lastSnapshot();
+    ASSERT_TRUE(told.warmUp);
+    told.newSamples.clear();
+    told.newEvents.clear();
+    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    auto* chip = find<RunStateChip>("runStateChip");
+    const auto notes = [&] {
+        QStringList lines;
+        for (const QAction* line : chip->reasonsMenu()->actions())
+            lines << line->text();
+        return lines.join(u'\n');
+    };
+    told.source_K = told.latest.source_K = kelvinFromCelsius(25.0);
+    told.sourceAge_s = 0.1;
+    told.warmUp = SourceWarmUp{kelvinFromCelsius(200.0), 213.3};
+    for (const RunState before : {RunState::Ready, RunState::Armed, RunState::Stopped}) {
+        told.state = before;
+        emit window->engine().snapshot(told);
+        EXPECT_EQ(chip->caption(), QStringLiteral("source 25 of 200\u00a0\u00b0C")) << runStateName(before);
+        EXPECT_TRUE(notes().contains(QStringLiteral("Start does not wait for it"))) << notes().toStdString();
+        EXPECT_TRUE(notes().contains(QStringLiteral("about 3:40")));
+    }
+    told.warmUp->in_s.reset();
+    emit window->engine().snapshot(told);
+    EXPECT_TRUE(notes().contains(QStringLiteral("not known")));
+    EXPECT_EQ(find<QLabel>("sourceTileTemperature")->text(), QStringLiteral("25.0\u00a0\u00b0C"));
+    EXPECT_EQ(find<QLabel>("sourceTileSetPoint")->text(), QStringLiteral("200.0\u00a0\u00b0C"));
+    told.state = RunState::Running;
+    emit window->engine().snapshot(told);
+    EXPECT_EQ(chip->caption(), QString());
+    EXPECT_FALSE(notes().contains(QStringLiteral("Start does not wait")));
+}
+
 // Catches: pages that call good what was told before the engine hung.
 TEST_F(MainWindowTest, PagesGreyWhatASilentEngineToldLast) {
     openWindow();

@@ -18,8 +18,9 @@
 namespace bask {
 namespace {
 
-constexpr double kSteadyRate_K_s = 1.0 / 60.0; ///< slower than this is neither heating nor cooling
 constexpr int kStateIcon = 14;
+
+} // namespace
 
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio) {
     if (isUnknown(activity))
@@ -58,8 +59,6 @@ QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, do
     }
     return pixmap;
 }
-
-} // namespace
 
 QString activityWord(ObjectActivity activity) {
     switch (activity) {
@@ -164,56 +163,16 @@ void ObjectTile::clear(double target_K) {
     m_sample.target_K = target_K;
     m_sensor = {};
     m_inBandSince_s = -1.0;
-    m_rates.clear();
+    m_trend.clear();
     m_activity = ObjectActivity::Waiting;
     showValues();
 }
 
 /// From one sample to the next the estimate's noise is several K/min.
 void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
-    if (!m_rates.empty() && time_s < m_rates.back().time_s) // another clock
-        m_rates.clear();
-    const bool isNew = m_rates.empty() || time_s > m_rates.back().time_s;
-    if (sample.valid && std::isfinite(sample.measured_K) && isNew)
-        m_rates.push_back({time_s, sample.rate_K_s, sample.measured_K});
-    while (!m_rates.empty() && m_rates.front().time_s <= time_s - kRateOver_s)
-        m_rates.pop_front();
-}
-
-/// The slope of the readings where it is beyond noise: 2.5 of its standard errors, by their scatter, at least
-/// that of readings rounded to 0.1 K. 0: neither heating nor cooling is told.
-double ObjectTile::told_K_s() const {
-    constexpr double kMinScatter_K = 0.029, kStandardErrors = 2.5;
-    const auto n = static_cast<double>(m_rates.size());
-    if (m_rates.size() < 3)
-        return std::abs(rate_K_s()) > kSteadyRate_K_s ? rate_K_s() : 0.0;
-    double time_s = 0.0, mean_K = 0.0;
-    for (const Reading& each : m_rates) {
-        time_s += each.time_s / n;
-        mean_K += each.measured_K / n;
-    }
-    double tt = 0.0, ty = 0.0, yy = 0.0;
-    for (const Reading& each : m_rates) {
-        const double t = each.time_s - time_s, y = each.measured_K - mean_K;
-        tt += t * t;
-        ty += t * y;
-        yy += y * y;
-    }
-    const double slope_K_s = ty / tt;
-    const double scatter_K = std::sqrt(std::max(0.0, yy - ty * slope_K_s) / (n - 2.0));
-    const double noise_K_s = kStandardErrors * std::max(scatter_K, kMinScatter_K) / std::sqrt(tt);
-    return std::abs(slope_K_s) > std::max(noise_K_s, kSteadyRate_K_s) ? slope_K_s : 0.0;
-}
-
-double ObjectTile::rate_K_s() const {
-    double sum_K_s = 0.0;
-    int count = 0;
-    for (const Reading& each : m_rates)
-        if (std::isfinite(each.rate_K_s)) { // not before the estimator's first
-            sum_K_s += each.rate_K_s;
-            ++count;
-        }
-    return sum_K_s / count;
+    m_trend.passTo(time_s);
+    if (sample.valid && std::isfinite(sample.measured_K))
+        m_trend.add(time_s, sample.measured_K, sample.rate_K_s);
 }
 
 ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
@@ -233,7 +192,7 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;
-    if (const double rate_K_s = told_K_s(); rate_K_s != 0.0)
+    if (const double rate_K_s = m_trend.told_K_s(); rate_K_s != 0.0)
         return rate_K_s > 0.0 ? ObjectActivity::Heating : ObjectActivity::Cooling;
     return ObjectActivity::Steady;
 }
@@ -250,7 +209,7 @@ void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t 
     while (first > 0 && samples[first].time_s > samples[k].time_s - kSettledAfter_s)
         --first;
     m_inBandSince_s = -1.0;
-    m_rates.clear();
+    m_trend.clear();
     m_sensor = {};
     for (std::size_t row = first; row <= k; ++row)
         m_activity = judge(samples[row].time_s, samples[row].objects[i]);
@@ -281,7 +240,7 @@ void ObjectTile::showValues() {
     showTemperature(now);
     m_target->setText(formatTemperature(now.target_K, m_unit));
     m_error->setText(formatDifference(now.error_K, m_unit));
-    m_rate->setText(formatRate(isKnown ? rate_K_s() : ShownObject::kNothing, m_unit));
+    m_rate->setText(formatRate(isKnown ? m_trend.meanRate_K_s() : ShownObject::kNothing, m_unit));
 
     const bool dark = isDark(this);
     const QColor ink = isUnknown(m_activity) ? unknownColor(dark) : palette().color(QPalette::WindowText);

@@ -3,10 +3,10 @@
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
+#include "widgets/common/reading_trend.h"
 
 #include <QFrame>
 
-#include <deque>
 #include <limits>
 #include <vector>
 
@@ -56,7 +56,6 @@ class ObjectTile : public QFrame {
     Q_OBJECT
 public:
     static constexpr double kSettledAfter_s = 10.0; ///< time in the band before the word is "Settled"
-    static constexpr double kRateOver_s = 10.0;     ///< the shown and judged rate is the mean over this time
 
     explicit ObjectTile(int index, QWidget* parent = nullptr);
 
@@ -94,8 +93,6 @@ private:
     QString cameraText() const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
-    double rate_K_s() const; ///< NaN if there is none
-    double told_K_s() const;
 
     int m_index;
     QString m_name;
@@ -103,10 +100,7 @@ private:
     SensorView m_sensor;
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
-    struct Reading {
-        double time_s, rate_K_s, measured_K; ///< rate: NaN if there is none
-    };
-    std::deque<Reading> m_rates; ///< of the last kRateOver_s
+    ReadingTrend m_trend;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature, *m_age;
     QPushButton* m_confirm;
@@ -114,6 +108,8 @@ private:
 };
 
 QString activityWord(ObjectActivity activity);
+/// Returns the mark beside the word.
+QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio);
 /// Returns whether the object's temperature is not known.
 bool isUnknown(ObjectActivity activity);
 

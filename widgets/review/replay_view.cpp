@@ -30,7 +30,7 @@ namespace bask {
 namespace {
 
 constexpr int kGap = 6;
-static_assert(ObjectTile::kRateOver_s <= ObjectTile::kSettledAfter_s, "a tile is given so much of the past");
+static_assert(ReadingTrend::kOver_s <= ObjectTile::kSettledAfter_s, "a tile is given so much of the past");
 
 /// A short line in the dashes of overlay `index`, in no object's colour.
 QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {

@@ -4,6 +4,7 @@
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/source_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/rig/check_mark.h"
 
@@ -191,11 +192,15 @@ void CheckList::showSource() {
     if (!std::isfinite(now_K))
         return put(m_source, Kind::Waiting, tr("Source: no temperature"));
     const QString now = formatTemperature(now_K, m_unit), wanted = formatTemperature(wanted_K, m_unit);
-    if (std::abs(now_K - wanted_K) <= kWarm_K)
+    if (std::abs(now_K - wanted_K) <= SourceWarmUp::kWarm_K)
         return put(m_source, Kind::Done, tr("Source: warm, %1").arg(now));
+    if (now_K > wanted_K)
+        return put(m_source, Kind::Waiting, tr("Source: %1, above %2").arg(now, wanted));
+    const bool hasTime = m_last.warmUp && m_last.warmUp->setPoint_K == wanted_K;
+    //: the last is a sentence about the time that it takes
     put(m_source, Kind::Waiting,
-        now_K < wanted_K ? tr("Source: %1, not at %2 yet").arg(now, wanted)
-                         : tr("Source: %1, above %2").arg(now, wanted));
+        hasTime ? tr("Source: %1, not at %2 yet. %3").arg(now, wanted, warmUpText(*m_last.warmUp))
+                : tr("Source: %1, not at %2 yet").arg(now, wanted));
 }
 
 void CheckList::showRecording() {

@@ -20,9 +20,6 @@ class CheckList : public QWidget {
     Q_OBJECT
 
 public:
-    /// The source counts as warm within this of its set point, K.
-    static constexpr double kWarm_K = 5.0;
-
     explicit CheckList(QWidget* parent = nullptr);
 
     void setExperiment(const Experiment& experiment);

@@ -8,6 +8,7 @@
 #include "widgets/common/tile_grid.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
+#include "widgets/run/source_tile.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
@@ -69,6 +70,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
         plot->setObjects(names);
         plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
     }
+    m_source->clear();
     m_scene->setExperiment(experiment);
     m_thermal->setNames(m_names);
     m_thermal->setView({});
@@ -103,6 +105,7 @@ void RunPage::apply(const Snapshot& snapshot) {
     m_events.insert(m_events.end(), snapshot.newEvents.begin(), snapshot.newEvents.end());
     m_notes.insert(m_notes.end(), snapshot.newNotes.begin(), snapshot.newNotes.end());
     showTiles(snapshot);
+    m_source->apply(snapshot);
     showScene(snapshot);
     showLimits(snapshot);
     m_controller->setSettings(snapshot.controller);
@@ -182,6 +185,7 @@ void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vecto
 void RunPage::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
     m_tiles->setTemperatureUnit(unit);
+    m_source->setTemperatureUnit(unit);
     for (TracePlot* plot : m_plots)
         plot->setTemperatureUnit(unit);
     m_scene->setTemperatureUnit(unit);

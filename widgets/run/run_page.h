@@ -1,5 +1,5 @@
 #pragma once
-// The Run page: a tile for each object, traces, the 3-D scene, controller and gains, notes.
+// The Run page: a tile for each object and one for the source, traces, the 3-D scene, controller and gains, notes.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -27,12 +27,13 @@ namespace bask {
 class ControllerPanel;
 class TileGrid;
 class SceneView;
+class SourceTile;
 class ThermalPictureView;
 class TracePlot;
 
-/// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>"; plots
-/// "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs "plotTabs", the last of
-/// which is "thermalPictureView" for a rig with a thermal camera; "followLive",
+/// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>" and
+/// "sourceTile"; plots "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs
+/// "plotTabs", the last of which is "thermalPictureView" for a rig with a thermal camera; "followLive",
 /// "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric"; "activeLimits";
 /// "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
@@ -99,6 +100,7 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     TileGrid* m_tiles = nullptr;
+    SourceTile* m_source = nullptr;
     std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< shared by all plots
     std::vector<TracePlot*> m_plots; ///< temperature first, then those of the tabs
     QTabWidget* m_tabs = nullptr;

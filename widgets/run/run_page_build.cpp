@@ -6,6 +6,7 @@
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/run/run_page.h"
+#include "widgets/run/source_tile.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
@@ -45,6 +46,7 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::ClickFocus);
     m_tiles = new TileGrid(this);
     m_tiles->setObjectName(QStringLiteral("runTiles"));
+    m_source = new SourceTile(this);
 
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->setObjectName(QStringLiteral("runSplitter"));
@@ -60,6 +62,7 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     layout->setContentsMargins(kGap, kGap, kGap, kGap);
     layout->setSpacing(kGap);
     layout->addWidget(m_tiles);
+    layout->addWidget(m_source);
     layout->addWidget(splitter, 1);
 
     connectPlots();

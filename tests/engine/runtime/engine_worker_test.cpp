@@ -440,6 +440,27 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     EXPECT_EQ(rig.last.heat, HeatState::Off);
 }
 
+// Catches a cold source that is not told before Start, or told with a time while it cannot be known.
+TEST(EngineWorker, TellsWhereARunHasTheSourceAndHowSoon) {
+    Rig rig;
+    Experiment experiment = oneDisk();
+    experiment.source.temperatureProfile = {{0.0, kelvinFromCelsius(180.0)},
+                                            {600.0, kelvinFromCelsius(200.0)}};
+    rig.send(LoadExperiment{experiment});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    ASSERT_TRUE(rig.last.warmUp);
+    EXPECT_NEAR(rig.last.warmUp->setPoint_K, kelvinFromCelsius(180.0), 1e-9);
+    EXPECT_EQ(rig.last.warmUp->in_s, 0.0) << "a simulated source begins warm";
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(SetHeat{kelvinFromCelsius(100.0)}); // colder than a run has it
+    ASSERT_TRUE(
+        rig.waitFor([&] { return rig.last.source_K && *rig.last.source_K < kelvinFromCelsius(110.0); }));
+    EXPECT_NEAR(rig.last.warmUp->setPoint_K, kelvinFromCelsius(180.0), 1e-9);
+    EXPECT_GT(rig.last.warmUp->in_s.value_or(0.0), 60.0);
+    rig.send(SimulateFault{SimulatedFault::SourceNotHeating});
+    EXPECT_TRUE(rig.waitFor([&] { return !rig.last.warmUp->in_s; }));
+}
+
 // Catches active faults as they were asked for: one that another replaced, that the robot has ended, that an
 // end of another took along, or that is told of the next experiment.
 TEST(EngineWorker, TellsTheSimulatedFaultsThatTheRigHas) {

@@ -306,6 +306,27 @@ TEST(SimulatedSourceTracker, GivesThePoseOfItsTimeWithItsNoise) {
     EXPECT_FALSE(noisy.read()->valid);
 }
 
+// Catches a time until the source is warm that is not the one that it takes, and one that is told of a source
+// that will not get there.
+TEST(SimulatedHeatSource, TellsHowLongItTakesToBeWarm) {
+    ManualClock clock;
+    SimulatedHeatSource source(473.15, kRoom_K, clock);
+    EXPECT_EQ(source.heatingTime_s(473.15, 5.0), 0.0);
+    source.setHeatedTo(kRoom_K);
+    const double told_s = source.heatingTime_s(473.15, 5.0).value();
+    double took_s = 0.0;
+    for (; source.temperature_K() < 473.15 - 5.0 && took_s < 1000.0; took_s += 0.1) {
+        ASSERT_TRUE(source.keepHeating(473.15, 1.0));
+        source.advance(0.1);
+        clock.advanceTo(clock.now_s() + 0.1);
+    }
+    EXPECT_NEAR(took_s, told_s, 0.2);
+    EXPECT_GT(told_s, 100.0);
+    EXPECT_EQ(source.heatingTime_s(473.15, 5.0), 0.0);
+    source.setTrouble(SourceTrouble::NotHeating);
+    EXPECT_FALSE(source.heatingTime_s(473.15, 5.0).has_value());
+}
+
 TEST(SimulatedHeatSource, HeatGoesOffByItselfWhenNobodySaysOn) {
     ManualClock clock;
     SimulatedHeatSource source(473.15, kRoom_K, clock);

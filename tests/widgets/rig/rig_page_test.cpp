@@ -335,6 +335,20 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
     EXPECT_TRUE(text("check.devices").contains("none set up"));
 }
 
+// Catches a source that is too cold without a word about how long it takes, and a time of another set point.
+TEST_F(RigPageTest, TheChecklistTellsHowLongTheSourceTakes) {
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.warmUp = SourceWarmUp{sourceSetPoint_K(experiment.source, 0.0), 131.0};
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("check.source").contains("takes about 2:20")) << text("check.source").toStdString();
+    snapshot.warmUp->in_s.reset();
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("check.source").contains("not known")) << text("check.source").toStdString();
+    snapshot.heatSetPoint_K = kelvinFromCelsius(100.0); // by hand
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("check.source").endsWith("yet")) << text("check.source").toStdString();
+}
+
 // Catches a source at absolute zero, where it has told nothing yet.
 TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
     Snapshot snapshot = test::quietSnapshot(experiment);

@@ -1,0 +1,51 @@
+#include "widgets/common/reading_trend.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace bask;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// A reading a second, rounded to 0.1 K.
+ReadingTrend fed(double rate_K_s, int seconds) {
+    ReadingTrend trend;
+    for (int k = 0; k < seconds; ++k) {
+        trend.passTo(k);
+        trend.add(k, std::round((300.0 + rate_K_s * k) * 10.0) / 10.0, kNone);
+    }
+    return trend;
+}
+
+} // namespace
+
+// Catches a trend of what does not change, one of too few readings, and one of the wrong sign.
+TEST(ReadingTrend, TellsWhatIsBeyondTheSteps) {
+    EXPECT_EQ(fed(0.0, 10).told_K_s(), 0.0);
+    EXPECT_EQ(fed(0.004, 10).told_K_s(), 0.0) << "a tenth in half a minute";
+    EXPECT_NEAR(fed(0.3, 10).told_K_s(), 0.3, 0.01);
+    EXPECT_NEAR(fed(-0.3, 10).told_K_s(), -0.3, 0.01);
+    EXPECT_NEAR(fed(0.3, 60).slope_K_s(), 0.3, 0.01);
+    EXPECT_TRUE(std::isnan(fed(0.3, 2).slope_K_s()));
+    EXPECT_EQ(fed(0.3, 2).told_K_s(), 0.0);
+}
+
+// Catches readings of a while ago, of another clock, or the same one taken twice.
+TEST(ReadingTrend, IsOfTheLastTenSecondsOfOneClock) {
+    ReadingTrend trend = fed(0.3, 60);
+    for (int k = 60; k < 72; ++k) { // at rest from here on
+        trend.passTo(k);
+        trend.add(k, 318.0, kNone);
+        trend.add(k, 400.0, kNone); // not newer
+    }
+    EXPECT_EQ(trend.told_K_s(), 0.0);
+    trend.passTo(100.0);
+    EXPECT_TRUE(std::isnan(trend.slope_K_s()));
+    trend = fed(0.3, 60);
+    trend.passTo(5.0); // the clock has begun again
+    EXPECT_TRUE(std::isnan(trend.slope_K_s()));
+}
