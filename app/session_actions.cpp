@@ -9,6 +9,7 @@
 #include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
 #include "engine/recipe/recipe.h"
+#include "engine/recording/recording_name.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QDateTime>
@@ -330,10 +331,10 @@ QString SessionActions::nextRecordingPath() {
                                     {tr("the folder cannot be made").toStdString()})));
         return {};
     }
-    const QString stamp = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
-    QString path = folder.filePath(stamp + QStringLiteral(".bask"));
-    for (int n = 2; QFileInfo::exists(path); ++n)
-        path = folder.filePath(QStringLiteral("%1-%2.bask").arg(stamp).arg(n));
+    const qint64 now_s = QDateTime::currentSecsSinceEpoch();
+    QString path;
+    for (int n = 1; path.isEmpty() || QFileInfo::exists(path); ++n)
+        path = folder.filePath(QString::fromStdString(recordingStem(now_s, n)) + QStringLiteral(".bask"));
     return path;
 }
 

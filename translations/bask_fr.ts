@@ -2646,10 +2646,6 @@
         <translation>&amp;Outils</translation>
     </message>
     <message>
-        <source>&amp;Simulate fault</source>
-        <translation>&amp;Simuler un défaut</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>Étalonner</translation>
     </message>
@@ -2740,6 +2736,10 @@
     <message>
         <source>&amp;Monitoring…</source>
         <translation>Sur&amp;veillance…</translation>
+    </message>
+    <message>
+        <source>Large &amp;numbers</source>
+        <translation>&amp;Grands nombres</translation>
     </message>
 </context>
 <context>
@@ -3544,6 +3544,11 @@
         <source>Source: UNKNOWN whether it heats, %1</source>
         <translation>Source : INCONNU si elle chauffe, %1</translation>
     </message>
+    <message>
+        <source>Source: %1, not at %2 yet. %3</source>
+        <extracomment>the last is a sentence about the time that it takes</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::Coach</name>
@@ -3643,6 +3648,64 @@
     <message>
         <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
         <translation>Fichier &gt; Exemples &gt; thermal-camera&#xa0;: trois objets que seule une caméra thermique lit. Sur la page Essai, regardez l’onglet Image thermique.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Comparison</name>
+    <message>
+        <source>Metric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished">Objet</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ComparisonView</name>
+    <message>
+        <source>Differences from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run that the others are compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished">Copier</translation>
+    </message>
+    <message>
+        <source>Copy the table as text, for a spreadsheet or a letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metrics of the runs that are laid over each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 less %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being computed from all samples: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No metrics, the recording cannot be read to its end: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the numbers of this table for other programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once all metrics are computed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3822,6 +3885,17 @@
     </message>
 </context>
 <context>
+    <name>bask::DesktopFiles</name>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The desktop has no program that opens %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bask::Device</name>
     <message>
         <source>Robot</source>
@@ -3915,6 +3989,30 @@
     <message>
         <source>Modbus TCP module</source>
         <translation>Module Modbus TCP</translation>
+    </message>
+    <message>
+        <source>heated by hand</source>
+        <translation>chauffée à la main</translation>
+    </message>
+    <message>
+        <source>heat off</source>
+        <translation>sans chauffage</translation>
+    </message>
+    <message>
+        <source>heat on</source>
+        <translation>chauffage en marche</translation>
+    </message>
+    <message>
+        <source>heat UNKNOWN</source>
+        <translation>chauffage INCONNU</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
     </message>
 </context>
 <context>
@@ -4543,6 +4641,69 @@
     <message>
         <source>Cancel the export</source>
         <translation>Annuler l’exportation</translation>
+    </message>
+</context>
+<context>
+    <name>bask::FaultMenu</name>
+    <message>
+        <source>Not on a real rig: faults are simulated on the simulated rig only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No simulated fault is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Active. Choose it again to end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Simulate fault</source>
+        <translation type="unfinished">&amp;Simuler un défaut</translation>
+    </message>
+</context>
+<context>
+    <name>bask::FaultWords</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a fault, and the object that it is about</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows once the object is warmer than the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows once the two objects have different temperatures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows when the heat is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows in the picture of the Calibrate page only: nothing else here uses the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: the thermal camera reads the object, no sensor does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: there is no other sensor to swap with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: the source has no markers, and nothing follows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing now: the heat is off. Start a run or heat by hand first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5217,6 +5378,27 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::LargeNumbers</name>
+    <message>
+        <source>Run %1</source>
+        <comment>%1 is the time since Start</comment>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>Source %1</source>
+        <comment>%1 is its newest temperature</comment>
+        <translation>Source %1</translation>
+    </message>
+    <message>
+        <source>The engine is not answering: what is shown is old.</source>
+        <translation>Le moteur ne répond pas&#xa0;: ce qui est affiché est ancien.</translation>
+    </message>
+    <message>
+        <source>Bask: large numbers</source>
+        <translation>Bask&#xa0;: grands nombres</translation>
+    </message>
+</context>
+<context>
     <name>bask::LimitsPanel</name>
     <message>
         <source>Heat source</source>
@@ -5417,10 +5599,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>C’était l’avertisseur : le signal sonore du bureau. Si vous n’avez rien entendu, il est désactivé dans les réglages du bureau.</translation>
     </message>
     <message>
-        <source>The objects are over the source, which has %1: they get warm although no run is on. Retreat takes them away.</source>
-        <translation>Les objets sont au-dessus de la source, qui est à %1 : ils chauffent bien qu’aucun essai ne soit en cours. Retrait les éloigne.</translation>
-    </message>
-    <message>
         <source>source %1 below</source>
         <comment>a temperature; under the objects</comment>
         <translation>source %1 dessous</translation>
@@ -5428,6 +5606,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
         <translation>Bask reste ouvert&#xa0;: l’essai s’est terminé par un défaut. Regardez les alarmes.</translation>
+    </message>
+    <message>
+        <source>Simulated faults are active: %1. Tools &gt; Simulate fault ends them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source %1 of %2</source>
+        <comment>temperatures: that of now, and the set point</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6434,6 +6625,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>A run is armed or on. The thermal camera can be changed once it has stopped.</source>
         <translation>Un essai est armé ou en cours. La caméra thermique pourra être changée quand il aura pris fin.</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">Ouvrir</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::PairsView</name>
@@ -7243,6 +7442,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Thermal picture</source>
         <translation>Image thermique</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8878,6 +9081,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Open with these limits</source>
         <translation>Ouvrir avec ces limites</translation>
     </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9160,18 +9371,52 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::SourceTile</name>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished">Source</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation type="unfinished">Consigne</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished">Vitesse</translation>
+    </message>
+    <message>
+        <source>Slope of the readings of the last 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the heat goes, or the set point with which a run begins while it is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Temperature of the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bask::SourceWords</name>
+    <message>
+        <source>How long it takes to heat it is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heated from now on it takes about %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bask::StateBar</name>
     <message>
         <source>The engine is not answering. The robot ends its step, and a heat source with a watchdog goes off by itself. Look at the rig, then close Bask and start it again.</source>
         <translation>Le moteur ne répond pas. Le robot termine son pas, et une source de chaleur munie d’un chien de garde s’éteint d’elle-même. Regardez le banc, puis fermez Bask et relancez-le.</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>SIMULÉ</translation>
-    </message>
-    <message>
-        <source>LIVE</source>
-        <translation>RÉEL</translation>
     </message>
     <message>
         <source>The rig is simulated: no device moves or heats.</source>
@@ -9196,6 +9441,15 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Click to change it.</source>
         <translation>Cliquer pour le changer.</translation>
+    </message>
+    <message>
+        <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault active</source>
+        <comment>a simulated one; under SIMULATED</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9279,22 +9533,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>source: no temperature typed,</source>
         <translation>source : aucune température saisie,</translation>
-    </message>
-    <message>
-        <source>heated by hand</source>
-        <translation>chauffée à la main</translation>
-    </message>
-    <message>
-        <source>heat off</source>
-        <translation>sans chauffage</translation>
-    </message>
-    <message>
-        <source>heat on</source>
-        <translation>chauffage en marche</translation>
-    </message>
-    <message>
-        <source>heat UNKNOWN</source>
-        <translation>chauffage INCONNU</translation>
     </message>
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>

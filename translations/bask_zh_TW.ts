@@ -2646,10 +2646,6 @@
         <translation>工具(&amp;T)</translation>
     </message>
     <message>
-        <source>&amp;Simulate fault</source>
-        <translation>模擬故障(&amp;S)</translation>
-    </message>
-    <message>
         <source>Calibrate</source>
         <translation>校正</translation>
     </message>
@@ -2740,6 +2736,10 @@
     <message>
         <source>&amp;Monitoring…</source>
         <translation>監視(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>Large &amp;numbers</source>
+        <translation>大型數字(&amp;N)</translation>
     </message>
 </context>
 <context>
@@ -3540,6 +3540,11 @@
         <source>Source: UNKNOWN whether it heats, %1</source>
         <translation>熱源：是否加熱未知，%1</translation>
     </message>
+    <message>
+        <source>Source: %1, not at %2 yet. %3</source>
+        <extracomment>the last is a sentence about the time that it takes</extracomment>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::Coach</name>
@@ -3639,6 +3644,64 @@
     <message>
         <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
         <translation>檔案 &gt; 範例 &gt; thermal-camera：三個只由熱像儀讀取的物體。在「運轉」頁查看「熱像圖」標籤頁。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Comparison</name>
+    <message>
+        <source>Metric</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation type="unfinished">物體</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ComparisonView</name>
+    <message>
+        <source>Differences from</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The run that the others are compared with</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation type="unfinished">複製</translation>
+    </message>
+    <message>
+        <source>Copy the table as text, for a spreadsheet or a letter</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Export (CSV)…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Metrics of the runs that are laid over each other</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 less %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Being computed from all samples: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No metrics, the recording cannot be read to its end: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Write the numbers of this table for other programs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Once all metrics are computed</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3818,6 +3881,17 @@
     </message>
 </context>
 <context>
+    <name>bask::DesktopFiles</name>
+    <message>
+        <source>%1 is no longer there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The desktop has no program that opens %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bask::Device</name>
     <message>
         <source>Robot</source>
@@ -3911,6 +3985,30 @@
     <message>
         <source>Modbus TCP module</source>
         <translation>Modbus TCP 模組</translation>
+    </message>
+    <message>
+        <source>heated by hand</source>
+        <translation>手動加熱</translation>
+    </message>
+    <message>
+        <source>heat off</source>
+        <translation>加熱關閉</translation>
+    </message>
+    <message>
+        <source>heat on</source>
+        <translation>加熱開啟</translation>
+    </message>
+    <message>
+        <source>heat UNKNOWN</source>
+        <translation>加熱未知</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模擬</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>實機</translation>
     </message>
 </context>
 <context>
@@ -4538,6 +4636,69 @@
     <message>
         <source>Cancel the export</source>
         <translation>取消匯出</translation>
+    </message>
+</context>
+<context>
+    <name>bask::FaultMenu</name>
+    <message>
+        <source>Not on a real rig: faults are simulated on the simulated rig only.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No simulated fault is active.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Active. Choose it again to end it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Simulate fault</source>
+        <translation type="unfinished">模擬故障(&amp;S)</translation>
+    </message>
+</context>
+<context>
+    <name>bask::FaultWords</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>a fault, and the object that it is about</extracomment>
+        <translation type="unfinished">%1：%2</translation>
+    </message>
+    <message>
+        <source>Shows once the object is warmer than the room.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows once the two objects have different temperatures.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows when the heat is switched off.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows in the picture of the Calibrate page only: nothing else here uses the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: the thermal camera reads the object, no sensor does.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: there is no other sensor to swap with.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing here: the source has no markers, and nothing follows it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing now: the heat is off. Start a run or heat by hand first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5212,6 +5373,27 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::LargeNumbers</name>
+    <message>
+        <source>Run %1</source>
+        <comment>%1 is the time since Start</comment>
+        <translation>運轉 %1</translation>
+    </message>
+    <message>
+        <source>Source %1</source>
+        <comment>%1 is its newest temperature</comment>
+        <translation>熱源 %1</translation>
+    </message>
+    <message>
+        <source>The engine is not answering: what is shown is old.</source>
+        <translation>引擎沒有回應：所顯示的內容已過時。</translation>
+    </message>
+    <message>
+        <source>Bask: large numbers</source>
+        <translation>Bask：大型數字</translation>
+    </message>
+</context>
+<context>
     <name>bask::LimitsPanel</name>
     <message>
         <source>Heat source</source>
@@ -5412,10 +5594,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>剛才是警報聲：桌面的提示音。若沒有聽到，表示它在桌面設定中已關閉。</translation>
     </message>
     <message>
-        <source>The objects are over the source, which has %1: they get warm although no run is on. Retreat takes them away.</source>
-        <translation>物體在熱源上方，熱源為 %1：雖然沒有運轉，物體仍會升溫。「撤離」會將其移開。</translation>
-    </message>
-    <message>
         <source>source %1 below</source>
         <comment>a temperature; under the objects</comment>
         <translation>下方熱源 %1</translation>
@@ -5423,6 +5601,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
         <translation>Bask 保持開啟：運轉因故障結束。請查看警報。</translation>
+    </message>
+    <message>
+        <source>Simulated faults are active: %1. Tools &gt; Simulate fault ends them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>source %1 of %2</source>
+        <comment>temperatures: that of now, and the set point</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6429,6 +6620,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>A run is armed or on. The thermal camera can be changed once it has stopped.</source>
         <translation>已待命或正在運轉。停止後才能更改熱像儀。</translation>
     </message>
+    <message>
+        <source>Open</source>
+        <translation type="unfinished">開啟</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::PairsView</name>
@@ -7236,6 +7435,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Thermal picture</source>
         <translation>熱像圖</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -8864,6 +9067,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Open with these limits</source>
         <translation>以這些限值開啟</translation>
     </message>
+    <message>
+        <source>Save the comparison</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9142,18 +9353,52 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::SourceTile</name>
+    <message>
+        <source>Source</source>
+        <translation type="unfinished">熱源</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation type="unfinished">設定值</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation type="unfinished">變化率</translation>
+    </message>
+    <message>
+        <source>Slope of the readings of the last 10 s</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where the heat goes, or the set point with which a run begins while it is off</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Temperature of the source</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>bask::SourceWords</name>
+    <message>
+        <source>How long it takes to heat it is not known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Heated from now on it takes about %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>bask::StateBar</name>
     <message>
         <source>The engine is not answering. The robot ends its step, and a heat source with a watchdog goes off by itself. Look at the rig, then close Bask and start it again.</source>
         <translation>引擎沒有回應。機器人會走完目前這一步，具有看門狗的熱源會自行關閉。請查看實驗台，然後關閉 Bask 並重新啟動。</translation>
-    </message>
-    <message>
-        <source>SIMULATED</source>
-        <translation>模擬</translation>
-    </message>
-    <message>
-        <source>LIVE</source>
-        <translation>實機</translation>
     </message>
     <message>
         <source>The rig is simulated: no device moves or heats.</source>
@@ -9178,6 +9423,15 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Click to change it.</source>
         <translation>按一下可變更。</translation>
+    </message>
+    <message>
+        <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>fault active</source>
+        <comment>a simulated one; under SIMULATED</comment>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -9261,22 +9515,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>source: no temperature typed,</source>
         <translation>熱源：未輸入溫度，</translation>
-    </message>
-    <message>
-        <source>heated by hand</source>
-        <translation>手動加熱</translation>
-    </message>
-    <message>
-        <source>heat off</source>
-        <translation>加熱關閉</translation>
-    </message>
-    <message>
-        <source>heat on</source>
-        <translation>加熱開啟</translation>
-    </message>
-    <message>
-        <source>heat UNKNOWN</source>
-        <translation>加熱未知</translation>
     </message>
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>

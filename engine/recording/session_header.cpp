@@ -1,5 +1,6 @@
 #include "engine/recording/session_header.h"
 
+#include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/recording/recorded_session.h"
@@ -14,6 +15,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <thread>
 
 namespace bask {
@@ -42,18 +44,47 @@ std::vector<std::string> textsOf(const nlohmann::json& list) {
     return texts;
 }
 
+/// Null for none, also of what is no object.
+const nlohmann::json* fieldOf(const nlohmann::json& json, const std::string& key) {
+    const auto found = json.find(key);
+    return found != json.end() ? &*found : nullptr;
+}
+
+std::string textAt(const nlohmann::json& json, const std::string& key) {
+    const nlohmann::json* field = fieldOf(json, key);
+    return field != nullptr && field->is_string() ? printable(field->get<std::string>()) : std::string();
+}
+
+double numberAt(const nlohmann::json& json, const std::string& key) {
+    const nlohmann::json* field = fieldOf(json, key);
+    return field != nullptr && field->is_number() ? field->get<double>()
+                                                  : std::numeric_limits<double>::quiet_NaN();
+}
+
+/// In whichever of its two spellings it stands.
+double temperatureAt(const nlohmann::json& json, const std::string& name) {
+    const double written = numberAt(json, readableKey(name, EdgeUnit::Temperature));
+    return std::isfinite(written) ? toSi(written, EdgeUnit::Temperature)
+                                  : numberAt(json, siKey(name, EdgeUnit::Temperature));
+}
+
 void takeExperiment(SessionHeader& header, const std::string& text) {
     const auto json = nlohmann::json::parse(text, nullptr, false);
-    if (!json.is_object())
+    header.title = textAt(json, "title");
+    if (const nlohmann::json* controller = fieldOf(json, "controller"))
+        header.controller = textAt(*controller, "kind");
+    const nlohmann::json* objects = fieldOf(json, "objects");
+    if (objects == nullptr || !objects->is_array())
         return;
-    if (const auto title = json.find("title"); title != json.end() && title->is_string())
-        header.title = printable(title->get<std::string>());
-    const auto objects = json.find("objects");
-    if (objects == json.end() || !objects->is_array())
-        return;
-    for (const auto& object : *objects)
-        if (const auto name = object.find("name"); name != object.end() && name->is_string())
-            header.objects.push_back(printable(name->get<std::string>()));
+    for (const nlohmann::json& object : *objects) {
+        ListedObject listed{textAt(object, "name"), temperatureAt(object, "target")};
+        if (const nlohmann::json* material = fieldOf(object, "material")) {
+            listed.material = textAt(*material, "name");
+            listed.emittance = numberAt(*material, "emittance");
+        }
+        if (!listed.name.empty())
+            header.objects.push_back(std::move(listed));
+    }
 }
 
 Result<void> readInto(SessionHeader& header) {

@@ -6,6 +6,7 @@
 #include "engine/model/run_labels.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +17,21 @@ inline constexpr const char* kOutcomeInterrupted = "interrupted"; ///< closed by
 /// At most this part of an interrupted recording is missing, s: commitInterval_s of SessionWriter.
 inline constexpr double kMaxLost_s = 0.5;
 
+/// What a list tells of an object; what the file does not say is NaN or empty.
+struct ListedObject {
+    std::string name;
+    double target_K = std::numeric_limits<double>::quiet_NaN(); ///< when the recording began
+    std::string material{};
+    double emittance = std::numeric_limits<double>::quiet_NaN();
+};
+
 /// One file of a list.
 struct SessionHeader {
     std::string path;
     std::string title; ///< of the experiment
-    std::vector<std::string> objects;
-    std::string created; ///< ISO 8601, UTC
+    std::vector<ListedObject> objects;
+    std::string controller; ///< its name in files, when the recording began
+    std::string created;    ///< ISO 8601, UTC
     bool simulated = false;
     RunLabels labels;
     std::string outcome; ///< empty: interrupted, or still being recorded

@@ -91,6 +91,25 @@ TEST_F(SessionLibraryTest, RunsAreListedTaggedAndClosed) {
     EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
 }
 
+// Catches: a copy that is listed as if it were the run that it was copied from, and facts that are not read.
+TEST_F(SessionLibraryTest, ACopyIsListedByItsName) {
+    const QString run = record("20260314T092653Z.bask", "settled");
+    const QString copy = folder.filePath("figure 3.bask");
+    ASSERT_TRUE(copySession(run.toStdString(), copy.toStdString()));
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(2));
+    const std::string title = readSessionHeader(run.toStdString()).title;
+    ASSERT_FALSE(title.empty());
+    EXPECT_EQ(cell(run, 1).toStdString(), title);
+    EXPECT_EQ(cell(copy, 1), "figure 3");
+    auto* search = list.findChild<QLineEdit*>("sessionSearch");
+    for (const auto& [words, isFound] : {std::pair{"PLA Level", true}, std::pair{"PLA Adaptive", false}}) {
+        search->setText(words); // a material and a controller
+        for (int k = 0; k < 2; ++k)
+            EXPECT_EQ(tree->topLevelItem(k)->isHidden(), !isFound) << words;
+    }
+}
+
 // Catches: a refused change that stays on the screen as if it had been written.
 TEST_F(SessionLibraryTest, WhatCannotBeWrittenIsToldAndTakenBack) {
     const QString a = record("a.bask", "settled");

@@ -329,6 +329,7 @@ void ReviewPage::clear() {
 }
 
 void ReviewPage::setTemperatureUnit(TemperatureUnit unit) {
+    m_sessions->setTemperatureUnit(unit);
     m_replay->setTemperatureUnit(unit);
     m_losses->setTemperatureUnit(unit);
     m_final->setTemperatureUnit(unit);

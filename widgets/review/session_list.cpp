@@ -4,7 +4,8 @@
 #include "widgets/common/elided_label.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/review/outcome_words.h"
+#include "widgets/review/run_differences.h"
+#include "widgets/review/two_line_delegate.h"
 
 #include <QDateTime>
 #include <QEvent>
@@ -24,7 +25,7 @@
 namespace bask {
 namespace {
 
-enum ListColumn { kDate, kExperiment, kOutcome, kDuration, kOperator, kSample, kRig, kTags, kListColumns };
+enum ListColumn { kDate, kRunName, kOutcome, kDuration, kOperator, kSample, kRig, kTags, kListColumns };
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -68,9 +69,9 @@ QDateTime dateOf(const SessionHeader& session) {
 
 SessionList::SessionList(QWidget* parent)
     : QWidget(parent), m_search(new QLineEdit(this)), m_folder(new QPushButton(this)),
-      m_tree(new QTreeWidget(this)), m_count(new ElidedLabel(this)), m_message(new MessageBar(this)),
-      m_tagsLabel(new QLabel(this)), m_tags(new QLineEdit(this)), m_open(new QPushButton(this)),
-      m_compare(new QPushButton(this)) {
+      m_tree(new QTreeWidget(this)), m_cells(new TwoLineDelegate(this)), m_count(new ElidedLabel(this)),
+      m_message(new MessageBar(this)), m_tagsLabel(new QLabel(this)), m_tags(new QLineEdit(this)),
+      m_open(new QPushButton(this)), m_compare(new QPushButton(this)) {
     m_search->setObjectName(QStringLiteral("sessionSearch"));
     m_search->setClearButtonEnabled(true);
     m_folder->setObjectName(QStringLiteral("sessionFolder"));
@@ -83,6 +84,7 @@ SessionList::SessionList(QWidget* parent)
     m_compare->setObjectName(QStringLiteral("sessionCompare"));
     m_tree->setObjectName(QStringLiteral("sessionTree"));
     m_tree->setColumnCount(kListColumns);
+    m_tree->setItemDelegate(m_cells);
     m_tree->setRootIsDecorated(false);
     m_tree->setUniformRowHeights(true);
     m_tree->setAlternatingRowColors(true);
@@ -173,8 +175,15 @@ void SessionList::setOpened(const QString& path) {
         if (isOpened(row))
             m_tree->setCurrentItem(row);
     }
-    fitExperiment();
+    fitNames();
     showSelected();
+}
+
+void SessionList::setTemperatureUnit(TemperatureUnit unit) {
+    if (unit == m_unit)
+        return;
+    m_unit = unit;
+    showRows();
 }
 
 bool SessionList::isOpened(const QTreeWidgetItem* row) const {
@@ -183,14 +192,18 @@ bool SessionList::isOpened(const QTreeWidgetItem* row) const {
 
 void SessionList::markOpened(QTreeWidgetItem* row) const {
     const bool is = isOpened(row);
+    if (row->font(kRunName).bold() == is)
+        return; // of thousands, all but two
     QFont bold = m_tree->font();
     bold.setBold(is);
-    row->setFont(kExperiment, bold);
+    row->setFont(kRunName, bold);
     row->setData(kDate, Qt::AccessibleDescriptionRole, is ? tr("Open on this page") : QString());
 }
 
 bool SessionList::isRecording(const std::string& path) const {
-    return !m_recording.isEmpty() && QFileInfo(text(path)) == QFileInfo(m_recording);
+    const QFileInfo file(text(path)), recording(m_recording);
+    // Only the same name is looked up on the disk.
+    return !m_recording.isEmpty() && file.fileName() == recording.fileName() && file == recording;
 }
 
 void SessionList::showRows() {
@@ -202,17 +215,23 @@ void SessionList::showRows() {
     m_tree->setSortingEnabled(false);
     m_tree->clear();
     QTreeWidgetItem* current = nullptr;
-    for (const SessionHeader& session : m_sessions) {
-        auto* row = new Row(m_tree);
-        fillRow(row, session);
-        if (session.path == chosen)
-            current = row;
+    QList<QTreeWidgetItem*> rows;
+    const std::vector<QString> differences = runDifferences(m_sessions, m_unit);
+    bool areTwoLines = false;
+    for (std::size_t i = 0; i < m_sessions.size(); ++i) {
+        rows << new Row;
+        fillRow(rows.back(), m_sessions[i], differences[i]);
+        areTwoLines = areTwoLines || rows.back()->data(kRunName, TwoLineDelegate::kDetailRole).isValid();
+        if (m_sessions[i].path == chosen)
+            current = rows.back();
     }
+    m_cells->setTwoLines(areTwoLines);
+    m_tree->addTopLevelItems(rows);
     m_tree->setSortingEnabled(true);
     if (current != nullptr)
         m_tree->setCurrentItem(current);
     if (isFirst)
-        for (const ListColumn column : {kDate, kExperiment, kOperator, kSample, kRig})
+        for (const ListColumn column : {kDate, kRunName, kOperator, kSample, kRig})
             m_tree->resizeColumnToContents(column);
     else
         m_tree->setColumnWidth(kDate, dateWidth);
@@ -222,33 +241,47 @@ void SessionList::showRows() {
     hide(kOperator, [](const SessionHeader& each) { return !each.labels.operatorName.empty(); });
     hide(kSample,
          [](const SessionHeader& each) { return !each.labels.sample.empty() || !each.labels.batch.empty(); });
-    fitExperiment();
+    fitNames();
     search();
 }
 
 /// Titles get what the other columns leave.
-void SessionList::fitExperiment() {
+void SessionList::fitNames() {
     int others = m_tree->header()->minimumSectionSize() + 40; // tags
     for (const ListColumn column : {kDate, kOutcome, kDuration, kOperator, kSample, kRig})
         others += m_tree->columnWidth(column);
-    const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
+    const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kRunName) + 8;
     const int room = m_tree->viewport()->width() - others;
-    m_tree->setColumnWidth(kExperiment,
-                           std::max(std::min(wanted, room), m_tree->header()->sectionSizeHint(kExperiment)));
+    m_tree->setColumnWidth(kRunName,
+                           std::max(std::min(wanted, room), m_tree->header()->sectionSizeHint(kRunName)));
 }
 
 void SessionList::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
-    fitExperiment();
+    fitNames();
 }
 
-void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) const {
+const QIcon& SessionList::outcomeIcon(Outcome outcome) {
+    QIcon& icon = m_icons[outcome];
+    if (icon.isNull()) {
+        icon.addPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
+        icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()),
+                       QIcon::Selected); // on its ground
+    }
+    return icon;
+}
+
+void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences) {
     const QDateTime date = dateOf(session);
     const QString file = QFileInfo(text(session.path)).fileName();
     const Outcome outcome = session.error               ? Outcome::Unreadable
                             : isRecording(session.path) ? Outcome::Recording
                                                         : outcomeOf(session.outcome);
-    const QString experiment = session.title.empty() ? file : text(session.title);
+    const QString given = session.error ? QString() : givenName(session), title = text(session.title);
+    const QString name = !given.isEmpty() ? given : title.isEmpty() ? file : title;
+    const QString detail =
+        joined(withoutEmpty({given.isEmpty() ? std::string() : session.title, differences.toStdString()}),
+               QStringLiteral(" \u00b7 "));
     const QString tags = joined(session.tags, QStringLiteral(", "));
     const QString who = text(session.labels.operatorName);
     const QString sample =
@@ -257,10 +290,10 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
     const QStringList texts{
-        formatDate(date), experiment, word, hasTime ? formatDuration(session.end_s) : kNoValue, who,
-        sample,           rig,        tags};
+        formatDate(date), name, word, hasTime ? formatDuration(session.end_s) : kNoValue, who,
+        sample,           rig,  tags};
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
-                             experiment,
+                             name,
                              word,
                              hasTime ? session.end_s : -1.0,
                              who,
@@ -272,21 +305,26 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));
     }
-    for (const ListColumn column : {kExperiment, kOutcome, kOperator, kSample, kRig, kTags})
+    for (const ListColumn column : {kRunName, kOutcome, kOperator, kSample, kRig, kTags})
         if (!texts[column].isEmpty())
             row->setToolTip(column, texts[column]);
+    if (!detail.isEmpty()) {
+        const QString both = name + u'\n' + detail;
+        row->setData(kRunName, TwoLineDelegate::kDetailRole, detail);
+        row->setData(kRunName, Qt::AccessibleTextRole, both);
+        row->setToolTip(kRunName, both);
+    }
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
-    QIcon icon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
-    icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()), QIcon::Selected); // on its ground
-    row->setIcon(kOutcome, icon);
+    row->setIcon(kOutcome, outcomeIcon(outcome));
     if (session.error)
         row->setToolTip(kOutcome, sentenceText(session.error->message));
     row->setData(0, kPathRole, text(session.path));
     markOpened(row);
-    row->setData(0, kSearchRole,
-                 QStringList{file, experiment, joined(session.objects, QStringLiteral("\n")),
-                             joined(session.notes, QStringLiteral("\n")), who, sample, tags, word, rig}
-                     .join(u'\n'));
+    QStringList all{file, title, listedController(session), joined(session.notes, QStringLiteral("\n"))};
+    for (const ListedObject& object : session.objects)
+        all << text(object.name) << text(object.material);
+    all << who << sample << tags << word << rig;
+    row->setData(0, kSearchRole, all.join(u'\n'));
 }
 
 /// Rows that have every word of the search somewhere.
@@ -380,7 +418,8 @@ void SessionList::retranslate() {
     m_folder->setText(tr("Folder\u2026"));
     m_folder->setToolTip(m_folderPath.isEmpty() ? tr("Choose the folder whose runs are listed")
                                                 : tr("The runs listed are in %1").arg(m_folderPath));
-    m_tree->setHeaderLabels({tr("Recorded"), tr("Experiment"), tr("Outcome"), tr("Duration"), tr("Operator"),
+    m_icons.clear();
+    m_tree->setHeaderLabels({tr("Recorded"), tr("Run"), tr("Outcome"), tr("Duration"), tr("Operator"),
                              tr("Sample / batch"), tr("Rig"), tr("Tags")});
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));

@@ -1,11 +1,15 @@
 #pragma once
 // The recorded runs of a folder: searched, tagged, opened.
 
+#include "engine/base/units.h"
 #include "engine/recording/session_header.h"
+#include "widgets/review/outcome_words.h"
 
+#include <QIcon>
 #include <QStringList>
 #include <QWidget>
 
+#include <map>
 #include <vector>
 
 class QLabel;
@@ -17,9 +21,12 @@ class QTreeWidgetItem;
 namespace bask {
 
 class MessageBar;
+class TwoLineDelegate;
 
-/// Reading and writing are the receiver's work. Object names: "sessionSearch", "sessionFolder",
-/// "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen", "sessionCompare".
+/// A run is listed by its experiment, one whose file a person named by that name; under it is what tells runs
+/// of one experiment apart. Reading and writing are the receiver's work. Object names: "sessionSearch",
+/// "sessionFolder", "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen",
+/// "sessionCompare".
 class SessionList : public QWidget {
     Q_OBJECT
 
@@ -35,6 +42,7 @@ public:
     bool isRecording(const std::string& path) const;
     /// Sets the run on the page, on which others can be overlaid; empty for none. It is bold and selected.
     void setOpened(const QString& path);
+    void setTemperatureUnit(TemperatureUnit unit);
 
     /// Returns the comma-separated tags, each once.
     static QStringList tagsOf(const QString& text);
@@ -53,10 +61,11 @@ protected:
 
 private:
     void showRows();
-    void fillRow(QTreeWidgetItem* row, const SessionHeader& session) const;
+    void fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences);
+    const QIcon& outcomeIcon(Outcome outcome);
     bool isOpened(const QTreeWidgetItem* row) const;
     void markOpened(QTreeWidgetItem* row) const;
-    void fitExperiment();
+    void fitNames();
     void search();
     void showSelected();
     void takeTags();
@@ -68,9 +77,12 @@ private:
     QString m_tagsOf; ///< the path that the text of m_tags is about
     QString m_folderPath;
     bool m_isReading = true;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    std::map<Outcome, QIcon> m_icons; ///< in the colours of the palette
     QLineEdit* m_search;
     QPushButton* m_folder;
     QTreeWidget* m_tree;
+    TwoLineDelegate* m_cells;
     QLabel* m_count;
     MessageBar* m_message;
     QLabel* m_tagsLabel;

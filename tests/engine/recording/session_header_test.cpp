@@ -69,7 +69,12 @@ TEST_F(SessionHeaderTest, TellsWhatTheWholeFileTells) {
     EXPECT_FALSE(header.error);
     EXPECT_EQ(header.title, "two disks, evening");
     ASSERT_EQ(header.objects.size(), record->experiment.objects.size());
-    EXPECT_EQ(header.objects[1], record->experiment.objects[1].name);
+    const ObjectSpec& second = record->experiment.objects[1];
+    EXPECT_EQ(header.objects[1].name, second.name);
+    EXPECT_DOUBLE_EQ(header.objects[1].target_K, second.target_K);
+    EXPECT_EQ(header.objects[1].material, second.material.name);
+    EXPECT_DOUBLE_EQ(header.objects[1].emittance, second.material.emittance);
+    EXPECT_EQ(header.controller, controllerKindName(record->experiment.controller.kind));
     EXPECT_EQ(header.created, record->created);
     EXPECT_EQ(header.simulated, record->simulated);
     EXPECT_EQ(header.outcome, "settled");

@@ -1,6 +1,7 @@
 #include "widgets/review/session_list.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/review/two_line_delegate.h"
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -20,7 +21,7 @@ SessionHeader header(const char* name, const char* created, const char* outcome)
     SessionHeader made;
     made.path = std::string("/runs/") + name + ".bask";
     made.title = std::string("title of ") + name;
-    made.objects = {"circle"};
+    made.objects = {ListedObject{"circle"}};
     made.created = created;
     made.simulated = true;
     made.outcome = outcome;
@@ -75,7 +76,8 @@ struct SessionListTest : testing::Test {
 // Catches columns without their facts, and outcomes that only an icon or only a colour tells.
 TEST_F(SessionListTest, ARowTellsTheRun) {
     ASSERT_EQ(tree->topLevelItemCount(), 4);
-    EXPECT_EQ(row("a")->text(1), "title of a");
+    EXPECT_EQ(row("a")->text(1), "a") << "a person named its file so";
+    EXPECT_EQ(row("a")->data(1, TwoLineDelegate::kDetailRole).toString(), "title of a");
     EXPECT_EQ(row("a")->text(2), "Settled");
     EXPECT_EQ(row("a")->text(3), "3:20");
     EXPECT_EQ(row("a")->text(4), "A. Hu");
@@ -226,6 +228,78 @@ TEST_F(SessionListTest, TheSelectionStaysWhenTheListIsReadAgain) {
     EXPECT_TRUE(tags->isEnabled());
     list.setSessions({});
     EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "No recorded runs in this folder.");
+}
+
+// Catches runs of one experiment that look alike, a second line that is cut off, is not told to a screen
+// reader or stays in the old unit, and rows that are higher without one.
+TEST_F(SessionListTest, RunsOfOneExperimentAreToldApart) {
+    const auto named = [](const char* name, double target_degC, const char* title) {
+        SessionHeader made = header(name, "2026-03-14T09:26:53Z", "settled");
+        made.title = title;
+        made.objects = {ListedObject{"hand", kelvinFromCelsius(target_degC)}};
+        return made;
+    };
+    const char *first = "20260314T092653Z", *second = "20260314T102653Z", *other = "20260314T112653Z";
+    const auto detail = [&](const char* name) {
+        return row(name)->data(1, TwoLineDelegate::kDetailRole).toString().replace(QChar(0x00a0), ' ');
+    };
+    list.setSessions({named(first, 40, "paper"), named(other, 40, "warm-up")});
+    const int one = tree->visualItemRect(tree->topLevelItem(0)).height();
+    EXPECT_EQ(row(first)->text(1), "paper");
+    EXPECT_EQ(detail(first), "");
+    list.setSessions({named(first, 40, "paper"), named(second, 55, "paper"), named("figure 3", 55, "paper"),
+                      named(other, 40, "warm-up")});
+    EXPECT_EQ(row(second)->text(1), "paper");
+    EXPECT_EQ(detail(first).toStdString(), "hand 40.0 °C");
+    EXPECT_EQ(detail(second).toStdString(), "hand 55.0 °C");
+    EXPECT_EQ(row("figure 3")->text(1), "figure 3") << "a copy that was saved under that name";
+    EXPECT_EQ(detail("figure 3").toStdString(), "paper · hand 55.0 °C");
+    EXPECT_EQ(detail(other), "");
+    EXPECT_TRUE(row(first)->data(1, Qt::AccessibleTextRole).toString().contains("40.0"));
+    EXPECT_TRUE(row(first)->toolTip(1).contains("40.0"));
+    const int line = tree->fontMetrics().height();
+    for (int k = 0; k < 4; ++k)
+        EXPECT_GE(tree->visualItemRect(tree->topLevelItem(k)).height(), one + line - 1) << k;
+    EXPECT_TRUE(list.grab().save("session_list_differences.png"));
+    list.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(detail(second).toStdString(), "hand 328.2 K");
+    search->setText("paper");
+    EXPECT_EQ(found(), (QStringList{first, second, "figure 3"}));
+    search->clear();
+    list.setSessions({named(first, 40, "paper")});
+    EXPECT_EQ(tree->visualItemRect(tree->topLevelItem(0)).height(), one);
+}
+
+// Catches a year of a lab that makes the window wait, when it comes or while it is scrolled.
+TEST_F(SessionListTest, TenThousandRunsAreShownAndScrolled) {
+    std::vector<SessionHeader> year;
+    for (int k = 0; k < 10'000; ++k) {
+        SessionHeader made = header(qPrintable(QString("20260314T%1Z").arg(k, 6, 10, QChar(u'0'))),
+                                    "2026-03-14T09:26:53Z", "settled");
+        made.title = k % 3 == 0 ? "paper" : "warm-up";
+        made.objects.clear();
+        for (const char* name : {"one", "two", "three", "four", "five", "six", "seven", "eight"})
+            made.objects.push_back({name, 313.15 + k % 40, "painted aluminium", 0.9});
+        year.push_back(std::move(made));
+    }
+    QElapsedTimer timer;
+    timer.start();
+    list.setSessions(year);
+    QApplication::processEvents();
+    RecordProperty("shown_ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 20'000);
+    timer.restart();
+    for (int k = 0; k < 10'000; k += 100) {
+        tree->scrollToItem(tree->topLevelItem(k));
+        tree->viewport()->repaint();
+    }
+    RecordProperty("hundred_scrolls_ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 20'000);
+    timer.restart();
+    list.setOpened("/runs/20260314T000007Z.bask");
+    RecordProperty("opened_ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 5'000);
+    EXPECT_TRUE(row("20260314T000007Z")->font(1).bold());
 }
 
 // Catches a list that makes the window wait when there are many.

@@ -1,0 +1,151 @@
+#include "widgets/review/run_differences.h"
+
+#include "engine/control/controller_catalogue.h"
+#include "engine/recording/recording_name.h"
+#include "widgets/common/display.h"
+
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace bask {
+namespace {
+
+const QString kBetween = QStringLiteral(" \u00b7 ");
+
+bool isSame(double a, double b) {
+    return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/// Of an object's name in all runs of a title.
+struct ObjectFacts {
+    const ListedObject* first = nullptr;
+    std::size_t runs = 0;
+    bool hasTargets = false, hasMaterials = false, hasEmittances = false; ///< several
+
+    void add(const ListedObject& object) {
+        ++runs;
+        if (first == nullptr)
+            first = &object;
+        hasTargets = hasTargets || !isSame(object.target_K, first->target_K);
+        hasMaterials = hasMaterials || object.material != first->material;
+        hasEmittances = hasEmittances || !isSame(object.emittance, first->emittance);
+    }
+};
+
+/// The runs of one title.
+class Alike {
+public:
+    explicit Alike(std::vector<const SessionHeader*> runs) : m_runs(std::move(runs)) {
+        for (const SessionHeader* run : m_runs) {
+            m_hasControllers = m_hasControllers || run->controller != m_runs.front()->controller;
+            for (const ListedObject& object : run->objects)
+                m_objects[object.name].add(object);
+        }
+        for (auto& [name, facts] : m_objects)
+            if (facts.runs < m_runs.size()) // some run does not have it
+                facts.hasTargets = true;
+    }
+
+    QString of(const SessionHeader& run, TemperatureUnit unit) const {
+        QStringList parts;
+        if (const QString targets = targetsOf(run, unit); !targets.isEmpty())
+            parts << targets;
+        if (m_hasControllers)
+            parts << listedController(run);
+        for (const ListedObject& object : run.objects)
+            if (const QString material = materialOf(object); !material.isEmpty())
+                parts << material;
+        return parts.join(kBetween);
+    }
+
+private:
+    /// One temperature where all objects have the same; a dash for an object that only others have.
+    QString targetsOf(const SessionHeader& run, TemperatureUnit unit) const {
+        QStringList targets;
+        bool isOne = run.objects.size() == m_objects.size();
+        for (const ListedObject& object : run.objects) {
+            isOne = isOne && isSame(object.target_K, run.objects.front().target_K);
+            if (m_objects.at(object.name).hasTargets)
+                targets << QString::fromStdString(object.name) + u' ' +
+                               formatTemperature(object.target_K, unit);
+        }
+        if (isOne && targets.size() > 1)
+            return formatTemperature(run.objects.front().target_K, unit);
+        for (const auto& [name, facts] : m_objects)
+            if (facts.hasTargets &&
+                std::ranges::find(run.objects, name, &ListedObject::name) == run.objects.end())
+                targets << QString::fromStdString(name) + u' ' + kNoValue;
+        return targets.join(QStringLiteral(", "));
+    }
+
+    QString materialOf(const ListedObject& object) const {
+        const ObjectFacts& facts = m_objects.at(object.name);
+        QStringList words;
+        if (facts.hasMaterials && !object.material.empty())
+            words << QString::fromStdString(object.material);
+        if (facts.hasEmittances && std::isfinite(object.emittance))
+            words << QStringLiteral("\u03b5 ") + QLocale().toString(object.emittance, 'g', 3);
+        return words.isEmpty()
+                   ? QString()
+                   : QString::fromStdString(object.name) + u' ' + words.join(QStringLiteral(", "));
+    }
+
+    std::vector<const SessionHeader*> m_runs;
+    std::map<std::string, ObjectFacts> m_objects;
+    bool m_hasControllers = false;
+};
+
+/// What the list tells of a run besides its differences.
+QString restOf(const SessionHeader& run) {
+    const QString name = run.title.empty() ? QString::fromStdString(run.path) : givenName(run);
+    return name + u'\n' + QString::fromStdString(run.labels.operatorName) + u'\n' +
+           QString::fromStdString(run.labels.sample) + u'\n' + QString::fromStdString(run.labels.batch);
+}
+
+} // namespace
+
+QString givenName(const SessionHeader& session) {
+    const QString stem = QFileInfo(QString::fromStdString(session.path)).completeBaseName();
+    return isRecordingStem(stem.toStdString()) ? QString() : stem;
+}
+
+QString listedController(const SessionHeader& session) {
+    const auto& known = controllerCatalogue();
+    const auto found = std::ranges::find(known, session.controller, &ControllerEntry::key);
+    return found != known.end() ? controllerWord(found->kind) : QString::fromStdString(session.controller);
+}
+
+std::vector<QString> runDifferences(const std::vector<SessionHeader>& sessions, TemperatureUnit unit) {
+    std::unordered_map<std::string, std::vector<std::size_t>> byTitle;
+    for (std::size_t i = 0; i < sessions.size(); ++i)
+        if (!sessions[i].error)
+            byTitle[sessions[i].title].push_back(i);
+    std::vector<QString> out(sessions.size());
+    for (const auto& [title, places] : byTitle) {
+        if (places.size() < 2)
+            continue;
+        std::vector<const SessionHeader*> runs;
+        for (const std::size_t i : places)
+            runs.push_back(&sessions[i]);
+        const Alike alike(std::move(runs));
+        std::map<QString, int> alikeRows;
+        for (const std::size_t i : places) {
+            out[i] = alike.of(sessions[i], unit);
+            ++alikeRows[out[i] + u'\n' + restOf(sessions[i])];
+        }
+        for (const std::size_t i : places)
+            if (alikeRows[out[i] + u'\n' + restOf(sessions[i])] > 1) {
+                const QString file = QFileInfo(QString::fromStdString(sessions[i].path)).completeBaseName();
+                out[i] += out[i].isEmpty() ? file : kBetween + file;
+            }
+    }
+    return out;
+}
+
+} // namespace bask
