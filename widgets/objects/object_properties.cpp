@@ -256,6 +256,11 @@ void ObjectProperties::setObject(const ObjectSpec& object) {
     showObject();
 }
 
+void ObjectProperties::focusName() {
+    m_name->setFocus(Qt::OtherFocusReason);
+    m_name->selectAll();
+}
+
 void ObjectProperties::setSurroundings(const Surroundings& surroundings) {
     m_surroundings = surroundings;
     showDerived();

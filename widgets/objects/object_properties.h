@@ -35,6 +35,8 @@ public:
     void setSurroundings(const Surroundings& surroundings);
     void setTemperatureUnit(TemperatureUnit unit);
     void setReadOnly(bool readOnly);
+    /// Gives the keyboard to the name, which is selected.
+    void focusName();
     /// Returns where the fields of the mounting begin, in pixels.
     int mountingTop() const;
 

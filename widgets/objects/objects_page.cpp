@@ -15,6 +15,7 @@
 #include "widgets/objects/object_properties.h"
 #include "widgets/objects/outline_preview.h"
 
+#include <QAbstractSpinBox>
 #include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -22,6 +23,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
@@ -436,13 +438,29 @@ void ObjectsPage::addImported(const QString& path, const PickedOutline& picked) 
                       object.origin.file = QFileInfo(path).fileName().toStdString();
                       object.material = materialPresets().front().material;
                       addObject(std::move(object));
+                      focusImported();
                   });
 }
 
+/// The name is what one edits next; else the keyboard could be on Remove, since a button that is greyed or
+/// hidden hands it on. Nothing is taken from who types meanwhile, or is elsewhere.
+void ObjectsPage::focusImported() {
+    const QWidget* now = window()->focusWidget();
+    const bool isTyping = qobject_cast<const QLineEdit*>(now) != nullptr ||
+                          qobject_cast<const QAbstractSpinBox*>(now) != nullptr;
+    if (!isVisible() || isTyping || (now != nullptr && now != this && !isAncestorOf(now)))
+        return;
+    m_form->verticalScrollBar()->setValue(0);
+    m_properties->focusName();
+}
+
 void ObjectsPage::showPanel(bool shown) {
+    const bool hadFocus = m_importPanel->isAncestorOf(window()->focusWidget());
     m_importing = false;
     m_message->clear();
     m_stack->setCurrentIndex(shown ? 1 : 0);
+    if (!shown && hadFocus) // not to whom Qt hands it on
+        m_import->isEnabled() ? m_import->setFocus() : m_list->setFocus();
 }
 
 void ObjectsPage::endImport() {

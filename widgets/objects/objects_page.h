@@ -87,6 +87,7 @@ private:
     void showPanel(bool shown);
     void sayReading(const QString& path);
     void endImport();
+    void focusImported();
     void addDisk();
     void duplicateSelected();
     void removeSelected();

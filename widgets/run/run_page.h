@@ -1,5 +1,5 @@
 #pragma once
-// The Run page: a tile for each object and one for the source, traces, the 3-D scene, controller and gains, notes.
+// The Run page: tiles of the objects and the source, traces, the 3-D scene, controller and gains, notes.
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"

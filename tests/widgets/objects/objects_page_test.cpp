@@ -491,6 +491,57 @@ TEST_F(ObjectsPageTest, ReadingCanBeCancelled) {
     EXPECT_EQ(last().objects.at(3).name, "hand_mm");
 }
 
+// Catches a keyboard that is on Remove after an import, so that Space takes another object away: the button
+// that began it is greyed, or the panel that asked is hidden.
+TEST_F(ObjectsPageTest, AfterAnImportTheKeyboardIsOnTheName) {
+    const auto imported = [this](int edits) {
+        return QTest::qWaitFor([this, edits] { return edited.count() == edits; }, 120000);
+    };
+    auto* name = child<QLineEdit>("objectName");
+    child<QPushButton>("importOutline")->setFocus();
+    page.offerFile(BASK_TEST_DATA "/contours/svg/hand_mm.svg"); // has all that is needed
+    ASSERT_TRUE(imported(1));
+    EXPECT_FALSE(child<QPushButton>("importOutline")->isEnabled()) << "or its focus would not be lost";
+    EXPECT_EQ(page.focusWidget(), name);
+    EXPECT_EQ(name->selectedText(), "hand_mm");
+
+    click("removeObject");
+    EXPECT_EQ(edited.count(), 2);
+    child<QPushButton>("importOutline")->setFocus();
+    page.offerFile(BASK_TEST_DATA "/contours/bunny_tab_noheader.txt"); // its unit is asked for
+    auto* panel = child<QWidget>("importPanel");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return panel->isVisible(); }, 120000));
+    auto* unit = child<QComboBox>("importUnit");
+    unit->setCurrentIndex(unit->findText("cm"));
+    auto* accept = child<QPushButton>("importAccept");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return accept->isEnabled(); }, 120000));
+    accept->setFocus();
+    QTest::mouseClick(accept, Qt::LeftButton);
+    ASSERT_TRUE(imported(3));
+    EXPECT_EQ(page.focusWidget(), name);
+    EXPECT_EQ(name->selectedText(), "bunny_tab_noheader");
+}
+
+// Catches a panel that was left and hands the keyboard to whatever comes next, and an import that takes it
+// from a field in which somebody types.
+TEST_F(ObjectsPageTest, AnImportTakesTheKeyboardFromNobody) {
+    auto* import = child<QPushButton>("importOutline");
+    import->setFocus();
+    page.offerFile(BASK_EXAMPLES "/contours/bunny_1200.png");
+    auto* panel = child<QWidget>("importPanel");
+    ASSERT_TRUE(panel->isVisible());
+    child<QPushButton>("importCancel")->setFocus();
+    QTest::mouseClick(child<QPushButton>("importCancel"), Qt::LeftButton);
+    EXPECT_FALSE(panel->isVisible());
+    EXPECT_EQ(page.focusWidget(), import);
+
+    page.offerFile(BASK_TEST_DATA "/contours/svg/hand_mm.svg");
+    auto* thickness = child<QDoubleSpinBox>("thickness");
+    thickness->setFocus();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return edited.count() == 1; }, 120000));
+    EXPECT_EQ(page.focusWidget(), thickness);
+}
+
 // Catches a file that needs an answer and does not ask, and a panel that stays.
 TEST_F(ObjectsPageTest, APictureOpensTheImportPanel) {
     page.offerFile(BASK_EXAMPLES "/contours/bunny_1200.png");

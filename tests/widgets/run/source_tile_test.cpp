@@ -10,10 +10,10 @@ using namespace bask;
 
 namespace {
 
-struct Shown {
+struct ShownSource {
     SourceTile tile;
     Snapshot snapshot;
-    Shown() {
+    ShownSource() {
         snapshot.warmUp = SourceWarmUp{kelvinFromCelsius(200.0)};
         tile.show();
     }
@@ -39,7 +39,7 @@ struct Shown {
 // Catches other words than those of the objects, a set point that is not shown, and a rate that follows how
 // often one reading is told.
 TEST(SourceTile, ShowsSetPointTemperatureAndTrend) {
-    Shown shown;
+    ShownSource shown;
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::Waiting);
     shown.run(25.0, 0.5, 20);
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::Heating);
@@ -62,7 +62,7 @@ TEST(SourceTile, ShowsSetPointTemperatureAndTrend) {
 
 // Catches a temperature of a while ago shown as if it were of now, and a trend of a source that is not heard.
 TEST(SourceTile, WhatIsNotKnownIsGreyWithItsAge) {
-    Shown shown;
+    ShownSource shown;
     shown.run(25.0, 0.5, 20);
     const QColor fresh = shown.ink("sourceTileTemperature");
     EXPECT_EQ(shown.text("sourceTileAge"), QString());
