@@ -3,6 +3,7 @@
 #include "app/examples.h"
 #include "app/icons.h"
 #include "app/settings_store.h"
+#include "app/why_not.h"
 #include "engine/base/message_code.h"
 #include "widgets/common/language.h"
 
@@ -11,7 +12,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
-#include <QShortcut>
 
 #include <algorithm>
 
@@ -67,7 +67,7 @@ bool allowsEdits(RunState state) {
     return state != RunState::Armed && !isRunOn(state);
 }
 
-Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_faults(window) {
+Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_deafKeys(window), m_faults(window) {
     newExperiment = make("newExperiment", QKeySequence::New);
     open = make("open", QKeySequence::Open);
     save = make("save", QKeySequence::Save);
@@ -79,9 +79,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_faults(
     redo = make("editRedo");
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     endRecording = make("endRecording");
-    endRecording->setEnabled(false);
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
-    acknowledgeAlarms->setEnabled(false);
     largeNumbers = make("largeNumbers");
     monitoring = make("monitoring");
     labels = make("labels", QKeySequence(Qt::CTRL | Qt::Key_L));
@@ -111,7 +109,20 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_faults(
                 [this, name] { emit exampleChosen(name); });
     makeVerbs();
     makeView();
+    for (QAction* action : m_window->actions())
+        m_deafKeys.watch(action);
+    connect(&m_deafKeys, &DeafKeys::pressed, this, &Actions::hear);
+    connect(saveSession, &QAction::enabledChanged, this, &Actions::showReasons);
     retranslate();
+}
+
+/// The tip of an action that is not possible says why.
+void Actions::hear(QAction* deaf) {
+    const auto verb = std::ranges::find(m_verbs, deaf);
+    if (verb != m_verbs.end())
+        emit verbRefused(static_cast<Verb>(verb - m_verbs.begin()));
+    else
+        emit keyRefused(deaf->toolTip().replace(u'\n', u' '));
 }
 
 QAction* Actions::make(const char* name, const QKeySequence& keys) {
@@ -132,12 +143,6 @@ void Actions::makeVerbs() {
         m_verbs[i]->setEnabled(static_cast<Verb>(i) == Verb::EmergencyStop);
         connect(m_verbs[i], &QAction::triggered, this,
                 [this, i] { emit verbTriggered(static_cast<Verb>(i)); });
-        if (keys[i].isEmpty())
-            continue;
-        m_deafKeys[i] = new QShortcut(keys[i], m_window);
-        m_deafKeys[i]->setAutoRepeat(false);
-        connect(m_deafKeys[i], &QShortcut::activated, this,
-                [this, i] { emit verbRefused(static_cast<Verb>(i)); });
     }
 }
 
@@ -233,6 +238,7 @@ void Actions::retranslate() {
     retranslateFile();
     retranslateRun();
     retranslateView();
+    showReasons();
 }
 
 void Actions::retranslateFile() {
@@ -246,8 +252,7 @@ void Actions::retranslateFile() {
     open->setToolTip(tr("Open an experiment (*.json) or a recorded session (*.bask)"));
     save->setText(tr("&Save experiment"));
     saveAs->setText(tr("Save experiment &as…"));
-    saveSession->setText(tr("Save s&ession…"));
-    saveSession->setToolTip(tr("Copy the recording of the present or last run to a file of your choice"));
+    saveSession->setText(tr("Save sess&ion…"));
     quit->setText(tr("&Quit"));
     m_clearRecent->setText(tr("&Clear the list"));
     manual->setText(tr("&Manual"));
@@ -281,15 +286,12 @@ void Actions::retranslateRun() {
     // The key belongs to the STOP button, which hears it even with a menu or a dialog open.
     say(Verb::EmergencyStop, tr("STOP now") + QStringLiteral("\tF12"),
         tr("Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop."));
-    say(Verb::Reset, tr("Rese&t"), tr("Clear a latched stop or fault. It never starts anything."));
+    say(Verb::Reset, tr("Re&set"), tr("Clear a latched stop or fault. It never starts anything."));
     labels->setText(tr("&Operator and sample…"));
     labels->setToolTip(
         tr("Who operates, and what is heated: recordings, reports and the list of runs show it."));
     endRecording->setText(tr("End the re&cording"));
-    endRecording->setToolTip(
-        tr("After a stop or a fault the recording goes on until everything is cold. This ends it now."));
     acknowledgeAlarms->setText(tr("Ac&knowledge all alarms"));
-    acknowledgeAlarms->setToolTip(tr("You have seen all alarms. Those that are over leave the list. (F9)"));
 }
 
 void Actions::retranslateView() {
@@ -339,18 +341,32 @@ void Actions::restyle(const QPalette& palette) {
 
 void Actions::apply(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < m_verbs.size(); ++i) {
-        const bool isPossible = allows(snapshot, static_cast<Verb>(i));
-        m_verbs[i]->setEnabled(isPossible);
-        if (m_deafKeys[i])
-            m_deafKeys[i]->setEnabled(!isPossible); // one key of two that are on would do nothing
+        m_verbs[i]->setEnabled(allows(snapshot, static_cast<Verb>(i)));
     }
-    acknowledgeAlarms->setEnabled(
-        !std::ranges::all_of(snapshot.alarms, [](const Alarm& alarm) { return alarm.isAcknowledged; }));
-    const bool edits = allowsEdits(snapshot.state);
-    endRecording->setEnabled(edits && !snapshot.recordingPath.empty());
-    newExperiment->setEnabled(edits);
-    m_exampleMenu->setEnabled(edits);
+    m_told.state = snapshot.state;
+    m_told.recordingPath = snapshot.recordingPath;
+    m_told.alarms = snapshot.alarms;
+    showReasons();
     m_faults.apply(snapshot);
+}
+
+void Actions::showReasons() {
+    const auto show = [](QAction* action, const QString& usual, const QString& why) {
+        action->setEnabled(why.isEmpty());
+        action->setToolTip(why.isEmpty() ? usual : why);
+    };
+    const QString whyNotOther = whyNotAnother(m_told);
+    show(newExperiment, {}, whyNotOther);
+    m_exampleMenu->setEnabled(whyNotOther.isEmpty());
+    m_exampleMenu->menuAction()->setToolTip(whyNotOther);
+    show(endRecording,
+         tr("After a stop or a fault the recording goes on until everything is cold. This ends it now."),
+         whyNotEndRecording(m_told));
+    show(acknowledgeAlarms, tr("You have seen all alarms. Those that are over leave the list. (F9)"),
+         whyNotAcknowledge(m_told));
+    saveSession->setToolTip(saveSession->isEnabled()
+                                ? tr("Copy the recording of the present or last run to a file of your choice")
+                                : whyNotSaveSession());
 }
 
 void Actions::setRecent(const QStringList& files) {

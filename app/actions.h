@@ -2,6 +2,7 @@
 // All actions of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
 // allows.
 
+#include "app/deaf_keys.h"
 #include "app/fault_menu.h"
 #include "app/horn.h"
 #include "engine/base/units.h"
@@ -17,7 +18,6 @@
 class QActionGroup;
 class QMenu;
 class QMenuBar;
-class QShortcut;
 class QWidget;
 
 namespace bask {
@@ -67,6 +67,8 @@ signals:
     void verbTriggered(bask::Verb verb);
     /// The key of a verb was pressed that is not possible now.
     void verbRefused(bask::Verb verb);
+    /// The key of another action was pressed that is not possible now.
+    void keyRefused(const QString& why);
     void pageChosen(int page);
     void unitChosen(bask::TemperatureUnit unit);
     void themeChosen(bask::Theme theme);
@@ -84,12 +86,14 @@ private:
     void retranslateFile();
     void retranslateRun();
     void retranslateView();
+    void hear(QAction* deaf);
+    void showReasons();
 
     QWidget* m_window;
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
-    std::array<QShortcut*, kVerbs>
-        m_deafKeys{}; ///< the same keys while the verb is not possible; null for a verb without a key
+    DeafKeys m_deafKeys;
+    Snapshot m_told; ///< only what reasons depend on: state, recording and alarms
     std::array<QAction*, kPages> m_pages{};
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_hornGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{}, m_horns{};

@@ -24,8 +24,12 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <chrono>
+
 namespace bask {
 namespace {
+
+constexpr std::chrono::seconds kWhyNot{8}; ///< as long as a sentence takes to be read twice
 
 /// Moves or heats the rig outside of a run.
 bool isManual(const Command& command) {
@@ -111,6 +115,9 @@ void MainWindow::connectActions() {
     connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
     connect(&m_actions, &Actions::verbRefused, this, &MainWindow::sayWhyNot);
     connect(m_stateBar, &StateBar::verbRefused, this, &MainWindow::sayWhyNot);
+    connect(&m_actions, &Actions::keyRefused, this, [this](const QString& why) {
+        m_statusLine->showMessage(why, static_cast<int>(std::chrono::milliseconds(kWhyNot).count()));
+    });
     connect(&m_actions, &Actions::pageChosen, this,
             [this](int page) { m_pages->show(static_cast<Page>(page)); });
     connect(&m_actions, &Actions::unitChosen, this, &MainWindow::setTemperatureUnit);

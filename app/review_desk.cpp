@@ -23,6 +23,7 @@ ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& fil
     connect(m_page.replay()->comparison(), &ComparisonView::exportRequested, &m_files,
             &SessionActions::exportComparison);
     connect(&m_page, &ReviewPage::useIdentifiedRequested, this, &ReviewDesk::useIdentified);
+    connect(&m_page, &ReviewPage::told, this, &ReviewDesk::told);
     connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
 }
 

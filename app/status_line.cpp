@@ -214,8 +214,10 @@ void StatusLine::retranslate() {
 
 void StatusLine::changeEvent(QEvent* event) {
     QStatusBar::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
+        clearMessage(); // it is in the language before
         retranslate();
+    }
     if (event->type() == QEvent::PaletteChange) {
         showHeat();
         showMonitor();

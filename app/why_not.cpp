@@ -5,6 +5,8 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -105,6 +107,31 @@ QString whyNot(const Snapshot& snapshot, Verb verb) {
         break;
     }
     return {};
+}
+
+QString whyNotAnother(const Snapshot& snapshot) {
+    if (allowsEdits(snapshot.state))
+        return {};
+    return WhyNotWords::tr("A run is armed or on. Stop it first; then another experiment can be begun.");
+}
+
+QString whyNotEndRecording(const Snapshot& snapshot) {
+    if (snapshot.recordingPath.empty())
+        return WhyNotWords::tr("There is no recording to end.");
+    if (allowsEdits(snapshot.state))
+        return {};
+    return WhyNotWords::tr("The recording is that of the run, which is armed or on. It ends with the run.");
+}
+
+QString whyNotAcknowledge(const Snapshot& snapshot) {
+    if (!std::ranges::all_of(snapshot.alarms, &Alarm::isAcknowledged))
+        return {};
+    return snapshot.alarms.empty() ? WhyNotWords::tr("There is no alarm to acknowledge.")
+                                   : WhyNotWords::tr("All alarms are acknowledged already.");
+}
+
+QString whyNotSaveSession() {
+    return WhyNotWords::tr("There is no recording to save yet. Arm begins one.");
 }
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #pragma once
-// Why a verb of the run is not possible now: its button or key shows this instead of doing nothing.
+// Why a verb of the run, or another action of the window, is not possible now: its button, key or tip shows
+// this instead of doing nothing.
 
 #include "app/actions.h"
 
@@ -9,5 +10,12 @@ namespace bask {
 
 /// Returns one translated sentence that names what to do first; empty if `allows(snapshot, verb)`.
 QString whyNot(const Snapshot& snapshot, Verb verb);
+
+/// Return one translated sentence; empty if the action is possible.
+QString whyNotAnother(const Snapshot& snapshot); ///< why no other experiment can be begun
+QString whyNotEndRecording(const Snapshot& snapshot);
+QString whyNotAcknowledge(const Snapshot& snapshot);
+/// Returns the sentence for a program that has not recorded anything yet.
+QString whyNotSaveSession();
 
 } // namespace bask

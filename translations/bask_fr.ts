@@ -2471,7 +2471,7 @@
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
+        <translation>A&amp;ide</translation>
     </message>
     <message>
         <source>&amp;New experiment</source>
@@ -2494,7 +2494,7 @@
         <translation>Enregistrer l’expérience &amp;sous…</translation>
     </message>
     <message>
-        <source>Save s&amp;ession…</source>
+        <source>Save sess&amp;ion…</source>
         <translation>Enregistrer la sess&amp;ion…</translation>
     </message>
     <message>
@@ -2507,7 +2507,7 @@
     </message>
     <message>
         <source>&amp;About Bask</source>
-        <translation>À &amp;propos de Bask</translation>
+        <translation>À propos de &amp;Bask</translation>
     </message>
     <message>
         <source>&amp;Run</source>
@@ -2539,7 +2539,7 @@
     </message>
     <message>
         <source>R&amp;esume</source>
-        <translation>&amp;Reprendre</translation>
+        <translation>Repre&amp;ndre</translation>
     </message>
     <message>
         <source>Go on from where the run was held.</source>
@@ -2562,7 +2562,7 @@
         <translation>Vitesse nulle et chauffage coupé immédiatement, verrouillé. Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
     </message>
     <message>
-        <source>Rese&amp;t</source>
+        <source>Re&amp;set</source>
         <translation>Réin&amp;itialiser</translation>
     </message>
     <message>
@@ -2683,7 +2683,7 @@
     </message>
     <message>
         <source>The &amp;first five minutes</source>
-        <translation>Les cinq &amp;premières minutes</translation>
+        <translation>Les &amp;cinq premières minutes</translation>
     </message>
     <message>
         <source>Te&amp;xt size</source>
@@ -2735,7 +2735,7 @@
     </message>
     <message>
         <source>&amp;Monitoring…</source>
-        <translation>Sur&amp;veillance…</translation>
+        <translation>&amp;Surveillance…</translation>
     </message>
     <message>
         <source>Large &amp;numbers</source>

@@ -2494,8 +2494,8 @@
         <translation>实验另存为(&amp;A)…</translation>
     </message>
     <message>
-        <source>Save s&amp;ession…</source>
-        <translation>保存会话(&amp;E)…</translation>
+        <source>Save sess&amp;ion…</source>
+        <translation>保存会话(&amp;I)…</translation>
     </message>
     <message>
         <source>Copy the recording of the present or last run to a file of your choice</source>
@@ -2562,8 +2562,8 @@
         <translation>立即使速度为零并关闭加热，并锁存。这是软件停止，不是安全等级的急停。</translation>
     </message>
     <message>
-        <source>Rese&amp;t</source>
-        <translation>复位(&amp;T)</translation>
+        <source>Re&amp;set</source>
+        <translation>复位(&amp;S)</translation>
     </message>
     <message>
         <source>Clear a latched stop or fault. It never starts anything.</source>

@@ -2494,8 +2494,8 @@
         <translation>另存實驗(&amp;A)…</translation>
     </message>
     <message>
-        <source>Save s&amp;ession…</source>
-        <translation>儲存工作階段(&amp;E)…</translation>
+        <source>Save sess&amp;ion…</source>
+        <translation>儲存工作階段(&amp;I)…</translation>
     </message>
     <message>
         <source>Copy the recording of the present or last run to a file of your choice</source>
@@ -2562,8 +2562,8 @@
         <translation>立即使速度為零並關閉加熱，並閂鎖。這是軟體停止，不是安全等級的緊急停止。</translation>
     </message>
     <message>
-        <source>Rese&amp;t</source>
-        <translation>復歸(&amp;T)</translation>
+        <source>Re&amp;set</source>
+        <translation>復歸(&amp;S)</translation>
     </message>
     <message>
         <source>Clear a latched stop or fault. It never starts anything.</source>

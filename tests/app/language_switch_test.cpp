@@ -1,5 +1,6 @@
 // Switches the language while the program runs and reads everything that is on the screen.
 
+#include "tests/app/mnemonics.h"
 #include "tests/app/translation_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/language.h"
@@ -213,13 +214,18 @@ protected:
 };
 
 // Catches: a text made once in a constructor, a string outside tr(), a translation that is missing or not
-// loaded.
+// loaded, and a mnemonic that two entries of a menu have.
 TEST_F(LanguageSwitchTest, NothingIsLeftOfAnotherLanguage) {
     openWindow();
     ASSERT_NO_FATAL_FAILURE(fillEverything());
     for (const char* language : {"fr", "zh_CN", "zh_TW", "en"}) {
         window->setLanguage(QLatin1String(language));
         expectOnly(QLatin1String(language));
+        for (const QMenu* menu : window->findChildren<QMenu*>()) {
+            const QStringList twice = mnemonicsTwice(menu->actions());
+            EXPECT_TRUE(twice.isEmpty())
+                << language << ": " << twice.join(QStringLiteral("; ")).toStdString();
+        }
         keepPictures(QLatin1String(language));
     }
 }

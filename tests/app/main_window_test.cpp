@@ -33,6 +33,7 @@
 #include <QSplitter>
 #include <QSqlDatabase>
 #include <QSqlQuery>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTextBrowser>
@@ -649,6 +650,9 @@ TEST_F(MainWindowTest, AVerbThatCannotActSaysWhy) {
     QTest::keyClick(window.get(), Qt::Key_F6);
     EXPECT_TRUE(message().contains(QStringLiteral("Press Arm first"))) << message().toStdString();
     EXPECT_EQ(state(), RunState::Ready);
+    QTest::keyClick(window.get(), Qt::Key_E, Qt::ControlModifier); // nothing is recorded yet
+    EXPECT_TRUE(window->statusBar()->currentMessage().contains(QStringLiteral("no recording to save yet")))
+        << window->statusBar()->currentMessage().toStdString();
     QTest::mouseClick(find<QAbstractButton>("stopRunButton"), Qt::LeftButton);
     EXPECT_TRUE(message().contains(QStringLiteral("no run to stop"))) << message().toStdString();
     QTest::keyClick(window.get(), Qt::Key_F6);

@@ -43,4 +43,24 @@ TEST(WhyNot, TheReasonIsTheStates) {
     EXPECT_EQ(said.size(), 3U);
 }
 
+// Catches: an action of the menus that is grey without a word, and a reason given for one that is possible.
+TEST(WhyNot, TheOtherActionsSayWhyInEveryState) {
+    for (int state = 0; state <= static_cast<int>(RunState::Fault); ++state) {
+        Snapshot snapshot;
+        snapshot.state = static_cast<RunState>(state);
+        const bool isFree = allowsEdits(snapshot.state);
+        EXPECT_EQ(whyNotAnother(snapshot).isEmpty(), isFree);
+        EXPECT_FALSE(whyNotEndRecording(snapshot).isEmpty()) << "there is none";
+        snapshot.recordingPath = "run.bask";
+        EXPECT_EQ(whyNotEndRecording(snapshot).isEmpty(), isFree);
+    }
+    Snapshot snapshot;
+    const QString none = whyNotAcknowledge(snapshot);
+    snapshot.alarms.resize(2);
+    EXPECT_TRUE(whyNotAcknowledge(snapshot).isEmpty());
+    snapshot.alarms[0].isAcknowledged = snapshot.alarms[1].isAcknowledged = true;
+    EXPECT_FALSE(whyNotAcknowledge(snapshot).isEmpty());
+    EXPECT_NE(whyNotAcknowledge(snapshot), none);
+}
+
 } // namespace bask::test

@@ -454,10 +454,12 @@ void ReviewPage::changeEvent(QEvent* event) {
 
 /// What no widget on the page takes for itself.
 void ReviewPage::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && m_session)
+    if (event->key() != Qt::Key_Space || event->modifiers() != Qt::NoModifier)
+        return QWidget::keyPressEvent(event);
+    if (m_session)
         m_replay->togglePlay();
     else
-        QWidget::keyPressEvent(event);
+        emit told(tr("There is nothing to play: no run is open. Choose one in the list."));
 }
 
 } // namespace bask

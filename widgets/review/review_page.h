@@ -67,6 +67,8 @@ signals:
     void useIdentifiedRequested();
     /// The metrics' definitions were requested.
     void definitionsRequested();
+    /// A sentence for the person, who pressed a key that does nothing now.
+    void told(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -440,6 +440,17 @@ TEST_F(ReviewPageTest, SpacePlaysAndPauses) {
     EXPECT_EQ(page.replay()->position_s(), 200.0);
 }
 
+// Catches Space that does nothing and says nothing where no run is open.
+TEST_F(ReviewPageTest, SpaceWithoutARunSaysWhy) {
+    QSignalSpy told(&page, &ReviewPage::told);
+    QTest::keyClick(&page, Qt::Key_Space);
+    ASSERT_EQ(told.count(), 1);
+    EXPECT_TRUE(told[0][0].toString().contains("no run is open"));
+    show(record());
+    QTest::keyClick(&page, Qt::Key_Space);
+    EXPECT_EQ(told.count(), 1);
+}
+
 // Catches metrics without definitions, in the wrong unit, or of another run.
 TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     show(record());
