@@ -3547,7 +3547,7 @@
     <message>
         <source>Source: %1, not at %2 yet. %3</source>
         <extracomment>the last is a sentence about the time that it takes</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>Source&#xa0;: %1, pas encore à %2. %3</translation>
     </message>
 </context>
 <context>
@@ -3654,58 +3654,58 @@
     <name>bask::Comparison</name>
     <message>
         <source>Metric</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicateur</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished">Objet</translation>
+        <translation>Objet</translation>
     </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
     <message>
         <source>Differences from</source>
-        <translation type="unfinished"></translation>
+        <translation>Différences avec</translation>
     </message>
     <message>
         <source>The run that the others are compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>L’essai auquel les autres sont comparés</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">Copier</translation>
+        <translation>Copier</translation>
     </message>
     <message>
         <source>Copy the table as text, for a spreadsheet or a letter</source>
-        <translation type="unfinished"></translation>
+        <translation>Copier le tableau comme texte, pour un tableur ou une lettre</translation>
     </message>
     <message>
         <source>Export (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>Exporter (CSV)…</translation>
     </message>
     <message>
         <source>Metrics of the runs that are laid over each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Indicateurs des essais superposés</translation>
     </message>
     <message>
         <source>%1 less %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 moins %2</translation>
     </message>
     <message>
         <source>Being computed from all samples: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Calcul en cours sur tous les échantillons&#xa0;: %1</translation>
     </message>
     <message>
         <source>No metrics, the recording cannot be read to its end: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas d’indicateurs, l’enregistrement ne peut pas être lu jusqu’à la fin&#xa0;: %1</translation>
     </message>
     <message>
         <source>Write the numbers of this table for other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>Écrire les nombres de ce tableau pour d’autres programmes</translation>
     </message>
     <message>
         <source>Once all metrics are computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Une fois tous les indicateurs calculés</translation>
     </message>
 </context>
 <context>
@@ -3888,11 +3888,11 @@
     <name>bask::DesktopFiles</name>
     <message>
         <source>%1 is no longer there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 n’est plus là.</translation>
     </message>
     <message>
         <source>The desktop has no program that opens %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Le bureau n’a pas de programme qui ouvre %1.</translation>
     </message>
 </context>
 <context>
@@ -4647,19 +4647,19 @@
     <name>bask::FaultMenu</name>
     <message>
         <source>Not on a real rig: faults are simulated on the simulated rig only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pas sur un banc réel&#xa0;: les défauts ne se simulent que sur le banc simulé.</translation>
     </message>
     <message>
         <source>No simulated fault is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aucun défaut simulé n’est actif.</translation>
     </message>
     <message>
         <source>Active. Choose it again to end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Actif. Choisissez-le de nouveau pour y mettre fin.</translation>
     </message>
     <message>
         <source>&amp;Simulate fault</source>
-        <translation type="unfinished">&amp;Simuler un défaut</translation>
+        <translation>&amp;Simuler un défaut</translation>
     </message>
 </context>
 <context>
@@ -4667,43 +4667,43 @@
     <message>
         <source>%1: %2</source>
         <extracomment>a fault, and the object that it is about</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>Shows once the object is warmer than the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se voit dès que l’objet est plus chaud que la pièce.</translation>
     </message>
     <message>
         <source>Shows once the two objects have different temperatures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se voit dès que les deux objets ont des températures différentes.</translation>
     </message>
     <message>
         <source>Shows when the heat is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Se voit quand on coupe le chauffage.</translation>
     </message>
     <message>
         <source>Shows in the picture of the Calibrate page only: nothing else here uses the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne se voit que dans l’image de la page Étalonner&#xa0;: rien d’autre ici n’utilise la caméra.</translation>
     </message>
     <message>
         <source>Would show nothing here: the thermal camera reads the object, no sensor does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne montrerait rien ici&#xa0;: c’est la caméra thermique qui lit l’objet, aucun capteur.</translation>
     </message>
     <message>
         <source>Would show nothing here: there is no other sensor to swap with.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne montrerait rien ici&#xa0;: il n’y a pas d’autre capteur à échanger.</translation>
     </message>
     <message>
         <source>Would show nothing here: the source has no markers, and nothing follows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne montrerait rien ici&#xa0;: la source n’a pas de marqueurs, et rien ne la suit.</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is off. Start a run or heat by hand first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne montrerait rien maintenant&#xa0;: le chauffage est coupé. Démarrez d’abord un essai ou chauffez à la main.</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne montrerait rien maintenant&#xa0;: le chauffage est en marche. Arrêtez d’abord l’essai ou coupez-le.</translation>
     </message>
 </context>
 <context>
@@ -5609,16 +5609,16 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Simulated faults are active: %1. Tools &gt; Simulate fault ends them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des défauts simulés sont actifs&#xa0;: %1. Outils &gt; Simuler un défaut y met fin.</translation>
     </message>
     <message>
         <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les objets sont au-dessus de la source, qui est à %1&#xa0;: ils chauffent bien qu’aucun essai ne soit en cours. Des capteurs chauds ne peuvent pas être ajustés, et un essai commence avec des objets aussi chauds qu’ils le sont alors. Retrait les éloigne.</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
-        <translation type="unfinished"></translation>
+        <translation>source %1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -6627,11 +6627,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">Ouvrir</translation>
+        <translation>Ouvrir</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Montrer dans le dossier</translation>
     </message>
 </context>
 <context>
@@ -7445,7 +7445,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Comparaison</translation>
     </message>
 </context>
 <context>
@@ -7654,6 +7654,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Losses, of radiation and air</source>
         <translation>Pertes par rayonnement et par l’air</translation>
+    </message>
+    <message>
+        <source>There is nothing to play: no run is open. Choose one in the list.</source>
+        <translation>Il n’y a rien à lire&#xa0;: aucun essai n’est ouvert. Choisissez-en un dans la liste.</translation>
     </message>
 </context>
 <context>
@@ -9083,11 +9087,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Save the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>Enregistrer la comparaison</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tableaux (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -9142,10 +9146,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Duration</source>
         <translation>Durée</translation>
-    </message>
-    <message>
-        <source>Experiment</source>
-        <translation>Expérience</translation>
     </message>
     <message>
         <source>Folder…</source>
@@ -9246,6 +9246,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Sample / batch</source>
         <translation>Échantillon / lot</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Essai</translation>
     </message>
 </context>
 <context>
@@ -9374,42 +9378,42 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <name>bask::SourceTile</name>
     <message>
         <source>Source</source>
-        <translation type="unfinished">Source</translation>
+        <translation>Source</translation>
     </message>
     <message>
         <source>Set point</source>
-        <translation type="unfinished">Consigne</translation>
+        <translation>Consigne</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">Vitesse</translation>
+        <translation>Vitesse</translation>
     </message>
     <message>
         <source>Slope of the readings of the last 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Pente des mesures des 10 dernières secondes</translation>
     </message>
     <message>
         <source>Where the heat goes, or the set point with which a run begins while it is off</source>
-        <translation type="unfinished"></translation>
+        <translation>Où va le chauffage ou, tant qu’il est coupé, la consigne avec laquelle un essai commence</translation>
     </message>
     <message>
         <source>Temperature of the source</source>
-        <translation type="unfinished"></translation>
+        <translation>Température de la source</translation>
     </message>
 </context>
 <context>
     <name>bask::SourceWords</name>
     <message>
         <source>How long it takes to heat it is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>On ne sait pas combien de temps il faut pour la chauffer.</translation>
     </message>
     <message>
         <source>Heated from now on it takes about %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chauffée à partir de maintenant, il lui faut environ %1.</translation>
     </message>
     <message>
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
-        <translation type="unfinished"></translation>
+        <translation>La source est à %1, sa consigne est de %2 (%3). Démarrer ne l’attend pas&#xa0;: l’essai commence, et son temps compte, pendant que la source chauffe.</translation>
     </message>
 </context>
 <context>
@@ -9444,12 +9448,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
-        <translation type="unfinished"></translation>
+        <translation>Défauts simulés, auxquels Outils &gt; Simuler un défaut met fin&#xa0;:</translation>
     </message>
     <message>
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
-        <translation type="unfinished"></translation>
+        <translation>défaut actif</translation>
     </message>
 </context>
 <context>
@@ -10603,6 +10607,30 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>There is nothing to reset: no stop and no fault is latched.</source>
         <translation>Il n’y a rien à réinitialiser : ni arrêt ni défaut n’est verrouillé.</translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Stop it first; then another experiment can be begun.</source>
+        <translation>Un essai est armé ou en cours. Arrêtez-le d’abord&#xa0;; une autre expérience pourra alors être commencée.</translation>
+    </message>
+    <message>
+        <source>There is no recording to end.</source>
+        <translation>Il n’y a pas d’enregistrement à clore.</translation>
+    </message>
+    <message>
+        <source>The recording is that of the run, which is armed or on. It ends with the run.</source>
+        <translation>L’enregistrement est celui de l’essai, qui est armé ou en cours. Il se termine avec lui.</translation>
+    </message>
+    <message>
+        <source>There is no alarm to acknowledge.</source>
+        <translation>Il n’y a pas d’alarme à acquitter.</translation>
+    </message>
+    <message>
+        <source>All alarms are acknowledged already.</source>
+        <translation>Toutes les alarmes sont déjà acquittées.</translation>
+    </message>
+    <message>
+        <source>There is no recording to save yet. Arm begins one.</source>
+        <translation>Il n’y a pas encore d’enregistrement à garder. Armer en commence un.</translation>
     </message>
 </context>
 <context>

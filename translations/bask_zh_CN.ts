@@ -3543,7 +3543,7 @@
     <message>
         <source>Source: %1, not at %2 yet. %3</source>
         <extracomment>the last is a sentence about the time that it takes</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>热源：%1，尚未达到 %2。%3</translation>
     </message>
 </context>
 <context>
@@ -3650,58 +3650,58 @@
     <name>bask::Comparison</name>
     <message>
         <source>Metric</source>
-        <translation type="unfinished"></translation>
+        <translation>指标</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished">物体</translation>
+        <translation>物体</translation>
     </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
     <message>
         <source>Differences from</source>
-        <translation type="unfinished"></translation>
+        <translation>与其之差</translation>
     </message>
     <message>
         <source>The run that the others are compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>其他运行与之比较的运行</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">复制</translation>
+        <translation>复制</translation>
     </message>
     <message>
         <source>Copy the table as text, for a spreadsheet or a letter</source>
-        <translation type="unfinished"></translation>
+        <translation>将表格作为文本复制，供电子表格或信件使用</translation>
     </message>
     <message>
         <source>Export (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>导出 (CSV)…</translation>
     </message>
     <message>
         <source>Metrics of the runs that are laid over each other</source>
-        <translation type="unfinished"></translation>
+        <translation>叠加的各次运行的指标</translation>
     </message>
     <message>
         <source>%1 less %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 减 %2</translation>
     </message>
     <message>
         <source>Being computed from all samples: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在用全部采样计算：%1</translation>
     </message>
     <message>
         <source>No metrics, the recording cannot be read to its end: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>没有指标，记录无法读到结尾：%1</translation>
     </message>
     <message>
         <source>Write the numbers of this table for other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>写出此表中的数字，供其他程序使用</translation>
     </message>
     <message>
         <source>Once all metrics are computed</source>
-        <translation type="unfinished"></translation>
+        <translation>所有指标计算完成之后</translation>
     </message>
 </context>
 <context>
@@ -3884,11 +3884,11 @@
     <name>bask::DesktopFiles</name>
     <message>
         <source>%1 is no longer there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已不存在。</translation>
     </message>
     <message>
         <source>The desktop has no program that opens %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>桌面没有能打开 %1 的程序。</translation>
     </message>
 </context>
 <context>
@@ -4642,19 +4642,19 @@
     <name>bask::FaultMenu</name>
     <message>
         <source>Not on a real rig: faults are simulated on the simulated rig only.</source>
-        <translation type="unfinished"></translation>
+        <translation>实机上不可用：故障只能在仿真装置上模拟。</translation>
     </message>
     <message>
         <source>No simulated fault is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>没有启用的模拟故障。</translation>
     </message>
     <message>
         <source>Active. Choose it again to end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>已启用。再次选择即可结束。</translation>
     </message>
     <message>
         <source>&amp;Simulate fault</source>
-        <translation type="unfinished">模拟故障(&amp;S)</translation>
+        <translation>模拟故障(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -4662,43 +4662,43 @@
     <message>
         <source>%1: %2</source>
         <extracomment>a fault, and the object that it is about</extracomment>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Shows once the object is warmer than the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>物体比室温高时才会显现。</translation>
     </message>
     <message>
         <source>Shows once the two objects have different temperatures.</source>
-        <translation type="unfinished"></translation>
+        <translation>两个物体温度不同时才会显现。</translation>
     </message>
     <message>
         <source>Shows when the heat is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>关闭加热时才会显现。</translation>
     </message>
     <message>
         <source>Shows in the picture of the Calibrate page only: nothing else here uses the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>只在“标定”页的图像中可见：这里没有其他部分使用相机。</translation>
     </message>
     <message>
         <source>Would show nothing here: the thermal camera reads the object, no sensor does.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什么也不会显现：该物体由热像仪读取，没有传感器。</translation>
     </message>
     <message>
         <source>Would show nothing here: there is no other sensor to swap with.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什么也不会显现：没有可与之对调的其他传感器。</translation>
     </message>
     <message>
         <source>Would show nothing here: the source has no markers, and nothing follows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什么也不会显现：热源没有标记，也没有任何东西跟踪它。</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is off. Start a run or heat by hand first.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻什么也不会显现：加热已关闭。请先开始运行或手动加热。</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻什么也不会显现：加热已打开。请先停止运行或关闭加热。</translation>
     </message>
 </context>
 <context>
@@ -5604,16 +5604,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Simulated faults are active: %1. Tools &gt; Simulate fault ends them.</source>
-        <translation type="unfinished"></translation>
+        <translation>有启用的模拟故障：%1。可在“工具 &gt; 模拟故障”中结束。</translation>
     </message>
     <message>
         <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation type="unfinished"></translation>
+        <translation>物体在热源上方，热源为 %1：虽然没有运行，物体仍会升温。变热的传感器无法校零，运行将以物体当时的温度开始。“撤离”会将其移开。</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
-        <translation type="unfinished"></translation>
+        <translation>热源 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -6622,11 +6622,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">打开</translation>
+        <translation>打开</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>在文件夹中显示</translation>
     </message>
 </context>
 <context>
@@ -7438,7 +7438,7 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比较</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +7646,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Losses, of radiation and air</source>
         <translation>辐射与空气的损失</translation>
+    </message>
+    <message>
+        <source>There is nothing to play: no run is open. Choose one in the list.</source>
+        <translation>没有可播放的：没有打开任何运行。请在列表中选择一个。</translation>
     </message>
 </context>
 <context>
@@ -9069,11 +9073,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Save the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>保存比较</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -9124,10 +9128,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Duration</source>
         <translation>时长</translation>
-    </message>
-    <message>
-        <source>Experiment</source>
-        <translation>实验</translation>
     </message>
     <message>
         <source>Folder…</source>
@@ -9228,6 +9228,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Sample / batch</source>
         <translation>样品 / 批次</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
     </message>
 </context>
 <context>
@@ -9356,42 +9360,42 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <name>bask::SourceTile</name>
     <message>
         <source>Source</source>
-        <translation type="unfinished">热源</translation>
+        <translation>热源</translation>
     </message>
     <message>
         <source>Set point</source>
-        <translation type="unfinished">设定值</translation>
+        <translation>设定值</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">变化率</translation>
+        <translation>变化率</translation>
     </message>
     <message>
         <source>Slope of the readings of the last 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 10 s 读数的斜率</translation>
     </message>
     <message>
         <source>Where the heat goes, or the set point with which a run begins while it is off</source>
-        <translation type="unfinished"></translation>
+        <translation>加热的目标值；加热关闭时，为运行开始时的设定值</translation>
     </message>
     <message>
         <source>Temperature of the source</source>
-        <translation type="unfinished"></translation>
+        <translation>热源的温度</translation>
     </message>
 </context>
 <context>
     <name>bask::SourceWords</name>
     <message>
         <source>How long it takes to heat it is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>加热需要多长时间未知。</translation>
     </message>
     <message>
         <source>Heated from now on it takes about %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>从现在起加热，大约需要 %1。</translation>
     </message>
     <message>
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
-        <translation type="unfinished"></translation>
+        <translation>热源为 %1，其设定值为 %2（%3）。“开始”不会等待它：热源升温期间运行已经开始并计时。</translation>
     </message>
 </context>
 <context>
@@ -9426,12 +9430,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
-        <translation type="unfinished"></translation>
+        <translation>模拟故障，可在“工具 &gt; 模拟故障”中结束：</translation>
     </message>
     <message>
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
-        <translation type="unfinished"></translation>
+        <translation>有故障</translation>
     </message>
 </context>
 <context>
@@ -10581,6 +10585,30 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>There is nothing to reset: no stop and no fault is latched.</source>
         <translation>没有可复位的：没有锁存的停止或故障。</translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Stop it first; then another experiment can be begun.</source>
+        <translation>已待命或正在运行。请先停止，然后才能开始另一个实验。</translation>
+    </message>
+    <message>
+        <source>There is no recording to end.</source>
+        <translation>没有可结束的记录。</translation>
+    </message>
+    <message>
+        <source>The recording is that of the run, which is armed or on. It ends with the run.</source>
+        <translation>该记录属于已待命或正在进行的运行，随运行一起结束。</translation>
+    </message>
+    <message>
+        <source>There is no alarm to acknowledge.</source>
+        <translation>没有需要确认的报警。</translation>
+    </message>
+    <message>
+        <source>All alarms are acknowledged already.</source>
+        <translation>所有报警均已确认。</translation>
+    </message>
+    <message>
+        <source>There is no recording to save yet. Arm begins one.</source>
+        <translation>还没有可保存的记录。“待命”会开始一个记录。</translation>
     </message>
 </context>
 <context>

@@ -3543,7 +3543,7 @@
     <message>
         <source>Source: %1, not at %2 yet. %3</source>
         <extracomment>the last is a sentence about the time that it takes</extracomment>
-        <translation type="unfinished"></translation>
+        <translation>熱源：%1，尚未達到 %2。%3</translation>
     </message>
 </context>
 <context>
@@ -3650,58 +3650,58 @@
     <name>bask::Comparison</name>
     <message>
         <source>Metric</source>
-        <translation type="unfinished"></translation>
+        <translation>指標</translation>
     </message>
     <message>
         <source>Object</source>
-        <translation type="unfinished">物體</translation>
+        <translation>物體</translation>
     </message>
 </context>
 <context>
     <name>bask::ComparisonView</name>
     <message>
         <source>Differences from</source>
-        <translation type="unfinished"></translation>
+        <translation>與其之差</translation>
     </message>
     <message>
         <source>The run that the others are compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>其他運轉與之比較的運轉</translation>
     </message>
     <message>
         <source>Copy</source>
-        <translation type="unfinished">複製</translation>
+        <translation>複製</translation>
     </message>
     <message>
         <source>Copy the table as text, for a spreadsheet or a letter</source>
-        <translation type="unfinished"></translation>
+        <translation>將表格作為文字複製，供試算表或信件使用</translation>
     </message>
     <message>
         <source>Export (CSV)…</source>
-        <translation type="unfinished"></translation>
+        <translation>匯出 (CSV)…</translation>
     </message>
     <message>
         <source>Metrics of the runs that are laid over each other</source>
-        <translation type="unfinished"></translation>
+        <translation>疊加的各次運轉的指標</translation>
     </message>
     <message>
         <source>%1 less %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 減 %2</translation>
     </message>
     <message>
         <source>Being computed from all samples: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>正在用全部取樣計算：%1</translation>
     </message>
     <message>
         <source>No metrics, the recording cannot be read to its end: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有指標，記錄無法讀到結尾：%1</translation>
     </message>
     <message>
         <source>Write the numbers of this table for other programs</source>
-        <translation type="unfinished"></translation>
+        <translation>寫出此表中的數字，供其他程式使用</translation>
     </message>
     <message>
         <source>Once all metrics are computed</source>
-        <translation type="unfinished"></translation>
+        <translation>所有指標計算完成之後</translation>
     </message>
 </context>
 <context>
@@ -3884,11 +3884,11 @@
     <name>bask::DesktopFiles</name>
     <message>
         <source>%1 is no longer there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 已不存在。</translation>
     </message>
     <message>
         <source>The desktop has no program that opens %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>桌面沒有能開啟 %1 的程式。</translation>
     </message>
 </context>
 <context>
@@ -4642,19 +4642,19 @@
     <name>bask::FaultMenu</name>
     <message>
         <source>Not on a real rig: faults are simulated on the simulated rig only.</source>
-        <translation type="unfinished"></translation>
+        <translation>實機上不可用：故障只能在模擬的實驗台上模擬。</translation>
     </message>
     <message>
         <source>No simulated fault is active.</source>
-        <translation type="unfinished"></translation>
+        <translation>沒有啟用的模擬故障。</translation>
     </message>
     <message>
         <source>Active. Choose it again to end it.</source>
-        <translation type="unfinished"></translation>
+        <translation>已啟用。再次選擇即可結束。</translation>
     </message>
     <message>
         <source>&amp;Simulate fault</source>
-        <translation type="unfinished">模擬故障(&amp;S)</translation>
+        <translation>模擬故障(&amp;S)</translation>
     </message>
 </context>
 <context>
@@ -4662,43 +4662,43 @@
     <message>
         <source>%1: %2</source>
         <extracomment>a fault, and the object that it is about</extracomment>
-        <translation type="unfinished">%1：%2</translation>
+        <translation>%1：%2</translation>
     </message>
     <message>
         <source>Shows once the object is warmer than the room.</source>
-        <translation type="unfinished"></translation>
+        <translation>物體比室溫高時才會顯現。</translation>
     </message>
     <message>
         <source>Shows once the two objects have different temperatures.</source>
-        <translation type="unfinished"></translation>
+        <translation>兩個物體溫度不同時才會顯現。</translation>
     </message>
     <message>
         <source>Shows when the heat is switched off.</source>
-        <translation type="unfinished"></translation>
+        <translation>關閉加熱時才會顯現。</translation>
     </message>
     <message>
         <source>Shows in the picture of the Calibrate page only: nothing else here uses the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>只在「校正」頁的影像中可見：這裡沒有其他部分使用相機。</translation>
     </message>
     <message>
         <source>Would show nothing here: the thermal camera reads the object, no sensor does.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什麼也不會顯現：該物體由熱像儀讀取，沒有感測器。</translation>
     </message>
     <message>
         <source>Would show nothing here: there is no other sensor to swap with.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什麼也不會顯現：沒有可與之對調的其他感測器。</translation>
     </message>
     <message>
         <source>Would show nothing here: the source has no markers, and nothing follows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>在此什麼也不會顯現：熱源沒有標記，也沒有任何東西追蹤它。</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is off. Start a run or heat by hand first.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻什麼也不會顯現：加熱已關閉。請先開始運轉或手動加熱。</translation>
     </message>
     <message>
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
-        <translation type="unfinished"></translation>
+        <translation>此刻什麼也不會顯現：加熱已開啟。請先停止運轉或關閉加熱。</translation>
     </message>
 </context>
 <context>
@@ -5604,16 +5604,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Simulated faults are active: %1. Tools &gt; Simulate fault ends them.</source>
-        <translation type="unfinished"></translation>
+        <translation>有啟用的模擬故障：%1。可在「工具 &gt; 模擬故障」中結束。</translation>
     </message>
     <message>
         <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation type="unfinished"></translation>
+        <translation>物體在熱源上方，熱源為 %1：雖然沒有運轉，物體仍會升溫。變熱的感測器無法歸零，運轉將以物體當時的溫度開始。「撤離」會將其移開。</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
-        <translation type="unfinished"></translation>
+        <translation>熱源 %1 / %2</translation>
     </message>
 </context>
 <context>
@@ -6622,11 +6622,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished">開啟</translation>
+        <translation>開啟</translation>
     </message>
     <message>
         <source>Show in folder</source>
-        <translation type="unfinished"></translation>
+        <translation>在資料夾中顯示</translation>
     </message>
 </context>
 <context>
@@ -7438,7 +7438,7 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>比較</translation>
     </message>
 </context>
 <context>
@@ -7646,6 +7646,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Losses, of radiation and air</source>
         <translation>輻射與空氣的損失</translation>
+    </message>
+    <message>
+        <source>There is nothing to play: no run is open. Choose one in the list.</source>
+        <translation>沒有可播放的：沒有開啟任何運轉。請在清單中選擇一個。</translation>
     </message>
 </context>
 <context>
@@ -9069,11 +9073,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Save the comparison</source>
-        <translation type="unfinished"></translation>
+        <translation>儲存比較</translation>
     </message>
     <message>
         <source>Tables (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>表格 (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -9124,10 +9128,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Duration</source>
         <translation>持續時間</translation>
-    </message>
-    <message>
-        <source>Experiment</source>
-        <translation>實驗</translation>
     </message>
     <message>
         <source>Folder…</source>
@@ -9228,6 +9228,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Sample / batch</source>
         <translation>樣品 / 批次</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>運轉</translation>
     </message>
 </context>
 <context>
@@ -9356,42 +9360,42 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <name>bask::SourceTile</name>
     <message>
         <source>Source</source>
-        <translation type="unfinished">熱源</translation>
+        <translation>熱源</translation>
     </message>
     <message>
         <source>Set point</source>
-        <translation type="unfinished">設定值</translation>
+        <translation>設定值</translation>
     </message>
     <message>
         <source>Rate</source>
-        <translation type="unfinished">變化率</translation>
+        <translation>變化率</translation>
     </message>
     <message>
         <source>Slope of the readings of the last 10 s</source>
-        <translation type="unfinished"></translation>
+        <translation>最近 10 s 讀數的斜率</translation>
     </message>
     <message>
         <source>Where the heat goes, or the set point with which a run begins while it is off</source>
-        <translation type="unfinished"></translation>
+        <translation>加熱的目標值；加熱關閉時，為運轉開始時的設定值</translation>
     </message>
     <message>
         <source>Temperature of the source</source>
-        <translation type="unfinished"></translation>
+        <translation>熱源的溫度</translation>
     </message>
 </context>
 <context>
     <name>bask::SourceWords</name>
     <message>
         <source>How long it takes to heat it is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>加熱需要多長時間未知。</translation>
     </message>
     <message>
         <source>Heated from now on it takes about %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>從現在起加熱，大約需要 %1。</translation>
     </message>
     <message>
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
-        <translation type="unfinished"></translation>
+        <translation>熱源為 %1，其設定值為 %2（%3）。「開始」不會等待它：熱源升溫期間運轉已經開始並計時。</translation>
     </message>
 </context>
 <context>
@@ -9426,12 +9430,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>Simulated faults, which Tools &gt; Simulate fault ends:</source>
-        <translation type="unfinished"></translation>
+        <translation>模擬故障，可在「工具 &gt; 模擬故障」中結束：</translation>
     </message>
     <message>
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
-        <translation type="unfinished"></translation>
+        <translation>有故障</translation>
     </message>
 </context>
 <context>
@@ -10581,6 +10585,30 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>There is nothing to reset: no stop and no fault is latched.</source>
         <translation>沒有可復歸的：沒有閂鎖的停止或故障。</translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Stop it first; then another experiment can be begun.</source>
+        <translation>已待命或正在運轉。請先停止，然後才能開始另一個實驗。</translation>
+    </message>
+    <message>
+        <source>There is no recording to end.</source>
+        <translation>沒有可結束的記錄。</translation>
+    </message>
+    <message>
+        <source>The recording is that of the run, which is armed or on. It ends with the run.</source>
+        <translation>該記錄屬於已待命或正在進行的運轉，隨運轉一起結束。</translation>
+    </message>
+    <message>
+        <source>There is no alarm to acknowledge.</source>
+        <translation>沒有需要確認的警報。</translation>
+    </message>
+    <message>
+        <source>All alarms are acknowledged already.</source>
+        <translation>所有警報均已確認。</translation>
+    </message>
+    <message>
+        <source>There is no recording to save yet. Arm begins one.</source>
+        <translation>還沒有可儲存的記錄。「待命」會開始一個記錄。</translation>
     </message>
 </context>
 <context>
