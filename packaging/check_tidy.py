@@ -17,7 +17,7 @@ import sys
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-MAX_FILES = 40
+MAX_FILES = 25
 FINDING = re.compile(r"^(?=\S[^\n]*: (?:error|warning): )", re.MULTILINE)  # where one begins
 FIND_TIDY = '. packaging/llvm14.sh; find_llvm14 clang-tidy clang-tidy; echo "$found"'
 

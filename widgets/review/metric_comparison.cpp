@@ -48,6 +48,7 @@ ComparedMetric compared(ObjectMetric metric, const QString& object, const std::v
         metricName(metric), metricDefinition(metric, band_K, unit), metricNameInFiles(metric), object, {}};
     QStringList texts;
     std::vector<std::optional<double>> numbers;
+    numbers.reserve(runs.size());
     for (const ComparedRun& run : runs) {
         const auto index = static_cast<std::size_t>(run.objects.indexOf(object)); // none is beyond all others
         const bool isThere = run.metrics && index < run.metrics->objects.size();

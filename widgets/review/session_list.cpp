@@ -247,9 +247,14 @@ void SessionList::showRows() {
 
 /// Titles get what the other columns leave.
 void SessionList::fitNames() {
-    int others = m_tree->header()->minimumSectionSize() + 40; // tags
-    for (const ListColumn column : {kDate, kOutcome, kDuration, kOperator, kSample, kRig})
+    int others = 0;
+    for (const ListColumn column : {kDate, kOutcome, kDuration})
         others += m_tree->columnWidth(column);
+    if (!m_cells->hasTwoLines()) { // what tells runs apart comes before the rest, which is scrolled to
+        others += m_tree->header()->minimumSectionSize() + 40; // tags
+        for (const ListColumn column : {kOperator, kSample, kRig})
+            others += m_tree->columnWidth(column);
+    }
     const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kRunName) + 8;
     const int room = m_tree->viewport()->width() - others;
     m_tree->setColumnWidth(kRunName,

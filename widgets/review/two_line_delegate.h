@@ -14,6 +14,7 @@ public:
 
     using QStyledItemDelegate::QStyledItemDelegate;
     void setTwoLines(bool areTwo) { m_areTwo = areTwo; }
+    bool hasTwoLines() const { return m_areTwo; }
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;

@@ -165,7 +165,7 @@ QWidget* RunPage::makeSide() {
     m_viewIsometric = viewButton(side, "viewIsometric");
     m_scene = new SceneView(side);
     m_scene->setObjectName(QStringLiteral("runScene"));
-    m_scene->setMinimumHeight(80);
+    m_scene->setMinimumHeight(56);
     connect(m_viewTop, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongMinusZ(); });
     connect(m_viewSide, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongX(); });
     connect(m_viewIsometric, &QToolButton::clicked, m_scene, [this] { m_scene->viewIsometric(); });

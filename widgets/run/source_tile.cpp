@@ -43,7 +43,7 @@ SourceTile::SourceTile(QWidget* parent) : QFrame(parent) {
     m_rate->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
 
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(12, 4, 12, 4);
+    row->setContentsMargins(12, 1, 12, 1);
     row->setSpacing(8);
     row->addWidget(m_name);
     row->addSpacing(8);

@@ -40,6 +40,7 @@ ShownObject shownOf(double measured_K, const SensorView& sensor = {}, bool isVal
 std::vector<ShownObject> objects(int count) {
     const char* const names[] = {"circle", "aluminium hand with a painted palm", "bunny", "plate 7"};
     std::vector<ShownObject> out;
+    out.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         out.push_back(shownOf(298.15 + 31.7 * i, {}, true, names[i % 4]));
     return out;
