@@ -79,14 +79,18 @@ public:
         m_link->write(text(id));
         const double sent_s = m_clock.now_s();
         while (m_clock.now_s() - sent_s < within_s) {
-            for (ProgramLine& line : take(sent_s))
-                if (line.id == id) {
+            std::optional<ProgramLine> answer;
+            for (ProgramLine& line : take(sent_s)) // a second answer may come with the first
+                if (line.id == id && !answer) {
                     m_answered_s.push_back(m_clock.now_s() - sent_s);
-                    return std::move(line);
+                    answer = std::move(line);
                 } else if (line.id) {
-                    defect("id", "it answers request " + std::to_string(*line.id) + " (id) instead of " +
-                                     std::to_string(id) + ": answer each request once, with its own id");
+                    defect("id", "it answers request " + std::to_string(*line.id) +
+                                     (answer ? " (id) after " : " (id) instead of ") + std::to_string(id) +
+                                     ": answer each request once, with its own id");
                 }
+            if (answer)
+                return answer;
             rest();
         }
         return std::nullopt;
