@@ -1,12 +1,12 @@
 #!/bin/sh
 # Runs one study undivided, and in shards under GNU parallel, Snakemake and Slurm (one node on this computer), kills shards at
 # random, resumes and merges them, and compares every byte. Installs the three from Debian's packages; Slurm needs root.
-#   sh packaging/check-cluster.sh [RUNS]   2000 unless given: about an hour on two cores
+#   sh packaging/check-cluster.sh [RUNS]   2000 unless given: about half an hour on two cores
 set -eu
 cd "$(dirname "$0")/.."
 
 runs=${1:-2000}
-study="closed-loop --count $runs --seed 7"
+study="closed-loop --controller adaptive --count $runs --seed 7" # a run costs a seventh of the level servo's
 kills=${KILLS:-20}
 bask=$PWD/build/release/app/bask
 scripts=$PWD/resources/clusters
@@ -50,6 +50,9 @@ killer() {
     echo "killed $((kills - left))"
 }
 
+# Seconds of processor time of all that this script has waited for.
+cpu_s() { awk -v hz="$(getconf CLK_TCK)" '{ print int(($16 + $17) / hz) }' "/proc/$$/stat"; }
+
 # same NAME SECONDS: are the files of $work/NAME/merged those of the undivided study?
 same() {
     for file in "$work"/one/*.csv "$work"/one/*.png; do
@@ -59,13 +62,15 @@ same() {
 }
 
 start=$(date +%s)
+before_s=$(cpu_s)
 "$bask" study $study -o "$work/one" >"$work/one.txt"
-echo "undivided: $(($(date +%s) - start)) s"
+echo "undivided: $(($(date +%s) - start)) s, of processors $(($(cpu_s) - before_s)) s"
 
 for shards in 1 7 64; do
     name=parallel-$shards
     mkdir "$work/$name"
     start=$(date +%s)
+    before_s=$(cpu_s)
     touch "$work/on"
     killer "$work/on" &
     killing=$!
@@ -73,6 +78,7 @@ for shards in 1 7 64; do
         until sh '"$scripts"'/study.sh >summary.txt; do sleep 0.2; done') 2>"$work/$name.log"
     rm "$work/on"
     wait "$killing"
+    echo "$name: of processors $(($(cpu_s) - before_s)) s"
     same "$name" "$start"
     cmp "$work/one.txt" "$work/$name/summary.txt"
 done
