@@ -51,7 +51,7 @@ QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
     return QString::fromUtf8("%1 runs, seed %2: %3, rates wrong within ×%4, source model %5, %6%7")
         .arg(study.count)
         .arg(study.seed)
-        .arg(QLatin1String(controllerKindName(request.controller)))
+        .arg(QLatin1String(request.controller.key()))
         .arg(request.rateError)
         .arg(request.sourceModel == SourceModel::Gray ? QStringLiteral("gray") : QStringLiteral("paper"))
         .arg(QLatin1String(kMountings[static_cast<int>(request.mounting)]), conditions);

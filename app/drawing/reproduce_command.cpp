@@ -34,7 +34,7 @@ QStringList fileNames(const std::vector<PaperExperiment>& experiments) {
     QStringList names{QStringLiteral("report.html")};
     for (const PaperExperiment& each : experiments)
         for (const ControllerKind kind : {each.experiment.controller.kind, ControllerKind::LevelServo})
-            names << QString::fromStdString(each.name + '_' + controllerKindName(kind) + ".csv");
+            names << QString::fromStdString(each.name + '_' + kind.key() + ".csv");
     return names;
 }
 
@@ -87,16 +87,16 @@ bool printSummary(const std::vector<ReproducedExperiment>& results) {
                 settled = formatNumber(*run.settling_s, 6);
                 ratio = formatNumber(*run.settling_s / each.bound.bound_s, 3);
             }
-            std::printf("%-34s %-12s %-16s %9s %8s  %s\n", each.paper.name.c_str(),
-                        controllerKindName(run.controller), runEndingName(run.ending), settled.c_str(),
-                        ratio.c_str(), finalErrorWords(run).c_str());
+            std::printf("%-34s %-12s %-16s %9s %8s  %s\n", each.paper.name.c_str(), run.controller.key(),
+                        runEndingName(run.ending), settled.c_str(), ratio.c_str(),
+                        finalErrorWords(run).c_str());
         }
     for (const ReproducedExperiment& each : results)
         for (const std::size_t by : {kByThePaper, kByTheLevelServo})
             if (!each.asExpected(by)) {
                 allExpected = false;
                 std::printf("not as recorded: %s, %s: %s instead of %s\n", each.paper.name.c_str(),
-                            controllerKindName(each.runs[by].controller), runEndingName(each.runs[by].ending),
+                            each.runs[by].controller.key(), runEndingName(each.runs[by].ending),
                             each.paper.expected[by].name());
             }
     if (allExpected && !results.empty())

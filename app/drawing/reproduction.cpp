@@ -228,7 +228,7 @@ std::string verdictWords(const ReproducedExperiment& experiment, std::size_t by)
 std::string reproductionCsv(const ReproducedExperiment& experiment, std::size_t by, const std::string& mark) {
     const ReproducedRun& run = experiment.runs[by];
     std::string text = "# " + mark + ": " + experiment.paper.name + " by the controller " +
-                       controllerKindName(run.controller) + ", " + endedWords(run) + "\n" +
+                       run.controller.key() + ", " + endedWords(run) + "\n" +
                        csvHeader(experiment.paper.experiment);
     for (const TraceSample& sample : run.samples)
         addCsvRow(text, sample);

@@ -69,7 +69,7 @@ std::string runCells(const ReproducedExperiment& experiment, std::size_t by) {
         std::snprintf(text, sizeof text, "%.2f", *run.settling_s / experiment.bound.bound_s);
         ratio = text;
     }
-    return cell(controllerKindName(run.controller)) + cell(ending) + cell(finalErrorWords(run), "number") +
+    return cell(run.controller.key()) + cell(ending) + cell(finalErrorWords(run), "number") +
            cell(run.settling_s ? whole(*run.settling_s) : "\u2013", "number") + cell(ratio, "number");
 }
 
@@ -107,7 +107,7 @@ std::string summary(const std::vector<ReportFigure>& figures) {
                     ++good;
                 else
                     others += (others.empty() ? "" : ", ") + escaped(experiment->paper.name) + " (" +
-                              controllerKindName(experiment->runs[by].controller) + ")";
+                              experiment->runs[by].controller.key() + ")";
             }
     if (all == 0)
         return "";
@@ -126,7 +126,7 @@ std::string section(const ReportFigure& figure) {
         for (const ReproducedExperiment* experiment : figure.experiments) {
             text += "<dt>" + escaped(experiment->paper.name) + "</dt>\n";
             for (const std::size_t by : {kByThePaper, kByTheLevelServo})
-                text += std::string("<dd><em>") + controllerKindName(experiment->runs[by].controller) +
+                text += std::string("<dd><em>") + experiment->runs[by].controller.key() +
                         "</em>: " + escaped(verdictWords(*experiment, by)) + "</dd>\n";
         }
         text += "</dl>\n";

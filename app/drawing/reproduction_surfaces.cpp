@@ -173,11 +173,10 @@ Result<SurfacePanel> targetPanel(const ReproducedExperiment& experiment, std::si
     QStringList targets;
     for (const ObjectSpec& object : rig.objects)
         targets << QString::fromStdString(formatNumber(celsiusFromKelvin(object.target_K), 4));
-    SurfacePanel panel =
-        emptyPanel(QString::fromUtf8("%1 °C, %2")
-                       .arg(targets.join(QStringLiteral(", ")),
-                            QLatin1String(controllerKindName(experiment.runs[by].controller))),
-                   false);
+    SurfacePanel panel = emptyPanel(
+        QString::fromUtf8("%1 °C, %2")
+            .arg(targets.join(QStringLiteral(", ")), QLatin1String(experiment.runs[by].controller.key())),
+        false);
     for (std::size_t i = 0; i < rig.objects.size(); ++i) {
         const auto surfaces = steadySurfaces(rig, i, {rig.objects[i].target_K});
         if (!surfaces)

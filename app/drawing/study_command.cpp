@@ -95,7 +95,7 @@ QStringList controllers() {
     QStringList names;
     for (const ControllerEntry& entry : controllerCatalogue())
         names << (entry.kind == ControllerKind::LevelServo ? QStringLiteral("level")
-                                                           : QString::fromUtf8(entry.key));
+                                                           : QString::fromUtf8(entry.kind.key()));
     return names;
 }
 

@@ -106,7 +106,7 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
         return listed(value, temperature);
     if (key == QLatin1String("kind"))
         for (const ControllerEntry& entry : controllerCatalogue())
-            if (value.toString() == QLatin1String(entry.key))
+            if (value.toString() == QLatin1String(entry.kind.key()))
                 return controllerWord(entry.kind);
     return isGains(key) ? plainValue(value) : plainValue(QJsonObject{{key, value}});
 }

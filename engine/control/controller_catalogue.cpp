@@ -61,22 +61,20 @@ std::unique_ptr<Controller> make(const ControllerSettings& settings, ControlMode
 
 const std::vector<ControllerEntry>& controllerCatalogue() {
     static const std::vector<ControllerEntry> entries{
-        {ControllerKind::LevelServo, "level-servo", "level_servo",
-         QT_TRANSLATE_NOOP("Controller", "Level servo"),
+        {ControllerKind::LevelServo, "level_servo", QT_TRANSLATE_NOOP("Controller", "Level servo"),
          QT_TRANSLATE_NOOP("Controller",
                            "Moves to the view factor each object needs; learns the rates on the way."),
          "Level servo: the wanted rate of the temperature is K_p times the error; the heat balance gives the "
          "view factor for it. No integral of the error: what the model leaves unexplained is learnt with the "
          "integral time. All objects share the robot.",
          gains(kLevelServo, &ControllerSettings::levelServo), make<LevelServo>},
-        {ControllerKind::ModelBased, "model-based", "model_based",
-         QT_TRANSLATE_NOOP("Controller", "Model-based"),
+        {ControllerKind::ModelBased, "model_based", QT_TRANSLATE_NOOP("Controller", "Model-based"),
          QT_TRANSLATE_NOOP("Controller",
                            "The paper's law with known heat rates: dv/dt = −D v \u2212 K \u0394\u03c4."),
          "Model-based law: d2T/dt2 = K_p error - K_d dT/dt by the interaction matrix. All objects share the "
          "robot.",
          gains(kModelBased, &ControllerSettings::modelBased), make<ModelBasedController>},
-        {ControllerKind::Adaptive, "adaptive", "adaptive", QT_TRANSLATE_NOOP("Controller", "Adaptive"),
+        {ControllerKind::Adaptive, "adaptive", QT_TRANSLATE_NOOP("Controller", "Adaptive"),
          QT_TRANSLATE_NOOP("Controller", "The paper's law with adapted heat rates."),
          "Adaptive law, no PID: zeta = dT/dt + mu (T - target), with estimates of the heat rates on the way. "
          "All objects share the robot.",
@@ -91,10 +89,6 @@ const ControllerEntry& controllerEntry(ControllerKind kind) {
     if (entry == entries.end())
         throw std::invalid_argument("a controller that is not in the catalogue");
     return *entry;
-}
-
-const char* controllerKindName(ControllerKind kind) {
-    return controllerEntry(kind).key;
 }
 
 std::unique_ptr<Controller> makeController(const ControllerSettings& settings, ControlModel model) {

@@ -1,10 +1,32 @@
 #pragma once
 // Which controller runs, and its gains, as values.
 
+#include "engine/base/named_values.h"
+
+#include <map>
+#include <string>
+#include <string_view>
+
 namespace bask {
 
-enum class ControllerKind { LevelServo, ModelBased, Adaptive };
-const char* controllerKindName(ControllerKind kind); ///< "level-servo", "model-based", "adaptive"
+/// Says which controller is meant, by its key in files. controllerCatalogue() lists them all; named here are
+/// those that Bask's own studies and the paper's experiments ask for.
+class ControllerKind {
+public:
+    static const ControllerKind LevelServo, ModelBased, Adaptive;
+
+    explicit constexpr ControllerKind(const char* key) : m_key(key) {} ///< `key`: a literal
+    constexpr const char* key() const { return m_key; }                ///< "level-servo"
+    friend constexpr bool operator==(const ControllerKind& a, const ControllerKind& b) {
+        return std::string_view(a.m_key) == b.m_key;
+    }
+
+private:
+    const char* m_key;
+};
+inline constexpr ControllerKind ControllerKind::LevelServo{"level-servo"};
+inline constexpr ControllerKind ControllerKind::ModelBased{"model-based"};
+inline constexpr ControllerKind ControllerKind::Adaptive{"adaptive"};
 
 /// Outer loop of Bask's own level servo.
 struct LevelServoGains {
@@ -52,12 +74,15 @@ struct AdaptiveGains {
 /// without overshoot. This is the behaviour of the adapted law, and its minimum settling time.
 double predictSettling_s(const AdaptiveGains& gains, double step_K, double band_K);
 
-/// The selected controller and the gains of all three kinds, so that switching loses nothing.
+/// The selected controller and the gains of all kinds, so that switching loses nothing.
 struct ControllerSettings {
     ControllerKind kind = ControllerKind::LevelServo;
     LevelServoGains levelServo;
     ModelBasedGains modelBased;
     AdaptiveGains adaptive;
+    /// Gains of further controllers in SI, by the group of their entry in the catalogue. A missing gain has
+    /// its default.
+    std::map<std::string, NamedValues> own{};
     /// Length that counts as one radian when rotations and translations are combined.
     double rotationLength_m = 0.10;
     double damping = 1e-3; ///< of the damped least squares, relative to the largest singular value

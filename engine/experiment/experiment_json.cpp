@@ -310,7 +310,7 @@ void readController(const json& j, const std::string& path, Failure& failure, Co
     Fields fields(j, path, failure);
     std::map<std::string, ControllerKind> kinds;
     for (const ControllerEntry& entry : controllerCatalogue())
-        kinds[entry.key] = entry.kind;
+        kinds.emplace(entry.kind.key(), entry.kind);
     fields.readWord("kind", kinds, out.kind);
     for (const ControllerEntry& entry : controllerCatalogue())
         readPart(fields, entry.group, false, [&](const json& part, const std::string& where) {

@@ -149,7 +149,7 @@ Json robotJson(const Experiment& e) {
 
 Json controllerJson(const ControllerSettings& c) {
     Json j;
-    j["kind"] = controllerKindName(c.kind);
+    j["kind"] = c.kind.key();
     for (const ControllerEntry& entry : controllerCatalogue())
         for (const ControllerGain& gain : entry.gains)
             putParameter(j[entry.group], *gain.facts, gain.get(c), false);

@@ -267,7 +267,7 @@ private:
         const std::string group = "/entry/instrument/robot/" + numbered("controller_", i);
         const std::string object = "/entry/" + numbered("sample_", i);
         m_file.group(group, "NXpid_controller");
-        m_file.text(group + "/name", controllerKindName(settings.kind));
+        m_file.text(group + "/name", settings.kind.key());
         m_file.link(object + "/temperature_env/sensor", group + "/pv_sensor");
         const std::string target = object + "/temperature_target/value";
         m_file.attribute(target, "target", target);

@@ -50,7 +50,7 @@ public:
 private:
     static AlarmRunFacts factsOf(const AlarmCase& drawn) {
         const Experiment& e = drawn.experiment;
-        return {controllerKindName(e.controller.kind),
+        return {e.controller.kind.key(),
                 static_cast<int>(e.objects.size()),
                 e.source.temperature_K,
                 e.source.model,

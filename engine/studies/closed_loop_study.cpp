@@ -476,7 +476,7 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
     std::string text =
         "# Bask closed-loop study: random targets that a pose of the workspace holds, from random starts.\n"
         "# Controller " +
-        std::string(controllerKindName(rig.controller.kind)) + ", source model " +
+        std::string(rig.controller.kind.key()) + ", source model " +
         (rig.source.model == SourceModel::Gray ? "gray" : "paper") +
         ", believed rates wrong by random factors within " + number(rig.controller.estimatedRateErrorFactor) +
         ", mountings " + kMountingWords[static_cast<std::size_t>(study.mountings)] + ", convection to " +

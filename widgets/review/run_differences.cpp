@@ -117,7 +117,8 @@ QString givenName(const SessionHeader& session) {
 
 QString listedController(const SessionHeader& session) {
     const auto& known = controllerCatalogue();
-    const auto found = std::ranges::find(known, session.controller, &ControllerEntry::key);
+    const auto found = std::ranges::find(known, session.controller,
+                                         [](const ControllerEntry& entry) { return entry.kind.key(); });
     return found != known.end() ? controllerWord(found->kind) : QString::fromStdString(session.controller);
 }
 

@@ -34,7 +34,7 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     m_choice->setObjectName(QStringLiteral("controllerChoice"));
     m_choiceLabel->setBuddy(m_choice);
     for (const ControllerEntry& entry : controllerCatalogue())
-        m_choice->addItem(QString(), static_cast<int>(entry.kind));
+        m_choice->addItem(QString(), QLatin1String(entry.kind.key()));
     m_form = new QFormLayout;
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->setVerticalSpacing(5);
@@ -66,7 +66,7 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int index) {
         if (m_showing || index < 0)
             return;
-        m_staged.kind = static_cast<ControllerKind>(m_choice->itemData(index).toInt());
+        m_staged.kind = controllerCatalogue()[static_cast<std::size_t>(index)].kind;
         showStaged();
     });
     connect(m_apply, &QPushButton::clicked, this, [this] { emit controllerApplied(m_staged); });
@@ -166,7 +166,7 @@ void ControllerPanel::setSettings(const ControllerSettings& settings) {
 
 void ControllerPanel::showStaged() {
     m_showing = true;
-    m_choice->setCurrentIndex(m_choice->findData(static_cast<int>(m_staged.kind)));
+    m_choice->setCurrentIndex(m_choice->findData(QLatin1String(m_staged.kind.key())));
     for (const Gain& gain : m_gains) {
         gain.box->setValue(gain.gain->get(m_staged));
         m_form->setRowVisible(gain.box, gain.kind == m_staged.kind);

@@ -270,7 +270,7 @@ TEST(Controllers, GoByTheNewGeometryAsIfTheyHadBeenMadeWithIt) {
         told->setGeometry(there);
         model.geometry = there;
         const ControlOutput wanted = makeController(settings, model)->step(observation, 1.0);
-        EXPECT_EQ(told->step(observation, 1.0).rates, wanted.rates) << controllerKindName(kind);
+        EXPECT_EQ(told->step(observation, 1.0).rates, wanted.rates) << kind.key();
         EXPECT_GT(wanted.rates.norm(), 0.0);
     }
 }

@@ -74,7 +74,7 @@ TEST_F(SessionHeaderTest, TellsWhatTheWholeFileTells) {
     EXPECT_DOUBLE_EQ(header.objects[1].target_K, second.target_K);
     EXPECT_EQ(header.objects[1].material, second.material.name);
     EXPECT_DOUBLE_EQ(header.objects[1].emittance, second.material.emittance);
-    EXPECT_EQ(header.controller, controllerKindName(record->experiment.controller.kind));
+    EXPECT_EQ(header.controller, record->experiment.controller.kind.key());
     EXPECT_EQ(header.created, record->created);
     EXPECT_EQ(header.simulated, record->simulated);
     EXPECT_EQ(header.outcome, "settled");

@@ -429,7 +429,7 @@ TEST(Air, EveryControllerHoldsTheTargetsInAirThatItKnows) {
             experiment.simulation.naturalConvection = isNatural;
             experiment.simulation.convection_W_m2K = isNatural ? 0.0 : 8.0;
             const RunOutcome outcome = run(experiment, 900.0);
-            EXPECT_TRUE(outcome.settled) << entry.key << (isNatural ? ", natural" : ", given");
+            EXPECT_TRUE(outcome.settled) << entry.kind.key() << (isNatural ? ", natural" : ", given");
         }
 }
 

@@ -123,12 +123,12 @@ TEST(ControllerPanel, SaysWhatTheStagedGainsPromise) {
     auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
     auto* said = shown.panel.findChild<QLabel*>(QStringLiteral("gainsPrediction"));
     EXPECT_FALSE(said->isVisible());
-    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
+    choice->setCurrentIndex(choice->findData(QLatin1String(ControllerKind::ModelBased.key())));
     EXPECT_TRUE(said->text().contains(QStringLiteral("20.8"))) << said->text().toStdString(); // D 0.2, K 0.05
     EXPECT_TRUE(said->text().contains(QStringLiteral("23 s"))) << said->text().toStdString();
     shown.type("model_based.D", "2");
     EXPECT_TRUE(said->text().contains(QStringLiteral("overshoot 0.0"))) << said->text().toStdString();
-    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::Adaptive)));
+    choice->setCurrentIndex(choice->findData(QLatin1String(ControllerKind::Adaptive.key())));
     EXPECT_TRUE(said->text().contains(QStringLiteral("60 s"))) << said->text().toStdString(); // ln 20 / 0.05
 }
 
@@ -137,7 +137,7 @@ TEST(ControllerPanel, FrequencyAndDampingAreTheGainsInOtherWords) {
     Shown shown;
     auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
     EXPECT_FALSE(shown.gain("frequency")->isVisible());
-    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
+    choice->setCurrentIndex(choice->findData(QLatin1String(ControllerKind::ModelBased.key())));
     EXPECT_TRUE(shown.gain("frequency")->isVisible());
     EXPECT_NEAR(shown.gain("damping")->value(), 0.4472, 1e-3);
     shown.type("damping", "1");
