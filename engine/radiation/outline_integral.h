@@ -23,9 +23,6 @@
 
 namespace bask {
 
-/// A rule of exponent x is off by kRuleSafety times both perimeters times exp(-x): two for the rule, the rest
-/// for the potential's size in the complex plane.
-constexpr double kRuleSafety = 24.0;
 constexpr double kHalfError = 0.7; ///< log 2: object and source share the error
 
 /// Returns an upper bound of the logarithm, at most log 2 too large; faster than std::log.

@@ -209,14 +209,17 @@ const GaussTable* RadiatingContour::Impl::gauss(double distance_m) const {
 }
 
 void RadiatingContour::Impl::tabulateQuick() {
-    constexpr int kPoints = 32;
-    const TrapezoidTable& rule = *trapezoid(kPoints);
-    m_quickRule = static_cast<std::size_t>(&rule - m_trapezoids.data());
-    m_quickFrom_m.fill(std::numeric_limits<double>::infinity());
-    for (int step = AnalyticStrip::kSteps - 1; step >= 0; --step) {
-        const double reached = rule.points * AnalyticStrip::width(step) - strip.growth(step);
-        for (int exponent = 0; exponent <= kMaxQuickExponent && exponent <= reached; ++exponent)
-            m_quickFrom_m[static_cast<std::size_t>(exponent)] = strip.reach_m(step);
+    constexpr std::array kPoints{24, 32};
+    static_assert(std::tuple_size_v<decltype(m_quick)> == kPoints.size());
+    for (std::size_t i = 0; i < kPoints.size(); ++i) {
+        const TrapezoidTable& rule = *trapezoid(kPoints[i]);
+        m_quick[i].table = static_cast<std::size_t>(&rule - m_trapezoids.data());
+        m_quick[i].from_m.fill(std::numeric_limits<double>::infinity());
+        for (int step = AnalyticStrip::kSteps - 1; step >= 0; --step) {
+            const double reached = rule.points * AnalyticStrip::width(step) - strip.growth(step);
+            for (int exponent = 0; exponent <= kMaxQuickExponent && exponent <= reached; ++exponent)
+                m_quick[i].from_m[static_cast<std::size_t>(exponent)] = strip.reach_m(step);
+        }
     }
 }
 

@@ -15,6 +15,14 @@
 
 namespace bask {
 
+/// A rule of exponent x is off by kRuleSafety times both perimeters times exp(-x): two for the rule, the rest
+/// for the potential's size in the complex plane.
+inline constexpr double kRuleSafety = 24.0;
+/// A rule gets this share of the tolerance, so that the sum of the parts of an estimate is less than it.
+inline constexpr double kRuleShare = 0.6;
+/// A face whose lowest point is higher over a plane, relative to the size of both, is in front of it.
+inline constexpr double kInFront = 1e-10;
+
 /// The height of one face's points over the other's plane: z0 + kx x + ky y (m).
 struct HeightPlane {
     double z0, kx, ky;
@@ -151,12 +159,16 @@ struct RadiatingContour::Impl {
     /// Returns a trapezoidal rule on a whole smooth outline for an error exp(-exponent), where the source's
     /// outline is at least `fromCentre` from O's origin and `nearest` from the outline (m).
     ForeseenRule foreseen(double fromCentre, double nearest, double exponent) const;
-    /// Returns the distance (m) of the source's outline from O's origin from which on quick() is exact to
-    /// exp(-exponent), at most kMaxQuickExponent; infinite where there is none.
-    double quickFrom_m(int exponent) const { return m_quickFrom_m[static_cast<std::size_t>(exponent)]; }
+    /// Returns the smallest of a few rules of a disk's outline that are exact to exp(-exponent) where the
+    /// source's outline is `away` (m) from O's origin; without points if none is. The exponent is from 0 to
+    /// kMaxQuickExponent.
+    kernels::Outline quick(int exponent, double away) const {
+        for (const QuickRule& rule : m_quick)
+            if (away >= rule.from_m[static_cast<std::size_t>(exponent)])
+                return m_trapezoids[rule.table].table.view();
+        return {};
+    }
     static constexpr int kMaxQuickExponent = 63;
-    /// A rule of a disk's outline.
-    kernels::Outline quick() const { return m_trapezoids[m_quickRule].table.view(); }
     /// Returns Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding;
     /// null if none do.
     const GaussTable* gauss(double distance_m) const;
@@ -205,8 +217,11 @@ private:
     std::shared_ptr<LatePlate> m_plate = latePlate();
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
-    std::size_t m_quickRule = 0;                      ///< of m_trapezoids
-    std::array<double, kMaxQuickExponent + 1> m_quickFrom_m{};
+    struct QuickRule {
+        std::size_t table = 0;                              ///< of m_trapezoids
+        std::array<double, kMaxQuickExponent + 1> from_m{}; ///< from here on it is exact, by the exponent
+    };
+    std::array<QuickRule, 2> m_quick{};
     std::vector<TrapezoidTable> m_trapezoids; // of a smooth outline, in ascending order of points
     std::vector<GaussTable> m_gauss;          // of a polygon, in descending order of distance
     std::vector<double> m_speeds;             // bounds from each scanned point to the next

@@ -12,10 +12,8 @@
 namespace bask {
 namespace {
 
-constexpr double kBatchSafety = 2.0 * 24.0; // on the error before the exponential, as in outline_integral.h
-constexpr double kRuleShare = 0.6;          // of the tolerance
-constexpr double kInFront = 1e-10; // relative height over a plane from which a face is in front of it
-constexpr int kWorthIt = 3;        // poses; fewer are as fast one by one
+constexpr double kBatchSafety = 2.0 * kRuleSafety; // object and source share the error
+constexpr int kWorthIt = 3;                        // poses; fewer are as fast one by one
 
 /// Cosines of half a circle's points, (k + 1/2) 2 pi / n: the other half has the same.
 template <int kPoints> std::array<double, kPoints / 2> halfCircle() {
@@ -169,20 +167,17 @@ void PoseBatch::parallel(const Poses& poses, const Distances& distances, int poi
     const double perSum = 4.0 * m_radius * m_radius / (radius * points);
     const std::span<const double> cosines = cosinesOf(points);
     const auto count = static_cast<int>(cosines.size());
-    if (!withGradient) {
-        kernels::kernels().parallelDisks(m_radius * m_radius, radius, distances.fromAxis, poses.p[2],
-                                         cosines.data(), count, factors.values);
-        for (double& value : factors.values)
-            value *= perSum;
-        return;
-    }
+    const kernels::Kernels& kernel = kernels::kernels();
     double sums[4][kPoses];
-    kernels::kernels().parallelDiskSums(m_radius * m_radius, radius, distances.fromAxis, poses.p[2],
-                                        cosines.data(), count, sums);
+    (withGradient ? kernel.parallelDiskSums : kernel.parallelDiskValues)(
+        m_radius * m_radius, radius, distances.fromAxis, poses.p[2], cosines.data(), count, sums);
+    for (int k = 0; k < kPoses; ++k)
+        factors.values[k] = perSum * sums[0][k];
+    if (!withGradient)
+        return;
     for (int k = 0; k < kPoses; ++k) {
         const double away = distances.fromAxis[k];
         const double c = away > 0.0 ? poses.p[0][k] / away : 1.0, s = away > 0.0 ? poses.p[1][k] / away : 0.0;
-        factors.values[k] = perSum * sums[0][k];
         factors.gradients[0][k] = perSum * c * sums[1][k];
         factors.gradients[1][k] = perSum * s * sums[1][k];
         factors.gradients[2][k] = perSum * sums[2][k];

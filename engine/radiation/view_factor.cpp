@@ -14,8 +14,6 @@ namespace bask {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-constexpr double kShare =
-    0.6; // of the tolerance, so that the sum of the parts of an estimate is less than it
 
 // Within rounding of the source's plane: just above it the face sees a source of its own size, just below it
 // nothing.
@@ -86,7 +84,7 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
         outcome.integral.error_m2 = 2.0 * std::numbers::pi * seen_m2;
         return outcome;
     }
-    const IntegralGoal goal{std::max(kShare * allowed_m2, outcome.floor_m2), source.perimeter, maxPoints};
+    const IntegralGoal goal{std::max(kRuleShare * allowed_m2, outcome.floor_m2), source.perimeter, maxPoints};
     if (!source.disk)
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
                                                sight, side, goal);
@@ -141,13 +139,13 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
     return withHoles<kMoments>(source, object, sight, allowed_m2, maxPoints);
 }
 
-// The value of one disk over another that are wholly seen, so far apart that the quick rule is enough: nearly
+// The value of one disk over another that are wholly seen, so far apart that a quick rule is enough: nearly
 // all calls. The sum does not wait for the distances, which the processor looks at meanwhile. NaN: not so.
 double quickValue(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                   const Pose& X_SO, double tolerance) {
     constexpr double kNotSo = std::numeric_limits<double>::quiet_NaN();
     const double perimeters = source.perimeter * object.perimeter;
-    const double allowed_m2 = kShare * 2.0 * std::numbers::pi * object.area * tolerance;
+    const double allowed_m2 = kRuleShare * 2.0 * std::numbers::pi * object.area * tolerance;
     if (!(allowed_m2 >= 32.0 * kEpsilon * perimeters)) // roundingFloor() is never more
         return kNotSo;
     const int exponent = static_cast<int>(logAbove(kRuleSafety * perimeters / allowed_m2) + kHalfError) + 1;
@@ -156,13 +154,14 @@ double quickValue(const RadiatingContour::Impl& source, const RadiatingContour::
     const Sight sight(X_SO);
     const Eigen::Vector3d o = X_SO.translation();
     const WholeDiskSource disk(source.disk->radius_m, sight);
-    const double least = 1e-10 * (source.reach + object.reach);
+    const double least = kInFront * (source.reach + object.reach);
     const double away = disk.distance_m(o);
+    const kernels::Outline points = object.quick(exponent, away);
     if (!(sight.overObject.z0 - source.reach * sight.overObject.slope > least &&
-          sight.overSource.z0 - object.reach * sight.overSource.slope > least &&
-          away >= object.quickFrom_m(exponent) && away < 1e50))
+          sight.overSource.z0 - object.reach * sight.overSource.slope > least && points.count > 0 &&
+          away < 1e50))
         return kNotSo;
-    return disk.circulation(disk.value(object.quick()));
+    return disk.circulation(disk.value(points));
 }
 
 double asFraction(double circulation, double area) {

@@ -97,10 +97,10 @@ struct Kernels {
     void (*diskPoseValues)(double radius2, const DiskPoses&, const Outline&, double* values);
     void (*diskPoseSums)(double radius2, const DiskPoses&, const Outline&, double (*sums)[kPoses]);
     /// For eight disks parallel to the source's, whose centres are `away` from its axis and `height` from its
-    /// plane (m): sums of (r + away * cosine) / (a + S) over points at the given cosines, r being their
-    /// radius.
-    void (*parallelDisks)(double radius2, double objectRadius, const double* away, const double* height,
-                          const double* cosines, int count, double* sums);
+    /// plane (m): sums[0] are sums of (r + away * cosine) / (a + S) over points at the given cosines, r being
+    /// their radius.
+    void (*parallelDiskValues)(double radius2, double objectRadius, const double* away, const double* height,
+                               const double* cosines, int count, double (*sums)[kPoses]);
     /// The same with its derivatives, in axes along the line of centres, across it and along the normal:
     /// sums[0] are values, then the forces along and normal, and the torque about the axis across; the others
     /// are zero.

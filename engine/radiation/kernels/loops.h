@@ -55,27 +55,9 @@ void diskPoseSums(double radius2, const DiskPoses& poses, const Outline& outline
 }
 
 /// The closed form of addWholeDisk where the planes are parallel: the outline is the same on both sides of
-/// the line of centres, so that half of it will do.
-void parallelDisks(double radius2, double objectRadius, const double* aways, const double* heights,
-                   const double* cosines, int count, double* sums) {
-    for (int from = 0; from < kPoses; from += kLanes) {
-        const Lanes away = load(aways + from);
-        const Lanes height = load(heights + from);
-        const Lanes z2 = height * height;
-        const Lanes middle = away * away + objectRadius * objectRadius + z2;
-        const Lanes swing = (2.0 * objectRadius) * away;
-        const Lanes rim = (4.0 * radius2) * z2 + 1e-300;
-        Lanes sum{};
-        for (int i = 0; i < count; ++i) {
-            const Lanes square = middle + swing * cosines[i];
-            const Lanes t = square - radius2;
-            sum += (objectRadius + away * cosines[i]) / (square + radius2 + laneSqrt(t * t + rim));
-        }
-        store(sums + from, sum);
-    }
-}
-
-void parallelDiskSums(double radius2, double objectRadius, const double* aways, const double* heights,
+/// the line of centres, so that half of it will do. `sums` has one row, or four with kMoments.
+template <bool kMoments>
+void addParallelDisks(double radius2, double objectRadius, const double* aways, const double* heights,
                       const double* cosines, int count, double (*sums)[kPoses]) {
     for (int from = 0; from < kPoses; from += kLanes) {
         const Lanes away = load(aways + from);
@@ -90,22 +72,28 @@ void parallelDiskSums(double radius2, double objectRadius, const double* aways, 
             const Lanes t = square - radius2;
             const Lanes s = laneSqrt(t * t + rim);
             const Lanes a = square + radius2;
-            const Lanes both = 1.0 / (s * (a + s));
-            const Lanes u = s * both;
-            const Lanes v = (a + s) * both;
             const Lanes step = objectRadius + away * cosines[i];
-            const Lanes gz = -2.0 * height * both;
-            const Lanes h = 2.0 * u * (1.0 - (square - z2) * (s + t) * both - z2 * v);
-            const Lanes lift = gz * step;
-            value += step * u;
-            along += cosines[i] * (h - gz * height);
-            normal += lift;
-            across -= (objectRadius * cosines[i]) * lift;
+            if constexpr (!kMoments) {
+                value += step / (a + s);
+            } else {
+                const Lanes both = 1.0 / (s * (a + s));
+                const Lanes u = s * both;
+                const Lanes v = (a + s) * both;
+                const Lanes gz = -2.0 * height * both;
+                const Lanes h = 2.0 * u * (1.0 - (square - z2) * (s + t) * both - z2 * v);
+                const Lanes lift = gz * step;
+                value += step * u;
+                along += cosines[i] * (h - gz * height);
+                normal += lift;
+                across -= (objectRadius * cosines[i]) * lift;
+            }
         }
         store(sums[0] + from, value);
-        store(sums[1] + from, along);
-        store(sums[2] + from, normal);
-        store(sums[3] + from, across);
+        if constexpr (kMoments) {
+            store(sums[1] + from, along);
+            store(sums[2] + from, normal);
+            store(sums[3] + from, across);
+        }
     }
 }
 
@@ -183,9 +171,18 @@ void seriesPoints(const Series& series, const double* cosines, const double* sin
 }
 
 constexpr Kernels kernelsNamed(const char* name) {
-    return {name,         diskValue,     diskSums,         diskPoseValues,
-            diskPoseSums, parallelDisks, parallelDiskSums, segmentValue,
-            segmentSums,  loopValue,     loopSums,         seriesPoints};
+    return {name,
+            diskValue,
+            diskSums,
+            diskPoseValues,
+            diskPoseSums,
+            addParallelDisks<false>,
+            addParallelDisks<true>,
+            segmentValue,
+            segmentSums,
+            loopValue,
+            loopSums,
+            seriesPoints};
 }
 
 } // namespace
