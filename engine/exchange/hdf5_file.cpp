@@ -157,6 +157,12 @@ Hdf5File::~Hdf5File() {
         ::close(m_impl->memory);
 }
 
+std::string Hdf5File::libraryVersion() {
+    unsigned major = 0, minor = 0, release = 0;
+    H5get_libversion(&major, &minor, &release);
+    return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(release);
+}
+
 void Hdf5File::group(const std::string& path, const std::string& nxClass) {
     const Handle made(H5Gcreate2(m_impl->file, path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                       H5Gclose);
@@ -193,6 +199,11 @@ void Hdf5File::number(const std::string& path, double value, const std::string& 
 
 void Hdf5File::numbers(const std::string& path, std::span<const double> values, const std::string& units) {
     m_impl->dataSet(path, H5T_NATIVE_DOUBLE, values.size(), false, values.data());
+    attribute(path, "units", units);
+}
+
+void Hdf5File::wholeNumber(const std::string& path, int value, const std::string& units) {
+    m_impl->dataSet(path, H5T_NATIVE_INT, 1, true, &value);
     attribute(path, "units", units);
 }
 

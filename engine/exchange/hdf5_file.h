@@ -32,6 +32,9 @@ public:
     explicit Hdf5File(Backing backing = Backing::Memory);
     ~Hdf5File();
 
+    /// Returns the version of the HDF5 library: "1.10.8".
+    static std::string libraryVersion();
+
     /// Creates a group with its NX_class.
     void group(const std::string& path, const std::string& nxClass);
     /// Adds an attribute to a group or a data set.
@@ -42,6 +45,7 @@ public:
     /// Adds a number; `units` are in SI, "1" for a number without a unit.
     void number(const std::string& path, double value, const std::string& units);
     void numbers(const std::string& path, std::span<const double> values, const std::string& units);
+    void wholeNumber(const std::string& path, int value, const std::string& units);
     void wholeNumbers(const std::string& path, std::span<const int> values, const std::string& units);
     /// Adds room for `count` pictures of 16 bits: [count, rows, columns], each a chunk of its own, compressed
     /// without loss. Hdf5Pictures fills it.

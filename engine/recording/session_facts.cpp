@@ -37,6 +37,7 @@ private:
         const auto done = m_store.select("SELECT key, value FROM meta",
                                          [&](Row row) { facts[textOf(row[0])] = printable(textOf(row[1])); });
         m_record.created = facts["created"];
+        m_record.finished = facts["finished"];
         m_record.software = facts["software"];
         m_record.simulated = facts["simulated"] == "true";
         m_record.labels = {facts["operator"], facts["sample"], facts["batch"]};

@@ -74,6 +74,7 @@ struct SessionRecord {
     std::string path;
     Experiment experiment;
     std::string created;  ///< ISO 8601, UTC
+    std::string finished; ///< the same; empty if it has no end
     std::string software; ///< "Bask 0.1.0"
     bool simulated = false;
     RunLabels labels;    ///< when the recording began; each command and note has its own operator
