@@ -37,7 +37,7 @@ _CHUNK = 4096  # samples that fit the processor's cache
 _Column = namedtuple("_Column", "name unit key table log")
 _POSE = tuple(_Column("", "", key, "pose", f"instrument/robot/{key.split('_')[0]}")
               for key in ("x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"))
-_RUN = (_Column("source", "degC", "source_K", "source", "instrument/heat_source/surface/value_log"),)
+_RUN = (_Column("source", "degC", "source_K", "source", "instrument/heat_source_surface/value_log"),)
 _OBJECT = (
     _Column("measured", "degC", "measured_K", "sample", "temperature_env/sensor/value_log"),
     _Column("estimate", "degC", "estimated_K", "sample", "temperature_estimate"),
@@ -48,11 +48,15 @@ _OBJECT = (
     _Column("view factor without shade", "1", "view_factor_unshaded", None, "view_factor_unshaded"),
     _Column("reading valid", "1", "reading_valid", "object_state", "temperature_env/sensor/valid_log"),
     _Column("true", "degC", "temperature_K", "truth", "temperature_true"),
-    _Column("camera", "degC", "camera_K", None, "thermal_camera/value_log"),
-    _Column("camera standard uncertainty", "K", "camera_uncertainty_K", None, "thermal_camera/uncertainty_log"),
-    _Column("camera spread", "K", "camera_spread_K", None, "thermal_camera/spread_log"),
-    _Column("camera pixels", "1", "camera_pixels", None, "thermal_camera/pixels_log"),
+    _Column("camera", "degC", "camera_K", None, "temperature_env/thermal_camera/value_log"),
+    _Column("camera standard uncertainty", "K", "camera_uncertainty_K", None,
+            "temperature_env/thermal_camera/uncertainty_log"),
+    _Column("camera spread", "K", "camera_spread_K", None, "temperature_env/thermal_camera/spread_log"),
+    _Column("camera pixels", "1", "camera_pixels", None, "temperature_env/thermal_camera/pixels_log"),
 )
+# Where NeXus files of Bask 0.2.0 have what has another place now:
+_EARLIER = {"run/simulated": "simulated", "run/outcome": "outcome", "properties/time": "time",
+            "instrument/heat_source_surface/value_log/value": "instrument/heat_source/surface/value_log/value"}
 # Not in traces.csv:
 _OTHER_RUN = (
     *(_Column(f"v{axis}", "m/s", f"v{axis}_m_s", "motion", f"instrument/robot/v{axis}") for axis in "xyz"),
@@ -407,15 +411,17 @@ def _read_nexus(path):
         if not _text(file.attrs.get("creator", "")).startswith("Bask "):
             raise _foreign(path)
         entry = file["entry"]
-        rig = _Rig(_text(entry["experiment/data"][()]), _text(entry["simulated"][()]))
+        rig = _Rig(_text(entry["experiment/data"][()]), _text(_at(entry, "run/simulated")[()]))
         values = {"time_s": entry["temperatures/time"][:]}
         for column, number in rig.stored:
             log = f"sample_{number}/{column.log}/value" if number else f"{column.log}/value"
             if column.table or log in entry:
-                values[_key(column, number)] = entry[log][:].astype(float)
-        facts = {"software": _text(entry["program_name"].attrs["recorded_by"]),
-                 "created": _text(entry["start_time"][()]), "outcome": _text(entry["outcome"][()])}
-        places = {"operator": "user/name", "sample": "sample_1/sample_id", "batch": "collection_identifier"}
+                values[_key(column, number)] = _at(entry, log)[:].astype(float)
+        facts = {"created": _text(entry["start_time"][()]), "outcome": _text(_at(entry, "run/outcome")[()]),
+                 "software": _text(entry["run/recorded_by"][()] if "run/recorded_by" in entry
+                                   else entry["program_name"].attrs["recorded_by"])}
+        places = {"operator": "user/name", "sample": "sample_1/identifier_sample", "batch": "collection_identifier",
+                  "finished": "end_time"}
         facts.update((key, _text(entry[place][()])) for key, place in places.items() if place in entry)
 
         def rows(group, *names):
@@ -425,9 +431,14 @@ def _read_nexus(path):
         names = ("name", "value", "operator") if "commands/operator" in entry else ("name", "value")
         commands = [Command(*row) for row in rows("commands", *names)]
         places = itertools.takewhile(entry.__contains__, (f"note_{k}" for k in itertools.count(1)))
-        notes = [Note(float(entry[place]["time"][()]), _text(entry[place]["data"][()]),
+        notes = [Note(float(_at(entry[place], "properties/time")[()]),
+                      _text(entry[place]["data"][()]).replace("\r\n", "\n"),
                       _text(entry[place]["author"][()]) if "author" in entry[place] else "") for place in places]
         return rig, rig.header(facts), events, commands, notes, values
+
+
+def _at(group, place):
+    return group[place if place in group else _EARLIER.get(place, place)]
 
 
 def _text(value):

@@ -260,8 +260,30 @@ class Values(unittest.TestCase):
             self.assertEqual(nexus.commands, session.commands)
             self.assertEqual(nexus.notes, session.notes)
             self.assertEqual(nexus.experiment, session.experiment)
-            self.assertEqual(nexus.header, {**session.header, "version": None, "finished": None, "tags": None})
+            self.assertEqual(nexus.header, {**session.header, "version": None, "tags": None})
             self.assertEqual(str(nexus).splitlines()[1:], str(session).splitlines()[1:])
+
+    @unittest.skipUnless(HAS_H5PY, "h5py")
+    def test_nexus_of_earlier_places(self):
+        import h5py
+        file = shutil.copy(os.path.join(exported(path("run"), "nexus"), "run.nxs"), path("earlier.nxs"))
+        now = bask.open(file)
+        with h5py.File(file, "a") as root:
+            entry = root["entry"]
+            entry["program_name"].attrs["recorded_by"] = entry["run/recorded_by"][()]
+            for new, old in bask._EARLIER.items():
+                if new.startswith("properties/"):
+                    for note in (name for name in entry if name.startswith("note_")):
+                        entry[note].move(new, old)
+                elif new.endswith("/value"):
+                    entry.move(os.path.dirname(os.path.dirname(new)), os.path.dirname(os.path.dirname(old)))
+                else:
+                    entry.move(new, old)
+            del entry["run"]
+        earlier = bask.open(file)
+        self.assertEqual(earlier.header, now.header)
+        self.assertEqual(earlier.notes, now.notes)
+        np.testing.assert_array_equal(earlier["source (degC)"], now["source (degC)"])
 
     @unittest.skipUnless(HAS_PANDAS, "pandas")
     def test_pandas(self):

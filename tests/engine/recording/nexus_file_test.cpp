@@ -1,6 +1,8 @@
 #include "engine/recording/nexus_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/experiment_file.h"
+#include "engine/recording/nexus_writer.h"
 #include "engine/thermography/frame_picture_file.h"
 #include "tests/engine/recording/recording.h"
 
@@ -29,6 +31,7 @@ SessionRecord record(int samples) {
     session.path = "/somewhere/run one.bask";
     session.experiment = twoDisks();
     session.created = "2026-11-22T10:17:49Z";
+    session.finished = "2026-11-22T11:41:09Z";
     session.software = "Bask 0.0.9";
     session.simulated = true;
     session.outcome = "settled";
@@ -103,7 +106,10 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     EXPECT_EQ(read.attribute("/", "NX_class"), "NXroot");
     EXPECT_EQ(read.attribute("/entry", "NX_class"), "NXentry");
     EXPECT_EQ(read.text("/entry/start_time"), "2026-11-22T10:17:49Z");
-    EXPECT_EQ(read.text("/entry/simulated"), "true");
+    EXPECT_EQ(read.text("/entry/run/simulated"), "true");
+    EXPECT_EQ(read.text("/entry/run/recorded_by"), "Bask 0.0.9");
+    EXPECT_EQ(read.text("/entry/end_time"), "2026-11-22T11:41:09Z");
+    EXPECT_EQ(read.numbers("/entry/collection_time").at(0), session.samples.back().time_s);
     EXPECT_EQ(read.text("/entry/note_1/data"), session.notes[0].text);
     const std::string sensor = "/entry/sample_2/temperature_env/sensor";
     EXPECT_EQ(read.attribute(sensor, "NX_class"), "NXsensor");
@@ -116,7 +122,7 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     const auto truth = read.numbers("/entry/sample_2/temperature_true/value");
     const auto speed = read.numbers("/entry/instrument/robot/vz/value");
     const auto limits = read.numbers("/entry/instrument/robot/limits/value");
-    const auto source = read.numbers("/entry/instrument/heat_source/surface/value_log/value");
+    const auto source = read.numbers("/entry/instrument/heat_source_surface/value_log/value");
     ASSERT_EQ(times.size(), 5000u);
     for (std::size_t k = 0; k < times.size(); ++k) {
         const TraceSample& sample = session.samples[k];
@@ -152,7 +158,7 @@ TEST_F(NexusFile, GivesBackWhatTheThermalCameraReads) {
     const QTemporaryDir folder;
     const SessionRecord session = withPictures(folder.filePath("run.bask").toStdString(), 0);
     const Read read(exported(session));
-    const std::string camera = "/entry/sample_2/thermal_camera";
+    const std::string camera = "/entry/sample_2/temperature_env/thermal_camera";
     EXPECT_EQ(read.attribute(camera, "NX_class"), "NXsensor");
     EXPECT_EQ(read.attribute(camera + "/uncertainty_log/value", "units"), "K");
     const auto T_K = read.numbers(camera + "/value_log/value"),
@@ -171,12 +177,12 @@ TEST_F(NexusFile, GivesBackThermalPicturesWithTheirTimesAndTheirMeaning) {
     EXPECT_EQ(read.attribute(camera, "NX_class"), "NXdetector");
     EXPECT_EQ(read.text(camera + "/local_name"), "lepton-3.5");
     EXPECT_EQ(thermalProfileFromJson(read.text(camera + "/profile/data"), "").value(), profile);
-    EXPECT_EQ(read.numbers(camera + "/time").at(11), 11.5);
-    EXPECT_EQ(read.attribute(camera + "/time", "units"), "s");
+    EXPECT_EQ(read.numbers(camera + "/start_time").at(11), 11.5);
+    EXPECT_EQ(read.attribute(camera + "/start_time", "units"), "s");
     EXPECT_EQ(read.attribute("/entry/thermal_pictures", "signal"), "data");
     const auto numbers = read.numbers("/entry/thermal_pictures/data");
-    const double scale_K = read.numbers(camera + "/scaling_factor").at(0),
-                 offset_K = read.numbers(camera + "/offset").at(0);
+    const double scale_K = read.numbers("/entry/thermal_pictures/data_scaling_factor").at(0),
+                 offset = read.numbers("/entry/thermal_pictures/data_offset").at(0);
     const std::size_t pixels = 160 * 120;
     ASSERT_EQ(numbers.size(), 12 * pixels);
     for (int k = 0; k < 12; ++k) {
@@ -186,17 +192,53 @@ TEST_F(NexusFile, GivesBackThermalPicturesWithTheirTimesAndTheirMeaning) {
             const double number = numbers[static_cast<std::size_t>(k) * pixels + i];
             ASSERT_EQ(number, counts.counts[i]) << k << ' ' << i;
             if (std::isfinite(picture.T_K[i])) {
-                ASSERT_NEAR(number * scale_K + offset_K, picture.T_K[i], 1e-9);
+                ASSERT_NEAR((number + offset) * scale_K, picture.T_K[i], 1e-9);
             }
         }
     }
+}
+
+// Catches the offset of a profile, in its own unit, for the one of NXdata, which is added before scaling.
+TEST_F(NexusFile, NumbersOfAProfileWithAnOffsetAreTemperaturesAsNXdataHasThem) {
+    ThermalProfile profile = findThermalProfile("lepton-3.5").value();
+    profile.unit = CountUnit::Fahrenheit;
+    profile.scale = 0.1;
+    profile.offset = -40.0;
+    const std::string path = m_folder.filePath("offset.nxs").toStdString();
+    {
+        Hdf5File file;
+        writeNexus(file, record(2), "offset.nxs", ThermalPictures{profile, {0.5}});
+        const auto bytes = file.image(path);
+        ASSERT_TRUE(bytes) << describe(bytes.error());
+        QFile out(QString::fromStdString(path));
+        ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+        ASSERT_EQ(out.write(QByteArray::fromStdString(*bytes)), static_cast<qint64>(bytes->size()));
+    }
+    const Read read(path);
+    const double scale_K = read.numbers("/entry/thermal_pictures/data_scaling_factor").at(0),
+                 offset = read.numbers("/entry/thermal_pictures/data_offset").at(0);
+    for (const double number : {0.0, 1.0, 1234.0, 65534.0})
+        EXPECT_NEAR((number + offset) * scale_K, profile.temperature_K(number), 1e-9) << number;
+}
+
+// Catches lines that end otherwise than NXnote says.
+TEST_F(NexusFile, LinesOfNotesEndAsNXnoteSays) {
+    SessionRecord session = record(2);
+    session.notes = {{1.5, "a draught\nthe door\r\n"}};
+    const Read read(exported(session));
+    EXPECT_EQ(read.text("/entry/note_1/data"), "a draught\r\nthe door\r\n");
+    EXPECT_EQ(read.numbers("/entry/note_1/sequence_index").at(0), 1.0);
+    EXPECT_EQ(read.numbers("/entry/note_1/properties/time").at(0), 1.5);
+    const auto experiment = experimentFromJson(read.text("/entry/experiment/data"), "", "");
+    ASSERT_TRUE(experiment) << describe(experiment.error());
+    EXPECT_EQ(experiment->title, session.experiment.title);
 }
 
 // Catches a camera's group that promises pictures where none was recorded.
 TEST_F(NexusFile, HasNoPicturesWhereNoneWasRecorded) {
     const QTemporaryDir folder;
     const Read read(exported(withPictures(folder.filePath("run.bask").toStdString(), 0)));
-    EXPECT_TRUE(read.has("/entry/sample_1/thermal_camera"));
+    EXPECT_TRUE(read.has("/entry/sample_1/temperature_env/thermal_camera"));
     EXPECT_FALSE(read.has("/entry/instrument/thermal_camera"));
     EXPECT_FALSE(read.has("/entry/thermal_pictures"));
 }
@@ -228,22 +270,22 @@ TEST_F(NexusFile, OfAFullDiskNothingIsLeftAndTheNextExportIsWhole) {
             << "of the whole one before";
     }
     std::signal(SIGXFSZ, oldHandler);
-    EXPECT_EQ(Read(exported(session)).numbers("/entry/instrument/thermal_camera/time").size(), 12u);
+    EXPECT_EQ(Read(exported(session)).numbers("/entry/instrument/thermal_camera/start_time").size(), 12u);
 }
 
 // Catches air that the file leaves out, or states where the experiment does not.
 TEST_F(NexusFile, TheAirIsStatedWhereItIsKnown) {
     SessionRecord session = record(2);
-    EXPECT_FALSE(Read(exported(session)).has("/entry/instrument/air"));
+    EXPECT_FALSE(Read(exported(session)).has("/entry/sample_1/air"));
     session.experiment.air.convection_W_m2K = 8.5;
     const Read given(exported(session));
-    EXPECT_EQ(given.attribute("/entry/instrument/air", "NX_class"), "NXenvironment");
-    EXPECT_EQ(given.numbers("/entry/instrument/air/convection"), std::vector<double>{8.5});
-    EXPECT_EQ(given.attribute("/entry/instrument/air/convection", "units"), "W/(m^2 K)");
+    EXPECT_EQ(given.attribute("/entry/sample_2/air", "NX_class"), "NXenvironment");
+    EXPECT_EQ(given.numbers("/entry/sample_2/air/properties/convection"), std::vector<double>{8.5});
+    EXPECT_EQ(given.attribute("/entry/sample_2/air/properties/convection", "units"), "W/(m^2 K)");
     session.experiment.air = {std::nullopt, true};
     const Read natural(exported(session));
-    EXPECT_EQ(natural.text("/entry/instrument/air/type"), "natural convection, by correlation");
-    EXPECT_FALSE(natural.has("/entry/instrument/air/convection"));
+    EXPECT_EQ(natural.text("/entry/sample_1/air/type"), "natural convection, by correlation");
+    EXPECT_FALSE(natural.has("/entry/sample_2/air/properties/convection"));
 }
 
 // Catches a gain in another unit than the experiment's file has it in.
@@ -254,14 +296,14 @@ TEST_F(NexusFile, GainsHaveTheirUnits) {
         return Read(exported(session))
             .attribute(std::string("/entry/instrument/robot/controller_1/") + gain, "units");
     };
-    EXPECT_EQ(units(ControllerKind::Adaptive, "mu"), "1/s");
-    EXPECT_EQ(units(ControllerKind::Adaptive, "K"), "1/K");
-    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma1"), "s^3/K^3");
-    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma2"), "s/K^9");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gains/mu"), "1/s");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gains/K"), "1/K");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gains/gamma1"), "s^3/K^3");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gains/gamma2"), "s/K^9");
     EXPECT_EQ(units(ControllerKind::ModelBased, "K_p"), "1/s^2");
     EXPECT_EQ(units(ControllerKind::ModelBased, "K_d"), "1/s");
     EXPECT_EQ(units(ControllerKind::LevelServo, "K_p"), "1/s");
-    EXPECT_EQ(units(ControllerKind::LevelServo, "time_constant"), "s");
+    EXPECT_EQ(units(ControllerKind::LevelServo, "gains/time_constant"), "s");
 }
 
 TEST_F(NexusFile, PosesAreUnitQuaternionsOfTheSamples) {
@@ -297,10 +339,13 @@ TEST_F(NexusFile, TellsTheControllersGains) {
 TEST_F(NexusFile, AnInterruptedOrEmptyRunIsSaid) {
     SessionRecord session = record(0);
     session.outcome.clear();
+    session.finished.clear();
     session.events.clear();
     session.notes.clear();
     const Read read(exported(session));
-    EXPECT_EQ(read.text("/entry/outcome"), "interrupted");
+    EXPECT_EQ(read.text("/entry/run/outcome"), "interrupted");
+    EXPECT_FALSE(read.has("/entry/end_time"));
+    EXPECT_EQ(read.numbers("/entry/duration").at(0), 0.0);
     EXPECT_TRUE(read.numbers("/entry/temperatures/time").empty());
     EXPECT_TRUE(read.numbers("/entry/events/time").empty());
 }

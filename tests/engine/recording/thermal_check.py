@@ -71,7 +71,9 @@ with h5py.File(nexus, "r") as file:
         problems.append("not a chunk a picture, 16 bits, shuffled")
     if file["entry/thermal_pictures"]["data"] != data:
         problems.append("other pictures are plotted")
-    if not len(rows) == len(listed) == len(data) == len(camera["time"]):
+    if file["entry/thermal_pictures"]["time"] != camera["start_time"]:
+        problems.append("they are plotted over other times")
+    if not len(rows) == len(listed) == len(data) == len(camera["start_time"]):
         problems.append("not as many pictures")
     for k, (time_s, png) in enumerate(rows):
         expected = numbers_of_png(png)
@@ -80,7 +82,7 @@ with h5py.File(nexus, "r") as file:
             problems.append("picture %d of the NeXus file differs" % k)
         if not numpy.array_equal(numpy.array(Image.open(os.path.join(folder, name))), expected):
             problems.append(name + " differs")
-        if camera["time"][k] != time_s or abs(listed_s - time_s) > 1e-9:
+        if camera["start_time"][k] != time_s or abs(listed_s - time_s) > 1e-9:
             problems.append("picture %d has another time" % k)
     print(len(rows))
     print(data.id.get_storage_size() / data.nbytes)
