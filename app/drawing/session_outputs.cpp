@@ -39,11 +39,12 @@ Result<void> checkOwn(const std::string& path, const QString& mark, const char* 
 }
 
 Result<std::vector<std::string>> exportFigures(const SessionRecord& session, const std::string& folder,
-                                               TemperatureUnit unit) {
+                                               TemperatureUnit unit, const ShareDone& told) {
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
     const RunFigures figures(session, unit);
+    ShareCount count(told, static_cast<double>(runFigures().size() * std::size(kFigureFormats)));
     for (const RunFigure figure : runFigures())
         for (const FigureFormat format : kFigureFormats) {
             const std::string name = runFigureStem(figure) + figureEnding(format);
@@ -52,6 +53,7 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
                 done = files->write(name, figures.draw(figure, format).toStdString());
             if (!done)
                 return done.error();
+            count.add();
         }
     if (const auto done = addCrate(*files, session); !done)
         return done.error();

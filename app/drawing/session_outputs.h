@@ -2,6 +2,7 @@
 // The drawn output of a recorded session: its figures and its report.
 
 #include "app/report/run_report.h"
+#include "engine/base/share_done.h"
 #include "widgets/common/language.h"
 
 #include <string>
@@ -12,7 +13,7 @@ namespace bask {
 /// Draws every figure as PNG, SVG and PDF into the folder, all or none, and returns the files. Needs the
 /// QApplication's thread. Errors: FileUnwritable, OutputForeign.
 Result<std::vector<std::string>> exportFigures(const SessionRecord& session, const std::string& folder,
-                                               TemperatureUnit unit);
+                                               TemperatureUnit unit, const ShareDone& done = {});
 
 /// Refuses to replace a file that is not empty and does not hold the mark of what Bask writes; `kind` says
 /// what that is, in English. Error: OutputForeign.

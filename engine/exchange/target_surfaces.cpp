@@ -59,9 +59,10 @@ std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits,
     return axes;
 }
 
-Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
-                                                               const std::stop_token& stop) {
+Result<std::vector<std::shared_ptr<const Field>>>
+targetFields(const TargetGeometry& geometry, const std::stop_token& stop, const ShareDone& done) {
     std::vector<std::shared_ptr<const Field>> fields;
+    const double all = geometry.only ? 1.0 : static_cast<double>(geometry.objects.size());
     for (std::size_t i = 0; i < geometry.objects.size(); ++i) {
         if (geometry.only && i != *geometry.only)
             continue;
@@ -78,7 +79,9 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
         const Screens& screens = geometry.screens;
         request.others.insert(request.others.end(), screens.fixtures.begin(), screens.fixtures.end());
         request.shields = screens.shields;
-        auto field = sampleField(request, {.stop = stop});
+        const auto before = static_cast<double>(fields.size());
+        auto field = sampleField(
+            request, {.stop = stop, .progress = partOf(done, before / all, (before + 1.0) / all)});
         if (!field)
             return field.error();
         fields.push_back(geometry.ofOwnCentres ? moved(**field, centreOffset(object.X_EO, geometry.fixed))

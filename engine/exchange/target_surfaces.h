@@ -2,6 +2,7 @@
 // The poses of the end-effector at which an object has a given view factor: surfaces over three of its
 // coordinates.
 
+#include "engine/base/share_done.h"
 #include "engine/control/robot_limits.h"
 #include "engine/exchange/isosurface.h"
 #include "engine/radiation/interaction_matrix.h"
@@ -49,8 +50,8 @@ struct TargetGeometry {
 /// other objects and of the screens (see roughShadedViewFactor). They are valid until the geometry changes:
 /// another target only needs other surfaces. Errors: those of sampleField. Throws std::invalid_argument for
 /// ofOwnCentres over an angle.
-Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
-                                                               const std::stop_token& stop = {});
+Result<std::vector<std::shared_ptr<const Field>>>
+targetFields(const TargetGeometry& geometry, const std::stop_token& stop = {}, const ShareDone& done = {});
 
 /// Returns the surface {q : F_i(q) = F*_i} of each object, in the end-effector's coordinates. A surface is
 /// empty if the object has that view factor nowhere on the grid. Returns nothing if stopped. Throws

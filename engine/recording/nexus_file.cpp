@@ -42,14 +42,16 @@ Result<std::optional<ThermalPictures>> recordedPictures(const SessionRecord& ses
 
 /// Fills the pictures of the file at `path`, which will be `target`.
 Result<void> fillPictures(const std::string& session, const ThermalPictures& pictures,
-                          const std::string& path, const std::string& target) {
+                          const std::string& path, const std::string& target, const ShareDone& told) {
     Hdf5Pictures file(path, kNexusPictures);
     std::size_t count = 0;
     Result<void> done;
+    ShareCount shares(told, static_cast<double>(pictures.times_s.size()));
     const auto read = readThermalFrames(session, [&](double, const std::string& png) {
         if (!done || count == pictures.times_s.size()) // later ones of a session that is being recorded
             return;
         ++count;
+        shares.add();
         const auto counts = countsOfImage(png, pictures.profile, session);
         if (counts)
             file.add(counts->counts);
@@ -63,7 +65,8 @@ Result<void> fillPictures(const std::string& session, const ThermalPictures& pic
 
 } // namespace
 
-Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder) {
+Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder,
+                                const ShareDone& told) {
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
@@ -74,10 +77,11 @@ Result<std::string> exportNexus(const SessionRecord& session, const std::string&
     const auto pictures = recordedPictures(session);
     if (!pictures)
         return pictures.error();
+    const double afterNumbers = *pictures ? 0.3 : 0.8; // of the work
     std::string bytes;
     {
         Hdf5File file;
-        writeNexus(file, session, name, *pictures);
+        writeNexus(file, session, name, *pictures, partOf(told, 0.0, afterNumbers));
         auto image = file.image(target);
         if (!image)
             return image.error();
@@ -85,11 +89,13 @@ Result<std::string> exportNexus(const SessionRecord& session, const std::string&
     }
     auto written = files->write(name, bytes);
     if (written && *pictures)
-        written = fillPictures(session.path, **pictures, files->staged(name), target);
+        written = fillPictures(session.path, **pictures, files->staged(name), target,
+                               partOf(told, afterNumbers, 1.0));
     if (written)
         written = addCrate(*files, session);
     if (!written)
         return written.error();
+    tellShare(told, 1.0);
     auto done = files->commit();
     return done ? Result<std::string>(done->front()) : done.error();
 }

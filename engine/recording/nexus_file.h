@@ -1,6 +1,7 @@
 #pragma once
 // A recorded run as an HDF5 file in NeXus layout (base classes, no application definition): docs/exports.md.
 
+#include "engine/base/share_done.h"
 #include "engine/recording/session_file.h"
 
 #include <string>
@@ -11,6 +12,7 @@ namespace bask {
 /// the path. Unknown values are NaN. Recorded pictures of the thermal camera are read from the session's file
 /// one by one and written with it. Errors: FileUnwritable; OutputForeign if a file of another program has
 /// that name; those of the session's file and of its pictures.
-Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder);
+Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder,
+                                const ShareDone& done = {});
 
 } // namespace bask

@@ -40,7 +40,9 @@ public:
     NexusWriter(Hdf5File& file, const SessionRecord& session, const std::optional<ThermalPictures>& pictures)
         : m_file(file), m_session(session), m_pictures(pictures) {}
 
-    void write(const std::string& name) {
+    void write(const std::string& name, const ShareDone& done) {
+        const std::size_t objects = m_session.experiment.objects.size();
+        ShareCount count(done, 3.0 + 2.0 * static_cast<double>(objects));
         m_file.attribute("/", "creator", kMaker);
         m_file.attribute("/", "NX_class", "NXroot");
         m_file.attribute("/", "default", "entry");
@@ -50,12 +52,17 @@ public:
         m_file.attribute("/", "file_time", m_session.created);
         entry();
         plot();
+        count.add();
         instrument();
-        for (std::size_t i = 0; i < m_session.experiment.objects.size(); ++i)
+        count.add();
+        for (std::size_t i = 0; i < objects; ++i) {
             sample(i);
-        for (std::size_t i = 0; i < m_session.experiment.objects.size(); ++i)
+            count.add(2.0); // about as much as two of the others
+        }
+        for (std::size_t i = 0; i < objects; ++i)
             controller(i);
         records();
+        count.add();
         if (m_pictures)
             thermalPictures(*m_pictures);
     }
@@ -447,8 +454,8 @@ private:
 } // namespace
 
 void writeNexus(Hdf5File& file, const SessionRecord& session, const std::string& name,
-                const std::optional<ThermalPictures>& pictures) {
-    NexusWriter(file, session, pictures).write(name);
+                const std::optional<ThermalPictures>& pictures, const ShareDone& done) {
+    NexusWriter(file, session, pictures).write(name, done);
 }
 
 } // namespace bask

@@ -2,6 +2,7 @@
 // What the NeXus file of a recorded run holds: NeXus base classes and nothing that they do not have
 // (nexusformat/definitions), docs/exports.md.
 
+#include "engine/base/share_done.h"
 #include "engine/exchange/hdf5_file.h"
 #include "engine/recording/session_file.h"
 #include "engine/thermography/camera_profile.h"
@@ -24,6 +25,6 @@ struct ThermalPictures {
 /// Writes all but the pixels of the pictures, for which it makes room; `name` is the file's. The root's
 /// attributes come first, and of them the program's name.
 void writeNexus(Hdf5File& file, const SessionRecord& session, const std::string& name,
-                const std::optional<ThermalPictures>& pictures);
+                const std::optional<ThermalPictures>& pictures, const ShareDone& done = {});
 
 } // namespace bask

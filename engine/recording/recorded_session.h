@@ -114,6 +114,6 @@ double controlledUntil_s(const SessionRecord& facts);
 /// Calls `take` for each sample of a session, in order, until `stop` is requested. Errors: those of
 /// readSession.
 Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take,
-                         const std::stop_token& stop = {});
+                         const std::stop_token& stop = {}, const ShareDone& done = {});
 
 } // namespace bask

@@ -22,6 +22,7 @@ namespace bask {
 namespace {
 
 constexpr qsizetype kCsvChunk = 1 << 20;   // bytes held before they are written
+constexpr double kAfterTraces = 0.4;       // of the work
 constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
 void appendField(QByteArray& out, const SqlValue& value) {
@@ -135,10 +136,31 @@ Result<void> openTables(const SessionStore& store, const std::vector<std::string
     return {};
 }
 
-Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files) {
+/// About how many rows a table or a view of the samples has.
+double roughRowsOf(const SessionStore& store, const std::string& table, std::size_t objects) {
+    std::string view;
+    if (const auto read =
+            store.select("SELECT sql FROM sqlite_master WHERE type = 'view' AND name = " + sqlText(table),
+                         [&](SessionStore::Row row) { view = textOf(row[0]); });
+        !read || view.empty())
+        return roughRows(store, table);
+    if (view.ends_with("WHERE 0")) // of what the rig does not have
+        return 0.0;
+    const bool isOfObjects = view.find("CROSS JOIN object") != std::string::npos;
+    return roughRows(store, "step") * static_cast<double>(isOfObjects ? objects : 1);
+}
+
+Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files,
+                         std::size_t objects, const ShareDone& told) {
+    double rows = 0.0;
+    for (const std::string& table : tables)
+        rows += roughRowsOf(store, table, objects);
+    ShareCount count(told, rows);
     for (std::size_t i = 0; i < tables.size(); ++i) {
-        auto done = store.select("SELECT * FROM \"" + tables[i] + '"',
-                                 [&](SessionStore::Row row) { files[i]->add(row); });
+        auto done = store.select("SELECT * FROM \"" + tables[i] + '"', [&](SessionStore::Row row) {
+            files[i]->add(row);
+            count.add();
+        });
         if (done)
             done = files[i]->end();
         if (!done)
@@ -170,7 +192,7 @@ std::vector<const ObjectColumn*> columnsInTraces(const RecordedRig& rig) {
 
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
 /// export of one that is damaged.
-Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
+Result<void> writeTraces(const SessionRecord& facts, CsvFile& file, const ShareDone& done) {
     const std::vector<const ObjectColumn*> ofObjects = columnsInTraces(facts.rig());
     std::vector<SqlValue> row{std::string("time (s)")};
     for (const RunColumn& column : kRunColumns)
@@ -182,7 +204,7 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
         for (const ObjectColumn* column : ofObjects)
             row.emplace_back(object.name + ' ' + headerOf(*column));
     file.add(row);
-    const auto read = readSamples(facts.path, [&](const TraceSample& sample) {
+    const auto add = [&](const TraceSample& sample) {
         row = {sqlNumber(sample.time_s)};
         for (const RunColumn& column : kRunColumns)
             if (column.csv != nullptr)
@@ -193,13 +215,15 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
             for (const ObjectColumn* column : ofObjects)
                 row.push_back(cellOf(*column, object));
         file.add(row);
-    });
+    };
+    const auto read = readSamples(facts.path, add, {}, done);
     return read ? file.end() : read;
 }
 
 } // namespace
 
-Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder,
+                                                  const ShareDone& told) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -221,11 +245,14 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     if (done)
         done = openTables(**store, *tables, *stage, files);
     if (done)
-        done = writeTraces(*facts, traces);
+        done = writeTraces(*facts, traces, partOf(told, 0.0, kAfterTraces));
     if (done)
-        done = writeTables(**store, *tables, files);
+        done = writeTables(**store, *tables, files, facts->experiment.objects.size(),
+                           partOf(told, kAfterTraces, 1.0));
     if (done)
         done = addCrate(*stage, *facts);
+    if (done)
+        tellShare(told, 1.0);
     return done ? stage->commit() : done.error();
 }
 

@@ -129,6 +129,13 @@ Result<SessionRecord> readFacts(const SessionStore& store, const std::string& pa
     return record;
 }
 
+double roughRows(const SessionStore& store, const std::string& table) {
+    double last = 0.0;
+    const auto read =
+        store.select("SELECT max(rowid) FROM \"" + table + '"', [&](Row row) { last = numberOf(row[0]); });
+    return read && last > 0.0 ? last : 0.0;
+}
+
 Result<void> checkIntegrity(const SessionStore& store, const std::string& path) {
     std::string verdict;
     const auto done = store.select("PRAGMA quick_check(1)", [&](Row row) { verdict = textOf(row[0]); });

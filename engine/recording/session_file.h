@@ -2,6 +2,7 @@
 // A recorded run in one SQLite file (*.bask): the experiment and every sample, command, event and note in
 // order of time.
 
+#include "engine/base/share_done.h"
 #include "engine/drivers/traffic_log.h"
 #include "engine/model/experiment.h"
 #include "engine/model/run_labels.h"
@@ -93,7 +94,7 @@ struct SessionRecord {
 
 /// Reads a session; refuses a file that is not one, is damaged, or comes from a newer version. Never changes
 /// the file's data.
-Result<SessionRecord> readSession(const std::string& path);
+Result<SessionRecord> readSession(const std::string& path, const ShareDone& done = {});
 
 /// Calls `take` with the time and the PNG of each recorded picture of the thermal camera, in their order.
 Result<void> readThermalFrames(const std::string& path,
@@ -104,10 +105,12 @@ Result<void> copySession(const std::string& from, const std::string& to);
 
 /// Writes the recorded pictures of the thermal camera as TIFF of 16 bits with their times in times.csv: a
 /// folder that plays as a thermal camera. Returns the files written. Error: NoThermalFrames.
-Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder);
+Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder,
+                                                     const ShareDone& done = {});
 
 /// Writes one CSV for each table into an existing or new folder, with units in the headers. Returns the files
 /// written.
-Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder);
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder,
+                                                  const ShareDone& done = {});
 
 } // namespace bask

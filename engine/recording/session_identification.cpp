@@ -135,15 +135,18 @@ void HeatRecords::thin() {
     m_every *= 2;
 }
 
-std::vector<IdentifiedRates> HeatRecords::identify(const SessionIdentification& wanted) const {
+std::vector<IdentifiedRates> HeatRecords::identify(const SessionIdentification& wanted,
+                                                   const ShareDone& done) const {
     IdentificationOptions options = m_options;
     options.freeAmbient = wanted.freeAmbient;
     options.convection = wanted.convection;
     std::vector<IdentifiedRates> out;
+    ShareCount count(done, static_cast<double>(m_records.size()));
     for (std::size_t i = 0; i < m_records.size(); ++i) {
         options.environmentShare = m_environmentShares[i];
         options.airPerLambda2 = m_airPerLambda2[i];
         out.push_back(identifyRates(m_records[i], options));
+        count.add();
     }
     return out;
 }

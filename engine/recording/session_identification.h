@@ -1,6 +1,7 @@
 #pragma once
 // Identifies the heat rates of every object of a recorded run.
 
+#include "engine/base/share_done.h"
 #include "engine/control/rig_geometry.h"
 #include "engine/recording/session_file.h"
 #include "engine/thermal/identification.h"
@@ -32,7 +33,8 @@ public:
 
     /// Returns the rates in the experiment's order, with lambda1 at the source's set temperature. The room's
     /// temperature is that of the sensors' zeroing, if it was recorded.
-    std::vector<IdentifiedRates> identify(const SessionIdentification& wanted = {}) const;
+    std::vector<IdentifiedRates> identify(const SessionIdentification& wanted = {},
+                                          const ShareDone& done = {}) const;
 
 private:
     double power_W_m2(double T1_K) const;

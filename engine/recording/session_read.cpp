@@ -51,13 +51,14 @@ Result<void> sealCopy(const std::string& path) {
     return sealSession(path);
 }
 
+constexpr double kStructure = 0.15; // of the reading: the look at all pages of the file
 constexpr auto kLast = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
 
 /// Reads the whole of a session, its samples of version 2 one by one into `take`, those of version 1 into the
 /// record.
 Result<SessionRecord> readAll(const std::string& path,
                               const std::function<void(SessionRecord&, const TraceSample&)>& take,
-                              const std::stop_token& stop = {}) {
+                              const std::stop_token& stop, const ShareDone& told) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -70,30 +71,38 @@ Result<SessionRecord> readAll(const std::string& path,
     auto record = readFacts(**store, path);
     if (!record)
         return record;
+    tellShare(told, kStructure);
+    ShareCount count(partOf(told, kStructure, 1.0), roughRows(**store, "step"));
     if ((*store)->version() < 2)
         done = readFirstVersion(**store, *record);
     else if (const auto tables = SessionTables::of(**store, *record))
         done = readSteps(
-            **store, *tables, path, 1, kLast, [&](const TraceSample& sample) { take(*record, sample); },
+            **store, *tables, path, 1, kLast,
+            [&](const TraceSample& sample) {
+                take(*record, sample);
+                count.add();
+            },
             stop);
     else
         done = tables.error();
     if (!done)
         return done.error();
+    tellShare(told, 1.0);
     return record;
 }
 
 } // namespace
 
-Result<SessionRecord> readSession(const std::string& path) {
+Result<SessionRecord> readSession(const std::string& path, const ShareDone& done) {
     return readAll(
-        path, [](SessionRecord& record, const TraceSample& sample) { record.samples.push_back(sample); });
+        path, [](SessionRecord& record, const TraceSample& sample) { record.samples.push_back(sample); }, {},
+        done);
 }
 
 Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take,
-                         const std::stop_token& stop) {
+                         const std::stop_token& stop, const ShareDone& done) {
     const auto record = readAll(
-        path, [&](SessionRecord&, const TraceSample& sample) { take(sample); }, stop);
+        path, [&](SessionRecord&, const TraceSample& sample) { take(sample); }, stop, done);
     if (!record)
         return record.error();
     std::ranges::for_each(record->samples, take);

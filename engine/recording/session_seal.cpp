@@ -63,16 +63,20 @@ public:
         return first == nullptr || find(first + 1) != nullptr ? -1 : first - m_bytes;
     }
     /// SHA-256 with zeros instead of the seal at `place`.
-    std::string hashWithout(std::ptrdiff_t place) const {
+    std::string hashWithout(std::ptrdiff_t place, const ShareDone& done = {}) const {
         QCryptographicHash hash(QCryptographicHash::Sha256);
+        ShareCount count(done, static_cast<double>(m_file.size()));
         const auto add = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-            constexpr std::ptrdiff_t kStep = 1 << 28; // Qt 6.4 counts in int somewhere below
-            for (; from < to; from += kStep)
-                hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(m_bytes) + from,
-                                                     std::min(kStep, to - from)));
+            constexpr std::ptrdiff_t kStep = 1 << 23; // Qt 6.4 counts in int somewhere below
+            for (; from < to; from += kStep) {
+                const std::ptrdiff_t step = std::min(kStep, to - from);
+                hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(m_bytes) + from, step));
+                count.add(static_cast<double>(step));
+            }
         };
         add(0, place);
         hash.addData(QByteArray(static_cast<qsizetype>(kBytes), '\0'));
+        count.add(static_cast<double>(kBytes));
         add(place + static_cast<std::ptrdiff_t>(kBytes), m_file.size());
         return hash.result().toStdString();
     }
@@ -144,7 +148,7 @@ Result<void> sealSession(const std::string& path) {
     return {};
 }
 
-Result<Seal> lookAtSeal(const std::string& path, bool isAlone) {
+Result<Seal> lookAtSeal(const std::string& path, bool isAlone, const ShareDone& done) {
     const QString file = fileOf(path);
     if (hasLog(file, !isAlone))
         return Seal::None;
@@ -157,7 +161,7 @@ Result<Seal> lookAtSeal(const std::string& path, bool isAlone) {
     if (!mapped.isOpen())
         return Error(MessageCode::FileUnreadable, path, {mapped.words()});
     const std::ptrdiff_t place = mapped.placeOf(*seal);
-    return place >= 0 && mapped.hashWithout(place) == *seal ? Seal::Holds : Seal::Broken;
+    return place >= 0 && mapped.hashWithout(place, done) == *seal ? Seal::Holds : Seal::Broken;
 }
 
 } // namespace bask

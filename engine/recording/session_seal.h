@@ -2,6 +2,7 @@
 // The seal of a finished session: a SHA-256 of the whole file but for the seal itself. Where it holds, no
 // byte has changed since Bask closed the file; the hash chain (row_chain.h) says what has, where it does not.
 
+#include "engine/base/share_done.h"
 #include "engine/recording/session_store.h"
 
 #include <string>
@@ -24,6 +25,6 @@ enum class Seal {
 };
 /// `isAlone`: nothing else in this process has the file open, so that an empty log beside it does not matter.
 /// Error: the file cannot be read.
-Result<Seal> lookAtSeal(const std::string& path, bool isAlone = false);
+Result<Seal> lookAtSeal(const std::string& path, bool isAlone = false, const ShareDone& done = {});
 
 } // namespace bask

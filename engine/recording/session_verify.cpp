@@ -20,6 +20,8 @@ using Row = SessionStore::Row;
 constexpr std::size_t kLookAhead = 64;        // rows, once there are many findings
 constexpr std::size_t kMaxUnordered = 10'000; // rows of the schema, and of meta
 constexpr std::int64_t kMinCheckBytes = 64 << 20;
+// How far the parts of the work go, of a run of a day.
+constexpr double kAfterSeal = 0.08, kAfterStructure = 0.16, kAfterRows = 0.95;
 
 /// The rows of a table as they are in the file.
 struct TableRows {
@@ -34,8 +36,8 @@ constexpr bool isUnordered(ChainTable table) {
 
 class Verifier {
 public:
-    Verifier(const SessionStore& store, const std::string& expectedHead)
-        : m_store(store), m_expectedHead(expectedHead) {}
+    Verifier(const SessionStore& store, const std::string& expectedHead, const ShareDone& done)
+        : m_store(store), m_expectedHead(expectedHead), m_done(done) {}
 
     Result<SessionVerdict> verdict() {
         auto done = m_store.select("SELECT name FROM sqlite_master WHERE type = 'table'",
@@ -73,7 +75,16 @@ private:
                                           std::isnan(time_s) ? std::nullopt : std::optional(time_s)});
     }
 
+    double rowsToRead() const {
+        double rows = 0.0;
+        for (int k = 1; k < kChainTables; ++k)
+            if (const auto table = static_cast<ChainTable>(k); !isUnordered(table) && has(tableName(table)))
+                rows += roughRows(m_store, tableName(table));
+        return rows;
+    }
+
     Result<void> readRows() {
+        ShareCount count(partOf(m_done, kAfterStructure, kAfterRows), rowsToRead());
         for (int k = 1; k < kChainTables; ++k) {
             const auto table = static_cast<ChainTable>(k);
             if (table != ChainTable::Schema && !has(tableName(table)))
@@ -84,6 +95,7 @@ private:
             const std::size_t max = isUnordered(table) ? kMaxUnordered : SIZE_MAX;
             const std::string limit = isUnordered(table) ? " LIMIT " + std::to_string(kMaxUnordered + 1) : "";
             auto done = m_store.select(selectRows(table) + limit, [&](Row row) {
+                count.add();
                 rows.digests.push_back(digestOf(table, row));
                 rows.times_s.push_back(time >= 0 && at < row.size() ? numberOf(row[at]) : NAN);
                 if (table == ChainTable::Step)
@@ -98,6 +110,7 @@ private:
                 return done;
             m_verdict.rows += static_cast<std::int64_t>(rows.digests.size());
         }
+        tellShare(m_done, kAfterRows);
         return {};
     }
 
@@ -259,6 +272,7 @@ private:
 
     const SessionStore& m_store;
     const std::string& m_expectedHead;
+    const ShareDone& m_done;
     std::vector<std::string> m_tables;
     std::array<TableRows, kChainTables> m_rows;
     std::array<std::vector<std::uint32_t>, kChainTables> m_checks;
@@ -268,10 +282,12 @@ private:
 
 } // namespace
 
-Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead) {
-    const auto seal = lookAtSeal(path, true);
+Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead,
+                                     const ShareDone& told) {
+    const auto seal = lookAtSeal(path, true, partOf(told, 0.0, kAfterSeal));
     if (!seal)
         return seal.error();
+    tellShare(told, kAfterSeal);
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -280,9 +296,11 @@ Result<SessionVerdict> verifySession(const std::string& path, const std::string&
         done = checkIntegrity(**store, path);
     if (!done)
         return done.error();
-    auto verdict = Verifier(**store, expectedHead).verdict();
+    tellShare(told, kAfterStructure);
+    auto verdict = Verifier(**store, expectedHead, told).verdict();
     if (verdict)
         verdict->seal = *seal;
+    tellShare(told, 1.0);
     return verdict;
 }
 

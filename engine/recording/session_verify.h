@@ -2,6 +2,7 @@
 // Whether a recorded session is as it was recorded, and what was changed, removed or added where it is not.
 
 #include "engine/base/result.h"
+#include "engine/base/share_done.h"
 #include "engine/recording/session_seal.h"
 
 #include <cstdint>
@@ -39,7 +40,8 @@ inline constexpr std::size_t kMaxFindings = 1000;
 /// Looks at every row, and at every byte of a sealed file, which nothing else in this process may have open.
 /// `expectedHead` is in hex, or empty: the head at the time of a report, after which an interrupted recording
 /// may have been closed. Errors: it cannot be read as a session.
-Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead = {});
+Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead = {},
+                                     const ShareDone& done = {});
 
 /// Returns the head of a session's chain, empty if it has none. Looks at nothing else.
 Result<std::string> chainHead(const std::string& path);

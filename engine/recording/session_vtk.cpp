@@ -16,6 +16,7 @@ namespace bask {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
+constexpr double kAfterTrajectories = 0.1, kAfterOutlines = 0.2, kAfterFields = 0.9; // of the work
 constexpr int kMaxFieldSteps = 60; // along an axis: some seconds an object
 
 /// Where everything is before the first sample.
@@ -45,8 +46,9 @@ std::vector<std::size_t> chosen(std::size_t samples) {
 
 class VtkExport {
 public:
-    VtkExport(const SessionRecord& session, StagedFiles& files, const std::stop_token& stop)
-        : m_session(session), m_files(files), m_stop(stop) {}
+    VtkExport(const SessionRecord& session, StagedFiles& files, const std::stop_token& stop,
+              const ShareDone& done)
+        : m_session(session), m_files(files), m_stop(stop), m_done(done) {}
 
     Result<void> all() {
         for (const auto part : {&VtkExport::trajectories, &VtkExport::outlines, &VtkExport::fields})
@@ -88,12 +90,16 @@ private:
         if (moments.empty())
             moments.push_back(atStart(m_session.experiment));
         std::vector<TimedFile> files;
+        tellShare(m_done, kAfterTrajectories);
+        ShareCount count(partOf(m_done, kAfterTrajectories, kAfterOutlines),
+                         static_cast<double>(moments.size()));
         for (const TraceSample& moment : moments) {
             std::string number = std::to_string(files.size());
             number.insert(0, 4 - number.size(), '0');
             files.push_back({moment.time_s, "outlines/" + number + ".vtp"});
             if (auto done = put(outlinesAt(m_session, moment), files.back().name); !done)
                 return done;
+            count.add();
         }
         return m_files.write("outlines.pvd", collectionXml(files));
     }
@@ -117,7 +123,7 @@ private:
                                       .fixed = last.coordinates,
                                       .ofOwnCentres = true,
                                       .clearance_m = e.robot.clearance_m};
-        const auto sampled = targetFields(geometry, m_stop);
+        const auto sampled = targetFields(geometry, m_stop, partOf(m_done, kAfterOutlines, kAfterFields));
         if (!sampled)
             return sampled.error();
         for (std::size_t i = 0; i < e.objects.size(); ++i)
@@ -151,20 +157,22 @@ private:
     const SessionRecord& m_session;
     StagedFiles& m_files;
     const std::stop_token& m_stop;
+    const ShareDone& m_done;
 };
 
 } // namespace
 
 Result<std::vector<std::string>> exportVtk(const SessionRecord& session, const std::string& folder,
-                                           const std::stop_token& stop) {
+                                           const std::stop_token& stop, const ShareDone& told) {
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
-    auto done = VtkExport(session, *files, stop).all();
+    auto done = VtkExport(session, *files, stop, told).all();
     if (done)
         done = addCrate(*files, session);
     if (!done)
         return done.error();
+    tellShare(told, 1.0);
     return files->commit();
 }
 

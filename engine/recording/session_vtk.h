@@ -1,6 +1,7 @@
 #pragma once
 // A recorded run as VTK files for ParaView: trajectories, outlines over time, fields over the workspace.
 
+#include "engine/base/share_done.h"
 #include "engine/recording/session_file.h"
 
 #include <stop_token>
@@ -24,6 +25,6 @@ inline constexpr int kMaxOutlineSteps =
 /// samples it writes the fields and the outlines at the start. Errors: FileUnwritable, OutputForeign if files
 /// of another program are there, FieldCancelled.
 Result<std::vector<std::string>> exportVtk(const SessionRecord& session, const std::string& folder,
-                                           const std::stop_token& stop = {});
+                                           const std::stop_token& stop = {}, const ShareDone& done = {});
 
 } // namespace bask

@@ -47,7 +47,8 @@ Result<std::vector<double>> thermalFrameTimes(const std::string& path) {
     return read ? Result<std::vector<double>>(std::move(times_s)) : read.error();
 }
 
-Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder) {
+Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder,
+                                                     const ShareDone& told) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -63,6 +64,7 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
     Result<void> done;
     std::string times = "file,time_s\n";
     int number = 0;
+    ShareCount count(told, roughRows(**store, "thermal_frame"));
     const auto read = eachFrame(**store, [&](double time_s, const std::string& png) {
         const std::string digits = std::to_string(++number);
         const std::string name =
@@ -73,6 +75,7 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
         if (done)
             done = files->write(name, tiffOfCounts(*counts));
         times += name + ',' + formatNumber(time_s, 12) + '\n';
+        count.add();
     });
     if (!read)
         return read.error();
@@ -84,6 +87,7 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
         done = addCrate(*files, *facts);
     if (!done)
         return done.error();
+    tellShare(told, 1.0);
     return files->commit();
 }
 

@@ -3,8 +3,10 @@
 #include "engine/base/pose.h"
 #include "engine/base/program_part.h"
 #include "engine/base/result.h"
+#include "engine/base/share_done.h"
 #include "engine/base/units.h"
 #include "engine/base/words.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -186,6 +188,39 @@ TEST(Clock, RunsForwardOnly) {
     EXPECT_EQ(clock.now_s(), 3.0);
     EXPECT_THROW(clock.advance(-0.1), std::logic_error);
     EXPECT_THROW(clock.advanceTo(2.0), std::logic_error);
+}
+
+// Catches a share that is told at each step, goes back, or passes the whole.
+TEST(ShareCount, TellsEachHundredthOnceAndNoMoreThanAll) {
+    test::ToldShares all;
+    ShareCount count(all.told(), 1e5);
+    for (int k = 0; k < 200'000; ++k) // twice as many as there should be
+        count.add();
+    all.expectAWhole(100);
+    EXPECT_LE(all.shares().size(), 110U);
+    EXPECT_NEAR(all.shares().front(), 0.01, 1e-9);
+
+    test::ToldShares few;
+    ShareCount three(few.told(), 3.0);
+    for (int k = 0; k < 3; ++k)
+        three.add();
+    EXPECT_EQ(few.shares(), (std::vector<double>{1.0 / 3.0, 2.0 / 3.0, 1.0}));
+
+    test::ToldShares none;
+    ShareCount unknown(none.told(), 0.0); // how many there are is not known
+    unknown.add();
+    EXPECT_TRUE(none.shares().empty());
+    ShareCount silent({}, 10.0);
+    silent.add(20.0);
+}
+
+TEST(ShareCount, APartIsAPartOfTheWhole) {
+    test::ToldShares whole;
+    partOf(whole.told(), 0.5, 0.75)(0.5);
+    tellShare(whole.told(), 1.0);
+    EXPECT_EQ(whole.shares(), (std::vector<double>{0.625, 1.0}));
+    EXPECT_FALSE(partOf({}, 0.0, 0.5));
+    tellShare({}, 1.0);
 }
 
 } // namespace bask

@@ -5,6 +5,7 @@
 #include "engine/recording/nexus_writer.h"
 #include "engine/thermography/frame_picture_file.h"
 #include "tests/engine/recording/recording.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,12 @@ protected:
 
     QTemporaryDir m_folder;
 };
+
+TEST_F(NexusFile, TellsHowFarItIs) {
+    test::ToldShares shares;
+    ASSERT_TRUE(exportNexus(record(20), m_folder.path().toStdString(), shares.told()));
+    shares.expectAWhole(5);
+}
 
 TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     const SessionRecord session = record(5000); // more than is kept uncompressed

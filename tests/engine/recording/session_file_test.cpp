@@ -1,10 +1,12 @@
 #include "engine/base/message_code.h"
 #include "engine/base/version.h"
+#include "engine/recording/recorded_session.h"
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_header.h"
 #include "engine/recording/session_store.h"
 #include "tests/engine/recording/recording.h"
 #include "tests/support/first_version.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -137,6 +139,19 @@ TEST_F(SessionFile, NamesOperatorSampleAndBatch) {
     EXPECT_EQ(earlier->commands[0].name, "hold");
     EXPECT_TRUE(exportSessionCsv(path, file("new"))) << "over one that names them";
     ASSERT_TRUE(exportSessionCsv(recorded("next.bask", 3), file("new"))) << "and back";
+}
+
+// Catches a share that stands still while a long session is read or written, or that does not end.
+TEST_F(SessionFile, ReadingAndExportTellHowFarTheyAre) {
+    const std::string path = recorded("run.bask", 700);
+    test::ToldShares whole, samples, tables;
+    ASSERT_TRUE(readSession(path, whole.told()));
+    whole.expectAWhole(50);
+    ASSERT_TRUE(readSamples(
+        path, [](const TraceSample&) {}, {}, samples.told()));
+    samples.expectAWhole(50);
+    ASSERT_TRUE(exportSessionCsv(path, file("csv"), tables.told()));
+    tables.expectAWhole(120);
 }
 
 // Catches files of version 1 refused, or read as something else.

@@ -7,6 +7,7 @@
 #include "engine/recording/row_chain.h"
 #include "engine/recording/session_header.h"
 #include "tests/engine/recording/recording.h"
+#include "tests/support/told_shares.h"
 
 #include <QElapsedTimer>
 #include <QFile>
@@ -86,6 +87,13 @@ TEST_F(SessionVerify, findsWhatWasRecordedIntact) {
     EXPECT_GT(verdict.rows, kSamples + 4 * kSamples / 50);
     EXPECT_EQ(verdict.head.size(), 64U);
     EXPECT_EQ(*chainHead(path()), verdict.head);
+}
+
+TEST_F(SessionVerify, tellsHowFarItIs) {
+    record(path());
+    ToldShares shares;
+    ASSERT_TRUE(verifySession(path(), {}, shares.told()));
+    shares.expectAWhole(50);
 }
 
 // Catches: what Bask itself does with a session afterwards taken for tampering.

@@ -5,6 +5,7 @@
 #include "engine/base/message_code.h"
 #include "engine/model/experiment_rig.h"
 #include "tests/engine/recording/recording.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -185,6 +186,12 @@ TEST_F(SessionVtk, LongRunsAreThinnedForTheOutlinesOnly) {
     EXPECT_EQ(poly("trajectories.vtp")->GetNumberOfPoints(), 2002);
     EXPECT_EQ(QDir(m_folder.filePath("outlines")).entryList(QDir::Files).size(), kMaxOutlineSteps);
     EXPECT_NEAR(poly("outlines/0199.vtp")->GetPoint(0)[0], 0.1, 1e-9) << "source";
+}
+
+TEST_F(SessionVtk, TellsHowFarItIs) {
+    test::ToldShares shares;
+    ASSERT_TRUE(exportVtk(recordOf(25), m_folder.path().toStdString(), {}, shares.told()));
+    shares.expectAWhole(25);
 }
 
 TEST_F(SessionVtk, NothingIsWrittenWhereAnothersFileIsInTheWay) {

@@ -6,6 +6,7 @@
 #include "engine/recording/session_file.h"
 #include "engine/thermography/frame_file.h"
 #include "tests/engine/recording/recording.h"
+#include "tests/support/told_shares.h"
 
 #include <QTemporaryDir>
 
@@ -55,7 +56,9 @@ TEST_F(ThermalFramesOfASession, AreStoredWithoutLossAndExportedAsAFolderThatPlay
         ++k;
     }));
     EXPECT_EQ(k, 12);
-    const auto files = exportThermalFrames(path, frames);
+    test::ToldShares shares;
+    const auto files = exportThermalFrames(path, frames, shares.told());
+    shares.expectAWhole(12);
     ASSERT_TRUE(files) << describe(files.error());
     EXPECT_EQ(files->size(), 14U);
     const auto read = readFrame(frames + "/frame_0000012.tif", profile);
