@@ -93,6 +93,19 @@ TEST(MarkerDetection, AMarkerWithAMarginIsFoundOnce) {
     EXPECT_EQ(markers[0].id, 23);
 }
 
+// Catches gigabytes for a picture that is full of quadrangles: none is a marker, which is a negative verdict.
+TEST(MarkerDetection, SeesNothingInALargeChessboard) {
+    constexpr int kSide = 4000;
+    for (const int square : {1, 100}) {
+        GreyPicture board = test::flat(kSide, kSide, 0);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x)
+                if ((x / square + y / square) % 2 == 0)
+                    board.values[static_cast<std::size_t>(y) * kSide + static_cast<std::size_t>(x)] = 255;
+        EXPECT_TRUE(findSmallMarkersToo(board, {"6X6_250"}).empty()) << square;
+    }
+}
+
 // Catches: markers in nothing, and a crash on pictures smaller than a marker.
 TEST(MarkerDetection, SeesNothingInNothing) {
     for (const GreyPicture& picture : {GreyPicture(), test::flat(1, 1, 0), test::flat(1, 500, 255),
