@@ -4,6 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
@@ -29,6 +30,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr double kAfterReading = 0.7; // of the work
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct IdentifyArguments {
@@ -79,7 +81,7 @@ Result<void> checkOutput(const std::string& session, const std::string& output) 
     return {};
 }
 
-Result<IdentifyArguments> readIdentifyArguments(const QCommandLineParser& parser) {
+Result<IdentifyArguments> readIdentifyArguments(const QCommandLineParser& parser, const ShareDone& done) {
     const std::string path = parser.positionalArguments().front().toStdString();
     IdentifyArguments request;
     request.options = {parser.isSet("free-ambient"), parser.isSet("convection")};
@@ -94,18 +96,19 @@ Result<IdentifyArguments> readIdentifyArguments(const QCommandLineParser& parser
     request.session = *session;
     request.records.emplace(request.session->facts());
     const double until_s = controlledUntil_s(request.session->facts());
-    const auto read = readSamples(path, [&](const TraceSample& sample) {
+    const auto add = [&](const TraceSample& sample) {
         request.records->add(sample);
         if (sample.time_s <= until_s)
             request.last = sample;
-    });
+    };
+    const auto read = readSamples(path, add, {}, done);
     return read ? Result<IdentifyArguments>(std::move(request)) : read.error();
 }
 
-std::vector<Row> identifiedRows(const IdentifyArguments& request) {
+std::vector<Row> identifiedRows(const IdentifyArguments& request, const ShareDone& done) {
     const Experiment& experiment = request.session->facts().experiment;
     const double J = surroundingsOf(experiment).netSourcePower_W_m2;
-    const std::vector<IdentifiedRates> identified = request.records->identify(request.options);
+    const std::vector<IdentifiedRates> identified = request.records->identify(request.options, done);
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
     std::vector<Row> rows;
     for (std::size_t i = 0; i < identified.size(); ++i) {
@@ -209,7 +212,10 @@ Result<void> writeStartValues(const IdentifyArguments& request) {
     Experiment experiment = request.session->facts().experiment;
     SessionIdentification options = request.options;
     options.convection = false;
-    const std::vector<IdentifiedRates> identified = request.records->identify(options);
+    const std::vector<IdentifiedRates> identified = [&] {
+        Progress progress(1.0);
+        return request.records->identify(options, progress.share());
+    }();
     int written = 0;
     for (std::size_t i = 0; i < identified.size(); ++i) {
         ObjectSpec& object = experiment.objects[i];
@@ -248,13 +254,17 @@ int identifyCommand(const QStringList& arguments) {
           "EXPERIMENT.json"}});
     if (const auto code = parseCommand(parser, "identify", arguments, 1))
         return *code;
-    const auto request = readIdentifyArguments(parser);
+    std::optional<Progress> progress(std::in_place, 1.0);
+    const auto request = readIdentifyArguments(parser, partOf(progress->share(), 0.0, kAfterReading));
+    const std::vector<Row> rows =
+        request ? identifiedRows(*request, partOf(progress->share(), kAfterReading, 1.0))
+                : std::vector<Row>();
+    progress.reset(); // ends its line before others
     if (!request)
         return refuse("identify", request.error());
     if (request->session->facts().interrupted())
         std::fputs("bask identify: the recording was interrupted or is still on; taking what is there\n",
                    stderr);
-    const std::vector<Row> rows = identifiedRows(*request);
     if (parser.isSet("json"))
         printJson(*request, rows);
     else

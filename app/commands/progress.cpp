@@ -33,15 +33,19 @@ std::string roughDuration(double time_s) {
     return time_s < 100.0 * kHour_s ? whole(time_s / kHour_s) + " h" : whole(time_s / kDay_s) + " days";
 }
 
-Progress::Progress(double total, std::string unit)
-    : m_total(total), m_unit(std::move(unit)), m_isTerminal(isatty(STDERR_FILENO) != 0) {}
+Progress::Progress(double total, std::string unit, Total kind)
+    : m_total(total), m_unit(std::move(unit)), m_kind(kind), m_isTerminal(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
     if (m_isShown && m_isTerminal)
         std::fputc('\n', stderr);
 }
 
-void Progress::tell(double done) {
+ShareDone Progress::share() {
+    return [this](double part) { tell(part * m_total); };
+}
+
+void Progress::tell(double done, const std::function<std::string()>& besides) {
     const Clock::time_point now = Clock::now();
     const double since_s = seconds(now - m_start);
     const bool isEnd = m_isShown && done >= m_total;
@@ -54,15 +58,19 @@ void Progress::tell(double done) {
     if (m_unit.empty())
         std::snprintf(text, sizeof text, "%.0f %%", 100.0 * done / m_total);
     else
-        std::snprintf(text, sizeof text, "%.0f of %.0f %s (%.0f %%)", done, m_total, m_unit.c_str(),
+        std::snprintf(text, sizeof text, "%.0f of %s%.0f %s (%.0f %%)", done,
+                      m_kind == Total::AtMost ? "at most " : "", m_total, m_unit.c_str(),
                       100.0 * done / m_total);
-    const std::string left = done > 0.0 && done < m_total
-                                 ? ", about " + roughDuration(since_s * (m_total - done) / done) + " left"
-                                 : "";
+    std::string more;
+    if (done > 0.0 && done < m_total)
+        more = (m_kind == Total::AtMost ? ", at most " : ", about ") +
+               roughDuration(since_s * (m_total - done) / done) + " left";
+    if (besides)
+        more += ", " + besides();
     if (m_isTerminal)
-        std::fprintf(stderr, "\r%s%s\033[K", text, left.c_str()); // what was there before is erased
+        std::fprintf(stderr, "\r%s%s\033[K", text, more.c_str()); // what was there before is erased
     else
-        std::fprintf(stderr, "%s%s\n", text, left.c_str());
+        std::fprintf(stderr, "%s%s\n", text, more.c_str());
 }
 
 } // namespace bask

@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/model/experiment.h"
 #include "engine/recording/session_verify.h"
 
@@ -36,6 +37,11 @@ const char* sealWords(const SessionVerdict& verdict) {
     }
     return verdict.isClosed ? "none: tags, and bytes that are in no row, are not checked"
                             : "none: the recording is under way, or was not closed by itself";
+}
+
+Result<SessionVerdict> verified(const std::string& path, const std::string& head) {
+    Progress progress(1.0);
+    return verifySession(path, head, progress.share());
 }
 
 /// Whether it is as it was recorded; says so.
@@ -92,8 +98,7 @@ int verifyCommand(const QStringList& arguments) {
     if (parser.isSet("head") &&
         (head.size() != kHeadDigits || QByteArray::fromHex(head.toLatin1()).toHex() != head.toLatin1()))
         return refuse(kVerify, QStringLiteral("--head has 64 hexadecimal digits"));
-    const auto verdict =
-        verifySession(parser.positionalArguments().front().toStdString(), head.toStdString());
+    const auto verdict = verified(parser.positionalArguments().front().toStdString(), head.toStdString());
     if (!verdict)
         return refuse(kVerify, verdict.error());
     return tell(*verdict, head.toStdString()) ? kExitDone : kExitNegative;

@@ -5,6 +5,7 @@
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/drawing/field_axes.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
@@ -190,8 +191,13 @@ bool printSurfaces(const IsosurfaceArguments& request, const Field& field) {
     return any;
 }
 
+Result<std::vector<std::shared_ptr<const Field>>> surfaceFields(const TargetGeometry& geometry) {
+    Progress progress(1.0);
+    return targetFields(geometry, {}, progress.share());
+}
+
 int cutAndWrite(IsosurfaceArguments& request) {
-    const auto fields = targetFields(request.geometry);
+    const auto fields = surfaceFields(request.geometry);
     if (!fields)
         return refuse("isosurface", fields.error());
     const Field& field = *fields->front();

@@ -2,12 +2,31 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/drawing/session_outputs.h"
 #include "app/drawing/study_output.h"
 
 #include <QCommandLineParser>
 
 namespace bask {
+namespace {
+
+constexpr double kAfterSession = 0.8, kAfterInput = 0.9; // of the work
+
+Result<void> reported(const std::string& from, const std::string& to, const Language& language) {
+    Progress progress(1.0);
+    auto session = readSession(from, partOf(progress.share(), 0.0, kAfterSession));
+    if (!session)
+        return session.error();
+    RunReportInput input = reportInput(std::move(*session), TemperatureUnit::Celsius);
+    progress.tell(kAfterInput);
+    input.language = language.current();
+    auto written = writeReport(input, to);
+    progress.tell(1.0);
+    return written;
+}
+
+} // namespace
 
 int reportCommand(const QStringList& arguments) {
     constexpr const char* kName = "report";
@@ -33,14 +52,8 @@ int reportCommand(const QStringList& arguments) {
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kName, spoken.error());
-    auto session = readSession(from);
-    if (!session)
-        return refuse(kName, session.error());
-    RunReportInput input = reportInput(std::move(*session), TemperatureUnit::Celsius);
-    input.language = language.current();
-    if (const auto written = writeReport(input, path); !written)
-        return refuse(kName, written.error());
-    return kExitDone;
+    const auto written = reported(from, path, language);
+    return written ? kExitDone : refuse(kName, written.error());
 }
 
 } // namespace bask
