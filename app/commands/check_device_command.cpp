@@ -43,6 +43,13 @@ int checkDeviceCommand(const QStringList& arguments) {
         std::fprintf(stderr, "bask check-device: --role: robot, thermometer or heater expected\n");
         return kExitBadInput;
     }
+    const bool isRobot = *role == ProgramRole::Robot;
+    if (const auto code = refuseIdle(
+            parser, "check-device",
+            {{"home", isRobot, "is for a robot"},
+             {"home", !parser.isSet("no-motion"), "moves the robot, and --no-motion lets nothing move"},
+             {"no-motion", *role != ProgramRole::Thermometer, "is for a robot or a heat source"}}))
+        return *code;
     std::vector<std::string> words;
     for (const QString& word : parser.positionalArguments())
         words.push_back(word.toStdString());

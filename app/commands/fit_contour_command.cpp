@@ -297,6 +297,32 @@ int fitAndReport(const FitContourArguments& request, bool asJson) {
     return kExitDone;
 }
 
+/// What does nothing for a file of this kind, or beside the other options.
+std::optional<int> refuseIdleOptions(const QCommandLineParser& parser) {
+    const bool isFit = !parser.isSet("list");
+    constexpr const char* kOfAFit = "is for a fit; --list only prints the file's outlines";
+    constexpr const char* kOfAPicture = "is for pictures; lists and drawings have their unit";
+    constexpr const char* kOfAColour = "is for pictures; lists and drawings have no colours";
+    constexpr const char* kOfADrawing = "is for lists and drawings; a picture has a scale";
+    const OutlineFormat* const format = outlineFormatOf(parser.positionalArguments().front().toStdString());
+    const bool isKnown = format != nullptr, isPicture = isKnown && format->kind == OutlineKind::Picture;
+    return refuseIdle(parser, "fit-contour",
+                      {{"harmonics", isFit, kOfAFit},
+                       {"tolerance", isFit, kOfAFit},
+                       {"tolerance", parser.value("harmonics") == QLatin1String("auto"),
+                        "is for --harmonics auto; a given number of harmonics has no tolerance"},
+                       {"pick", isFit, kOfAFit},
+                       {"json", isFit, "is for a fit; --list prints JSON anyway"},
+                       {"scale", !isKnown || isPicture, kOfAPicture},
+                       {"known-length", !isKnown || isPicture, kOfAPicture},
+                       {"marker-size", !isKnown || isPicture, kOfAPicture},
+                       {"marker-dictionary", !isKnown || isPicture, kOfAPicture},
+                       {"colour", !isKnown || isPicture, kOfAColour},
+                       {"colour-tolerance", !isKnown || isPicture, kOfAColour},
+                       {"unit", !isPicture, kOfADrawing},
+                       {"factor", !isPicture, kOfADrawing}});
+}
+
 } // namespace
 
 int fitContourCommand(const QStringList& arguments) {
@@ -309,6 +335,8 @@ int fitContourCommand(const QStringList& arguments) {
         return refuse("fit-contour", QStringLiteral("--list writes no file"));
     if (!isList && !parser.isSet("harmonics"))
         return refuse("fit-contour", QStringLiteral("--harmonics is needed"));
+    if (const auto code = refuseIdleOptions(parser))
+        return *code;
     auto request = readFitContourArguments(parser);
     if (!request)
         return refuse("fit-contour", request.error());

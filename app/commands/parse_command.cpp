@@ -50,4 +50,14 @@ int refuse(const char* command, const QString& words) {
     return kExitBadInput;
 }
 
+std::optional<int> refuseIdle(const QCommandLineParser& parser, const char* command,
+                              std::initializer_list<IdleOption> options) {
+    for (const IdleOption& option : options)
+        if (!option.hasEffect && parser.isSet(option.name))
+            return refuse(command, (option.name[1] == '\0' ? QStringLiteral("-") : QStringLiteral("--")) +
+                                       QLatin1String(option.name) + QLatin1Char(' ') +
+                                       QString::fromUtf8(option.why));
+    return std::nullopt;
+}
+
 } // namespace bask

@@ -5,6 +5,7 @@
 
 #include <QCommandLineParser>
 
+#include <initializer_list>
 #include <optional>
 
 namespace bask {
@@ -19,5 +20,15 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
 /// about usage, and name --help.
 int refuse(const char* command, const Error& error);
 int refuse(const char* command, const QString& words);
+
+/// An option that does something only together with others, or without some.
+struct IdleOption {
+    const char* name;
+    bool hasEffect;
+    const char* why; ///< behind the option's name: "is for --live"
+};
+/// Refuses the first option that is given and would have no effect; returns the exit code then.
+std::optional<int> refuseIdle(const QCommandLineParser& parser, const char* command,
+                              std::initializer_list<IdleOption> options);
 
 } // namespace bask

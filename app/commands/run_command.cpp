@@ -7,6 +7,7 @@
 #include "app/commands/live_run.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/commands/recipe_command.h"
 #include "engine/base/units.h"
 #include "engine/experiment/experiment_file.h"
@@ -22,9 +23,9 @@
 #include <QElapsedTimer>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <unistd.h>
 
 namespace bask {
@@ -142,27 +143,56 @@ void warnOfTargets(const Experiment& experiment) {
                  nearest.empty() ? "" : (nearest + " degC").c_str());
 }
 
-void printProgress(double time_s, const TraceSample& sample) {
-    if (std::fmod(time_s, 10.0) > 0.5)
-        return;
-    std::fprintf(stderr, "\r%7.0f s ", time_s);
-    for (const ObjectSample& object : sample.objects)
-        std::fprintf(stderr, " %7.2f", celsiusFromKelvin(judgedTemperature_K(object)));
-    std::fprintf(stderr, " degC ");
+std::string temperatureWords(const TraceSample& sample) {
+    std::string text;
+    for (const ObjectSample& object : sample.objects) {
+        char number[16];
+        std::snprintf(number, sizeof number, "%.2f ", celsiusFromKelvin(judgedTemperature_K(object)));
+        text += number;
+    }
+    return text + "degC";
 }
+
+/// From the first sample on: what comes before a live run takes its own time.
+class RunProgress {
+public:
+    RunProgress(const Experiment& experiment, const SimulatedRunOptions& options)
+        : m_all_s(options.duration_s.value_or(experiment.simulation.durationLimit_s)),
+          m_kind(options.duration_s ? Progress::Total::Exact : Progress::Total::AtMost) {}
+
+    void tell(double time_s, const TraceSample& sample) {
+        if (!m_line)
+            m_line.emplace(m_all_s, "s of the run", m_kind);
+        m_line->tell(time_s, [&] { return temperatureWords(sample); });
+    }
+
+private:
+    double m_all_s;
+    Progress::Total m_kind;
+    std::optional<Progress> m_line;
+};
 
 Result<RunOutcome> runUntilSignal(const Experiment& experiment, const SimulatedRunOptions& options) {
     const SignalCount signalCount;
     std::stop_source stop;
     SimulatedRunOptions watched = options;
     watched.stop = stop.get_token();
+    RunProgress progress(experiment, options);
     watched.progress = [&](double time_s, const TraceSample& sample) {
         if (signalCount.now() > 0)
             stop.request_stop();
-        if (options.progress)
-            options.progress(time_s, sample);
+        progress.tell(time_s, sample);
     };
     return runSimulated(experiment, watched);
+}
+
+/// Elsewhere than on a terminal a live run writes only what has to be known.
+Result<RunOutcome> runLiveShown(const Experiment& experiment, SimulatedRunOptions options,
+                                const LiveStart& start) {
+    RunProgress progress(experiment, options);
+    if (isatty(STDERR_FILENO) != 0)
+        options.progress = [&](double time_s, const TraceSample& sample) { progress.tell(time_s, sample); };
+    return runLive(experiment, options, start);
 }
 
 LivePlace livePlace(const QCommandLineParser& parser) {
@@ -241,8 +271,9 @@ int runExperimentCommand(const QStringList& arguments) {
         return refuseWords(QStringLiteral("--home and --confirm-place exclude each other"));
     if (isRecipe && parser.value("recipe").isEmpty())
         return refuseWords(QStringLiteral("--recipe: the name is empty"));
-    if (isRecipe && parser.isSet("out") && parser.value("out").isEmpty())
-        return refuseWords(QStringLiteral("--out: the name is empty"));
+    for (const char* option : {"out", "summary"})
+        if (isRecipe && parser.isSet(option) && parser.value(option).isEmpty())
+            return refuseWords(QStringLiteral("--%1: the name is empty").arg(QLatin1String(option)));
     const RunLabels labels{parser.value("operator").toStdString(), parser.value("sample").toStdString(),
                            parser.value("batch").toStdString()};
     for (const char* option : {"operator", "sample", "batch"})
@@ -272,12 +303,9 @@ int runExperimentCommand(const QStringList& arguments) {
                                QStringLiteral(": allow it with --accept-limits"));
     warnOfOverlaps("run", request->experiment);
     warnOfTargets(request->experiment);
-    const bool terminal = isatty(STDERR_FILENO) != 0;
-    if (terminal)
-        request->options.progress = printProgress;
+    const bool isLive = parser.isSet("live");
     QElapsedTimer timer;
     timer.start();
-    const bool isLive = parser.isSet("live");
     LiveStart start{livePlace(parser)};
     start.monitor = *monitor;
     const std::optional<RigSpec>& rig = request->experiment.rig;
@@ -290,10 +318,8 @@ int runExperimentCommand(const QStringList& arguments) {
             return refuse("run", allowed.error());
         start.allowed = std::move(*allowed);
     }
-    const auto outcome = isLive ? runLive(request->experiment, request->options, start)
+    const auto outcome = isLive ? runLiveShown(request->experiment, request->options, start)
                                 : runUntilSignal(request->experiment, request->options);
-    if (terminal)
-        std::fputc('\n', stderr);
     if (!outcome)
         return refuse("run", outcome.error());
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;

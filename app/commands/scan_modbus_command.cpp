@@ -146,6 +146,10 @@ int scanModbusCommand(const QStringList& arguments) {
             kScanModbus,
             QStringLiteral(
                 "--line: BAUD-8N1 expected, as 9600-8N1 or 19200-8E1, several with commas, or common"));
+    if (const auto code = refuseIdle(
+            parser, kScanModbus,
+            {{"line", !spec.isNetwork, "is for serial ports; a network address has no such settings"}}))
+        return *code;
     if (spec.isNetwork)
         spec.lines.resize(1);
     const bool isJson = parser.isSet("json");

@@ -222,6 +222,10 @@ int simulateDeviceCommand(const QStringList& arguments) {
         kindOf(parser.positionalArguments().first().toStdString(), parser.value("driver").toStdString());
     if (!kind)
         return refuse(kSimulateDevice, kind.error());
+    if (const auto code = refuseIdle(
+            parser, kSimulateDevice,
+            {{"open", !(*kind)->isNetwork, "is for terminals; modbus_tcp is on a port of this computer"}}))
+        return *code;
     return serve(**kind, parser.value("link").toStdString(), parser.isSet("open"),
                  parser.value("fault").toStdString());
 }

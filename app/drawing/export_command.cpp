@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/drawing/session_outputs.h"
 #include "app/drawing/study_output.h"
 #include "engine/recording/nexus_file.h"
@@ -17,29 +18,50 @@ namespace bask {
 namespace {
 
 constexpr const char* kExport = "export";
+constexpr double kAfterRecord = 0.5; // of the work of one form
 constexpr std::array kKinds{"csv", "nexus", "vtk", "figures", "frames"};
 
 using Files = Result<std::vector<std::string>>;
 
 /// The tables are written as they are read; the other forms want the whole run.
 Files exported(const QString& kind, const std::string& path, std::optional<SessionRecord>& session,
-               const std::string& folder) {
+               const std::string& folder, const ShareDone& done) {
     if (kind == QLatin1String("csv"))
-        return exportSessionCsv(path, folder);
+        return exportSessionCsv(path, folder, done);
     if (kind == QLatin1String("frames"))
-        return exportThermalFrames(path, folder);
+        return exportThermalFrames(path, folder, done);
+    const double begin = session ? 0.0 : kAfterRecord;
     if (!session) {
-        auto read = readSession(path);
+        auto read = readSession(path, partOf(done, 0.0, kAfterRecord));
         if (!read)
             return read.error();
         session = std::move(*read);
     }
+    const ShareDone rest = partOf(done, begin, 1.0);
     if (kind == QLatin1String("vtk"))
-        return exportVtk(*session, folder);
+        return exportVtk(*session, folder, {}, rest);
     if (kind == QLatin1String("figures"))
-        return exportFigures(*session, folder, TemperatureUnit::Celsius);
-    const auto file = exportNexus(*session, folder);
+        return exportFigures(*session, folder, TemperatureUnit::Celsius, rest);
+    const auto file = exportNexus(*session, folder, rest);
     return file ? Files(std::vector{*file}) : file.error();
+}
+
+/// All of them, or those before the first that failed.
+Result<void> exportAll(const QStringList& kinds, const QCommandLineParser& parser,
+                       std::vector<std::string>& files) {
+    Progress progress(static_cast<double>(kinds.size()));
+    const std::string path = parser.positionalArguments().front().toStdString();
+    std::optional<SessionRecord> session;
+    double done = 0.0;
+    for (const QString& kind : kinds) {
+        const auto some = exported(kind, path, session, parser.value(kind).toStdString(),
+                                   [&](double share) { progress.tell(done + share); });
+        if (!some)
+            return some.error();
+        files.insert(files.end(), some->begin(), some->end());
+        done += 1.0;
+    }
+    return {};
 }
 
 } // namespace
@@ -62,24 +84,26 @@ int exportCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, kExport, arguments, 1))
         return *code;
     QStringList wanted;
-    for (const char* kind : kKinds)
-        if (!parser.value(kind).isEmpty())
+    for (const char* kind : kKinds) {
+        if (parser.isSet(kind))
             wanted << kind;
+        if (parser.isSet(kind) && parser.value(kind).isEmpty())
+            return refuse(kExport, QStringLiteral("--%1: the name of its folder is empty").arg(kind));
+    }
     if (wanted.isEmpty())
         return refuse(kExport, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
+    if (const auto code = refuseIdle(parser, kExport,
+                                     {{"language", parser.isSet("figures"),
+                                       "is for --figures; the other forms have no words in a language"}}))
+        return *code;
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kExport, spoken.error());
-    std::optional<SessionRecord> session;
-    for (const QString& kind : wanted) {
-        const auto files = exported(kind, parser.positionalArguments().front().toStdString(), session,
-                                    parser.value(kind).toStdString());
-        if (!files)
-            return refuse(kExport, files.error());
-        for (const std::string& file : *files)
-            std::printf("%s\n", file.c_str());
-    }
-    return kExitDone;
+    std::vector<std::string> files;
+    const auto done = exportAll(wanted, parser, files);
+    for (const std::string& file : files)
+        std::printf("%s\n", file.c_str());
+    return done ? kExitDone : refuse(kExport, done.error());
 }
 
 } // namespace bask
