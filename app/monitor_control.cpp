@@ -38,7 +38,8 @@ void MonitorControl::askSettings() {
         FileQuestion question;
         question.kind = isFolder ? FileQuestion::Kind::Folder : FileQuestion::Kind::OpenFile;
         question.title = title;
-        question.folder = m_files.lastFolder();
+        question.folder = m_files.lastFolder(FileFolder::Exports);
+        question.place = FileFolder::Exports;
         return m_files.ask(question);
     };
     auto* dialog = new MonitorDialog(m_settings, ask, m_window);

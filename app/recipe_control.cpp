@@ -43,7 +43,7 @@ RecipeControl::RecipeControl(Document& document, SessionActions& files, RecipePa
     connect(&m_panel, &RecipePanel::openRequested, this, [this] {
         const QString path = m_files.ask({FileQuestion::Kind::OpenFile,
                                           tr("Open a recipe"),
-                                          m_files.lastFolder(),
+                                          m_files.lastFolder(FileFolder::Experiments),
                                           tr("Recipes (*.json);;All files (*)"),
                                           {}});
         if (!path.isEmpty())
@@ -131,7 +131,9 @@ bool RecipeControl::save() {
 
 bool RecipeControl::saveAs() {
     const QString proposed =
-        m_path.isEmpty() ? QDir(m_files.lastFolder()).filePath(QStringLiteral("recipe.json")) : m_path;
+        m_path.isEmpty()
+            ? QDir(m_files.lastFolder(FileFolder::Experiments)).filePath(QStringLiteral("recipe.json"))
+            : m_path;
     const QString path = m_files.ask({FileQuestion::Kind::SaveFile, tr("Save the recipe"), proposed,
                                       tr("Recipes (*.json)"), QStringLiteral("json")});
     return !path.isEmpty() && write(path);
@@ -162,7 +164,7 @@ void RecipeControl::addCurrent() {
 void RecipeControl::addFile() {
     const QString path = m_files.ask({FileQuestion::Kind::OpenFile,
                                       tr("Add a run of an experiment"),
-                                      m_files.lastFolder(),
+                                      m_files.lastFolder(FileFolder::Experiments),
                                       tr("Experiments (*.json);;All files (*)"),
                                       {}});
     if (path.isEmpty())

@@ -23,6 +23,10 @@ ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& fil
     connect(m_page.replay()->comparison(), &ComparisonView::exportRequested, &m_files,
             &SessionActions::exportComparison);
     connect(&m_page, &ReviewPage::useIdentifiedRequested, this, &ReviewDesk::useIdentified);
+    connect(&m_page, &ReviewPage::experimentRequested, this, [this] {
+        if (m_session)
+            m_files.openAsNew(m_session->facts());
+    });
     connect(&m_page, &ReviewPage::told, this, &ReviewDesk::told);
     connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
 }
@@ -62,6 +66,10 @@ void ReviewDesk::retranslate() {
 void ReviewDesk::connectList() {
     SessionList* list = m_page.sessions();
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
+    connect(list, &SessionList::experimentRequested, &m_files,
+            qOverload<const QString&>(&SessionActions::openAsNew));
+    list->setSorting(m_files.sessionSorting());
+    connect(list, &SessionList::sortingChanged, &m_files, &SessionActions::setSessionSorting);
     connect(list, &SessionList::folderRequested, this, [this] {
         if (const QString folder = m_files.askSessionFolder(); !folder.isEmpty())
             m_library.setFolder(folder);

@@ -2,7 +2,6 @@
 
 #include "app/error_text.h"
 #include "app/examples.h"
-#include "app/settings_store.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/rig_file.h"
@@ -52,13 +51,16 @@ QString SessionActions::ask(const FileQuestion& question) {
         path = QFileDialog::getSaveFileName(m_window, question.title, question.folder, question.filter);
     }
     path = withSuffix(path, question.suffix);
-    if (!path.isEmpty())
-        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    if (path.isEmpty())
+        return path;
+    const bool isFolder = question.kind == FileQuestion::Kind::Folder;
+    m_settings.setLastFolder(!isFolder && isSession(path) ? FileFolder::Recordings : question.place,
+                             isFolder ? path : QFileInfo(path).absolutePath());
     return path;
 }
 
-QString SessionActions::lastFolder() const {
-    return m_settings.lastFolder();
+QString SessionActions::lastFolder(FileFolder kind) const {
+    return m_settings.lastFolder(kind);
 }
 
 TemperatureUnit SessionActions::temperatureUnit() const {
@@ -107,14 +109,14 @@ void SessionActions::openExample(const QString& name, bool remember) {
                          [this, name, remember, since = m_document.generation()](const auto& read) {
                              if (!remember && isEditedSince(since))
                                  return; // nobody has asked for it
-                             adopt(read, {}, name, since);
+                             adopt(read, {name}, since);
                          });
 }
 
 void SessionActions::askAndOpen() {
     const QString path = ask({FileQuestion::Kind::OpenFile,
                               tr("Open an experiment or a session"),
-                              m_settings.lastFolder(),
+                              m_settings.lastFolder(FileFolder::Experiments),
                               tr("Experiments and sessions (*.json *.bask);;Experiments (*.json);;Sessions "
                                  "(*.bask);;All files (*)"),
                               {}});
@@ -125,9 +127,10 @@ void SessionActions::askAndOpen() {
 void SessionActions::askAndOpenSession() {
     const QString path = ask({FileQuestion::Kind::OpenFile,
                               tr("Open a session"),
-                              m_settings.lastFolder(),
+                              m_settings.lastFolder(FileFolder::Recordings),
                               tr("Sessions (*.bask);;All files (*)"),
-                              {}});
+                              {},
+                              FileFolder::Recordings});
     if (!path.isEmpty())
         openSession(path);
 }
@@ -136,9 +139,21 @@ QString SessionActions::sessionFolder() const {
     return m_settings.sessionFolder();
 }
 
+QString SessionActions::sessionSorting() const {
+    return m_settings.sessionSorting();
+}
+
+void SessionActions::setSessionSorting(const QString& sorting) {
+    m_settings.setSessionSorting(sorting);
+}
+
 QString SessionActions::askSessionFolder() {
-    const QString folder =
-        ask({FileQuestion::Kind::Folder, tr("Folder of recorded runs"), m_settings.sessionFolder(), {}, {}});
+    const QString folder = ask({FileQuestion::Kind::Folder,
+                                tr("Folder of recorded runs"),
+                                m_settings.sessionFolder(),
+                                {},
+                                {},
+                                FileFolder::Recordings});
     if (!folder.isEmpty())
         m_settings.setSessionFolder(folder);
     return folder;
@@ -160,7 +175,7 @@ void SessionActions::open(const QString& path) {
 void SessionActions::openExperiment(const QString& path) {
     m_readExperiment.run([file = path.toStdString()] { return readExperiment(file); },
                          [this, path, since = m_document.generation()](const auto& read) {
-                             adopt(read, path, QFileInfo(path).fileName(), since);
+                             adopt(read, {QFileInfo(path).fileName(), path}, since);
                          });
 }
 
@@ -173,40 +188,64 @@ bool SessionActions::refusedByEdits(int since, const QString& name) {
     return true;
 }
 
-void SessionActions::adopt(const Result<Experiment>& read, const QString& path, const QString& name,
-                           int since) {
+void SessionActions::openAsNew(const SessionRecord& recorded) {
+    const QString path = QString::fromStdString(recorded.path);
+    if (mayReplace())
+        adopt(recorded.experiment, {QFileInfo(path).fileName(), {}, path}, m_document.generation());
+}
+
+void SessionActions::openAsNew(const QString& recording) {
+    if (!mayReplace())
+        return;
+    const auto read = [file = recording.toStdString()]() -> Result<Experiment> {
+        const auto session = RecordedSession::open(file);
+        if (!session)
+            return session.error();
+        return (*session)->facts().experiment;
+    };
+    m_readExperiment.run(read, [this, recording, since = m_document.generation()](const auto& experiment) {
+        adopt(experiment, {QFileInfo(recording).fileName(), {}, recording}, since);
+    });
+}
+
+void SessionActions::adopt(const Result<Experiment>& read, const Origin& origin, int since) {
     if (!read) {
         emit problem(sentence(read.error()));
-        forgetMissing(path);
+        forgetMissing(origin.recording.isEmpty() ? origin.path : origin.recording);
         return;
     }
-    if (refusedByRun() || refusedByEdits(since, name)) // which may have begun while the file was read
+    if (refusedByRun() || refusedByEdits(since, origin.name)) // which may have begun while the file was read
         return;
     if (widenedOnRealRig(m_document.experiment(), *read, m_document.realRobot()).empty())
-        put(*read, path);
+        put(*read, origin);
     else
-        askAboutLimits(*read, path, since);
+        askAboutLimits(*read, origin, since);
 }
 
 /// Like an edit that raises a limit: a file brings in nothing that nobody was asked about.
-void SessionActions::askAboutLimits(const Experiment& experiment, const QString& path, int since) {
+void SessionActions::askAboutLimits(const Experiment& experiment, const Origin& origin, int since) {
     QStringList lines;
     for (const Message& limit : widenedOnRealRig(m_document.experiment(), experiment, m_document.realRobot()))
         lines << sentence(limit);
     askOnTheWayUp(m_window, QStringLiteral("limitsOfFile"), tr("Limits of the real rig"),
-                  tr("\"%1\" allows the real rig more than now:").arg(QFileInfo(path).fileName()) +
-                      QStringLiteral("\n\n") + lines.join(u'\n') + QStringLiteral("\n\n") +
+                  tr("\"%1\" allows the real rig more than now:").arg(origin.name) + QStringLiteral("\n\n") +
+                      lines.join(u'\n') + QStringLiteral("\n\n") +
                       tr("Do robot, source, objects and sensors bear it?"),
-                  tr("Open with these limits"), [this, experiment, path, since] {
-                      if (!refusedByRun() && !refusedByEdits(since, QFileInfo(path).fileName()))
-                          put(experiment, path);
+                  tr("Open with these limits"), [this, experiment, origin, since] {
+                      if (!refusedByRun() && !refusedByEdits(since, origin.name))
+                          put(experiment, origin);
                   });
 }
 
-void SessionActions::put(const Experiment& experiment, const QString& path) {
-    m_document.open(experiment, path);
-    if (!path.isEmpty()) {
-        m_settings.addRecentFile(path);
+void SessionActions::put(const Experiment& experiment, const Origin& origin) {
+    if (!origin.recording.isEmpty()) {
+        m_document.openUnsaved(experiment, {});
+        return emit told(
+            tr("The experiment of %1 is open as a new one, which is not saved yet.").arg(origin.name));
+    }
+    m_document.open(experiment, origin.path);
+    if (!origin.path.isEmpty()) {
+        m_settings.addRecentFile(origin.path);
         emit recentChanged();
     }
 }
@@ -250,9 +289,10 @@ bool SessionActions::save() {
 }
 
 bool SessionActions::saveAs() {
-    const QString proposed = m_document.path().isEmpty()
-                                 ? QDir(m_settings.lastFolder()).filePath(QStringLiteral("experiment.json"))
-                                 : m_document.path();
+    const QString proposed =
+        m_document.path().isEmpty()
+            ? QDir(m_settings.lastFolder(FileFolder::Experiments)).filePath(QStringLiteral("experiment.json"))
+            : m_document.path();
     const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the experiment"), proposed,
                               tr("Experiments (*.json)"), QStringLiteral("json")});
     return !path.isEmpty() && write(path);
@@ -268,9 +308,10 @@ void SessionActions::setRecording(const QString& path) {
 void SessionActions::saveSession() {
     if (m_recording.isEmpty())
         return;
-    const QString proposed = QDir(m_settings.lastFolder()).filePath(QFileInfo(m_recording).fileName());
+    const QString proposed =
+        QDir(m_settings.lastFolder(FileFolder::Recordings)).filePath(QFileInfo(m_recording).fileName());
     const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the session"), proposed,
-                              tr("Sessions (*.bask)"), QStringLiteral("bask")});
+                              tr("Sessions (*.bask)"), QStringLiteral("bask"), FileFolder::Recordings});
     if (path.isEmpty())
         return;
     m_copy.run([from = m_recording.toStdString(), to = path.toStdString()] { return copySession(from, to); },
@@ -298,28 +339,32 @@ void SessionActions::exportSession(SessionForm form) {
     if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
+    const QString folder = m_settings.lastFolder(FileFolder::Exports);
     QString to;
     if (SessionExport::isReport(form)) {
         const QString ending =
             form == SessionForm::ReportPdf ? QStringLiteral("pdf") : QStringLiteral("html");
         to = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
-                  QDir(m_settings.lastFolder()).filePath(QFileInfo(from).completeBaseName() + u'.' + ending),
-                  form == SessionForm::ReportPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), ending});
+                  QDir(folder).filePath(QFileInfo(from).completeBaseName() + u'.' + ending),
+                  form == SessionForm::ReportPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), ending,
+                  FileFolder::Exports});
     } else {
         to = ask({FileQuestion::Kind::Folder,
                   tr("Folder for the exported files"),
-                  m_settings.lastFolder(),
+                  folder,
                   {},
-                  {}});
+                  {},
+                  FileFolder::Exports});
     }
     if (!to.isEmpty())
         m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language());
 }
 
 void SessionActions::exportComparison(const QString& csv) {
-    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the comparison"),
-                            QDir(m_settings.lastFolder()).filePath(QStringLiteral("comparison.csv")),
-                            tr("Tables (*.csv)"), QStringLiteral("csv")});
+    const QString to =
+        ask({FileQuestion::Kind::SaveFile, tr("Save the comparison"),
+             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(QStringLiteral("comparison.csv")),
+             tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});
     if (!to.isEmpty())
         m_export.writeComparison(csv, to);
 }
@@ -341,7 +386,7 @@ QString SessionActions::nextRecordingPath() {
 void SessionActions::openRig() {
     const QString path = ask({FileQuestion::Kind::OpenFile,
                               tr("Open a rig"),
-                              m_settings.lastFolder(),
+                              m_settings.lastFolder(FileFolder::Experiments),
                               tr("Rigs (*.json);;All files (*)"),
                               {}});
     if (!path.isEmpty())
@@ -358,9 +403,10 @@ void SessionActions::readRig(const QString& path) {
 }
 
 void SessionActions::saveReport(const QString& text) {
-    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
-                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("bask-report.txt")),
-                              tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt")});
+    const QString path =
+        ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(QStringLiteral("bask-report.txt")),
+             tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt"), FileFolder::Exports});
     if (path.isEmpty())
         return;
     if (const auto written = writeTextFile(path.toStdString(), text.toStdString()); !written)
@@ -372,9 +418,10 @@ void SessionActions::saveRig() {
     const auto& rig = m_document.experiment().rig;
     if (!rig)
         return;
-    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the rig"),
-                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("rig.json")),
-                              tr("Rigs (*.json);;All files (*)"), QStringLiteral("json")});
+    const QString path =
+        ask({FileQuestion::Kind::SaveFile, tr("Save the rig"),
+             QDir(m_settings.lastFolder(FileFolder::Experiments)).filePath(QStringLiteral("rig.json")),
+             tr("Rigs (*.json);;All files (*)"), QStringLiteral("json")});
     if (path.isEmpty())
         return;
     if (const auto written = writeRigFile(*rig, path.toStdString()); !written)

@@ -4,6 +4,7 @@
 
 #include "app/document.h"
 #include "app/session_export.h"
+#include "app/settings_store.h"
 #include "engine/base/units.h"
 #include "engine/recording/recorded_session.h"
 #include "widgets/common/latest_job.h"
@@ -19,8 +20,6 @@ class QWidget;
 
 namespace bask {
 
-class SettingsStore;
-
 /// A question for a file name, so that a test can answer it.
 struct FileQuestion {
     enum class Kind { OpenFile, SaveFile, Folder };
@@ -28,7 +27,8 @@ struct FileQuestion {
     QString title;
     QString folder; ///< for SaveFile, with the proposed name
     QString filter;
-    QString suffix; ///< added if the typed name has none
+    QString suffix;                             ///< added if the typed name has none
+    FileFolder place = FileFolder::Experiments; ///< where the answer's folder is remembered
 };
 
 class SessionActions : public QObject {
@@ -48,7 +48,7 @@ public:
     void setRecording(const QString& path);
     /// Returns the chosen file; empty if cancelled.
     QString ask(const FileQuestion& question);
-    QString lastFolder() const;
+    QString lastFolder(FileFolder kind) const;
     TemperatureUnit temperatureUnit() const;
     /// Adds the file to the recent files.
     void remember(const QString& path);
@@ -60,9 +60,15 @@ public:
     /// The folder whose runs are listed; asks for another one. Empty if it does not change.
     QString sessionFolder() const;
     QString askSessionFolder();
+    /// What these runs are sorted by, a word of SessionList.
+    QString sessionSorting() const;
+    void setSessionSorting(const QString& sorting);
     /// Opens a file: *.bask is a session; the content of a .json shows whether it is a recipe, a rig or an
     /// experiment.
     void open(const QString& path);
+    /// Opens the experiment of a recording as a new one, which has no file and is not saved.
+    void openAsNew(const SessionRecord& recorded);
+    void openAsNew(const QString& recording);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
@@ -107,9 +113,15 @@ signals:
 
 private:
     bool isEditedSince(int since) const { return m_document.modified() && m_document.generation() != since; }
-    void askAboutLimits(const Experiment& experiment, const QString& path, int since);
-    void put(const Experiment& experiment, const QString& path);
-    void adopt(const Result<Experiment>& read, const QString& path, const QString& name, int since);
+    /// Where an experiment comes from.
+    struct Origin {
+        QString name;        ///< in sentences
+        QString path{};      ///< its file; empty if it has none
+        QString recording{}; ///< the session that it is taken from, if any
+    };
+    void askAboutLimits(const Experiment& experiment, const Origin& origin, int since);
+    void put(const Experiment& experiment, const Origin& origin);
+    void adopt(const Result<Experiment>& read, const Origin& origin, int since);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
     void forgetMissing(const QString& path);

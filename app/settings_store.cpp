@@ -25,6 +25,18 @@ QString settingsFile() {
                             : QDir(folder).filePath(QStringLiteral("bask.ini"));
 }
 
+QString folderKey(FileFolder kind) {
+    switch (kind) {
+    case FileFolder::Recordings:
+        return QStringLiteral("recordingFolder");
+    case FileFolder::Exports:
+        return QStringLiteral("exportFolder");
+    case FileFolder::Experiments:
+        break;
+    }
+    return QStringLiteral("folder");
+}
+
 QString windowKey(const char* what) {
     return QStringLiteral("window/%1-%2").arg(what).arg(kWindowVersion);
 }
@@ -151,15 +163,17 @@ void SettingsStore::setCoachAnswered() {
     m_settings.setValue(QStringLiteral("coachAnswered"), true);
 }
 
-QString SettingsStore::lastFolder() const {
-    const QString folder = m_settings.value(QStringLiteral("folder")).toString();
-    return !folder.isEmpty() && QFileInfo(folder).isDir()
-               ? folder
-               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+QString SettingsStore::lastFolder(FileFolder kind) const {
+    for (const FileFolder each : {kind, FileFolder::Experiments}) {
+        const QString folder = m_settings.value(folderKey(each)).toString();
+        if (!folder.isEmpty() && QFileInfo(folder).isDir())
+            return folder;
+    }
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
 }
 
-void SettingsStore::setLastFolder(const QString& folder) {
-    m_settings.setValue(QStringLiteral("folder"), folder);
+void SettingsStore::setLastFolder(FileFolder kind, const QString& folder) {
+    m_settings.setValue(folderKey(kind), folder);
 }
 
 QString SettingsStore::sessionFolder() const {
@@ -173,6 +187,14 @@ void SettingsStore::setSessionFolder(const QString& folder) {
         m_settings.remove(QStringLiteral("sessions"));
     else
         m_settings.setValue(QStringLiteral("sessions"), folder);
+}
+
+QString SettingsStore::sessionSorting() const {
+    return m_settings.value(QStringLiteral("sessionSorting")).toString();
+}
+
+void SettingsStore::setSessionSorting(const QString& sorting) {
+    m_settings.setValue(QStringLiteral("sessionSorting"), sorting);
 }
 
 QByteArray SettingsStore::windowGeometry() const {

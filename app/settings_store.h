@@ -14,6 +14,10 @@
 
 namespace bask {
 
+/// Kinds of files that are kept at different places: experiments, rigs and recipes; recordings; what is
+/// written for others.
+enum class FileFolder { Experiments, Recordings, Exports };
+
 /// An INI file in the user's configuration folder, or in the folder BASK_SETTINGS_DIR. Unknown values read as
 /// the defaults.
 class SettingsStore {
@@ -59,12 +63,17 @@ public:
     bool asksLabels() const;
     void setAsksLabels(bool asks);
 
-    QString lastFolder() const;
-    void setLastFolder(const QString& folder);
+    /// Folder where a file of that kind was opened or saved last. Before the first, or where it is gone: that
+    /// of experiments, else the documents.
+    QString lastFolder(FileFolder kind) const;
+    void setLastFolder(FileFolder kind, const QString& folder);
 
     /// Folder whose runs the Review page lists: where Bask records, unless another was chosen.
     QString sessionFolder() const;
     void setSessionFolder(const QString& folder);
+    /// What these runs are sorted by, a word of SessionList; empty if nothing was chosen.
+    QString sessionSorting() const;
+    void setSessionSorting(const QString& sorting);
 
     QByteArray windowGeometry() const;
     QByteArray windowState() const;

@@ -66,6 +66,7 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
+    connect(m_useExperiment, &QPushButton::clicked, this, &ReviewPage::experimentRequested);
     connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
     connect(m_events, &EventList::timeChosen, m_replay, &ReplayView::seek);
     showRun(false);
@@ -146,6 +147,9 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
     add(m_controller, "factController");
     add(m_created, "factCreated");
     add(m_software, "factSoftware");
+    m_useExperiment = new QPushButton(facts);
+    m_useExperiment->setObjectName("useExperiment");
+    form->addRow(m_useExperiment);
     return facts;
 }
 
@@ -416,6 +420,10 @@ void ReviewPage::refreshTexts() {
     m_useIdentified->setToolTip(
         tr("Controllers of the open experiment start with the identified rates, in the "
            "objects of the same name and material under the same source."));
+    m_useExperiment->setText(tr("Open as new experiment"));
+    m_useExperiment->setToolTip(
+        tr("Opens what was run here, objects, source, targets and limits as the recording has them, as a new "
+           "experiment without a file."));
     if (m_identifying)
         m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
     showCounting();

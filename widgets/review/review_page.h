@@ -32,8 +32,8 @@ struct IdentifiedRow;
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedLosses", "identifiedNote",
-/// "useIdentified", "reviewEvents", "reviewDetails" (which of these is shown), "reviewCounting", and those of
-/// SessionList, ReplayView and MetricsPanel.
+/// "useIdentified", "useExperiment", "reviewEvents", "reviewDetails" (which of these is shown),
+/// "reviewCounting", and those of SessionList, ReplayView and MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -65,6 +65,8 @@ signals:
     void exportRequested(bask::SessionForm form);
     /// The identified rates are requested as start values of the open experiment.
     void useIdentifiedRequested();
+    /// The experiment of the open run is requested as a new one.
+    void experimentRequested();
     /// The metrics' definitions were requested.
     void definitionsRequested();
     /// A sentence for the person, who pressed a key that does nothing now.
@@ -119,7 +121,7 @@ private:
     QLabel* m_lossesTitle;
     QLabel* m_identifiedTitle;
     QLabel* m_identifiedNote;
-    QPushButton* m_useIdentified;
+    QPushButton *m_useIdentified, *m_useExperiment;
     bool m_identifying = false;
     std::optional<int> m_counted_percent; ///< progress while counting
     bool m_isCountFailed = false;

@@ -15,31 +15,61 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
+#include <set>
+#include <string>
 
 namespace bask {
 namespace {
 
-enum ListColumn { kDate, kRunName, kOutcome, kDuration, kOperator, kSample, kRig, kTags, kListColumns };
+enum ListColumn {
+    kDate,
+    kRunName,
+    kOutcome,
+    kDuration,
+    kOperator,
+    kSample,
+    kRig,
+    kTags,
+    kListController, ///< shown before the tags
+    kListColumns
+};
+/// In settings.
+constexpr std::array<const char*, kListColumns> kSortNames{
+    "recorded", "run", "outcome", "duration", "operator", "sample", "rig", "tags", "controller"};
+const QString kDescending = QStringLiteral(" descending");
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
 
-/// Sorted by what the texts stand for.
+/// Sorted by what the texts stand for; those that are alike the newest first, whatever the order.
 class Row : public QTreeWidgetItem {
 public:
     using QTreeWidgetItem::QTreeWidgetItem;
     bool operator<(const QTreeWidgetItem& other) const override {
         const int column = treeWidget()->sortColumn();
+        if (const int order = compared(column, other); order != 0)
+            return order < 0;
+        const int age = compared(kDate, other);
+        return treeWidget()->header()->sortIndicatorOrder() == Qt::AscendingOrder ? age > 0 : age < 0;
+    }
+
+private:
+    int compared(int column, const QTreeWidgetItem& other) const {
         const QVariant mine = data(column, kSortRole), its = other.data(column, kSortRole);
-        if (mine.typeId() == QMetaType::Double)
-            return mine.toDouble() < its.toDouble();
-        return QString::localeAwareCompare(mine.toString(), its.toString()) < 0;
+        if (mine.typeId() == QMetaType::Double) {
+            const double a = mine.toDouble(), b = its.toDouble();
+            return a < b ? -1 : a > b ? 1 : 0;
+        }
+        const QString a = mine.toString(), b = its.toString();
+        return a == b ? 0 : QString::localeAwareCompare(a, b); // of a year's outcomes most are the same
     }
 };
 
@@ -92,8 +122,11 @@ SessionList::SessionList(QWidget* parent)
     m_tree->setSortingEnabled(true);
     m_tree->sortByColumn(kDate, Qt::DescendingOrder);
     m_tree->header()->setStretchLastSection(true);
-    for (const ListColumn column : {kOutcome, kDuration}) // never cut short; titles are, before them
+    m_tree->header()->moveSection(kListController, kTags);
+    for (const ListColumn column :
+         {kOutcome, kDuration, kListController}) // never cut short; titles are, before them
         m_tree->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
     m_tree->setMinimumHeight(110);
 
     auto* top = new QHBoxLayout;
@@ -117,6 +150,18 @@ SessionList::SessionList(QWidget* parent)
 
     connect(m_search, &QLineEdit::textChanged, this, &SessionList::search);
     connect(m_folder, &QPushButton::clicked, this, &SessionList::folderRequested);
+    connectTree();
+    connect(m_tags, &QLineEdit::editingFinished, this, &SessionList::takeTags);
+    connect(m_message, &MessageBar::actionClicked, this, [this] {
+        if (const SessionHeader* session = selected())
+            return emit closeRequested(text(session->path));
+        m_search->clear(); // nothing was found
+        m_search->setFocus();
+    });
+    retranslate();
+}
+
+void SessionList::connectTree() {
     connect(m_tree, &QTreeWidget::currentItemChanged, this, &SessionList::showSelected);
     const auto open = [this] {
         if (const SessionHeader* session = selected(); session != nullptr && !session->error)
@@ -128,12 +173,9 @@ SessionList::SessionList(QWidget* parent)
         if (const SessionHeader* session = selected())
             emit compareRequested(text(session->path));
     });
-    connect(m_tags, &QLineEdit::editingFinished, this, &SessionList::takeTags);
-    connect(m_message, &MessageBar::actionClicked, this, [this] {
-        if (const SessionHeader* session = selected())
-            emit closeRequested(text(session->path));
-    });
-    retranslate();
+    connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &SessionList::showMenu);
+    connect(m_tree->header(), &QHeaderView::sortIndicatorChanged, this,
+            [this] { emit sortingChanged(sorting()); });
 }
 
 QStringList SessionList::tagsOf(const QString& text) {
@@ -184,6 +226,23 @@ void SessionList::setTemperatureUnit(TemperatureUnit unit) {
         return;
     m_unit = unit;
     showRows();
+}
+
+QString SessionList::sorting() const {
+    const QHeaderView& header = *m_tree->header();
+    const auto column = static_cast<std::size_t>(header.sortIndicatorSection());
+    return QLatin1String(kSortNames.at(column)) +
+           (header.sortIndicatorOrder() == Qt::DescendingOrder ? kDescending : QString());
+}
+
+void SessionList::setSorting(const QString& sorting) {
+    const bool isDescending = sorting.endsWith(kDescending);
+    const QString name = isDescending ? sorting.chopped(kDescending.size()) : sorting;
+    const auto found =
+        std::ranges::find(kSortNames, name, [](const char* each) { return QLatin1String(each); });
+    if (found != kSortNames.end())
+        m_tree->sortByColumn(static_cast<int>(found - kSortNames.begin()),
+                             isDescending ? Qt::DescendingOrder : Qt::AscendingOrder);
 }
 
 bool SessionList::isOpened(const QTreeWidgetItem* row) const {
@@ -241,6 +300,11 @@ void SessionList::showRows() {
     hide(kOperator, [](const SessionHeader& each) { return !each.labels.operatorName.empty(); });
     hide(kSample,
          [](const SessionHeader& each) { return !each.labels.sample.empty() || !each.labels.batch.empty(); });
+    std::set<std::string> controllers;
+    for (const SessionHeader& each : m_sessions)
+        controllers.insert(each.controller);
+    controllers.erase(std::string()); // of a file that cannot be read
+    m_tree->setColumnHidden(kListController, controllers.size() < 2);
     fitNames();
     search();
 }
@@ -252,7 +316,7 @@ void SessionList::fitNames() {
         others += m_tree->columnWidth(column);
     if (!m_cells->hasTwoLines()) { // what tells runs apart comes before the rest, which is scrolled to
         others += m_tree->header()->minimumSectionSize() + 40; // tags
-        for (const ListColumn column : {kOperator, kSample, kRig})
+        for (const ListColumn column : {kOperator, kSample, kRig, kListController})
             others += m_tree->columnWidth(column);
     }
     const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kRunName) + 8;
@@ -292,11 +356,18 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     const QString sample =
         joined(withoutEmpty({session.labels.sample, session.labels.batch}), QStringLiteral(" / "));
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
+    const QString controller = session.error ? QString() : listedController(session);
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
-    const QStringList texts{
-        formatDate(date), name, word, hasTime ? formatDuration(session.end_s) : kNoValue, who,
-        sample,           rig,  tags};
+    const QStringList texts{formatDate(date),
+                            name,
+                            word,
+                            hasTime ? formatDuration(session.end_s) : kNoValue,
+                            who,
+                            sample,
+                            rig,
+                            tags,
+                            controller};
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
                              name,
                              word,
@@ -304,13 +375,14 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
                              who,
                              sample,
                              rig,
-                             tags};
+                             tags,
+                             controller};
     for (int column = 0; column < kListColumns; ++column) {
         row->setText(column, texts[column]);
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));
     }
-    for (const ListColumn column : {kRunName, kOutcome, kOperator, kSample, kRig, kTags})
+    for (const ListColumn column : {kRunName, kOutcome, kOperator, kSample, kRig, kTags, kListController})
         if (!texts[column].isEmpty())
             row->setToolTip(column, texts[column]);
     if (!detail.isEmpty()) {
@@ -325,32 +397,31 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
         row->setToolTip(kOutcome, sentenceText(session.error->message));
     row->setData(0, kPathRole, text(session.path));
     markOpened(row);
-    QStringList all{file, title, listedController(session), joined(session.notes, QStringLiteral("\n"))};
+    QStringList all = texts;
+    all << file << title << detail << joined(session.notes, QStringLiteral("\n"));
     for (const ListedObject& object : session.objects)
         all << text(object.name) << text(object.material);
-    all << who << sample << tags << word << rig;
-    row->setData(0, kSearchRole, all.join(u'\n'));
+    row->setData(0, kSearchRole, all.join(u'\n').toCaseFolded());
 }
 
 /// Rows that have every word of the search somewhere.
 void SessionList::search() {
-    const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
-    int shown = 0;
+    const QStringList words = m_search->text().simplified().toCaseFolded().split(u' ', Qt::SkipEmptyParts);
+    m_found = 0;
     for (int k = 0; k < m_tree->topLevelItemCount(); ++k) {
-        QTreeWidgetItem* row = m_tree->topLevelItem(k);
-        const QString all = row->data(0, kSearchRole).toString();
-        const bool isFound = std::ranges::all_of(
-            words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
-        row->setHidden(!isFound);
-        shown += isFound ? 1 : 0;
+        const QString all = m_tree->topLevelItem(k)->data(0, kSearchRole).toString();
+        const bool isFound =
+            std::ranges::all_of(words, [&](const QString& word) { return all.contains(word); });
+        m_tree->setRowHidden(k, {}, !isFound); // a row's own setHidden() looks for its place among all
+        m_found += isFound ? 1 : 0;
     }
     const auto count = static_cast<int>(m_sessions.size());
     if (m_isReading)
         m_count->setText(tr("Reading the folder\u2026"));
     else if (count == 0)
         m_count->setText(tr("No recorded runs in this folder."));
-    else if (shown < count)
-        m_count->setText(tr("%1 of %n session(s)", nullptr, count).arg(shown));
+    else if (m_found < count)
+        m_count->setText(tr("%1 of %n session(s)", nullptr, count).arg(m_found));
     else
         m_count->setText(tr("%n session(s)", nullptr, count));
     showSelected();
@@ -381,6 +452,10 @@ void SessionList::showSelected() {
         m_tagsOf = path;
         m_tags->setText(tags);
     }
+    if (session == nullptr && m_found == 0 && !m_sessions.empty())
+        return m_message->say(MessageBar::Kind::Note,
+                              tr("No run matches \"%1\".").arg(m_search->text().simplified()),
+                              tr("Show all runs"), false);
     if (session == nullptr)
         return m_message->clear();
     if (session->error)
@@ -398,6 +473,42 @@ void SessionList::showSelected() {
                       "Start; at most the last %3 s before it went down are missing.")
                        .arg(saved, formatDuration(session->end_s), QLocale().toString(kMaxLost_s)),
                    tr("Close it properly"), false);
+}
+
+/// What can be done with the selected run, and what the runs are sorted by: also for who has no mouse.
+void SessionList::showMenu(const QPoint& at) {
+    delete findChild<QMenu*>(QStringLiteral("sessionMenu"));
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("sessionMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (const SessionHeader* session = selected(); session != nullptr && !session->error) {
+        const QString path = text(session->path);
+        menu->addAction(tr("&Open"), this, [this, path] { emit sessionChosen(path); });
+        menu->addAction(tr("O&verlay"), this, [this, path] { emit compareRequested(path); })
+            ->setEnabled(!m_opened.isEmpty());
+        menu->addAction(tr("Open as &new experiment"), this,
+                        [this, path] { emit experimentRequested(path); });
+        menu->addSeparator();
+    }
+    fillSorting(*menu->addMenu(tr("&Sort by")));
+    menu->popup(m_tree->viewport()->mapToGlobal(at));
+}
+
+/// A second choice of the same turns the order round, as a second click on a heading does.
+void SessionList::fillSorting(QMenu& menu) {
+    menu.setObjectName(QStringLiteral("sessionSorting"));
+    const QHeaderView& header = *m_tree->header();
+    for (int place = 0; place < kListColumns; ++place) {
+        const int column = header.logicalIndex(place);
+        const bool isOn = column == header.sortIndicatorSection();
+        const bool isDescending =
+            isOn ? header.sortIndicatorOrder() == Qt::AscendingOrder : column == kDate || column == kDuration;
+        QAction* entry = menu.addAction(m_tree->headerItem()->text(column), this, [=, this] {
+            m_tree->sortByColumn(column, isDescending ? Qt::DescendingOrder : Qt::AscendingOrder);
+        });
+        entry->setCheckable(true);
+        entry->setChecked(isOn);
+    }
 }
 
 void SessionList::takeTags() {
@@ -419,13 +530,16 @@ void SessionList::takeTags() {
 
 void SessionList::retranslate() {
     m_search->setPlaceholderText(tr("Search names, experiments, operators, samples, notes, tags"));
+    m_search->setToolTip(
+        tr("Finds the runs that have every word in what the list shows, or among objects, materials "
+           "and notes."));
     m_search->setAccessibleName(tr("Search the recorded runs"));
     m_folder->setText(tr("Folder\u2026"));
     m_folder->setToolTip(m_folderPath.isEmpty() ? tr("Choose the folder whose runs are listed")
                                                 : tr("The runs listed are in %1").arg(m_folderPath));
     m_icons.clear();
     m_tree->setHeaderLabels({tr("Recorded"), tr("Run"), tr("Outcome"), tr("Duration"), tr("Operator"),
-                             tr("Sample / batch"), tr("Rig"), tr("Tags")});
+                             tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

@@ -14,6 +14,7 @@
 
 class QLabel;
 class QLineEdit;
+class QMenu;
 class QPushButton;
 class QTreeWidget;
 class QTreeWidgetItem;
@@ -26,7 +27,7 @@ class TwoLineDelegate;
 /// A run is listed by its experiment, one whose file a person named by that name; under it is what tells runs
 /// of one experiment apart. Reading and writing are the receiver's work. Object names: "sessionSearch",
 /// "sessionFolder", "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen",
-/// "sessionCompare".
+/// "sessionCompare", "sessionMenu" (of a row), "sessionSorting" (in it).
 class SessionList : public QWidget {
     Q_OBJECT
 
@@ -43,6 +44,10 @@ public:
     /// Sets the run on the page, on which others can be overlaid; empty for none. It is bold and selected.
     void setOpened(const QString& path);
     void setTemperatureUnit(TemperatureUnit unit);
+    /// Sorts as sorting() of another list tells, such as "duration descending"; by an unknown word not at
+    /// all.
+    void setSorting(const QString& sorting);
+    QString sorting() const;
 
     /// Returns the comma-separated tags, each once.
     static QStringList tagsOf(const QString& text);
@@ -54,6 +59,10 @@ signals:
     void tagsEdited(const QString& path, const QStringList& tags);
     /// Closing the interrupted recording was requested.
     void closeRequested(const QString& path);
+    /// The experiment of a run was requested as a new one.
+    void experimentRequested(const QString& path);
+    /// A person has chosen what the runs are sorted by.
+    void sortingChanged(const QString& sorting);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -68,6 +77,9 @@ private:
     void fitNames();
     void search();
     void showSelected();
+    void showMenu(const QPoint& at);
+    void fillSorting(QMenu& menu);
+    void connectTree();
     void takeTags();
     void retranslate();
     const SessionHeader* selected() const;
@@ -77,6 +89,7 @@ private:
     QString m_tagsOf; ///< the path that the text of m_tags is about
     QString m_folderPath;
     bool m_isReading = true;
+    int m_found = 0; ///< runs that the search has left
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     std::map<Outcome, QIcon> m_icons; ///< in the colours of the palette
     QLineEdit* m_search;
