@@ -13,6 +13,8 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/review/review_page.h"
+#include "widgets/review/session_list.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/reach_map.h"
 #include "widgets/targets/targets_page.h"
@@ -26,7 +28,9 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QOpenGLWidget>
@@ -37,6 +41,7 @@
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QTreeWidget>
 #include <QUrl>
 
 #include <algorithm>
@@ -422,6 +427,61 @@ TEST_F(MainWindowTest, ASampleThatIsMissingIsToldWhenTheRunIsOpened) {
     ASSERT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
     EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("holed.bask")); }))
         << message().toStdString();
+}
+
+// Catches: the experiment of a run that is not the open one's, takes its place in a file, or comes in under a
+// run.
+TEST_F(MainWindowTest, TheExperimentOfTheOpenRunOpensAsANewOne) {
+    openWindow();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("yesterday.bask"));
+    Experiment ran = window->document().experiment();
+    ran.title = "as it ran yesterday";
+    ran.objects[0].target_K += 1.0;
+    {
+        auto writer = SessionWriter::create(path.toStdString(), ran, true);
+        ASSERT_TRUE(writer);
+        TraceSample sample;
+        sample.objects.resize(ran.objects.size());
+        ASSERT_TRUE((*writer)->add(sample));
+        ASSERT_TRUE((*writer)->finish("stopped"));
+    }
+    window->files().open(path);
+    ASSERT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
+    find<QComboBox>("reviewDetails")->setCurrentIndex(4);
+    click("useExperiment");
+    EXPECT_EQ(window->document().experiment().title, ran.title);
+    EXPECT_DOUBLE_EQ(window->document().experiment().objects[0].target_K, ran.objects[0].target_K);
+    EXPECT_TRUE(window->document().path().isEmpty());
+    EXPECT_TRUE(window->document().modified());
+    EXPECT_TRUE(message().contains(QStringLiteral("yesterday.bask"))) << message().toStdString();
+
+    ASSERT_NO_FATAL_FAILURE(arm());
+    window->pages().show(Page::Review);
+    click("useExperiment");
+    EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("A run is on")); }))
+        << message().toStdString();
+}
+
+// Catches: runs that have to be sorted again at each start, and a search of yesterday that hides today's.
+TEST_F(MainWindowTest, TheOrderOfTheRunsIsRememberedAndTheSearchIsNot) {
+    const auto list = [this] { return window->pages().review()->sessions(); };
+    openWindow();
+    EXPECT_EQ(list()->sorting(), QStringLiteral("recorded descending"));
+    window->pages().show(Page::Review);
+    find<QLineEdit>("sessionSearch")->setText(QStringLiteral("hand"));
+    const QHeaderView* header = find<QTreeWidget>("sessionTree")->header();
+    QCoreApplication::processEvents(); // the page is laid out
+    const int duration = 3;
+    const QPoint middle(header->sectionViewportPosition(duration) + header->sectionSize(duration) / 2,
+                        header->height() / 2);
+    ASSERT_TRUE(header->viewport()->rect().contains(middle));
+    QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, middle);
+    EXPECT_EQ(list()->sorting(), QStringLiteral("duration"));
+    closeWindow();
+    openWindow();
+    EXPECT_EQ(list()->sorting(), QStringLiteral("duration"));
+    EXPECT_TRUE(find<QLineEdit>("sessionSearch")->text().isEmpty());
 }
 
 // Catches a window that marks no runs, leaves the mark of one that it ended, or tells no one of a crash.

@@ -4,17 +4,21 @@
 #include "app/settings_store.h"
 #include "tests/support/wait_for.h"
 
+#include <QApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QWidget>
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <functional>
+#include <utility>
 
 namespace bask::test {
 namespace {
@@ -183,6 +187,111 @@ QString recorded(const QTemporaryDir& folder) {
     }
     EXPECT_TRUE((*writer)->finish("settled"));
     return path;
+}
+
+/// Presses a button of the question that comes next.
+void answerQuestion(QMessageBox::ButtonRole role) {
+    QTimer::singleShot(0, [role] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr) << "nothing was asked";
+        for (QAbstractButton* button : box->buttons())
+            if (box->buttonRole(button) == role)
+                return button->click();
+    });
+}
+
+// Catches: a recorded experiment that would be saved over another file, comes in under a run, or replaces
+// edits unasked.
+TEST_F(SessionActionsTest, ARecordedExperimentOpensAsANewOne) {
+    const QTemporaryDir folder;
+    const QString path = recorded(folder);
+    const Experiment ran = readExample(QStringLiteral("two-circles")).value();
+    const Experiment before = Document::blank();
+    QStringList told;
+    QObject::connect(&files, &SessionActions::told, [&](const QString& sentence) { told << sentence; });
+    document.open(before, QStringLiteral("/tmp/mine.json"));
+    bool runIsOn = true;
+    files.setRunGuard([&] { return runIsOn; });
+    files.openAsNew(path);
+    files.open(QStringLiteral("/tmp/other.json"));
+    ASSERT_EQ(problems.size(), 2);
+    EXPECT_EQ(problems[0], problems[1]) << "what File > Open says";
+    EXPECT_EQ(document.experiment(), before);
+
+    runIsOn = false;
+    problems.clear();
+    files.openAsNew(QStringLiteral("/nowhere/gone.bask"));
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("gone.bask"))) << problems[0].toStdString();
+    EXPECT_EQ(document.experiment(), before);
+
+    files.openAsNew(path);
+    ASSERT_TRUE(waitFor([&] { return document.path().isEmpty(); }));
+    EXPECT_EQ(document.experiment().title, ran.title);
+    ASSERT_EQ(document.experiment().objects.size(), ran.objects.size());
+    EXPECT_EQ(document.experiment().objects[1].name, ran.objects[1].name);
+    EXPECT_TRUE(document.modified()) << "it has no file";
+    EXPECT_EQ(document.toUndo(), nullptr);
+    ASSERT_EQ(told.size(), 1);
+    EXPECT_TRUE(told[0].contains(QStringLiteral("my \"run\" <b>.bask"))) << told[0].toStdString();
+    EXPECT_FALSE(settings.recentFiles().contains(path)) << "it was not opened itself";
+
+    Experiment edited = document.experiment();
+    edited.title = "edited since";
+    ASSERT_TRUE(document.edit(edited));
+    const auto session = RecordedSession::open(path.toStdString());
+    ASSERT_TRUE(session);
+    answerQuestion(QMessageBox::RejectRole);
+    files.openAsNew((*session)->facts());
+    EXPECT_EQ(document.experiment().title, "edited since");
+    answerQuestion(QMessageBox::DestructiveRole);
+    files.openAsNew((*session)->facts());
+    EXPECT_EQ(document.experiment().title, ran.title);
+    EXPECT_EQ(document.toUndo(), nullptr);
+}
+
+// Catches: a dialog that starts where files of another kind were used last.
+TEST_F(SessionActionsTest, EachKindOfFilesIsAskedForInItsFolder) {
+    const QTemporaryDir experiments, recordings, others, exports;
+    int opened = 0, written = 0;
+    QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
+    QObject::connect(&files, &SessionActions::exported, [&] { ++written; });
+    QString answer, asked;
+    files.setFileChooser([&](const FileQuestion& question) {
+        asked = question.kind == FileQuestion::Kind::SaveFile ? QFileInfo(question.folder).path()
+                                                              : question.folder;
+        return answer;
+    });
+    answer = recorded(recordings);
+    files.askAndOpenSession();
+    ASSERT_TRUE(waitFor([&] { return opened == 1; }));
+    answer = experiments.filePath(QStringLiteral("mine"));
+    document.open(Document::blank(), {});
+    ASSERT_TRUE(files.save());
+    answer = exports.path();
+    files.exportSession(SessionForm::Csv);
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 1; }));
+    EXPECT_EQ(written, 1) << problems.join('\n').toStdString();
+    answer = recorded(others);
+    files.askAndOpen();
+    ASSERT_TRUE(waitFor([&] { return opened == 2; }));
+
+    answer.clear(); // all are cancelled now
+    document.open(Document::blank(), {});
+    const std::pair<std::function<void()>, QString> cases[] = {
+        {[&] { files.askAndOpen(); }, experiments.path()},
+        {[&] { files.saveAs(); }, experiments.path()},
+        {[&] { files.openRig(); }, experiments.path()},
+        {[&] { files.askAndOpenSession(); }, others.path()},
+        {[&] { files.exportSession(SessionForm::Nexus); }, exports.path()},
+        {[&] { files.exportSession(SessionForm::ReportPdf); }, exports.path()},
+        {[&] { files.exportComparison(QStringLiteral("a,b\n")); }, exports.path()},
+        {[&] { files.saveReport(QStringLiteral("text")); }, exports.path()}};
+    for (std::size_t k = 0; k < std::size(cases); ++k) {
+        asked.clear();
+        cases[k].first();
+        EXPECT_EQ(asked.toStdString(), cases[k].second.toStdString()) << k;
+    }
 }
 
 // Catches: an export that does nothing, asks for the wrong thing or fails without a word.

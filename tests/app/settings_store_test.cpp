@@ -28,12 +28,31 @@ TEST_F(SettingsStoreTest, ChoicesAreKept) {
         store.setTheme(Theme::Dark);
         store.setTextSize_percent(150);
         store.setLanguage(QStringLiteral("fr"));
+        store.setSessionSorting(QStringLiteral("duration descending"));
     }
     SettingsStore store;
     EXPECT_EQ(store.temperatureUnit(), TemperatureUnit::Fahrenheit);
     EXPECT_EQ(store.theme(), Theme::Dark);
     EXPECT_EQ(store.textSize_percent(), 150);
     EXPECT_EQ(store.language(), QStringLiteral("fr"));
+    EXPECT_EQ(store.sessionSorting(), QStringLiteral("duration descending"));
+}
+
+// Catches: one kind of files that moves the folder of another, and a dialog in a folder that is gone.
+TEST_F(SettingsStoreTest, EachKindOfFilesHasAFolder) {
+    const QTemporaryDir experiments, exports;
+    SettingsStore().setLastFolder(FileFolder::Experiments, experiments.path());
+    EXPECT_EQ(SettingsStore().lastFolder(FileFolder::Exports), experiments.path())
+        << "before the first export";
+    SettingsStore().setLastFolder(FileFolder::Exports, exports.path());
+    {
+        const QTemporaryDir gone;
+        SettingsStore().setLastFolder(FileFolder::Recordings, gone.path());
+        EXPECT_EQ(SettingsStore().lastFolder(FileFolder::Recordings), gone.path());
+    }
+    EXPECT_EQ(SettingsStore().lastFolder(FileFolder::Recordings), experiments.path());
+    EXPECT_EQ(SettingsStore().lastFolder(FileFolder::Experiments), experiments.path());
+    EXPECT_EQ(SettingsStore().lastFolder(FileFolder::Exports), exports.path());
 }
 
 // Catches: a damaged or old settings file that stops the program.

@@ -148,6 +148,18 @@ struct ReviewPageTest : testing::Test {
     }
 };
 
+// Catches a button of the open run that nobody hears.
+TEST_F(ReviewPageTest, TheExperimentOfTheRunIsAskedFor) {
+    show(record());
+    QSignalSpy asked(&page, &ReviewPage::experimentRequested);
+    child<QComboBox>("reviewDetails")->setCurrentIndex(4);
+    QApplication::processEvents();
+    auto* button = child<QPushButton>("useExperiment");
+    ASSERT_TRUE(button->isVisible());
+    QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+}
+
 // Catches an empty page without a way on.
 TEST_F(ReviewPageTest, EmptyPageOffersToOpen) {
     QSignalSpy open(&page, &ReviewPage::openRequested);

@@ -4,15 +4,23 @@
 #include "widgets/review/two_line_delegate.h"
 
 #include <QApplication>
+#include <QContextMenuEvent>
+#include <QDateTime>
 #include <QElapsedTimer>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
 
 namespace bask {
 namespace {
@@ -67,6 +75,37 @@ struct SessionListTest : testing::Test {
         paths.sort();
         return paths;
     }
+    /// The runs that are shown, from the top.
+    QStringList order() {
+        QStringList paths;
+        for (int k = 0; k < tree->topLevelItemCount(); ++k)
+            if (!tree->isRowHidden(k, {}))
+                paths << tree->topLevelItem(k)->toolTip(0).mid(6).chopped(5);
+        return paths;
+    }
+    void clickHeading(int column) {
+        const QHeaderView* header = tree->header();
+        const QPoint middle(header->sectionViewportPosition(column) + header->sectionSize(column) / 2,
+                            header->height() / 2);
+        ASSERT_TRUE(header->viewport()->rect().contains(middle)) << column;
+        QTest::mouseClick(header->viewport(), Qt::LeftButton, {}, middle);
+    }
+    /// Of the selected run, as by the menu key.
+    QMenu* openMenu() {
+        const QPoint at = tree->viewport()->rect().center();
+        QContextMenuEvent event(QContextMenuEvent::Keyboard, at, tree->viewport()->mapToGlobal(at));
+        QApplication::sendEvent(tree->viewport(), &event);
+        return list.findChild<QMenu*>("sessionMenu");
+    }
+    /// Chooses an entry; whether it is there and possible.
+    static bool choose(QMenu* menu, const char* text) {
+        for (QAction* entry : menu->actions())
+            if (entry->text() == QLatin1String(text) && entry->isEnabled()) {
+                entry->trigger();
+                return true;
+            }
+        return false;
+    }
     QString message() {
         auto* bar = list.findChild<QWidget*>("sessionMessage");
         return bar->isVisible() ? bar->findChild<QLabel*>("message")->text() : QString();
@@ -107,6 +146,129 @@ TEST_F(SessionListTest, TheSearchLooksIntoAll) {
         search->setText(text);
         EXPECT_EQ(found(), wanted) << text;
     }
+    const QDateTime date = QDateTime::fromString("2026-03-15T09:26:53Z", Qt::ISODate).toLocalTime();
+    search->setText(date.toString("yyyy-MM-dd HH:mm"));
+    EXPECT_EQ(found(), QStringList{"b"}) << "when it was recorded, as the list shows it";
+    search->setText("3:20");
+    EXPECT_EQ(found(), (QStringList{"a", "b", "cut"})) << "how long it took";
+}
+
+// Catches a search that finds nothing and looks like an empty folder, or has to be cleared letter by letter.
+TEST_F(SessionListTest, ASearchWithoutAnAnswerSaysSo) {
+    search->setFocus();
+    QTest::keyClicks(search, "door  live");
+    EXPECT_TRUE(found().isEmpty());
+    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "0 of 4 session(s)");
+    EXPECT_EQ(message(), "No run matches \"door live\".");
+    list.setReading(); // as when a run is recorded meanwhile
+    list.setSessions({header("a", "2026-03-14T09:26:53Z", "settled")});
+    EXPECT_EQ(message(), "No run matches \"door live\".");
+    QSignalSpy close(&list, &SessionList::closeRequested);
+    QTest::mouseClick(list.findChild<QPushButton*>("messageAction"), Qt::LeftButton);
+    EXPECT_TRUE(search->text().isEmpty());
+    EXPECT_TRUE(search->hasFocus());
+    EXPECT_EQ(found(), QStringList{"a"});
+    EXPECT_TRUE(message().isEmpty());
+    EXPECT_EQ(close.count(), 0);
+    list.setSessions({});
+    search->setText("anything");
+    EXPECT_TRUE(message().isEmpty()) << "the folder is empty, which is said already";
+}
+
+// Catches an order that is lost with the next recording, runs that are alike in any order, and an order that
+// the next start does not have.
+TEST_F(SessionListTest, TheChosenOrderStays) {
+    const auto run = [](const char* name, const char* created, double end_s, const char* controller) {
+        SessionHeader made = header(name, created, "settled");
+        made.end_s = end_s;
+        made.controller = controller;
+        return made;
+    };
+    const std::vector<SessionHeader> runs{run("a", "2026-03-14T09:26:53Z", 300, "adaptive"),
+                                          run("b", "2026-03-15T09:26:53Z", 100, "z-law"),
+                                          run("c", "2026-03-13T09:26:53Z", 300, "adaptive")};
+    list.resize(1300, 500);
+    list.setSessions(runs);
+    QApplication::processEvents();
+    EXPECT_EQ(order(), (QStringList{"b", "a", "c"})) << "the newest first";
+    QSignalSpy changed(&list, &SessionList::sortingChanged);
+    ASSERT_NO_FATAL_FAILURE(clickHeading(3));
+    EXPECT_EQ(order(), (QStringList{"b", "a", "c"})) << "the shortest first, of two the newer";
+    ASSERT_NO_FATAL_FAILURE(clickHeading(3));
+    EXPECT_EQ(order(), (QStringList{"a", "c", "b"})) << "the longest first, of two the newer";
+    ASSERT_EQ(changed.count(), 2);
+    EXPECT_EQ(changed[1][0].toString(), "duration descending");
+
+    search->setText("adaptive");
+    list.setRecording("/runs/new.bask");
+    list.setReading();
+    std::vector<SessionHeader> more = runs;
+    more.push_back(run("new", "2026-03-16T09:26:53Z", 200, "adaptive"));
+    list.setSessions(more);
+    EXPECT_EQ(order(), (QStringList{"a", "c", "new"}));
+    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "3 of 4 session(s)");
+    search->clear();
+    EXPECT_EQ(order(), (QStringList{"a", "c", "new", "b"}));
+
+    SessionList next;
+    next.setSorting(list.sorting());
+    EXPECT_EQ(next.sorting(), "duration descending");
+    next.setSorting("smell"); // of a settings file that somebody has changed
+    EXPECT_EQ(next.sorting(), "duration descending");
+}
+
+// Catches a menu that is about another run, and an order that only the mouse can choose.
+TEST_F(SessionListTest, TheMenuActsOnTheRunAndSorts) {
+    QSignalSpy experiment(&list, &SessionList::experimentRequested);
+    QSignalSpy opened(&list, &SessionList::sessionChosen);
+    tree->setCurrentItem(row("b"));
+    QMenu* menu = openMenu();
+    ASSERT_NE(menu, nullptr);
+    EXPECT_FALSE(choose(menu, "O&verlay")) << "there is none to lay it over";
+    EXPECT_TRUE(choose(menu, "Open as &new experiment"));
+    EXPECT_TRUE(choose(menu, "&Open"));
+    menu->close();
+    ASSERT_EQ(experiment.count(), 1);
+    EXPECT_EQ(experiment[0][0].toString(), "/runs/b.bask");
+    ASSERT_EQ(opened.count(), 1);
+    EXPECT_EQ(opened[0][0].toString(), "/runs/b.bask");
+
+    tree->setCurrentItem(row("bad"));
+    menu = openMenu();
+    ASSERT_NE(menu, nullptr);
+    EXPECT_FALSE(choose(menu, "Open as &new experiment")) << "it cannot be read";
+    auto* sorting = menu->findChild<QMenu*>("sessionSorting");
+    ASSERT_NE(sorting, nullptr);
+    EXPECT_TRUE(choose(sorting, "Operator"));
+    menu->close();
+    EXPECT_EQ(list.sorting(), "operator");
+    EXPECT_EQ(order().last(), "a") << "of the others nobody has told the operator";
+    menu = openMenu();
+    sorting = menu->findChild<QMenu*>("sessionSorting");
+    EXPECT_TRUE(choose(sorting, "Operator"));
+    menu->close();
+    EXPECT_EQ(list.sorting(), "operator descending");
+    EXPECT_EQ(order(), (QStringList{"a", "b", "cut", "bad"}));
+}
+
+// Catches a column that says the same in every row, and one that is missing where it tells runs apart.
+TEST_F(SessionListTest, ControllersAreAColumnWhereTheyDiffer) {
+    constexpr int kControllers = 8;
+    const auto under = [](const char* name, const char* controller) {
+        SessionHeader made = header(name, "2026-03-14T09:26:53Z", "settled");
+        made.controller = controller;
+        return made;
+    };
+    SessionHeader bad;
+    bad.path = "/runs/bad.bask";
+    bad.error = Error(MessageCode::SessionDamaged, bad.path, {"it is cut short"});
+    list.setSessions({under("a", "adaptive"), under("b", "adaptive"), bad});
+    EXPECT_TRUE(tree->isColumnHidden(kControllers));
+    list.setSessions({under("a", "adaptive"), under("b", "z-law"), bad});
+    EXPECT_FALSE(tree->isColumnHidden(kControllers));
+    EXPECT_EQ(row("a")->text(kControllers), "Adaptive");
+    EXPECT_EQ(row("b")->text(kControllers), "z-law");
+    EXPECT_LT(tree->header()->visualIndex(kControllers), tree->header()->visualIndex(7)) << "before the tags";
 }
 
 // Catches a damaged file without its reason, and one that can be opened all the same.
@@ -261,6 +423,9 @@ TEST_F(SessionListTest, RunsOfOneExperimentAreToldApart) {
     for (int k = 0; k < 4; ++k)
         EXPECT_GE(tree->visualItemRect(tree->topLevelItem(k)).height(), one + line - 1) << k;
     EXPECT_TRUE(list.grab().save("session_list_differences.png"));
+    search->setText("55.0");
+    EXPECT_EQ(found(), (QStringList{second, "figure 3"})) << "what the second line shows";
+    search->clear();
     list.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(detail(second).toStdString(), "hand 328.2 K");
     search->setText("paper");
@@ -300,6 +465,46 @@ TEST_F(SessionListTest, TenThousandRunsAreShownAndScrolled) {
     RecordProperty("opened_ms", std::to_string(timer.elapsed()));
     EXPECT_LT(timer.elapsed(), 5'000);
     EXPECT_TRUE(row("20260314T000007Z")->font(1).bold());
+}
+
+// Catches a search or an order of a year's runs that leaves some out, after each letter and each recording.
+TEST_F(SessionListTest, TenThousandRunsAreSearchedAndSorted) {
+    std::vector<SessionHeader> year;
+    for (int k = 0; k < 10'000; ++k) {
+        SessionHeader made = header(qPrintable(QString("20260314T%1Z").arg(k, 6, 10, QChar(u'0'))),
+                                    "2026-03-14T09:26:53Z", "settled");
+        made.title = k % 3 == 0 ? "paper" : "warm-up";
+        made.labels.operatorName = k % 7 == 0 ? "A. Hu" : "B. Roy";
+        made.end_s = 1 + k * 7919 % 10'007; // each another one
+        year.push_back(std::move(made));
+    }
+    list.setSessions(year);
+    list.setSorting("duration descending");
+    QString typed;
+    for (const QChar letter : QStringLiteral("paper hu")) {
+        typed += letter;
+        QTest::keyClick(search, letter.toLatin1());
+        ASSERT_EQ(search->text(), typed);
+    }
+    const auto shownOf = [&] {
+        std::vector<SessionHeader> wanted;
+        std::ranges::copy_if(year, std::back_inserter(wanted), [](const SessionHeader& each) {
+            return each.title == "paper" && each.labels.operatorName == "A. Hu";
+        });
+        std::ranges::sort(wanted, std::ranges::greater(), &SessionHeader::end_s);
+        QStringList names;
+        for (const SessionHeader& each : wanted)
+            names << QString::fromStdString(each.path).mid(6).chopped(5);
+        return names;
+    };
+    EXPECT_EQ(order().size(), 477);
+    EXPECT_EQ(order(), shownOf());
+    year[21].end_s = 20'000.0; // the next recording
+    list.setSessions(year);
+    EXPECT_EQ(order(), shownOf());
+    EXPECT_EQ(order().first(), "20260314T000021Z");
+    search->clear();
+    EXPECT_EQ(order().size(), 10'000);
 }
 
 // Catches a list that makes the window wait when there are many.
