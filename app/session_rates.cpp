@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/model/experiment_rig.h"
+#include "engine/model/material_library.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
@@ -42,7 +43,7 @@ StartValues withStartValues(const Experiment& experiment, const Experiment& reco
     for (std::size_t i = 0; i < rates.identified.size() && sameHeat; ++i) {
         const ObjectSpec& from = recorded.objects[i];
         const auto to = std::ranges::find(out.experiment.objects, from.name, &ObjectSpec::name);
-        if (to == out.experiment.objects.end() || !(to->material == from.material) ||
+        if (to == out.experiment.objects.end() || !haveSameValues(to->material, from.material) ||
             !rates.identified[i].usable())
             continue;
         to->estimatedRates = rates.identified[i].rates().withoutAir(); // that is the experiment's

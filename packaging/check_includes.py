@@ -61,7 +61,7 @@ def is_svg_source(path):
 def is_json_inside(path):
     """Headers between the readers and writers of JSON."""
     return path.as_posix() in {"engine/base/json_fields.h", "engine/experiment/json_quantities.h", "engine/base/json_text.h",
-                               "engine/experiment/rig_json.h", "engine/experiment/faults_json.h", "engine/experiment/parameter_json.h", "engine/experiment/vision_json.h"}
+                               "engine/experiment/rig_json.h", "engine/experiment/faults_json.h", "engine/experiment/material_json.h", "engine/experiment/parameter_json.h", "engine/experiment/vision_json.h"}
 
 
 # Shared by exchange's own writers of VTK files; nobody else includes it.

@@ -6,6 +6,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/faults_json.h"
 #include "engine/experiment/outline_json.h"
+#include "engine/experiment/material_json.h"
 #include "engine/experiment/parameter_json.h"
 #include "engine/experiment/radial_profile_file.h"
 #include "engine/experiment/rig_json.h"
@@ -143,8 +144,7 @@ void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, Re
 
 void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
     Fields fields(j, path, failure);
-    fields.read("name", out.name);
-    readParameters(fields, materialParameters(), out);
+    readMaterialFields(fields, out);
     fields.close();
 }
 

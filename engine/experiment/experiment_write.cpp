@@ -4,6 +4,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/faults_json.h"
 #include "engine/experiment/json_quantities.h"
+#include "engine/experiment/material_json.h"
 #include "engine/experiment/parameter_json.h"
 #include "engine/experiment/rig_json.h"
 #include "engine/experiment/text_file.h"
@@ -79,14 +80,6 @@ Json motionJson(const TimeTable<Vector6d>& motion) {
         point.update(coordinatesJson(coordinates));
         j.push_back(std::move(point));
     }
-    return j;
-}
-
-Json materialJson(const Material& material) {
-    Json j;
-    if (!material.name.empty())
-        j["name"] = material.name;
-    putParameters(j, materialParameters(), material);
     return j;
 }
 

@@ -38,10 +38,14 @@ void Checker::range(const std::string& where, double value, double min, double m
 }
 
 void Checker::name(const std::string& where, const std::string& name) {
-    if (name.empty())
+    line(where, name, kMaxNameLength);
+}
+
+void Checker::line(const std::string& where, const std::string& text, std::size_t max) {
+    if (text.empty())
         return;
-    range(where, static_cast<double>(characterCount(name)), 1.0, kMaxNameLength, "characters");
-    if (!isPlain(name) || hasInvisible(name))
+    range(where, static_cast<double>(characterCount(text)), 1.0, static_cast<double>(max), "characters");
+    if (!isPlain(text) || hasInvisible(text))
         fail(MessageCode::NameNotPlain, where);
 }
 

@@ -34,6 +34,8 @@ public:
     /// Refuses a name that is not plain (NameNotPlain), or has more than kMaxNameLength characters. An empty
     /// one is for the caller.
     void name(const std::string& where, const std::string& name);
+    /// The same for a longer text of one line, of at most `max` characters.
+    void line(const std::string& where, const std::string& text, std::size_t max);
     /// Checks a parameter; `path` ends with a dot.
     void parameter(const std::string& path, const ParameterFacts& facts, double si);
     /// Checks all parameters of a table; optional ones that are not set are valid.

@@ -7,6 +7,7 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/checker.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/material_library.h"
 #include "engine/model/shape_check.h"
 #include "engine/model/uneven_source.h"
 #include "engine/thermography/camera_profile.h"
@@ -89,9 +90,9 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
                  std::set<std::string>& names) {
     checkName(check, path + ".name", object.name, names);
     checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
-    check.parameters(path + ".material.", materialParameters(), object.material);
+    checkMaterial(check, path + ".material.", object.material);
     if (object.simulatedMaterial)
-        check.parameters(path + ".simulated_material.", materialParameters(), *object.simulatedMaterial);
+        checkMaterial(check, path + ".simulated_material.", *object.simulatedMaterial);
     checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kMinTemperature_degC,
                    kMaxTemperature_degC);

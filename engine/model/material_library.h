@@ -1,0 +1,56 @@
+#pragma once
+// Materials of a lab's own: their values, where these are from, when they were found and how good they are.
+
+#include "engine/base/result.h"
+#include "engine/thermal/heat_balance.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+class Checker;
+
+/// A material of a library. Name, source and date are in `material`; its thickness is that of the sample,
+/// since a plate's thickness belongs to the object.
+struct LibraryMaterial {
+    Material material;
+    /// Standard uncertainties in SI, by the name of the value in materialParameters(); a value that is not
+    /// here has an unknown one.
+    std::map<std::string, double> uncertainties{};
+    bool operator==(const LibraryMaterial&) const = default;
+};
+
+/// In the order in which they are listed; no two have the same name.
+using MaterialLibrary = std::vector<LibraryMaterial>;
+
+inline constexpr std::size_t kMaxSourceLength = 300; ///< characters
+inline constexpr std::size_t kMaxMaterials = 2000;   ///< of a library
+
+/// Checks values, source and date; `path` ends with a dot.
+void checkMaterial(Checker& check, const std::string& path, const Material& material);
+/// Errors: those of the values, of names, MaterialNameTwice, DateWrong; each with its place in the file.
+Result<void> validate(const MaterialLibrary& library);
+
+/// Returns whether all values are the very same, whatever name, source and date are.
+bool haveSameValues(const Material& a, const Material& b);
+/// Returns whether all values but the thickness are the same to nine digits.
+bool areOneMaterial(const Material& a, const Material& b);
+
+/// Returns the material of that name; null if there is none.
+const LibraryMaterial* materialNamed(const MaterialLibrary& library, const std::string& name);
+/// Replaces the material of the same name, or adds it at the end.
+void putMaterial(MaterialLibrary& library, const LibraryMaterial& material);
+
+/// A library to which another was added, and what became of the other's materials.
+struct MergedMaterials {
+    MaterialLibrary library;
+    int added = 0;
+    int known = 0;   ///< were there already, the same in all
+    int renamed = 0; ///< of those added: got another name, "glass (2)", since theirs was taken
+};
+/// Adds the materials of another library; nothing of `own` is changed.
+MergedMaterials merged(const MaterialLibrary& own, const MaterialLibrary& other);
+
+} // namespace bask
