@@ -29,4 +29,8 @@ QString monitorFile() {
     return fileIn(dataFolder(), QStringLiteral("monitor.json"));
 }
 
+QString materialFile() {
+    return fileIn(dataFolder(), QStringLiteral("materials.json"));
+}
+
 } // namespace bask

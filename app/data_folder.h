@@ -13,5 +13,7 @@ QString alarmFile();
 QString deviceFile();
 /// Returns the file of the settings of the monitoring, in the same way.
 QString monitorFile();
+/// Returns the file of the library of materials, in the same way.
+QString materialFile();
 
 } // namespace bask

@@ -9,6 +9,7 @@
 #include "app/infeasible_dialog.h"
 #include "app/labels_dialog.h"
 #include "app/manual_window.h"
+#include "app/material_control.h"
 #include "app/monitor_control.h"
 #include "app/problem_report.h"
 #include "app/recipe_control.h"
@@ -101,6 +102,9 @@ void MainWindow::begin(const QString& path) {
     m_engine.setWatch(m_monitor->inlet());
     m_engine.start(alarmFile(), deviceFile());
     m_monitor->begin();
+    m_materials->begin();
+    // Again, since the opening of the example clears what is said of a damaged one.
+    connect(&m_document, &Document::opened, m_materials, &MaterialControl::begin, Qt::SingleShotConnection);
     m_cutOff->begin();
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())

@@ -24,6 +24,7 @@ class BottomDock;
 class Coach;
 class CutOffRun;
 class ManualWindow;
+class MaterialControl;
 class MonitorControl;
 class RecipeControl;
 class RecoveryOffer;
@@ -120,6 +121,7 @@ private:
     Coach* m_coach = nullptr;
     RecipeControl* m_recipe = nullptr;
     MonitorControl* m_monitor = nullptr;
+    MaterialControl* m_materials = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;

@@ -8,6 +8,7 @@
 #include "app/error_text.h"
 #include "app/large_numbers_control.h"
 #include "app/main_window.h"
+#include "app/material_control.h"
 #include "app/monitor_control.h"
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
@@ -195,6 +196,8 @@ void MainWindow::connectParts() {
             qOverload<const MonitorState&>(&StatusLine::showMonitor));
     connect(m_monitor, &MonitorControl::problem, m_pages, &PageHost::showProblem);
     connect(m_actions.monitoring, &QAction::triggered, m_monitor, &MonitorControl::askSettings);
+    m_materials = new MaterialControl(materialFile(), m_files, *m_pages->objects(), this);
+    connect(m_materials, &MaterialControl::problem, m_pages, &PageHost::showProblem);
     auto* largeNumbers = new LargeNumbersControl(*m_pages->run(), this);
     connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::open);
     connect(largeNumbers, &LargeNumbersControl::stopRequested, m_stateBar, &StateBar::stopRequested);

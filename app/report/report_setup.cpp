@@ -173,6 +173,16 @@ Facts limitFacts(const SafetySpec& safety, TemperatureUnit unit) {
     return out;
 }
 
+/// Name, source and date, as far as the experiment has them.
+QString materialWords(const Material& material) {
+    QString words =
+        material.name.empty() ? SetupText::tr("without a name") : QString::fromStdString(material.name);
+    for (const std::string& part : {material.source, material.date})
+        if (!part.empty())
+            words += QStringLiteral(", ") + QString::fromStdString(part);
+    return words;
+}
+
 QString objectTables(const Experiment& e, TemperatureUnit unit) {
     html::Table bodies({SetupText::tr("Object"), SetupText::tr("Outline"), SetupText::tr("Area"),
                         SetupText::tr("Place on the end-effector"), SetupText::tr("Target at the start"),
@@ -194,8 +204,7 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
                     formatTemperature(object.target_K, unit),
                     formatTemperatureNumber(warningLimit_K(e, object), unit, 0) + QStringLiteral(", ") +
                         formatTemperature(tripLimit_K(e, object), unit, 0)});
-        QStringList row{name, object.material.name.empty() ? SetupText::tr("without a name")
-                                                           : QString::fromStdString(object.material.name)};
+        QStringList row{name, materialWords(object.material)};
         for (const Parameter<Material>& value : materialParameters())
             row << number(value.get(object.material).value() * value.unit.symbolPerSi);
         materials.add(row << number(object.material.arealHeatCapacity_J_m2K()) +

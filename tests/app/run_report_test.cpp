@@ -215,6 +215,19 @@ TEST_F(RunReport, TellsGainsAndMaterialsWithTheirUnits) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(said))) << said << text.toStdString();
 }
 
+// Catches a report that does not say where the values of a material are from.
+TEST_F(RunReport, TellsWhereAMaterialIsFrom) {
+    Experiment experiment = test::twoDisks();
+    experiment.objects[0].material.name = "our paint";
+    experiment.objects[0].material.source = "DSC <sample 12>";
+    experiment.objects[0].material.date = "2026-11-23";
+    SessionRecord session;
+    session.path = "run.bask";
+    session.experiment = experiment;
+    const QString html = runReportHtml(reportInput(session, TemperatureUnit::Celsius));
+    EXPECT_TRUE(html.contains("our paint, DSC &lt;sample 12&gt;, 2026-11-23")) << html.toStdString();
+}
+
 // Catches an angle that is told as a length.
 TEST_F(RunReport, TheMarginIsInTheUnitOfItsLimit) {
     SessionRecord session;

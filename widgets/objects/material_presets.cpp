@@ -1,6 +1,11 @@
 #include "widgets/objects/material_presets.h"
 
+#include "engine/model/experiment_parameters.h"
+#include "widgets/common/parameter_form.h"
+
 #include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +57,10 @@ constexpr const char* kGraphite =
     QT_TRANSLATE_NOOP("MaterialPreset", "Entegris, by FreeCAD's card (bulk), tables: 0.8 to 0.98 (surface)");
 constexpr const char* kCardboard =
     QT_TRANSLATE_NOOP("MaterialPreset", "Ashby: 480 to 860 kg/m\u00b3 (bulk), FLIR tables: paper (surface)");
+
+bool hasOrigin(const Material& material) {
+    return !material.source.empty() || !material.date.empty();
+}
 
 bool same(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -106,7 +115,10 @@ QString materialPresetSource(std::size_t index) {
     return QCoreApplication::translate("MaterialPreset", materialPresets().at(index).source);
 }
 
-Material withTrueName(Material material) {
+Material withTrueName(Material material, const MaterialLibrary& library) {
+    const LibraryMaterial* own = materialNamed(library, material.name);
+    if (hasOrigin(material) || (own != nullptr && areOneMaterial(own->material, material)))
+        return material;
     const auto& presets = materialPresets();
     const auto named = std::ranges::find(presets, material.name, &MaterialPreset::label);
     if (named != presets.end() && matchingPreset(material) != named - presets.begin())
@@ -115,9 +127,65 @@ Material withTrueName(Material material) {
 }
 
 Material withPreset(const Material& material, std::size_t index) {
-    Material result = materialPresets().at(index).material;
+    return withListed(material, {}, index);
+}
+
+Material withTypedValues(const Material& before, Material after, const MaterialLibrary& library) {
+    const bool isNamed = hasOrigin(before) || materialNamed(library, before.name) != nullptr;
+    if (isNamed && !areOneMaterial(before, after)) {
+        after.name.clear();
+        after.source.clear();
+        after.date.clear();
+    }
+    return after;
+}
+
+std::optional<std::size_t> listedMaterial(const Material& material, const MaterialLibrary& library) {
+    const std::size_t presets = materialPresets().size();
+    const LibraryMaterial* own = materialNamed(library, material.name);
+    if (own != nullptr && areOneMaterial(own->material, material))
+        return presets + static_cast<std::size_t>(own - library.data());
+    if (hasOrigin(material))
+        return std::nullopt;
+    if (const auto preset = matchingPreset(material))
+        return preset;
+    const auto alike = std::ranges::find_if(
+        library, [&](const LibraryMaterial& m) { return areOneMaterial(m.material, material); });
+    return alike == library.end()
+               ? std::nullopt
+               : std::optional(presets + static_cast<std::size_t>(alike - library.begin()));
+}
+
+Material withListed(const Material& material, const MaterialLibrary& library, std::size_t index) {
+    const auto& presets = materialPresets();
+    Material result =
+        index < presets.size() ? presets[index].material : library.at(index - presets.size()).material;
     result.thickness_m = material.thickness_m;
     return result;
+}
+
+QString originText(const Material& material) {
+    QStringList parts;
+    for (const std::string& part : {material.source, material.date})
+        if (!part.empty())
+            parts << QString::fromStdString(part);
+    return parts.join(QStringLiteral(", "));
+}
+
+QString uncertaintyText(const LibraryMaterial& material) {
+    QStringList parts;
+    for (const Parameter<Material>& value : materialParameters()) {
+        const auto found = material.uncertainties.find(value.name);
+        if (found == material.uncertainties.end())
+            continue;
+        const QString unit = QString::fromUtf8(value.unit.symbol);
+        parts << parameterLabel(value).toLower() + QChar(0x00a0) +
+                     QLocale().toString(found->second * value.unit.symbolPerSi, 'g', 4) +
+                     (unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
+    }
+    return parts.isEmpty() ? QString()
+                           : QCoreApplication::translate("MaterialPreset", "Standard uncertainty: %1")
+                                 .arg(parts.join(QStringLiteral(", ")));
 }
 
 } // namespace bask

@@ -1,7 +1,7 @@
 #pragma once
-// Materials offered by name on the Objects page: bulk and surface values of common plates and prints.
+// Materials offered by name on the Objects page: values of common plates and prints, and those of a library.
 
-#include "engine/thermal/heat_balance.h"
+#include "engine/model/material_library.h"
 
 #include <QString>
 
@@ -31,8 +31,26 @@ QString materialPresetSource(std::size_t index);
 /// typed.
 std::optional<std::size_t> matchingPreset(const Material& material);
 
-/// Returns `material`, without its name if the name is a preset's and the values are not.
-Material withTrueName(Material material);
+/// Returns `material`, without its name if the name is a preset's and the values are not, unless it is a
+/// library's, or comes with a source or date of its own.
+Material withTrueName(Material material, const MaterialLibrary& library = {});
+
+/// Returns `after`, whose values were typed over those of `before`, without name, source and date if these
+/// told where the values before were from.
+Material withTypedValues(const Material& before, Material after, const MaterialLibrary& library);
+
+/// Returns the place in the list of presets followed by the library's materials; empty if the values were
+/// typed, or are from elsewhere.
+std::optional<std::size_t> listedMaterial(const Material& material, const MaterialLibrary& library);
+
+/// Returns `material` with everything except its thickness from that place of the list.
+Material withListed(const Material& material, const MaterialLibrary& library, std::size_t index);
+
+/// Returns "DSC, sample 12, 2026-11-23"; empty if the material tells neither.
+QString originText(const Material& material);
+
+/// Returns "Standard uncertainty: emittance 0.02, thickness 0.01 mm"; empty if none is known.
+QString uncertaintyText(const LibraryMaterial& material);
 
 /// Returns `material` with everything except its thickness from the preset.
 Material withPreset(const Material& material, std::size_t index);

@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPushButton>
 #include <QSignalBlocker>
 
 #include <cmath>
@@ -92,7 +93,11 @@ QDoubleSpinBox* ObjectProperties::materialField(const Parameter<Material>& param
     QDoubleSpinBox* field =
         number(parameterObjectName(parameter).toLatin1(), scale * fromWritten(parameter, parameter.range.min),
                scale * fromWritten(parameter, parameter.range.max), parameter.decimals, 1.0,
-               [&parameter, scale](ObjectSpec& o, double v) { parameter.set(o.material, v / scale); });
+               [this, &parameter, scale](ObjectSpec& o, double v) {
+                   const Material before = o.material;
+                   parameter.set(o.material, v / scale);
+                   o.material = withTypedValues(before, o.material, m_library);
+               });
     field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     if (*parameter.unit.symbol != '\0')
         field->setSuffix(QChar(0x00a0) + QString::fromUtf8(parameter.unit.symbol));
@@ -134,7 +139,9 @@ void ObjectProperties::build() {
         const int index = m_preset->itemData(row).toInt();
         if (index == kTyped)
             return;
-        edit([index](S& o) { o.material = withPreset(o.material, static_cast<std::size_t>(index)); });
+        edit([this, index](S& o) {
+            o.material = withListed(o.material, m_library, static_cast<std::size_t>(index));
+        });
     });
     for (const Parameter<Material>& parameter : materialParameters())
         m_material.emplace_back(&parameter, materialField(parameter));
@@ -179,8 +186,8 @@ void ObjectProperties::build() {
     head(1);
     field(m_preset, 0, 2);
     row += 2;
-    layout->addWidget(m_presetSource, row, 0, 1, 2);
-    row += 1;
+    addMaterialRows(layout, row);
+    row += 3;
     for (std::size_t i = 0; i < m_material.size(); ++i) { // two a row
         field(m_material[i].second, static_cast<int>(i % 2));
         if (i % 2 == 1 || i + 1 == m_material.size())
@@ -219,6 +226,19 @@ void ObjectProperties::build() {
     refreshTexts();
 }
 
+void ObjectProperties::addMaterialRows(QGridLayout* layout, int row) {
+    m_saveMaterial = new QPushButton(this);
+    m_saveMaterial->setObjectName("saveMaterial");
+    m_materials = new QPushButton(this);
+    m_materials->setObjectName("materials");
+    connect(m_saveMaterial, &QPushButton::clicked, this,
+            [this] { emit saveMaterialWanted(m_object.material); });
+    connect(m_materials, &QPushButton::clicked, this, &ObjectProperties::materialsWanted);
+    layout->addWidget(m_presetSource, row, 0, 1, 2);
+    layout->addWidget(m_saveMaterial, row + 1, 0, 1, 2);
+    layout->addWidget(m_materials, row + 2, 0, 1, 2);
+}
+
 QLabel* ObjectProperties::heading(QGridLayout* layout, int row) {
     auto* label = boldLabel(this);
     label->setContentsMargins(0, row == 0 ? 0 : 10, 0, 2);
@@ -243,8 +263,9 @@ void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
     if (changed == m_object)
         return;
     if (!(changed.material == m_object.material)) {
-        changed.material = withTrueName(changed.material);
-        changed.estimatedRates.reset(); // they were another material's
+        changed.material = withTrueName(changed.material, m_library);
+        if (!haveSameValues(changed.material, m_object.material))
+            changed.estimatedRates.reset(); // they were another material's
     }
     m_object = changed;
     showObject();
@@ -254,6 +275,11 @@ void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
 void ObjectProperties::setObject(const ObjectSpec& object) {
     m_object = object;
     showObject();
+}
+
+void ObjectProperties::setMaterialLibrary(const MaterialLibrary& library) {
+    m_library = library;
+    showPresets();
 }
 
 void ObjectProperties::focusName() {
@@ -273,6 +299,7 @@ void ObjectProperties::setTemperatureUnit(TemperatureUnit unit) {
 void ObjectProperties::setReadOnly(bool readOnly) {
     for (const Caption& caption : m_captions)
         caption.field->setEnabled(!readOnly);
+    m_saveMaterial->setEnabled(!readOnly);
 }
 
 int ObjectProperties::mountingTop() const {
@@ -310,15 +337,34 @@ void ObjectProperties::showPresets() {
     m_preset->clear();
     for (std::size_t i = 0; i < materialPresets().size(); ++i)
         m_preset->addItem(materialPresetLabel(i), static_cast<int>(i));
-    const auto match = matchingPreset(m_object.material);
-    m_presetSource->setText(match ? materialPresetSource(*match) : QString());
-    m_presetSource->setVisible(match.has_value());
+    const std::size_t presets = materialPresets().size();
+    if (!m_library.empty())
+        m_preset->insertSeparator(m_preset->count());
+    for (std::size_t k = 0; k < m_library.size(); ++k)
+        m_preset->addItem(QString::fromStdString(m_library[k].material.name), static_cast<int>(presets + k));
+    const Material& material = m_object.material;
+    const auto match = listedMaterial(material, m_library);
+    QString told = originText(material);
+    if (match && *match < presets) {
+        told = materialPresetSource(*match);
+    } else if (match) {
+        const LibraryMaterial& own = m_library[*match - presets];
+        if (told.isEmpty())
+            told = originText(own.material);
+        told += (told.isEmpty() ? QString() : QStringLiteral("\n")) + uncertaintyText(own);
+    }
+    m_presetSource->setText(told.trimmed());
+    m_presetSource->setVisible(!told.isEmpty());
     if (match) {
-        m_preset->setCurrentIndex(static_cast<int>(*match));
+        m_preset->setCurrentIndex(m_preset->findData(static_cast<int>(*match)));
         return;
     }
-    const QString name = QString::fromStdString(m_object.material.name);
-    m_preset->insertItem(0, name.isEmpty() ? tr("typed values") : tr("typed values (%1)").arg(name), kTyped);
+    const QString name = QString::fromStdString(material.name);
+    m_preset->insertItem(0,
+                         name.isEmpty()   ? tr("typed values")
+                         : told.isEmpty() ? tr("typed values (%1)").arg(name)
+                                          : name,
+                         kTyped);
     m_preset->setCurrentIndex(0);
 }
 
@@ -381,6 +427,10 @@ void ObjectProperties::refreshTexts() {
         }
     }
     m_presetSource->setPalette(caption);
+    m_saveMaterial->setText(tr("Save as material\u2026"));
+    m_saveMaterial->setToolTip(tr("Keeps these values in your library of materials"));
+    m_materials->setText(tr("Materials\u2026"));
+    m_materials->setToolTip(tr("Your library of materials: see, rename, remove, import and export"));
     m_heatCapacity->setToolTip(tr("Of the plate, per area that is seen"));
     m_timeConstant->setToolTip(tr("Of small changes about the target"));
     m_lambda1->setToolTip(tr("Heating at view factor 1 with the source as it is set"));

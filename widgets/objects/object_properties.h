@@ -4,6 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/material_library.h"
 
 #include <QWidget>
 
@@ -14,6 +15,7 @@ class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
+class QPushButton;
 
 namespace bask {
 
@@ -22,8 +24,8 @@ class QuantitySpinBox;
 /// Emits a whole new value per committed edit; only the edited field differs from what was set.
 /// Object names: "objectName", "radius", "materialPreset", "emittance", "absorptance", "specificHeat",
 /// "density", "thickness", "infill", "mountX", "mountY", "mountZ", "mountRotation", "mountTiltX",
-/// "mountTiltY", "target", "area", "perimeter", "presetSource", "heatCapacity", "timeConstant", "lambda1",
-/// "lambda2", "lambda3".
+/// "mountTiltY", "target", "area", "perimeter", "presetSource", "saveMaterial", "materials", "heatCapacity",
+/// "timeConstant", "lambda1", "lambda2", "lambda3".
 class ObjectProperties : public QWidget {
     Q_OBJECT
 
@@ -31,6 +33,8 @@ public:
     explicit ObjectProperties(QWidget* parent = nullptr);
 
     void setObject(const ObjectSpec& object);
+    /// Sets the materials that are listed after the presets.
+    void setMaterialLibrary(const MaterialLibrary& library);
     /// Sets what the rates are computed with.
     void setSurroundings(const Surroundings& surroundings);
     void setTemperatureUnit(TemperatureUnit unit);
@@ -42,6 +46,8 @@ public:
 
 signals:
     void objectEdited(const bask::ObjectSpec& object);
+    void saveMaterialWanted(const bask::Material& material);
+    void materialsWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -57,10 +63,12 @@ private:
     void edit(const std::function<void(ObjectSpec&)>& change);
     void showObject();
     void showDerived();
+    void addMaterialRows(QGridLayout* layout, int row);
     void showPresets();
     void refreshTexts();
 
     ObjectSpec m_object;
+    MaterialLibrary m_library;
     Surroundings m_surroundings;
     bool m_showing = false;
     QLabel* m_headings[3]{};
@@ -72,6 +80,7 @@ private:
     QComboBox* m_preset;
     std::vector<std::pair<const Parameter<Material>*, QDoubleSpinBox*>> m_material; ///< in the table's order
     QLabel* m_presetSource;
+    QPushButton *m_saveMaterial, *m_materials;
     QLabel* m_heatCapacity;
     QLabel* m_timeConstant;
     QLabel* m_lambda1;

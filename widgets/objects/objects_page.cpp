@@ -238,6 +238,8 @@ void ObjectsPage::connectAll() {
     connect(m_harmonics, &HarmonicsPanel::distancesReady, m_preview, &OutlinePreview::setDistances);
     connect(m_properties, &ObjectProperties::objectEdited, this,
             [this](const ObjectSpec& object) { editSelected([&object](ObjectSpec& o) { o = object; }); });
+    connect(m_properties, &ObjectProperties::saveMaterialWanted, this, &ObjectsPage::saveMaterialWanted);
+    connect(m_properties, &ObjectProperties::materialsWanted, this, &ObjectsPage::materialsWanted);
     connect(m_air, &AirForm::airEdited, this, [this](const Air& air) {
         m_experiment.air = air;
         emitEdited();
@@ -386,6 +388,20 @@ void ObjectsPage::addObject(ObjectSpec object) {
     objects.push_back(std::move(object));
     const int index = static_cast<int>(objects.size()) - 1;
     commit(std::move(objects), index);
+}
+
+void ObjectsPage::setMaterialLibrary(const MaterialLibrary& library) {
+    m_properties->setMaterialLibrary(library);
+}
+
+void ObjectsPage::nameMaterial(const Material& saved) {
+    if (!m_editable || !hasSelection() || !areOneMaterial(selected().material, saved))
+        return;
+    editSelected([&saved](ObjectSpec& object) {
+        object.material.name = saved.name;
+        object.material.source = saved.source;
+        object.material.date = saved.date;
+    });
 }
 
 void ObjectsPage::addDisk() {

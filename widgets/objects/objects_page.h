@@ -2,6 +2,7 @@
 // The Objects page: list, import, outlines, harmonics, material, mounting.
 
 #include "engine/base/units.h"
+#include "engine/model/material_library.h"
 #include "engine/model/mounting_check.h"
 #include "engine/shape/contour_import.h"
 #include "widgets/common/latest_job.h"
@@ -45,6 +46,10 @@ public:
 
     void setExperiment(const Experiment& experiment);
     const Experiment& experiment() const { return m_experiment; }
+    /// Sets the materials of one's own that the form offers.
+    void setMaterialLibrary(const MaterialLibrary& library);
+    /// Gives name, source and date to the selected object's material, if that still has these values.
+    void nameMaterial(const Material& saved);
     /// False while a run is on; `why` is shown above the page.
     void setEditable(bool editable, const QString& why);
     void setTemperatureUnit(TemperatureUnit unit);
@@ -66,6 +71,9 @@ public slots:
 
 signals:
     void experimentEdited(const bask::Experiment& experiment);
+    /// The selected object's material is to be kept in the library.
+    void saveMaterialWanted(const bask::Material& material);
+    void materialsWanted();
 
 protected:
     void changeEvent(QEvent* event) override;

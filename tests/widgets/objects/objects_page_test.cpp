@@ -366,6 +366,72 @@ TEST_F(ObjectsPageTest, MaterialPresets) {
     EXPECT_TRUE(preset->currentText().startsWith("typed values"));
 }
 
+// Catches materials of one's own that are not offered, do not fill in, or are still told of other values.
+TEST_F(ObjectsPageTest, MaterialsOfALibrary) {
+    MaterialLibrary library(1);
+    library[0].material = {"our paint",      0.95,        0.94, 911.0, 2755.0, 0.002, 1.0,
+                           "DSC, sample 12", "2026-11-23"};
+    library[0].uncertainties["emittance"] = 0.02;
+    page.setMaterialLibrary(library);
+    auto* preset = child<QComboBox>("materialPreset");
+    EXPECT_EQ(preset->currentText(), "aluminium, painted");
+    const int row = preset->findText("our paint");
+    ASSERT_EQ(row, preset->count() - 1);
+    const double thickness_m = last().objects[0].material.thickness_m;
+    preset->setFocus();
+    preset->setCurrentIndex(row);
+    emit preset->activated(row);
+    Material wanted = library[0].material;
+    wanted.thickness_m = thickness_m;
+    EXPECT_EQ(last().objects[0].material, wanted);
+    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(preset->currentText(), "our paint");
+    EXPECT_EQ(child<QLabel>("presetSource")->text(),
+              QString::fromUtf8("DSC, sample 12, 2026-11-23\nStandard uncertainty: emittance\u00a00.02"));
+    type(child<QDoubleSpinBox>("thickness"), "3");
+    EXPECT_EQ(last().objects[0].material.source, "DSC, sample 12");
+    EXPECT_EQ(preset->currentText(), "our paint");
+    type(child<QDoubleSpinBox>("emittance"), "0.5");
+    EXPECT_EQ(preset->currentText(), "typed values");
+    EXPECT_EQ(last().objects[0].material.name, "");
+    EXPECT_EQ(last().objects[0].material.source, "");
+    EXPECT_EQ(last().objects[0].material.date, "");
+    EXPECT_FALSE(child<QLabel>("presetSource")->isVisible());
+    click("undo");
+    EXPECT_EQ(last().objects[0].material.name, "our paint");
+}
+
+// Catches a source from another lab's file that is not shown, or is taken for that of a preset.
+TEST_F(ObjectsPageTest, AMaterialFromElsewhereKeepsItsNameAndSource) {
+    Experiment experiment = example();
+    experiment.objects[0].material.name = "their paint";
+    experiment.objects[0].material.source = "their book";
+    page.setExperiment(experiment);
+    EXPECT_EQ(child<QComboBox>("materialPreset")->currentText(), "their paint");
+    EXPECT_EQ(child<QLabel>("presetSource")->text(), "their book");
+}
+
+// Catches a saved material whose name comes to another object, or costs the object its rates.
+TEST_F(ObjectsPageTest, ASavedMaterialNamesTheObjectsWithItsValues) {
+    Experiment experiment = example();
+    experiment.objects[0].estimatedRates = HeatRates{0.2, 2e-11, 0.16};
+    page.setExperiment(experiment);
+    QSignalSpy wanted(&page, &ObjectsPage::saveMaterialWanted);
+    click("saveMaterial");
+    EXPECT_EQ(wanted.count(), 1);
+    Material saved = experiment.objects[0].material;
+    saved.emittance = 0.3;
+    saved.name = "ours";
+    page.nameMaterial(saved);
+    EXPECT_EQ(edited.count(), 0);
+    saved.emittance = experiment.objects[0].material.emittance;
+    saved.source = "book";
+    page.nameMaterial(saved);
+    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(last().objects[0].material, saved);
+    EXPECT_TRUE(last().objects[0].estimatedRates.has_value());
+}
+
 // Catches edits that lose what this page does not show.
 TEST_F(ObjectsPageTest, WhatThePageDoesNotShowOutlivesAnEdit) {
     Experiment experiment = example();
