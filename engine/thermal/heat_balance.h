@@ -17,7 +17,7 @@ struct Material {
     double specificHeat_J_kgK = 900.0;
     double density_kg_m3 = 2700.0;
     double thickness_m = 0.001;
-    double infill = 1.0; ///< fraction of the volume that is solid, (0, 1]
+    double infill = 1.0;  ///< fraction of the volume that is solid, (0, 1]
     std::string source{}; ///< where the values are from, in words; empty: not told
     std::string date{};   ///< when they were found, "2026-11-23"; empty: not told
 

@@ -15,7 +15,7 @@ LibraryMaterial labMaterial(const std::string& name, double emittance = 0.8) {
     return out;
 }
 
-MessageCode refusal(const LibraryMaterial& material) {
+MessageCode libraryRefusal(const LibraryMaterial& material) {
     const auto valid = validate(MaterialLibrary{material});
     return valid ? MessageCode::None : valid.error().code();
 }
@@ -25,34 +25,34 @@ MessageCode refusal(const LibraryMaterial& material) {
 // Catches a material without a name, two of one name, and values that no experiment takes.
 TEST(MaterialLibraryCheck, RefusesWhatCannotBeChosen) {
     EXPECT_TRUE(validate(MaterialLibrary{labMaterial("a"), labMaterial("b")}));
-    EXPECT_EQ(refusal(labMaterial("")), MessageCode::ValueOutOfRange);
-    EXPECT_EQ(refusal(labMaterial(std::string(65, 'x'))), MessageCode::ValueOutOfRange);
-    EXPECT_EQ(refusal(labMaterial("a\nb")), MessageCode::NameNotPlain);
-    EXPECT_EQ(refusal(labMaterial("a", 1.5)), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(libraryRefusal(labMaterial("")), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(libraryRefusal(labMaterial(std::string(65, 'x'))), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(libraryRefusal(labMaterial("a\nb")), MessageCode::NameNotPlain);
+    EXPECT_EQ(libraryRefusal(labMaterial("a", 1.5)), MessageCode::ValueOutOfRange);
     const auto twice = validate(MaterialLibrary{labMaterial("a"), labMaterial("a", 0.5)});
     ASSERT_FALSE(twice);
     EXPECT_EQ(twice.error().code(), MessageCode::MaterialNameTwice);
     EXPECT_EQ(twice.error().where, "materials[1].name");
     LibraryMaterial material = labMaterial("a");
     material.uncertainties["emittance"] = -0.1;
-    EXPECT_EQ(refusal(material), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(libraryRefusal(material), MessageCode::ValueOutOfRange);
     material.uncertainties["emittance"] = 0.0;
-    EXPECT_EQ(refusal(material), MessageCode::None);
+    EXPECT_EQ(libraryRefusal(material), MessageCode::None);
     material.material.source = std::string(kMaxSourceLength + 1, 'x');
-    EXPECT_EQ(refusal(material), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(libraryRefusal(material), MessageCode::ValueOutOfRange);
 }
 
 TEST(MaterialLibraryCheck, DatesAreDaysThatThereAre) {
     for (const char* date : {"2026-11-23", "2024-02-29", ""}) {
         LibraryMaterial material = labMaterial("a");
         material.material.date = date;
-        EXPECT_EQ(refusal(material), MessageCode::None) << date;
+        EXPECT_EQ(libraryRefusal(material), MessageCode::None) << date;
     }
     for (const char* date :
          {"2026-02-29", "2026-13-01", "2026-1-1", "23.11.2026", "2026-11-23 ", "2026-+1-01"}) {
         LibraryMaterial material = labMaterial("a");
         material.material.date = date;
-        EXPECT_EQ(refusal(material), MessageCode::DateWrong) << date;
+        EXPECT_EQ(libraryRefusal(material), MessageCode::DateWrong) << date;
     }
 }
 
