@@ -420,6 +420,10 @@
         <source>aluminium, polished</source>
         <translation>aluminium poli</translation>
     </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>Incertitude type&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -2006,6 +2010,14 @@
     <message>
         <source>this installation of Bask cannot speak to a broker: %1</source>
         <translation>cette installation de Bask ne peut pas parler à un courtier&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no date; write year, month and day as in 2026-11-23</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas une date&#xa0;; écrivez année, mois et jour comme dans 2026-11-23</translation>
+    </message>
+    <message>
+        <source>two materials are named &quot;%1&quot;; give each its own name</source>
+        <translation>deux matériaux se nomment «&#xa0;%1&#xa0;»&#xa0;; donnez à chacun son propre nom</translation>
     </message>
 </context>
 <context>
@@ -5756,6 +5768,76 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::MaterialControl</name>
+    <message>
+        <source>Your library of materials cannot be used and is left as it is: %1. Mend the file or move it elsewhere.</source>
+        <translation>Votre bibliothèque de matériaux ne peut pas être utilisée et est laissée telle quelle&#xa0;: %1. Réparez le fichier ou déplacez-le ailleurs.</translation>
+    </message>
+    <message>
+        <source>Import materials</source>
+        <translation>Importer des matériaux</translation>
+    </message>
+    <message>
+        <source>Materials (*.json);;All files (*)</source>
+        <translation>Matériaux (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>%1: %2 added, %3 of them under another name, since theirs was taken; %4 were there already.</source>
+        <translation>%1&#xa0;: %2 ajoutés, dont %3 sous un autre nom, le leur étant pris&#xa0;; %4 étaient déjà là.</translation>
+    </message>
+    <message>
+        <source>Export the library of materials</source>
+        <translation>Exporter la bibliothèque de matériaux</translation>
+    </message>
+    <message>
+        <source>Materials (*.json)</source>
+        <translation>Matériaux (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>%1 a été écrit.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MaterialsDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>Renommer</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>Importer…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>Matériaux</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>The library is empty. “Save as material” on the Objects page adds an object&apos;s material, Import those of a file.</source>
+        <translation>La bibliothèque est vide. «&#xa0;Enregistrer comme matériau&#xa0;» sur la page Objets y ajoute le matériau d’un objet, Importer ceux d’un fichier.</translation>
+    </message>
+    <message>
+        <source>“%1” was removed.</source>
+        <translation>«&#xa0;%1&#xa0;» a été retiré.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>bask::MessageBar</name>
     <message>
         <source>Close the message</source>
@@ -6270,6 +6352,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
         <translation>L’objet est tourné d’abord autour de l’axe x de l’effecteur, puis autour de y, puis autour de z</translation>
+    </message>
+    <message>
+        <source>Save as material…</source>
+        <translation>Enregistrer comme matériau…</translation>
+    </message>
+    <message>
+        <source>Keeps these values in your library of materials</source>
+        <translation>Garde ces valeurs dans votre bibliothèque de matériaux</translation>
+    </message>
+    <message>
+        <source>Materials…</source>
+        <translation>Matériaux…</translation>
+    </message>
+    <message>
+        <source>Your library of materials: see, rename, remove, import and export</source>
+        <translation>Votre bibliothèque de matériaux&#xa0;: voir, renommer, retirer, importer et exporter</translation>
     </message>
 </context>
 <context>
@@ -7659,6 +7757,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>There is nothing to play: no run is open. Choose one in the list.</source>
         <translation>Il n’y a rien à lire&#xa0;: aucun essai n’est ouvert. Choisissez-en un dans la liste.</translation>
     </message>
+    <message>
+        <source>Open as new experiment</source>
+        <translation>Ouvrir comme nouvelle</translation>
+    </message>
+    <message>
+        <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
+        <translation>Ouvre ce qui a été exécuté ici, objets, source, consignes et limites tels qu’ils sont dans l’enregistrement, comme une nouvelle expérience sans fichier.</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8867,6 +8973,53 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::SaveMaterialDialog</name>
+    <message>
+        <source>Save as material</source>
+        <translation>Enregistrer comme matériau</translation>
+    </message>
+    <message>
+        <source>measured on a sample, data sheet, book</source>
+        <translation>mesure sur échantillon, fiche technique, livre</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Values, with their standard uncertainties</source>
+        <translation>Valeurs, avec leur incertitude type</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>Incertitude type&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>The library has a material of this name. Its values are replaced.</source>
+        <translation>La bibliothèque a un matériau de ce nom. Ses valeurs sont remplacées.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+</context>
+<context>
     <name>bask::SceneOverlay</name>
     <message>
         <source>x (cm)</source>
@@ -9093,6 +9246,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Tables (*.csv)</source>
         <translation>Tableaux (*.csv)</translation>
     </message>
+    <message>
+        <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
+        <translation>L’expérience de %1 est ouverte comme une nouvelle, qui n’est pas encore enregistrée.</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9250,6 +9407,38 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Run</source>
         <translation>Essai</translation>
+    </message>
+    <message>
+        <source>No run matches &quot;%1&quot;.</source>
+        <translation>Aucun essai ne correspond à «&#xa0;%1&#xa0;».</translation>
+    </message>
+    <message>
+        <source>Show all runs</source>
+        <translation>Montrer tous les essais</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>O&amp;verlay</source>
+        <translation>&amp;Superposer</translation>
+    </message>
+    <message>
+        <source>Open as &amp;new experiment</source>
+        <translation>Ouvrir comme &amp;nouvelle expérience</translation>
+    </message>
+    <message>
+        <source>&amp;Sort by</source>
+        <translation>&amp;Trier par</translation>
+    </message>
+    <message>
+        <source>Finds the runs that have every word in what the list shows, or among objects, materials and notes.</source>
+        <translation>Trouve les essais qui ont chacun des mots dans ce que montre la liste, ou parmi les objets, les matériaux et les notes.</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Régulateur</translation>
     </message>
 </context>
 <context>

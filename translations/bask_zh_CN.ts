@@ -420,6 +420,10 @@
         <source>aluminium, polished</source>
         <translation>铝，抛光</translation>
     </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>标准不确定度：%1</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -2006,6 +2010,14 @@
     <message>
         <source>this installation of Bask cannot speak to a broker: %1</source>
         <translation>此 Bask 安装无法与代理通信：%1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no date; write year, month and day as in 2026-11-23</source>
+        <translation>“%1”不是日期；请按 2026-11-23 的形式写出年、月、日</translation>
+    </message>
+    <message>
+        <source>two materials are named &quot;%1&quot;; give each its own name</source>
+        <translation>两种材料都名为“%1”；请给每种各自的名称</translation>
     </message>
 </context>
 <context>
@@ -5751,6 +5763,76 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::MaterialControl</name>
+    <message>
+        <source>Your library of materials cannot be used and is left as it is: %1. Mend the file or move it elsewhere.</source>
+        <translation>您的材料库无法使用，并保持原样：%1。请修复该文件或将其移到别处。</translation>
+    </message>
+    <message>
+        <source>Import materials</source>
+        <translation>导入材料</translation>
+    </message>
+    <message>
+        <source>Materials (*.json);;All files (*)</source>
+        <translation>材料 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1: %2 added, %3 of them under another name, since theirs was taken; %4 were there already.</source>
+        <translation>%1：已添加 %2 种，其中 %3 种因名称已被占用而改名；%4 种原已存在。</translation>
+    </message>
+    <message>
+        <source>Export the library of materials</source>
+        <translation>导出材料库</translation>
+    </message>
+    <message>
+        <source>Materials (*.json)</source>
+        <translation>材料 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已写入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MaterialsDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>重命名</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>导入…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>导出…</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+    <message>
+        <source>The library is empty. “Save as material” on the Objects page adds an object&apos;s material, Import those of a file.</source>
+        <translation>材料库是空的。“物体”页上的“存为材料”可添加物体的材料，“导入”可添加文件中的材料。</translation>
+    </message>
+    <message>
+        <source>“%1” was removed.</source>
+        <translation>已移除“%1”。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+</context>
+<context>
     <name>bask::MessageBar</name>
     <message>
         <source>Close the message</source>
@@ -6265,6 +6347,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
         <translation>物体先绕末端执行器的 x 轴转动，再绕 y 轴，然后绕 z 轴</translation>
+    </message>
+    <message>
+        <source>Save as material…</source>
+        <translation>存为材料…</translation>
+    </message>
+    <message>
+        <source>Keeps these values in your library of materials</source>
+        <translation>把这些数值存入您的材料库</translation>
+    </message>
+    <message>
+        <source>Materials…</source>
+        <translation>材料…</translation>
+    </message>
+    <message>
+        <source>Your library of materials: see, rename, remove, import and export</source>
+        <translation>您的材料库：查看、重命名、移除、导入和导出</translation>
     </message>
 </context>
 <context>
@@ -7651,6 +7749,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>There is nothing to play: no run is open. Choose one in the list.</source>
         <translation>没有可播放的：没有打开任何运行。请在列表中选择一个。</translation>
     </message>
+    <message>
+        <source>Open as new experiment</source>
+        <translation>作为新实验打开</translation>
+    </message>
+    <message>
+        <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
+        <translation>将此处所运行的内容（物体、热源、目标和限值，均按记录中的）作为没有文件的新实验打开。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8853,6 +8959,53 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::SaveMaterialDialog</name>
+    <message>
+        <source>Save as material</source>
+        <translation>存为材料</translation>
+    </message>
+    <message>
+        <source>measured on a sample, data sheet, book</source>
+        <translation>样品测量、数据表、书籍</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名称</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>Values, with their standard uncertainties</source>
+        <translation>数值及其标准不确定度</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>标准不确定度：%1</translation>
+    </message>
+    <message>
+        <source>The library has a material of this name. Its values are replaced.</source>
+        <translation>材料库中已有此名称的材料。其数值将被替换。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+</context>
+<context>
     <name>bask::SceneOverlay</name>
     <message>
         <source>x (cm)</source>
@@ -9079,6 +9232,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
     </message>
+    <message>
+        <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
+        <translation>%1 的实验已作为新实验打开，尚未保存。</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9232,6 +9389,38 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Run</source>
         <translation>运行</translation>
+    </message>
+    <message>
+        <source>No run matches &quot;%1&quot;.</source>
+        <translation>没有与“%1”匹配的运行。</translation>
+    </message>
+    <message>
+        <source>Show all runs</source>
+        <translation>显示全部运行</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>打开(&amp;O)</translation>
+    </message>
+    <message>
+        <source>O&amp;verlay</source>
+        <translation>叠加(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Open as &amp;new experiment</source>
+        <translation>作为新实验打开(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Sort by</source>
+        <translation>排序方式(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Finds the runs that have every word in what the list shows, or among objects, materials and notes.</source>
+        <translation>查找列表所显示的内容或物体、材料、备注中含有全部词语的运行。</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
     </message>
 </context>
 <context>

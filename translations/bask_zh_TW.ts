@@ -420,6 +420,10 @@
         <source>aluminium, polished</source>
         <translation>鋁，拋光</translation>
     </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>標準不確定度：%1</translation>
+    </message>
 </context>
 <context>
     <name>Message</name>
@@ -2006,6 +2010,14 @@
     <message>
         <source>this installation of Bask cannot speak to a broker: %1</source>
         <translation>此 Bask 安裝無法與代理通訊：%1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no date; write year, month and day as in 2026-11-23</source>
+        <translation>「%1」不是日期；請依 2026-11-23 的形式寫出年、月、日</translation>
+    </message>
+    <message>
+        <source>two materials are named &quot;%1&quot;; give each its own name</source>
+        <translation>兩種材料都名為「%1」；請給每種各自的名稱</translation>
     </message>
 </context>
 <context>
@@ -5751,6 +5763,76 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::MaterialControl</name>
+    <message>
+        <source>Your library of materials cannot be used and is left as it is: %1. Mend the file or move it elsewhere.</source>
+        <translation>您的材料庫無法使用，並保持原樣：%1。請修復該檔案或將其移到別處。</translation>
+    </message>
+    <message>
+        <source>Import materials</source>
+        <translation>匯入材料</translation>
+    </message>
+    <message>
+        <source>Materials (*.json);;All files (*)</source>
+        <translation>材料 (*.json);;所有檔案 (*)</translation>
+    </message>
+    <message>
+        <source>%1: %2 added, %3 of them under another name, since theirs was taken; %4 were there already.</source>
+        <translation>%1：已加入 %2 種，其中 %3 種因名稱已被占用而改名；%4 種原已存在。</translation>
+    </message>
+    <message>
+        <source>Export the library of materials</source>
+        <translation>匯出材料庫</translation>
+    </message>
+    <message>
+        <source>Materials (*.json)</source>
+        <translation>材料 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 was written.</source>
+        <translation>已寫入 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MaterialsDialog</name>
+    <message>
+        <source>Rename</source>
+        <translation>重新命名</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>移除</translation>
+    </message>
+    <message>
+        <source>Import…</source>
+        <translation>匯入…</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>匯出…</translation>
+    </message>
+    <message>
+        <source>Materials</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+    <message>
+        <source>The library is empty. “Save as material” on the Objects page adds an object&apos;s material, Import those of a file.</source>
+        <translation>材料庫是空的。「物體」頁上的「另存為材料」可加入物體的材料，「匯入」可加入檔案中的材料。</translation>
+    </message>
+    <message>
+        <source>“%1” was removed.</source>
+        <translation>已移除「%1」。</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>復原</translation>
+    </message>
+</context>
+<context>
     <name>bask::MessageBar</name>
     <message>
         <source>Close the message</source>
@@ -6265,6 +6347,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The object is turned about the end-effector&apos;s x first, then about its y, then about its z</source>
         <translation>物體先繞末端執行器的 x 軸轉動，再繞 y 軸，然後繞 z 軸</translation>
+    </message>
+    <message>
+        <source>Save as material…</source>
+        <translation>另存為材料…</translation>
+    </message>
+    <message>
+        <source>Keeps these values in your library of materials</source>
+        <translation>把這些數值存入您的材料庫</translation>
+    </message>
+    <message>
+        <source>Materials…</source>
+        <translation>材料…</translation>
+    </message>
+    <message>
+        <source>Your library of materials: see, rename, remove, import and export</source>
+        <translation>您的材料庫：檢視、重新命名、移除、匯入和匯出</translation>
     </message>
 </context>
 <context>
@@ -7651,6 +7749,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>There is nothing to play: no run is open. Choose one in the list.</source>
         <translation>沒有可播放的：沒有開啟任何運轉。請在清單中選擇一個。</translation>
     </message>
+    <message>
+        <source>Open as new experiment</source>
+        <translation>作為新實驗開啟</translation>
+    </message>
+    <message>
+        <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
+        <translation>將此處所運轉的內容（物體、熱源、目標和限值，均按記錄中的）作為沒有檔案的新實驗開啟。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8853,6 +8959,53 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::SaveMaterialDialog</name>
+    <message>
+        <source>Save as material</source>
+        <translation>另存為材料</translation>
+    </message>
+    <message>
+        <source>measured on a sample, data sheet, book</source>
+        <translation>樣品量測、資料表、書籍</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>名稱</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>來源</translation>
+    </message>
+    <message>
+        <source>Values, with their standard uncertainties</source>
+        <translation>數值及其標準不確定度</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>儲存</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty: %1</source>
+        <translation>標準不確定度：%1</translation>
+    </message>
+    <message>
+        <source>The library has a material of this name. Its values are replaced.</source>
+        <translation>材料庫中已有此名稱的材料。其數值將被取代。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>取代</translation>
+    </message>
+</context>
+<context>
     <name>bask::SceneOverlay</name>
     <message>
         <source>x (cm)</source>
@@ -9079,6 +9232,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables (*.csv)</source>
         <translation>表格 (*.csv)</translation>
     </message>
+    <message>
+        <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
+        <translation>%1 的實驗已作為新實驗開啟，尚未儲存。</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9232,6 +9389,38 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Run</source>
         <translation>運轉</translation>
+    </message>
+    <message>
+        <source>No run matches &quot;%1&quot;.</source>
+        <translation>沒有符合「%1」的運轉。</translation>
+    </message>
+    <message>
+        <source>Show all runs</source>
+        <translation>顯示全部運轉</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>開啟(&amp;O)</translation>
+    </message>
+    <message>
+        <source>O&amp;verlay</source>
+        <translation>疊加(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Open as &amp;new experiment</source>
+        <translation>作為新實驗開啟(&amp;N)</translation>
+    </message>
+    <message>
+        <source>&amp;Sort by</source>
+        <translation>排序方式(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Finds the runs that have every word in what the list shows, or among objects, materials and notes.</source>
+        <translation>尋找清單所顯示的內容或物體、材料、備註中含有全部字詞的運轉。</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>控制器</translation>
     </message>
 </context>
 <context>
