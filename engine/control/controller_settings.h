@@ -13,6 +13,7 @@ namespace bask {
 /// those that Bask's own studies and the paper's experiments ask for.
 class ControllerKind {
 public:
+    // NOLINTNEXTLINE(readability-identifier-naming): used like enumerators
     static const ControllerKind LevelServo, ModelBased, Adaptive;
 
     explicit constexpr ControllerKind(const char* key) : m_key(key) {} ///< `key`: a literal

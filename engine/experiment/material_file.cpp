@@ -64,7 +64,7 @@ Result<MaterialLibrary> readMaterialLibrary(const std::string& path) {
 }
 
 Result<void> writeMaterialLibrary(const MaterialLibrary& library, const std::string& path) {
-    if (const auto valid = validate(library); !valid)
+    if (auto valid = validate(library); !valid)
         return valid;
     nlohmann::ordered_json j{{"format", kLibraryFormat},
                              {"version", kLibraryVersion},

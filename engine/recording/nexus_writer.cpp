@@ -360,6 +360,7 @@ private:
     template <class Rows, class Text>
     void column(const std::string& path, const Rows& rows, const Text& text) {
         std::vector<std::string> out;
+        out.reserve(rows.size());
         for (const auto& row : rows)
             out.push_back(text(row));
         m_file.texts(path, out);
@@ -367,6 +368,7 @@ private:
     template <class Rows> void table(const std::string& path, const Rows& rows) {
         m_file.group(path, "NXcollection");
         std::vector<double> times;
+        times.reserve(rows.size());
         for (const auto& row : rows)
             times.push_back(row.time_s);
         m_file.numbers(path + "/time", times, "s");

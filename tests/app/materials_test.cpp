@@ -80,7 +80,7 @@ TEST_F(MaterialsTest, IsRenamedRemovedAndShared) {
     ASSERT_NO_FATAL_FAILURE(openObjects());
     ASSERT_NO_FATAL_FAILURE(save("our paint", ""));
     const QString copy = shared.filePath("copy.json");
-    window->files().setFileChooser([&](const FileQuestion&) { return copy; });
+    window->files().setFileChooser([&](const FileQuestion&) { return QString(copy); });
     press("materials");
     auto* list = find<QListWidget>("materialList");
     ASSERT_EQ(list->count(), 1);

@@ -44,7 +44,7 @@ struct BaseClass {
 const std::map<std::string, BaseClass>& baseClasses() {
     const BaseField text{Kind::Text}, time{Kind::Number, "s"}, seconds{Kind::Real, "s"};
     const BaseField kelvin{Kind::Real, "K"}, number{Kind::Number}, any;
-    static const std::map<std::string, BaseClass> table{
+    static const std::map<std::string, BaseClass> kClasses{
         {"NXroot",
          {{}, {{"NXentry", ""}}, {"creator", "creator_version", "file_name", "file_time", "HDF5_Version"}}},
         {"NXentry",
@@ -105,7 +105,7 @@ const std::map<std::string, BaseClass>& baseClasses() {
         {"NXparameters", {{{"*", any}}}},
         {"NXcollection", {{{"*", any}}}},
     };
-    return table;
+    return kClasses;
 }
 
 /// Of every class but NXroot, from NXobject.
@@ -181,10 +181,12 @@ private:
             return;
         }
         classes.insert(own);
+        const auto isForeign = [&](const std::string& what) { problems.insert(what + " in " + own); };
+        const std::string inside = path + '/', at = path + '@';
         for (const std::string& name : attributesOf(here))
             if (!std::set<std::string>{"NX_class", "default", "target"}.contains(name) &&
                 !found->second.attributes.contains(name))
-                problems.insert(path + '@' + name + " in " + own);
+                isForeign(at + name);
         for (const std::string& name : namesIn(here)) {
             const Opened thing(H5Oopen(here, name.c_str(), H5P_DEFAULT));
             if (H5Iget_type(thing) == H5I_GROUP) {
@@ -193,9 +195,9 @@ private:
                 const auto& fields = found->second.fields;
                 const auto field = fields.contains(name) ? fields.find(name) : fields.find("*");
                 if (field == fields.end())
-                    problems.insert(path + '/' + name + " in " + own);
+                    isForeign(inside + name);
                 else
-                    dataSet(thing, path + '/' + name, field->second);
+                    dataSet(thing, inside + name, field->second);
             }
         }
     }
@@ -236,9 +238,10 @@ private:
         // The last is an attribute of NeXus for all data, in its manual.
         const std::set<std::string> known{"units", "long_name", "target",
                                           "start", "version",   "interpretation"};
+        const std::string at = path + '@';
         for (const std::string& name : attributesOf(set))
             if (!known.contains(name))
-                problems.insert(path + '@' + name);
+                problems.insert(at + name);
     }
 };
 
