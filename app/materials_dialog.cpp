@@ -8,7 +8,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
-#include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QTimer>
@@ -25,14 +24,10 @@ constexpr int kValueLines = 9;
 /// One line a value, then where they are from.
 QString materialWords(const LibraryMaterial& material) {
     QStringList lines;
-    for (const Parameter<Material>& value : materialParameters()) {
-        const QString unit = QString::fromUtf8(value.unit.symbol);
-        lines << QStringLiteral("%1 %2%3").arg(
-            parameterLabel(value),
-            QLocale().toString(value.get(material.material).value() * value.unit.symbolPerSi, 'g', 6),
-            unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
-    }
-    for (const QString& line : {originText(material.material), uncertaintyText(material)})
+    for (const Parameter<Material>& value : materialParameters())
+        lines << parameterLabel(value) + u' ' + parameterText(value, value.get(material.material).value(), 6);
+    for (const QString& line :
+         {QString::fromStdString(originText(material.material)), uncertaintyText(material)})
         if (!line.isEmpty())
             lines << line;
     return lines.join(u'\n');

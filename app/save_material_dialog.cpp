@@ -11,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -71,9 +70,8 @@ QWidget* SaveMaterialDialog::uncertaintyRow(const Parameter<Material>& value) {
     const QString unit = QString::fromUtf8(value.unit.symbol);
     const QString suffix = unit.isEmpty() ? QString() : QChar(0x00a0) + unit;
     auto* row = new QWidget(this);
-    auto* said = new QLabel(QLocale().toString(value.get(m_values).value() * scale, 'g', 6) + suffix +
-                                QStringLiteral(" \u00b1"),
-                            row);
+    auto* said =
+        new QLabel(parameterText(value, value.get(m_values).value(), 6) + QStringLiteral(" \u00b1"), row);
     QDoubleSpinBox* field =
         numberField(row, QStringLiteral("uncertainty_") + parameterObjectName(value), 0.0,
                     fromWritten(value, value.range.max) * scale, value.decimals + 1, suffix);

@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/material_library.h"
 #include "engine/model/mounting_check.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
@@ -175,12 +176,10 @@ Facts limitFacts(const SafetySpec& safety, TemperatureUnit unit) {
 
 /// Name, source and date, as far as the experiment has them.
 QString materialWords(const Material& material) {
-    QString words =
+    const QString words =
         material.name.empty() ? SetupText::tr("without a name") : QString::fromStdString(material.name);
-    for (const std::string& part : {material.source, material.date})
-        if (!part.empty())
-            words += QStringLiteral(", ") + QString::fromStdString(part);
-    return words;
+    const std::string origin = originText(material);
+    return origin.empty() ? words : words + QStringLiteral(", ") + QString::fromStdString(origin);
 }
 
 QString objectTables(const Experiment& e, TemperatureUnit unit) {

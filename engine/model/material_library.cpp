@@ -98,6 +98,11 @@ bool areOneMaterial(const Material& a, const Material& b) {
     });
 }
 
+std::string originText(const Material& material) {
+    const bool hasBoth = !material.source.empty() && !material.date.empty();
+    return material.source + (hasBoth ? ", " : "") + material.date;
+}
+
 const LibraryMaterial* materialNamed(const MaterialLibrary& library, const std::string& name) {
     const auto found = std::ranges::find(
         library, name, [](const LibraryMaterial& m) -> const std::string& { return m.material.name; });

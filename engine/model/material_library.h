@@ -38,6 +38,9 @@ bool haveSameValues(const Material& a, const Material& b);
 /// Returns whether all values but the thickness are the same to nine digits.
 bool areOneMaterial(const Material& a, const Material& b);
 
+/// Returns source and date, as far as they are told: "data sheet, 2026-11-23".
+std::string originText(const Material& material);
+
 /// Returns the material of that name; null if there is none.
 const LibraryMaterial* materialNamed(const MaterialLibrary& library, const std::string& name);
 /// Replaces the material of the same name, or adds it at the end.

@@ -215,26 +215,28 @@ private:
     }
 
     /// What surrounds all objects alike: stated with the first, and linked from the others.
-    void surroundings(const std::string& sample, bool isFirst) {
+    void surroundings(std::size_t i) {
         const Experiment& e = m_session.experiment;
-        for (const char* name : {"/surroundings", "/air"}) {
-            const bool isAir = std::string(name) == "/air";
-            if (isAir && !e.air.isKnown())
-                continue;
-            const std::string group = sample + name;
-            if (!isFirst) {
-                m_file.link(std::string("/entry/sample_1") + name, group);
-                continue;
-            }
-            m_file.group(group, "NXenvironment");
-            m_file.attribute(group, "target", group);
-            if (isAir) {
-                air(group, e.air);
-            } else {
-                m_file.text(group + "/name", "room: what the objects see besides the source");
-                m_file.number(group + "/value", e.environment_K, "K");
-            }
+        if (const std::string group = shared(i, "/surroundings"); !group.empty()) {
+            m_file.text(group + "/name", "room: what the objects see besides the source");
+            m_file.number(group + "/value", e.environment_K, "K");
         }
+        if (!e.air.isKnown())
+            return;
+        if (const std::string group = shared(i, "/air"); !group.empty())
+            air(group, e.air);
+    }
+
+    /// Returns the group that the first sample has now; empty for others, which link to it.
+    std::string shared(std::size_t i, const char* name) {
+        std::string group = "/entry/sample_1" + std::string(name);
+        if (i > 0) {
+            m_file.link(group, "/entry/" + numbered("sample_", i) + name);
+            return {};
+        }
+        m_file.group(group, "NXenvironment");
+        m_file.attribute(group, "target", group);
+        return group;
     }
 
     void air(const std::string& group, const Air& air) {
@@ -276,7 +278,7 @@ private:
             m_file.text(group + "/identifier_sample", m_session.labels.sample);
         m_file.link("/entry/temperatures/" + numbered("measured_", i), group + "/temperature");
         properties(group, object);
-        surroundings(group, i == 0);
+        surroundings(i);
         sensors(group, object);
         for (const ObjectColumn& column : kObjectColumns) {
             if (!column.nexus || !m_session.rig().has(column.needs))
@@ -400,8 +402,8 @@ private:
         if (!note.operatorName.empty())
             m_file.text(group + "/author", note.operatorName);
         m_file.wholeNumber(group + "/sequence_index", static_cast<int>(i) + 1, "1");
-        m_file.group(group + "/properties",
-                     "NXparameters"); // its date is not known, but the time since Start
+        // Its date is not known, but the time since Start.
+        m_file.group(group + "/properties", "NXparameters");
         m_file.number(group + "/properties/time", note.time_s, "s");
     }
 

@@ -67,7 +67,8 @@ public:
         QCryptographicHash hash(QCryptographicHash::Sha256);
         ShareCount count(done, static_cast<double>(m_file.size()));
         const auto add = [&](std::ptrdiff_t from, std::ptrdiff_t to) {
-            constexpr std::ptrdiff_t kStep = 1 << 23; // Qt 6.4 counts in int somewhere below
+            constexpr std::ptrdiff_t kStep = 1
+                                             << 23; // a share is told after each; Qt 6.4 counts in int below
             for (; from < to; from += kStep) {
                 const std::ptrdiff_t step = std::min(kStep, to - from);
                 hash.addData(QByteArray::fromRawData(reinterpret_cast<const char*>(m_bytes) + from, step));

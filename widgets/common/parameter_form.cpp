@@ -10,6 +10,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 
 namespace bask {
 namespace {
@@ -26,6 +27,12 @@ QString parameterLabel(const ParameterFacts& facts) {
 
 QString parameterHelp(const ParameterFacts& facts) {
     return *facts.help == '\0' ? QString() : QCoreApplication::translate("Parameter", facts.help);
+}
+
+QString parameterText(const ParameterFacts& facts, double si, int digits) {
+    const QString unit = QString::fromUtf8(facts.unit.symbol);
+    return QLocale().toString(si * facts.unit.symbolPerSi, 'g', digits) +
+           (unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
 }
 
 QString parameterObjectName(const ParameterFacts& facts) {

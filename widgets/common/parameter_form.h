@@ -20,6 +20,8 @@ namespace bask {
 /// Returns the translated label and help of a parameter.
 QString parameterLabel(const ParameterFacts& facts);
 QString parameterHelp(const ParameterFacts& facts);
+/// Returns a value (SI) in the parameter's unit with so many significant digits: "2700 kg/m³".
+QString parameterText(const ParameterFacts& facts, double si, int digits);
 /// Returns "heldLimit" for "held_limit": the end of an object's name.
 QString parameterObjectName(const ParameterFacts& facts);
 

@@ -4,11 +4,9 @@
 #include "widgets/common/parameter_form.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
-#include <cmath>
 
 namespace bask {
 namespace {
@@ -59,11 +57,7 @@ constexpr const char* kCardboard =
     QT_TRANSLATE_NOOP("MaterialPreset", "Ashby: 480 to 860 kg/m\u00b3 (bulk), FLIR tables: paper (surface)");
 
 bool hasOrigin(const Material& material) {
-    return !material.source.empty() || !material.date.empty();
-}
-
-bool same(double a, double b) {
-    return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
+    return !originText(material).empty();
 }
 
 } // namespace
@@ -102,10 +96,7 @@ QString materialPresetLabel(std::size_t index) {
 std::optional<std::size_t> matchingPreset(const Material& material) {
     const auto& presets = materialPresets();
     for (std::size_t i = 0; i < presets.size(); ++i) {
-        const Material& p = presets[i].material;
-        if (same(p.emittance, material.emittance) && same(p.absorptance, material.absorptance) &&
-            same(p.specificHeat_J_kgK, material.specificHeat_J_kgK) &&
-            same(p.density_kg_m3, material.density_kg_m3) && same(p.infill, material.infill))
+        if (areOneMaterial(presets[i].material, material))
             return i;
     }
     return std::nullopt;
@@ -124,10 +115,6 @@ Material withTrueName(Material material, const MaterialLibrary& library) {
     if (named != presets.end() && matchingPreset(material) != named - presets.begin())
         material.name.clear();
     return material;
-}
-
-Material withPreset(const Material& material, std::size_t index) {
-    return withListed(material, {}, index);
 }
 
 Material withTypedValues(const Material& before, Material after, const MaterialLibrary& library) {
@@ -164,24 +151,13 @@ Material withListed(const Material& material, const MaterialLibrary& library, st
     return result;
 }
 
-QString originText(const Material& material) {
-    QStringList parts;
-    for (const std::string& part : {material.source, material.date})
-        if (!part.empty())
-            parts << QString::fromStdString(part);
-    return parts.join(QStringLiteral(", "));
-}
-
 QString uncertaintyText(const LibraryMaterial& material) {
     QStringList parts;
     for (const Parameter<Material>& value : materialParameters()) {
         const auto found = material.uncertainties.find(value.name);
         if (found == material.uncertainties.end())
             continue;
-        const QString unit = QString::fromUtf8(value.unit.symbol);
-        parts << parameterLabel(value).toLower() + QChar(0x00a0) +
-                     QLocale().toString(found->second * value.unit.symbolPerSi, 'g', 4) +
-                     (unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
+        parts << parameterLabel(value).toLower() + QChar(0x00a0) + parameterText(value, found->second, 4);
     }
     return parts.isEmpty() ? QString()
                            : QCoreApplication::translate("MaterialPreset", "Standard uncertainty: %1")

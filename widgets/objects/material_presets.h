@@ -46,13 +46,7 @@ std::optional<std::size_t> listedMaterial(const Material& material, const Materi
 /// Returns `material` with everything except its thickness from that place of the list.
 Material withListed(const Material& material, const MaterialLibrary& library, std::size_t index);
 
-/// Returns "DSC, sample 12, 2026-11-23"; empty if the material tells neither.
-QString originText(const Material& material);
-
 /// Returns "Standard uncertainty: emittance 0.02, thickness 0.01 mm"; empty if none is known.
 QString uncertaintyText(const LibraryMaterial& material);
-
-/// Returns `material` with everything except its thickness from the preset.
-Material withPreset(const Material& material, std::size_t index);
 
 } // namespace bask

@@ -344,13 +344,13 @@ void ObjectProperties::showPresets() {
         m_preset->addItem(QString::fromStdString(m_library[k].material.name), static_cast<int>(presets + k));
     const Material& material = m_object.material;
     const auto match = listedMaterial(material, m_library);
-    QString told = originText(material);
+    QString told = QString::fromStdString(originText(material));
     if (match && *match < presets) {
         told = materialPresetSource(*match);
     } else if (match) {
         const LibraryMaterial& own = m_library[*match - presets];
         if (told.isEmpty())
-            told = originText(own.material);
+            told = QString::fromStdString(originText(own.material));
         told += (told.isEmpty() ? QString() : QStringLiteral("\n")) + uncertaintyText(own);
     }
     m_presetSource->setText(told.trimmed());

@@ -24,7 +24,7 @@ TEST(MaterialPresets, ArePhysicalHaveASourceAndAreToldApart) {
         EXPECT_LT(material.density_kg_m3, 9000.0) << presets[i].label;
         EXPECT_FALSE(materialPresetSource(i).isEmpty()) << presets[i].label;
         EXPECT_EQ(matchingPreset(material), i) << presets[i].label;
-        EXPECT_EQ(matchingPreset(withPreset({}, i)), i) << presets[i].label;
+        EXPECT_EQ(matchingPreset(withListed({}, {}, i)), i) << presets[i].label;
     }
 }
 
