@@ -142,6 +142,7 @@ void EngineWorker::waitForFiles() {
     if (!m_keeper.wait(left()))
         unsaved.emplace_back("the list of alarms: the disk does not answer");
     (void)m_closer.wait(left());
+    (void)SessionRecorder::waitForAll(left()); // their seals; the rows are known to be saved
     for (const std::string& each : unsaved)
         std::fprintf(stderr, "bask: not saved, or not all of it: %s\n", each.c_str());
 }

@@ -36,6 +36,8 @@ Error stuck(const std::string& path) {
     return {MessageCode::FileUnwritable, path, {"the disk has taken nothing for 10 s"}};
 }
 
+std::atomic<int> underWay = 0; ///< threads that write or seal
+
 } // namespace
 
 struct SessionRecorder::Shared {
@@ -71,9 +73,11 @@ struct SessionRecorder::Shared {
 SessionRecorder::SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
                                  double minFree_MB, const RunLabels& labels)
     : m_path(path), m_shared(std::make_shared<Shared>()) {
+    ++underWay;
     std::thread([shared = m_shared, path, experiment, simulated, minFree_MB, labels] {
         nameThread("recorder");
         shared->record(makeFile(path, experiment, simulated, minFree_MB, labels));
+        --underWay;
     }).detach();
 }
 
@@ -153,6 +157,13 @@ std::optional<Result<void>> SessionRecorder::finished() const {
         Steady::now() - std::max(m_ended, m_shared->written.load()) > kStuck)
         return Result<void>(stuck(m_path));
     return m_shared->finished;
+}
+
+bool SessionRecorder::waitForAll(std::chrono::milliseconds bound) {
+    const auto deadline = Steady::now() + bound;
+    while (underWay > 0 && Steady::now() < deadline)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return underWay == 0;
 }
 
 std::size_t SessionRecorder::rows() const {

@@ -44,6 +44,10 @@ public:
     /// Number of samples that are safe on the disk, even if the program is killed or the power fails.
     std::size_t rows() const;
 
+    /// Waits until no thread of any recorder writes or seals a file, at most `bound`; returns whether that is
+    /// so. A program that ends earlier takes its database from under a seal.
+    static bool waitForAll(std::chrono::milliseconds bound);
+
 private:
     struct Shared;
     std::string m_path;

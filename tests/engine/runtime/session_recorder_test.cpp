@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/recording/session_store.h"
+#include "engine/recording/session_verify.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 #include "tests/support/wait_for.h"
 
@@ -124,6 +125,22 @@ TEST_F(SessionRecorderTest, whatComesBeforeTheFileIsThereIsWritten) {
     const auto session = readSession(m_path + "2");
     ASSERT_TRUE(session) << describe(session.error());
     EXPECT_EQ(session->samples.size(), 1U);
+}
+
+// Catches a program that ends while a file is being sealed: the seal is lost, and the database of a thread
+// that still runs is gone.
+TEST_F(SessionRecorderTest, whoWaitsForAllHasSealedFiles) {
+    for (int k = 0; k < 20; ++k) {
+        const std::string path = m_path + std::to_string(k);
+        SessionRecorder recording(path, m_experiment, false);
+        ASSERT_TRUE(recording.add(sampleAt(0.0)));
+        recording.finish("stopped");
+        ASSERT_TRUE(SessionRecorder::waitForAll(std::chrono::seconds(10)));
+        EXPECT_TRUE(recording.finished().has_value());
+        const auto verdict = verifySession(path);
+        ASSERT_TRUE(verdict) << describe(verdict.error());
+        EXPECT_EQ(verdict->seal, Seal::Holds);
+    }
 }
 
 // Catches a recording that is begun where there is no room for it.
