@@ -77,8 +77,15 @@ std::string tryAddress(const addrinfo& address) {
     return problem == 0 ? std::string() : std::strerror(problem);
 }
 
-/// The library's own connection waits for minutes where nobody answers, and does not say why it failed.
-std::string tryHost(const std::string& host, int port) {
+/// Where a host takes connections.
+struct Reached {
+    std::string address; ///< in numbers
+    bool isIpv6 = false;
+};
+
+/// Returns why a host takes none; where it does, empty, and `reached` is the first of its addresses that
+/// does. The library's own connection waits for minutes where nobody answers, and does not say why it failed.
+std::string tryHost(const std::string& host, int port, Reached& reached) {
     addrinfo wanted{}, *found = nullptr;
     wanted.ai_family = AF_UNSPEC;
     wanted.ai_socktype = SOCK_STREAM;
@@ -86,8 +93,12 @@ std::string tryHost(const std::string& host, int port) {
         code != 0)
         return ::gai_strerror(code);
     std::string problem = "it has no address";
-    for (const addrinfo* each = found; each != nullptr && !problem.empty(); each = each->ai_next)
+    for (const addrinfo* each = found; each != nullptr && !problem.empty(); each = each->ai_next) {
+        char number[NI_MAXHOST] = "";
         problem = tryAddress(*each);
+        ::getnameinfo(each->ai_addr, each->ai_addrlen, number, sizeof number, nullptr, 0, NI_NUMERICHOST);
+        reached = {number, each->ai_family == AF_INET6};
+    }
     ::freeaddrinfo(found);
     return problem;
 }
@@ -109,7 +120,8 @@ public:
     void begin(const BrokerAccess& access) override {
         const NoSigpipe guard;
         m_presence = access.presenceTopic;
-        if (const std::string problem = tryHost(access.host, access.port); !problem.empty())
+        Reached reached;
+        if (const std::string problem = tryHost(access.host, access.port, reached); !problem.empty())
             return fail(problem);
         m_client = newClient(access.clientId, this);
         if (m_client == nullptr)
@@ -123,7 +135,10 @@ public:
             return;
         if (!m_presence.empty())
             mosquitto_will_set(m_client, m_presence.c_str(), 4, "gone", 1, true);
-        const int code = mosquitto_connect(m_client, access.host.c_str(), access.port, kKeepAlive_s);
+        // A certificate is for the name, which the library looks up once more: of the same family at least.
+        const int code =
+            mosquitto_connect_bind(m_client, access.usesTls ? access.host.c_str() : reached.address.c_str(),
+                                   access.port, kKeepAlive_s, reached.isIpv6 ? "::" : "0.0.0.0");
         m_begun = Clock::now();
         if (code != MOSQ_ERR_SUCCESS)
             fail(code);

@@ -20,7 +20,9 @@
 #include <sstream>
 #include <thread>
 
+#include <dlfcn.h>
 #include <fcntl.h>
+#include <netdb.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -108,7 +110,53 @@ private:
 /// A machine that is busy holds up any thread; a network or a disk would for seconds.
 constexpr double kMoment_s = 0.25;
 
+/// The one name that getaddrinfo() below knows of itself: this address, then 127.0.0.1.
+constexpr const char* kTwoPlaces = "two.places.example";
+std::string g_firstPlace;
+
+/// An address where nobody answers, as behind a firewall: what waits to be accepted there is full.
+class DeadPlace {
+public:
+    DeadPlace(const std::string& address, int port) {
+        addrinfo wanted{}, *place = nullptr;
+        wanted.ai_socktype = SOCK_STREAM;
+        wanted.ai_flags = AI_NUMERICHOST;
+        if (::getaddrinfo(address.c_str(), std::to_string(port).c_str(), &wanted, &place) != 0)
+            return;
+        const int listener = newSocket(*place);
+        m_exists = ::bind(listener, place->ai_addr, place->ai_addrlen) == 0 && ::listen(listener, 0) == 0;
+        for (int k = 0; m_exists && k < 4; ++k)
+            ::connect(newSocket(*place), place->ai_addr, place->ai_addrlen);
+        ::freeaddrinfo(place);
+    }
+    ~DeadPlace() {
+        for (const int socket : m_sockets)
+            ::close(socket);
+    }
+    DeadPlace(const DeadPlace&) = delete;
+    DeadPlace& operator=(const DeadPlace&) = delete;
+
+    bool exists() const { return m_exists; }
+
+private:
+    int newSocket(const addrinfo& place) {
+        m_sockets.push_back(::socket(place.ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+        return m_sockets.back();
+    }
+
+    std::vector<int> m_sockets;
+    bool m_exists = false;
+};
+
 } // namespace
+
+extern "C" int getaddrinfo(const char* host, const char* service, const addrinfo* wanted, addrinfo** found) {
+    const auto systems = reinterpret_cast<decltype(&getaddrinfo)>(::dlsym(RTLD_NEXT, "getaddrinfo"));
+    if (host == nullptr || std::string(host) != kTwoPlaces)
+        return systems(host, service, wanted, found);
+    const int code = systems(g_firstPlace.c_str(), service, wanted, found);
+    return code != 0 ? code : systems("127.0.0.1", service, wanted, &(*found)->ai_next);
+}
 
 TEST(MonitorStatus, IsJsonWithNullForWhatIsNotKnown) {
     const json status = json::parse(statusJson({1700000000.25, false, runningSnapshot()}));
@@ -368,6 +416,22 @@ TEST(Monitor, GivesUpABrokerThatSaysNothing) {
     }
 }
 
+TEST(MonitorWithBroker, IsReachedAtItsSecondAddressWhereNobodyAnswersAtTheFirst) {
+    test::MqttBroker broker;
+    broker.start();
+    MonitorSettings settings = settingsFor(broker);
+    settings.broker.address = std::string(kTwoPlaces) + ':' + std::to_string(broker.port());
+    g_firstPlace = "127.0.0.2";
+    const DeadPlace dead(g_firstPlace, broker.port());
+    ASSERT_TRUE(dead.exists());
+    QElapsedTimer since;
+    since.start();
+    const auto tried = tryMonitor(settings);
+    EXPECT_TRUE(tried) << describe(tried.error());
+    EXPECT_GT(since.elapsed(), 3000) << "the first address was not dead";
+    EXPECT_LT(since.elapsed(), 8000);
+}
+
 TEST(MonitorWithBroker, TellsWhyAPasswordIsRefused) {
     const QTemporaryDir folder;
     const std::string secret = folder.filePath("secret").toStdString();
@@ -401,7 +465,7 @@ public:
         openssl({"req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
                  "-keyout", "other.key", "-out", "other.pem", "-days", "2", "-subj",
                  "/CN=another authority"});
-        std::ofstream(path("names").toStdString()) << "subjectAltName=IP:127.0.0.1,DNS:localhost\n";
+        std::ofstream(path("names").toStdString()) << "subjectAltName=IP:127.0.0.1,DNS:two.places.example\n";
     }
 
     QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -455,6 +519,25 @@ TEST(MonitorWithBroker, SpeaksToABrokerThatHasTheRightCertificateAndNoOther) {
         settings.broker.usesTls = true;
         EXPECT_NE(describe(tryMonitor(settings).error()).find("Connection refused"), std::string::npos);
     }
+}
+
+TEST(MonitorWithBroker, SpeaksTlsAtItsOldAddressWhereNobodyAnswersAtTheNewOne) {
+    Certificates certificates;
+    test::MqttBroker broker(certificates.broker(2));
+    broker.start();
+    MonitorSettings settings = settingsFor(broker);
+    settings.broker.usesTls = true;
+    settings.broker.caFile = certificates.path("ca.pem").toStdString();
+    settings.broker.address = std::string(kTwoPlaces) + ':' + std::to_string(broker.port());
+    g_firstPlace = "::1";
+    const DeadPlace dead(g_firstPlace, broker.port());
+    if (!dead.exists())
+        GTEST_SKIP() << "this machine has no IPv6";
+    QElapsedTimer since;
+    since.start();
+    const auto tried = tryMonitor(settings);
+    EXPECT_TRUE(tried) << describe(tried.error());
+    EXPECT_LT(since.elapsed(), 8000);
 }
 
 TEST(Monitor, WritesStatusFilesThatAreAlwaysWhole) {
