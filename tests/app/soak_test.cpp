@@ -1,10 +1,12 @@
 // The control loop at 10 Hz over three serial ports, watched from outside: no sample lost, memory flat, and
-// how late its steps begin. The short form runs in CI, the long one by hand (CONTRIBUTING.md).
+// how late its steps begin; also beside a broker that is killed again and again. The short forms run in CI,
+// the long ones by hand (CONTRIBUTING.md).
 
 #include "engine/recording/session_file.h"
 #include "engine/runtime/lateness.h"
 #include "tests/app/hogs.h"
 #include "tests/app/rig_processes.h"
+#include "tests/support/mqtt_broker.h"
 
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -67,19 +69,25 @@ protected:
         return at < 0 ? 0.0 : text.mid(at + 6).trimmed().split(' ').first().toDouble() / 1024.0;
     }
 
-    /// Runs for so long and takes the memory every second.
-    void run(int duration_s, int hogs) {
+    /// Runs for so long; takes the memory every second, and then calls `eachSecond` with its number.
+    void run(int duration_s, int hogs, const QStringList& arguments = {},
+             const std::function<void(int)>& eachSecond = {}) {
         startBench();
         const QString summary = QFileInfo(session()).path() + QStringLiteral("/summary.json");
-        startEngine({QStringLiteral("--duration"), QString::number(duration_s), QStringLiteral("--summary"),
-                     summary});
+        startEngine(QStringList{QStringLiteral("--duration"), QString::number(duration_s),
+                                QStringLiteral("--summary"), summary} +
+                    arguments);
         ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
         const Hogs busy(hogs);
         BareThread bareThread;
+        const auto begun = std::chrono::steady_clock::now();
         for (int i = 1; i < duration_s; ++i) {
-            std::this_thread::sleep_for(std::chrono::seconds(1)); // waitFor would be one more busy thread
+            std::this_thread::sleep_until(begun +
+                                          std::chrono::seconds(i)); // waitFor would be one more busy thread
             memory_MB.push_back(resident_MB());
             ASSERT_GT(memory_MB.back(), 0.0) << "it has ended after " << i << " s: " << output();
+            if (eachSecond)
+                eachSecond(i);
         }
         bare = bareThread.end();
         ASSERT_TRUE(ended(120000).has_value());
@@ -90,6 +98,33 @@ protected:
         ASSERT_TRUE(record.ok()) << describe(record.error());
         samples = record->controlledSamples();
         tell();
+    }
+    /// The same, published to a broker that is started, frozen for a second and killed, every so many
+    /// seconds.
+    void runBesideABroker(int duration_s, int period_s) {
+        MqttBroker broker;
+        const QString settings = QFileInfo(session()).path() + QStringLiteral("/monitor.json");
+        QFile file(settings);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QStringLiteral(R"({"format": "bask-monitor", "version": 1, "broker": {"on": true, )"
+                                  R"("address": "%1"}})")
+                       .arg(QString::fromStdString(broker.address()))
+                       .toUtf8());
+        file.close();
+        const auto eachSecond = [&](int second) {
+            if (second % period_s == 1) {
+                broker.start();
+                ++starts;
+            }
+            if (second % period_s == period_s - 1) {
+                MqttSubscriber subscriber(broker.port()); // what is retained was published since it started
+                heard += waitFor([&] { return subscriber.last("presence") == "here"; }, 500) ? 1 : 0;
+                broker.freeze();
+            }
+            if (second % period_s == 0)
+                broker.kill();
+        };
+        run(duration_s, 0, {QStringLiteral("--monitor"), settings}, eachSecond);
     }
     void tell() const {
         std::printf("control steps: %d, late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst)",
@@ -127,6 +162,8 @@ protected:
     QJsonObject late;
     Lateness bare;
     std::vector<TraceSample> samples;
+    int starts = 0; ///< of the broker
+    int heard = 0;  ///< and so often it had heard of the run
 };
 
 } // namespace
@@ -146,6 +183,28 @@ TEST_F(SoakTest, tenMinutesBesideTwoBusyThreads) {
     EXPECT_GE(samples.size(), 6000U) << "none that was due is missing";
     EXPECT_LT(late_("late_ms_p99_9"), 20.0);
     EXPECT_LT(growth_MB(60), 1.0);
+}
+
+// Catches a broker that holds the loop up: one that is not there, that comes, that says nothing, that is
+// lost.
+TEST_F(SoakTest, twentySecondsBesideABrokerThatComesAndGoes) {
+    ASSERT_NO_FATAL_FAILURE(runBesideABroker(20, 6));
+    expectComplete();
+    EXPECT_GE(samples.size(), 190U);
+    EXPECT_LT(late_("late_ms_p50"), 1e3 * bare.quantile_s(0.5) + 10.0);
+    EXPECT_EQ(starts, 4);
+    EXPECT_GE(heard, 2);
+}
+
+TEST_F(SoakTest, tenMinutesBesideABrokerThatIsKilledAHundredTimes) {
+    ASSERT_NO_FATAL_FAILURE(runBesideABroker(600, 6));
+    expectComplete();
+    EXPECT_GE(samples.size(), 6000U) << "none that was due is missing";
+    EXPECT_LT(late_("late_ms_p99_9"), 20.0);
+    EXPECT_LT(growth_MB(60), 1.0);
+    EXPECT_EQ(starts, 100);
+    EXPECT_GE(heard, 95);
+    std::printf("brokers: %d, which had heard of the run: %d\n", starts, heard);
 }
 
 } // namespace bask::test
