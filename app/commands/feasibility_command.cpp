@@ -6,6 +6,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/output_folder.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
@@ -296,7 +297,10 @@ int feasibilityCommand(const QStringList& arguments) {
     const JointVerdict verdict = jointFeasibility(question).value();
     std::optional<Prediction> prediction;
     if (verdict.feasible && !parser.isSet("no-prediction")) {
-        const auto predicted = predictedSettling_s(request->experiment);
+        Progress line(request->experiment.simulation.durationLimit_s, "s of the predicted run",
+                      Progress::Total::AtMost);
+        const auto predicted =
+            predictedSettling_s(request->experiment, {}, [&](double time_s) { line.tell(time_s); });
         if (!predicted)
             return refuse("feasibility", predicted.error());
         prediction = Prediction{*predicted};

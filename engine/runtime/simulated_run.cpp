@@ -122,9 +122,12 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     return outcome;
 }
 
-Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop) {
+Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop,
+                                                  const std::function<void(double time_s)>& progress) {
     SimulatedRunOptions options;
     options.stop = stop;
+    if (progress)
+        options.progress = [&](double time_s, const TraceSample&) { progress(time_s); };
     Experiment seen = experiment;
     seen.simulation.faults.clear();
     if (experiment.air.isKnown()) {

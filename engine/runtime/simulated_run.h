@@ -56,8 +56,9 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
 
 /// Returns the time, s, after which the experiment's controller keeps all objects within kSettledBand_K of
 /// their targets, by a whole run on the simulated rig. Empty if that does not happen within the experiment's
-/// duration limit, or if stopped. Takes a few seconds for a thousand simulated seconds. Errors: those of
-/// runSimulated.
-Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop = {});
+/// duration limit, or if stopped. Takes a few seconds for a thousand simulated seconds; `progress` is told
+/// how many of them have passed. Errors: those of runSimulated.
+Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop = {},
+                                                  const std::function<void(double time_s)>& progress = {});
 
 } // namespace bask
