@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
 #include <type_traits>
 
 namespace bask {
@@ -175,6 +176,31 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     fields.readWord("read_by", readings, object.readBy);
     fields.close();
     return object;
+}
+
+/// Two at a time, since an outline in a picture takes a tenth of a second; told is what is wrong with the
+/// first that cannot be read. A large picture takes a gigabyte meanwhile.
+void readObjects(Fields& root, const std::string& folder, std::vector<ObjectSpec>& out) {
+    struct Read {
+        Failure failure;
+        ObjectSpec object;
+    };
+    std::vector<std::future<Read>> reads;
+    readEach(root, "objects", true, [&](const json& value, const std::string& where) {
+        if (reads.size() >= 2)
+            reads[reads.size() - 2].wait();
+        reads.push_back(std::async(std::launch::async, [&value, where, &folder] {
+            Read read;
+            read.object = readObject(value, where, folder, read.failure);
+            return read;
+        }));
+    });
+    for (std::future<Read>& each : reads) {
+        Read read = each.get();
+        if (!root.failure())
+            root.failure() = std::move(read.failure);
+        out.push_back(std::move(read.object));
+    }
 }
 
 /// A fixture or a shield, whose pose is under the key `pose`.
@@ -402,9 +428,7 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     if (objects != nullptr && objects->is_array() && objects->size() > 6)
         root.fail(MessageCode::TooManyObjects, "objects",
                   {std::to_string(objects->size()), std::to_string(e.robot.degreesOfFreedom())});
-    readEach(root, "objects", true, [&](const json& value, const std::string& where) {
-        e.objects.push_back(readObject(value, where, folder, failure));
-    });
+    readObjects(root, folder, e.objects);
     readPlates(root, "fixtures", "mounting", folder, e.fixtures);
     readPlates(root, "shields", "pose", folder, e.shields);
     return e;
