@@ -17,7 +17,7 @@
 namespace bask::test {
 namespace {
 
-const ModbusProfile& profileOf(const std::string& name) {
+const ModbusProfile& profileOf(std::string_view name) {
     return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
 }
 
