@@ -4737,24 +4737,12 @@
         <translation>Finale, vraie</translation>
     </message>
     <message>
-        <source>Final, estimated</source>
-        <translation>Finale, estimée</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Écart</translation>
     </message>
     <message>
         <source>Settled after</source>
         <translation>Stabilisé après</translation>
-    </message>
-    <message>
-        <source>The simulated plant&apos;s own temperature when the run was stopped</source>
-        <translation>La température propre de l’installation simulée à l’arrêt de l’essai</translation>
-    </message>
-    <message>
-        <source>The estimate from the sensor when the run was stopped</source>
-        <translation>L’estimation tirée du capteur à l’arrêt de l’essai</translation>
     </message>
     <message>
         <source>Time from which the object stays within %1 of its target until the end</source>
@@ -4767,6 +4755,18 @@
     <message>
         <source>not settled</source>
         <translation>non stabilisé</translation>
+    </message>
+    <message>
+        <source>Final</source>
+        <translation>Finale</translation>
+    </message>
+    <message>
+        <source>What the thermometer read when the run was stopped</source>
+        <translation>Ce que le thermomètre lisait à l’arrêt de l’essai</translation>
+    </message>
+    <message>
+        <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
+        <translation>La température propre de l’objet simulé à l’arrêt de l’essai, qu’aucun capteur n’indique</translation>
     </message>
 </context>
 <context>
@@ -5611,9 +5611,9 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>C’était l’avertisseur : le signal sonore du bureau. Si vous n’avez rien entendu, il est désactivé dans les réglages du bureau.</translation>
     </message>
     <message>
-        <source>source %1 below</source>
+        <source>source below: %1</source>
         <comment>a temperature; under the objects</comment>
-        <translation>source %1 dessous</translation>
+        <translation>source dessous&#xa0;: %1</translation>
     </message>
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
@@ -5936,10 +5936,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
     </message>
     <message>
-        <source>The object&apos;s temperature at the last sample until Stop: the simulated object&apos;s own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
-        <translation>La température de l’objet au dernier échantillon avant l’arrêt : celle de l’objet simulé lui-même ; sur un banc réel, l’estimation issue de son capteur. Les autres valeurs prennent aussi cette température.</translation>
-    </message>
-    <message>
         <source>Time until the temperature stays within %1 of the target until Stop.</source>
         <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
     </message>
@@ -5986,6 +5982,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>not known</source>
         <translation>inconnue</translation>
+    </message>
+    <message>
+        <source>%1, true</source>
+        <comment>a metric by the true temperature</comment>
+        <translation>%1 (vraie temp.)</translation>
+    </message>
+    <message>
+        <source>The same by the simulated object&apos;s own temperature, which no sensor tells.</source>
+        <translation>La même valeur d’après la température propre de l’objet simulé, qu’aucun capteur n’indique.</translation>
+    </message>
+    <message>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
+        <translation>Ce que le thermomètre de l’objet a lu au dernier échantillon avant l’arrêt. Les autres valeurs se fondent aussi sur ses mesures.</translation>
     </message>
 </context>
 <context>

@@ -4732,24 +4732,12 @@
         <translation>最终，真实</translation>
     </message>
     <message>
-        <source>Final, estimated</source>
-        <translation>最终，估计</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>误差</translation>
     </message>
     <message>
         <source>Settled after</source>
         <translation>稳定时间</translation>
-    </message>
-    <message>
-        <source>The simulated plant&apos;s own temperature when the run was stopped</source>
-        <translation>运行停止时仿真对象自身的温度</translation>
-    </message>
-    <message>
-        <source>The estimate from the sensor when the run was stopped</source>
-        <translation>运行停止时由传感器得出的估计值</translation>
     </message>
     <message>
         <source>Time from which the object stays within %1 of its target until the end</source>
@@ -4762,6 +4750,18 @@
     <message>
         <source>not settled</source>
         <translation>未稳定</translation>
+    </message>
+    <message>
+        <source>Final</source>
+        <translation>最终</translation>
+    </message>
+    <message>
+        <source>What the thermometer read when the run was stopped</source>
+        <translation>运行停止时温度计的读数</translation>
+    </message>
+    <message>
+        <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
+        <translation>运行停止时仿真物体自身的温度，没有传感器能读到</translation>
     </message>
 </context>
 <context>
@@ -5606,9 +5606,9 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>刚才是报警声：桌面的提示音。若没有听到，说明它在桌面设置中已关闭。</translation>
     </message>
     <message>
-        <source>source %1 below</source>
+        <source>source below: %1</source>
         <comment>a temperature; under the objects</comment>
-        <translation>下方热源 %1</translation>
+        <translation>下方热源：%1</translation>
     </message>
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
@@ -5931,10 +5931,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最后设定的目标。其余数值从该时刻（若未更改过，则从“开始”）算起，到“停止”为止。</translation>
     </message>
     <message>
-        <source>The object&apos;s temperature at the last sample until Stop: the simulated object&apos;s own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
-        <translation>到“停止”为止最后一个采样时物体的温度：仿真时为物体自身的温度，实际装置上为由其传感器得出的估计值。其余数值也采用此温度。</translation>
-    </message>
-    <message>
         <source>Time until the temperature stays within %1 of the target until Stop.</source>
         <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。</translation>
     </message>
@@ -5981,6 +5977,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>not known</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1, true</source>
+        <comment>a metric by the true temperature</comment>
+        <translation>%1（真实）</translation>
+    </message>
+    <message>
+        <source>The same by the simulated object&apos;s own temperature, which no sensor tells.</source>
+        <translation>按仿真物体自身的温度计算的同一指标，没有传感器能读到该温度。</translation>
+    </message>
+    <message>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
+        <translation>到“停止”为止最后一个采样时物体温度计的读数。其他各项也取其读数。</translation>
     </message>
 </context>
 <context>

@@ -4732,24 +4732,12 @@
         <translation>最終，真實</translation>
     </message>
     <message>
-        <source>Final, estimated</source>
-        <translation>最終，估計</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>誤差</translation>
     </message>
     <message>
         <source>Settled after</source>
         <translation>穩定時間</translation>
-    </message>
-    <message>
-        <source>The simulated plant&apos;s own temperature when the run was stopped</source>
-        <translation>運轉停止時模擬對象本身的溫度</translation>
-    </message>
-    <message>
-        <source>The estimate from the sensor when the run was stopped</source>
-        <translation>運轉停止時由感測器得出的估計值</translation>
     </message>
     <message>
         <source>Time from which the object stays within %1 of its target until the end</source>
@@ -4762,6 +4750,18 @@
     <message>
         <source>not settled</source>
         <translation>未穩定</translation>
+    </message>
+    <message>
+        <source>Final</source>
+        <translation>最終</translation>
+    </message>
+    <message>
+        <source>What the thermometer read when the run was stopped</source>
+        <translation>運轉停止時溫度計的讀數</translation>
+    </message>
+    <message>
+        <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
+        <translation>運轉停止時模擬物體自身的溫度，沒有感測器能讀到</translation>
     </message>
 </context>
 <context>
@@ -5606,9 +5606,9 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>剛才是警報聲：桌面的提示音。若沒有聽到，表示它在桌面設定中已關閉。</translation>
     </message>
     <message>
-        <source>source %1 below</source>
+        <source>source below: %1</source>
         <comment>a temperature; under the objects</comment>
-        <translation>下方熱源 %1</translation>
+        <translation>下方熱源：%1</translation>
     </message>
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
@@ -5931,10 +5931,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最後設定的目標。其餘數值從該時刻（若未更改過，則從「開始」）算起，到「停止」為止。</translation>
     </message>
     <message>
-        <source>The object&apos;s temperature at the last sample until Stop: the simulated object&apos;s own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
-        <translation>到「停止」為止最後一個取樣時物體的溫度：模擬時為物體本身的溫度，實際實驗台上為由其感測器得出的估計值。其餘數值也採用此溫度。</translation>
-    </message>
-    <message>
         <source>Time until the temperature stays within %1 of the target until Stop.</source>
         <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。</translation>
     </message>
@@ -5981,6 +5977,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>not known</source>
         <translation>未知</translation>
+    </message>
+    <message>
+        <source>%1, true</source>
+        <comment>a metric by the true temperature</comment>
+        <translation>%1（真實）</translation>
+    </message>
+    <message>
+        <source>The same by the simulated object&apos;s own temperature, which no sensor tells.</source>
+        <translation>按模擬物體自身的溫度計算的同一指標，沒有感測器能讀到該溫度。</translation>
+    </message>
+    <message>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
+        <translation>到「停止」為止最後一個取樣時物體溫度計的讀數。其他各項也取其讀數。</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <span>
 
 namespace bask {
 namespace {
@@ -348,32 +349,44 @@ QString cameraTable(const SessionRecord& session, const TraceSample& last, Tempe
     return subheading(RecordText::tr("The thermal camera at the last sample until Stop")) + table.text();
 }
 
+/// One row for each object.
+QString metricTable(const SessionRecord& session, const RunMetrics& run,
+                    std::span<const ObjectMetric> metrics, TemperatureUnit unit) {
+    QStringList header{RecordText::tr("Object")};
+    QList<int> numbers;
+    for (const ObjectMetric metric : metrics) {
+        header << metricName(metric);
+        numbers << static_cast<int>(header.size()) - 1;
+    }
+    html::Table table(header, numbers);
+    for (std::size_t i = 0; i < run.objects.size(); ++i) {
+        QStringList cells{QString::fromStdString(session.experiment.objects[i].name)};
+        for (const ObjectMetric metric : metrics)
+            cells << metricText(metric, run, i, unit);
+        table.add(cells);
+    }
+    return table.text();
+}
+
 } // namespace
 
 QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
     const RunMetrics metrics = runMetrics(session);
-    QString text = heading(RecordText::tr("Metrics"));
-    QStringList header{RecordText::tr("Object")};
-    QList<int> numbers;
+    QString text = heading(RecordText::tr("Metrics")) + metricTable(session, metrics, kReadMetrics, unit);
     QList<std::pair<QString, QString>> definitions;
-    for (const ObjectMetric metric : kObjectMetrics) {
-        header << metricName(metric);
-        numbers << static_cast<int>(header.size()) - 1;
+    for (const ObjectMetric metric : kReadMetrics)
         definitions << std::pair(metricName(metric), metricDefinition(metric, metrics.band_K, unit));
-    }
-    html::Table table(header, numbers);
-    for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
-        QStringList cells{QString::fromStdString(session.experiment.objects[i].name)};
-        for (const ObjectMetric metric : kObjectMetrics)
-            cells << metricText(metric, metrics, i, unit);
-        table.add(cells);
+    if (!metrics.trueObjects.empty()) {
+        text += metricTable(session, metrics, kTrueMetrics, unit);
+        definitions << std::pair(metricName(kTrueMetrics.front()) + QStringLiteral(", \u2026"),
+                                 metricDefinition(kTrueMetrics.front(), metrics.band_K, unit));
     }
     QList<std::pair<QString, QString>> run;
     for (const RunMetric metric : kRunMetrics) {
         run << std::pair(metricName(metric), metricText(metric, metrics));
         definitions << std::pair(metricName(metric), metricDefinition(metric));
     }
-    return text + table.text() + facts(run) + shadeTable(session) + cameraTable(session, metrics.last, unit) +
+    return text + facts(run) + shadeTable(session) + cameraTable(session, metrics.last, unit) +
            subheading(RecordText::tr("Definitions")) + facts(definitions);
 }
 

@@ -12,6 +12,11 @@
 namespace bask {
 namespace {
 
+/// What its thermometer told; NaN where that is no reading.
+double read_K(const ObjectSample& object) {
+    return object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN();
+}
+
 /// When T first passes a level, linear between samples; samples without T are left out.
 class LevelCrossing {
 public:
@@ -46,28 +51,13 @@ struct RunMetricsCount::ObjectCount {
         metrics.target_K = std::numeric_limits<double>::quiet_NaN();
     }
 
-    void add(const TraceSample& sample, std::size_t i, double band_K) {
+    void add(const TraceSample& sample, std::size_t i, double T_K, double band_K) {
         const ObjectSample& object = sample.objects[i];
-        const double T_K = judgedTemperature_K(object);
         if (!isBegun || object.target_K != metrics.target_K) // an unknown one is another each time
             beginStep(sample.time_s, object.target_K, T_K, band_K);
-        metrics.isTrue = std::isfinite(object.true_K);
         metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
-        const double error_K = T_K - metrics.target_K;
-        if (isJudged) {
-            begun.add(sample.time_s, T_K);
-            done.add(sample.time_s, T_K);
-            const double over_K = *metrics.step_K > 0.0 ? error_K : -error_K;
-            if (std::isfinite(over_K))
-                metrics.overshoot_K = std::max(*metrics.overshoot_K, over_K);
-        }
-        if (!(std::abs(error_K) <= band_K))
-            metrics.settledFrom_s.reset();
-        else if (!metrics.settledFrom_s)
-            metrics.settledFrom_s = sample.time_s;
-        lately.emplace_back(sample.time_s, error_K);
-        while (lately.front().first < sample.time_s - kSteadyWindow_s)
-            lately.pop_front();
+        if (metrics.final_K)
+            addTemperature(sample.time_s, T_K, band_K);
         const Eigen::Vector3d centre = poseFromCoordinates(sample.coordinates) * centre_E;
         if (isBegun) {
             const double way_m = (centre - lastCentre).norm();
@@ -77,6 +67,24 @@ struct RunMetricsCount::ObjectCount {
         isBegun = true;
     }
 
+    void addTemperature(double time_s, double T_K, double band_K) {
+        const double error_K = T_K - metrics.target_K;
+        if (isJudged) {
+            begun.add(time_s, T_K);
+            done.add(time_s, T_K);
+            const double over_K = *metrics.step_K > 0.0 ? error_K : -error_K;
+            if (std::isfinite(over_K))
+                metrics.overshoot_K = std::max(*metrics.overshoot_K, over_K);
+        }
+        if (!(std::abs(error_K) <= band_K))
+            metrics.settledFrom_s.reset();
+        else if (!metrics.settledFrom_s)
+            metrics.settledFrom_s = time_s;
+        lately.emplace_back(time_s, error_K);
+        while (lately.front().first < time_s - kSteadyWindow_s)
+            lately.pop_front();
+    }
+
     void beginStep(double time_s, double target_K, double T_K, double band_K) {
         metrics.target_K = target_K;
         metrics.from_s = time_s;
@@ -84,6 +92,8 @@ struct RunMetricsCount::ObjectCount {
         metrics.overshoot_K.reset();
         if (std::isfinite(T_K) && std::isfinite(target_K))
             metrics.step_K = target_K - T_K;
+        else
+            metrics.settledFrom_s.reset(); // at the target before
         lately.clear();
         isJudged = metrics.step_K && std::abs(*metrics.step_K) >= 2.0 * band_K;
         if (!isJudged)
@@ -103,7 +113,7 @@ struct RunMetricsCount::ObjectCount {
         out.settling_s = std::max(*metrics.settledFrom_s - metrics.from_s, 0.0);
         const double from_s = std::max({*metrics.settledFrom_s, metrics.from_s, last_s - kSteadyWindow_s});
         double sum_K = 0.0, squares = 0.0;
-        std::size_t count = 0;
+        std::size_t count = 0; // none: all of them are older than the window
         for (const auto& [time_s, error_K] : lately) {
             if (time_s < from_s)
                 continue;
@@ -111,6 +121,8 @@ struct RunMetricsCount::ObjectCount {
             squares += error_K * error_K;
             ++count;
         }
+        if (count == 0)
+            return out;
         const double mean_K = sum_K / static_cast<double>(count);
         out.steadyError_K = mean_K;
         if (count > 1)
@@ -133,6 +145,7 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     m_metrics.band_K = band_K;
     for (const ObjectSpec& object : facts.experiment.objects)
         m_objects.emplace_back(poseFromCoordinates(object.mounting));
+    m_trueObjects = m_objects;
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
     for (const TraceEvent& event : facts.events) {
         const bool isPaused = !m_pauses_s.empty() && m_pauses_s.back().second == kOpen_s;
@@ -149,8 +162,12 @@ RunMetricsCount::~RunMetricsCount() = default;
 void RunMetricsCount::add(const TraceSample& sample) {
     if (sample.time_s > m_until_s)
         return;
-    for (std::size_t i = 0; i < m_objects.size(); ++i)
-        m_objects[i].add(sample, i, m_metrics.band_K);
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const double true_K = sample.objects[i].true_K;
+        m_hasTruth = m_hasTruth || std::isfinite(true_K);
+        m_objects[i].add(sample, i, read_K(sample.objects[i]), m_metrics.band_K);
+        m_trueObjects[i].add(sample, i, true_K, m_metrics.band_K);
+    }
     if (m_metrics.samples > 0)
         addMotion(sample);
     m_metrics.last = sample;
@@ -191,6 +208,8 @@ RunMetrics RunMetricsCount::metrics() const {
     RunMetrics out = m_metrics;
     for (const ObjectCount& object : m_objects)
         out.objects.push_back(object.judged(m_metrics.last.time_s));
+    for (const ObjectCount& object : m_hasTruth ? m_trueObjects : std::vector<ObjectCount>())
+        out.trueObjects.push_back(object.judged(m_metrics.last.time_s));
     return out;
 }
 

@@ -11,13 +11,12 @@
 
 namespace bask {
 
-/// Results of one object, from the last change of its target (or Start) until Stop, judged on the plant's
-/// true temperature T if it is known, else on the estimate. The step is the target minus T at the first
-/// sample of this time. An empty number is unknown or undefined.
+/// Results of one object, from the last change of its target (or Start) until Stop, by a temperature T. The
+/// step is the target minus T at the first sample of this time. Samples without T are left out. An empty
+/// number is unknown or undefined.
 struct ObjectMetrics {
     double target_K = 0.0; ///< the last one; NaN without a sample
     double from_s = 0.0;   ///< run time at which that target was set
-    bool isTrue = false;   ///< whether T is the plant's own temperature
     std::optional<double> step_K;
     std::optional<double> final_K; ///< T at the last sample
     /// Time from from_s until T stays within +-band of the target up to the last sample; empty if it is
@@ -47,10 +46,12 @@ struct RunMetrics {
     double band_K = kSettledBand_K;
     double duration_s = 0.0;
     std::size_t samples = 0;
-    std::vector<ObjectMetrics> objects; ///< in the experiment's order
-    double pathLength_m = 0.0;          ///< of the end-effector's origin
-    double turned_rad = 0.0;            ///< sum of the angles between samples
-    double clamped_s = 0.0;             ///< time during which a limit restricted the command
+    std::vector<ObjectMetrics> objects; ///< in the experiment's order, by what their thermometers read
+    /// The same by the plant's own temperatures; empty where the recording has none.
+    std::vector<ObjectMetrics> trueObjects;
+    double pathLength_m = 0.0; ///< of the end-effector's origin
+    double turned_rad = 0.0;   ///< sum of the angles between samples
+    double clamped_s = 0.0;    ///< time during which a limit restricted the command
     /// The same for each Limit; workspace counts any of its bounds. Files of the first versions do not
     /// contain this.
     std::array<double, 6> atLimit_s{};
@@ -78,7 +79,8 @@ private:
     double m_until_s;
     std::deque<std::pair<double, double>> m_pauses_s; ///< start and end of each pause; past ones are removed
     RunMetrics m_metrics;
-    std::vector<ObjectCount> m_objects;
+    std::vector<ObjectCount> m_objects, m_trueObjects;
+    bool m_hasTruth = false;
 };
 
 RunMetrics runMetrics(const SessionRecord& session, double band_K = kSettledBand_K);

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -22,8 +23,36 @@ struct MetricFacts {
     int decimals; ///< on a screen
 };
 
-MetricFacts factsOf(ObjectMetric metric) {
+bool isOfTruth(ObjectMetric metric) {
+    return std::ranges::find(kTrueMetrics, metric) != kTrueMetrics.end();
+}
+
+/// Returns the same metric counted on the readings.
+ObjectMetric byReadings(ObjectMetric metric) {
     switch (metric) {
+    case ObjectMetric::TrueFinal:
+        return ObjectMetric::Final;
+    case ObjectMetric::TrueSettling:
+        return ObjectMetric::Settling;
+    case ObjectMetric::TrueRise:
+        return ObjectMetric::Rise;
+    case ObjectMetric::TrueOvershoot:
+        return ObjectMetric::Overshoot;
+    case ObjectMetric::TrueSteadyError:
+        return ObjectMetric::SteadyError;
+    default:
+        return metric;
+    }
+}
+
+/// Returns nothing where the metric is of the truth and the recording has none.
+const ObjectMetrics* countedFor(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
+    const auto& counted = isOfTruth(metric) ? run.trueObjects : run.objects;
+    return object < counted.size() ? &counted[object] : nullptr;
+}
+
+MetricFacts factsOf(ObjectMetric metric) {
+    switch (byReadings(metric)) {
     case ObjectMetric::Target:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Target"), unit::kCelsius, 1};
     case ObjectMetric::Final:
@@ -38,8 +67,9 @@ MetricFacts factsOf(ObjectMetric metric) {
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Steady-state error"), unit::kKelvin, 2};
     case ObjectMetric::PathLength:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Path length"), unit::kMillimetres, 1};
+    default:
+        return {};
     }
-    return {};
 }
 
 MetricFacts factsOf(RunMetric metric) {
@@ -79,11 +109,12 @@ QString differenceText(const MetricFacts& facts, double difference, TemperatureU
     return withUnit(formatSigned(difference * facts.unit.symbolPerSi, facts.decimals), facts.unit);
 }
 
-QString nameInFiles(const MetricFacts& facts) {
+QString nameInFiles(const MetricFacts& facts, const char* kind = "") {
     const bool isTemperature = isIn(facts.unit, unit::kCelsius);
     const QString unit =
         isTemperature ? QString::fromUtf8(facts.unit.words) : QString::fromStdString(siUnit(facts.unit));
-    return QStringLiteral("%1 (%2)").arg(QString::fromUtf8(facts.name).toLower(), unit);
+    return QStringLiteral("%1%2 (%3)")
+        .arg(QLatin1String(kind), QString::fromUtf8(facts.name).toLower(), unit);
 }
 
 QString share(double part) {
@@ -128,8 +159,21 @@ QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
 
 } // namespace
 
+std::vector<ObjectMetric> objectMetrics(bool hasTruth) {
+    std::vector<ObjectMetric> out;
+    for (const ObjectMetric metric : kReadMetrics) {
+        out.push_back(metric);
+        for (const ObjectMetric truth : kTrueMetrics)
+            if (hasTruth && byReadings(truth) == metric)
+                out.push_back(truth);
+    }
+    return out;
+}
+
 QString metricName(ObjectMetric metric) {
-    return MetricWords::tr(factsOf(metric).name);
+    const QString name = MetricWords::tr(factsOf(metric).name);
+    return isOfTruth(metric) ? MetricWords::tr("%1, true", "a metric by the true temperature").arg(name)
+                             : name;
 }
 
 QString metricName(RunMetric metric) {
@@ -137,6 +181,8 @@ QString metricName(RunMetric metric) {
 }
 
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit) {
+    if (isOfTruth(metric))
+        return MetricWords::tr("The same by the simulated object's own temperature, which no sensor tells.");
     const QString band = QStringLiteral("\u00b1") + formatDifference(band_K, unit).mid(1);
     switch (metric) {
     case ObjectMetric::Target:
@@ -145,8 +191,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
             "when it was not changed, until Stop.");
     case ObjectMetric::Final:
         return MetricWords::tr(
-            "The object's temperature at the last sample until Stop: the simulated object's own, on a "
-            "real rig the estimate from its sensor. The other numbers take this temperature, too.");
+            "What the object's thermometer read at the last sample until Stop. The other numbers take its "
+            "readings, too.");
     case ObjectMetric::Settling:
         return MetricWords::tr("Time until the temperature stays within %1 of the target until Stop.")
             .arg(band);
@@ -167,8 +213,9 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     case ObjectMetric::PathLength:
         return MetricWords::tr(
             "Length of the path of the object's centre in the robot's base, from Start until Stop.");
+    default:
+        return {};
     }
-    return {};
 }
 
 QString metricDefinition(RunMetric metric) {
@@ -192,11 +239,14 @@ QString metricDefinition(RunMetric metric) {
 }
 
 QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit) {
-    const ObjectMetrics& metrics = run.objects.at(object);
     if (run.samples == 0)
         return MetricWords::tr("no samples");
+    const ObjectMetrics* const counted = countedFor(metric, run, object);
+    if (counted == nullptr)
+        return MetricWords::tr("not known");
+    const ObjectMetrics& metrics = *counted;
     const MetricFacts facts = factsOf(metric);
-    switch (metric) {
+    switch (byReadings(metric)) {
     case ObjectMetric::Target:
         return formatTemperature(metrics.target_K, unit, facts.decimals);
     case ObjectMetric::Final:
@@ -212,8 +262,9 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
         return steadyText(metrics, unit);
     case ObjectMetric::PathLength:
         return valueText(facts, metrics.pathLength_m);
+    default:
+        return {};
     }
-    return {};
 }
 
 QString metricText(RunMetric metric, const RunMetrics& run) {
@@ -228,10 +279,11 @@ QString metricText(RunMetric metric, const RunMetrics& run) {
 }
 
 std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
-    const ObjectMetrics& metrics = run.objects.at(object);
-    if (run.samples == 0)
+    const ObjectMetrics* const counted = countedFor(metric, run, object);
+    if (run.samples == 0 || counted == nullptr)
         return std::nullopt;
-    switch (metric) {
+    const ObjectMetrics& metrics = *counted;
+    switch (byReadings(metric)) {
     case ObjectMetric::Target:
         return std::isfinite(metrics.target_K) ? std::optional(metrics.target_K) : std::nullopt;
     case ObjectMetric::Final:
@@ -246,8 +298,9 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
         return metrics.steadyError_K;
     case ObjectMetric::PathLength:
         return metrics.pathLength_m;
+    default:
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run) {
@@ -277,7 +330,7 @@ QString metricDifferenceText(RunMetric metric, double difference) {
 }
 
 QString metricNameInFiles(ObjectMetric metric) {
-    return nameInFiles(factsOf(metric));
+    return nameInFiles(factsOf(metric), isOfTruth(metric) ? "true " : "");
 }
 
 QString metricNameInFiles(RunMetric metric) {

@@ -9,14 +9,34 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 namespace bask {
 
-/// The columns of a table with one row for each object.
-enum class ObjectMetric { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
-inline constexpr std::array kObjectMetrics{
+/// Of an object. Those named True are counted on the simulated object's own temperature instead of the
+/// readings.
+enum class ObjectMetric {
+    Target,
+    Final,
+    TrueFinal,
+    Settling,
+    TrueSettling,
+    Rise,
+    TrueRise,
+    Overshoot,
+    TrueOvershoot,
+    SteadyError,
+    TrueSteadyError,
+    PathLength
+};
+inline constexpr std::array kReadMetrics{
     ObjectMetric::Target,    ObjectMetric::Final,       ObjectMetric::Settling,  ObjectMetric::Rise,
     ObjectMetric::Overshoot, ObjectMetric::SteadyError, ObjectMetric::PathLength};
+inline constexpr std::array kTrueMetrics{ObjectMetric::TrueFinal, ObjectMetric::TrueSettling,
+                                         ObjectMetric::TrueRise, ObjectMetric::TrueOvershoot,
+                                         ObjectMetric::TrueSteadyError};
+/// Returns all of them, in the order of a table; those by the true temperature only where there is one.
+std::vector<ObjectMetric> objectMetrics(bool hasTruth);
 
 enum class RunMetric { Duration, PathLength, Turned, VelocityLimit, Clamped };
 inline constexpr std::array kRunMetrics{RunMetric::Duration, RunMetric::PathLength, RunMetric::Turned,

@@ -9,12 +9,14 @@
 #include <QKeyEvent>
 #include <QLocale>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bask {
 namespace {
 
-enum Column { kName, kTarget, kFinal, kError, kSettling, kColumns };
+enum Column { kName, kTarget, kFinal, kError, kSettling, kTrue, kColumns };
 
 } // namespace
 
@@ -23,13 +25,10 @@ std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& 
     std::vector<FinalValue> values;
     for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
         const ObjectMetrics& object = metrics.objects[i];
-        FinalValue value{names.value(static_cast<qsizetype>(i)), object.target_K, kUnknown, object.isTrue,
-                         object.settledFrom_s};
-        if (object.final_K)
-            value.final_K = *object.final_K;
-        else if (i < metrics.last.objects.size())
-            value.final_K = metrics.last.objects[i].measured_K;
-        values.push_back(value);
+        const bool hasTruth = i < metrics.trueObjects.size();
+        values.push_back(
+            {names.value(static_cast<qsizetype>(i)), object.target_K, object.final_K.value_or(kUnknown),
+             hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown, object.settledFrom_s});
     }
     return values;
 }
@@ -51,16 +50,15 @@ void FinalValuesTable::setTemperatureUnit(TemperatureUnit unit) {
 
 void FinalValuesTable::refresh() {
     setAccessibleName(tr("Final values"));
-    bool allTrue = !m_values.empty();
-    for (const FinalValue& value : m_values)
-        allTrue = allTrue && value.isTrue;
-    setHorizontalHeaderLabels({tr("Object"), tr("Target"),
-                               allTrue ? tr("Final, true") : tr("Final, estimated"), tr("Error"),
-                               tr("Settled after")});
+    setHorizontalHeaderLabels(
+        {tr("Object"), tr("Target"), tr("Final"), tr("Error"), tr("Settled after"), tr("Final, true")});
+    setColumnHidden(kTrue, std::ranges::none_of(m_values, [](const FinalValue& value) {
+                        return std::isfinite(value.true_K);
+                    }));
     horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    horizontalHeaderItem(kFinal)->setToolTip(
-        allTrue ? tr("The simulated plant's own temperature when the run was stopped")
-                : tr("The estimate from the sensor when the run was stopped"));
+    horizontalHeaderItem(kFinal)->setToolTip(tr("What the thermometer read when the run was stopped"));
+    horizontalHeaderItem(kTrue)->setToolTip(
+        tr("The simulated object's own temperature when the run was stopped, which no sensor tells"));
     horizontalHeaderItem(kSettling)->setToolTip(
         tr("Time from which the object stays within %1 of its target until the end")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));
@@ -71,9 +69,12 @@ void FinalValuesTable::refresh() {
         const QString settling = value.settling_s
                                      ? tr("%1 s").arg(QLocale().toString(*value.settling_s, 'f', 0))
                                      : tr("not settled");
-        const QStringList texts{value.name, formatTemperature(value.target_K, m_unit),
+        const QStringList texts{value.name,
+                                formatTemperature(value.target_K, m_unit),
                                 formatTemperature(value.final_K, m_unit, 2),
-                                formatDifference(value.final_K - value.target_K, m_unit, 2), settling};
+                                formatDifference(value.final_K - value.target_K, m_unit, 2),
+                                settling,
+                                formatTemperature(value.true_K, m_unit, 2)};
         for (int column = 0; column < kColumns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
             item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);

@@ -1,5 +1,6 @@
 #pragma once
-// Table of the final values of a run: for each object its target, final temperature, error and settling time.
+// Table of the final values of a run: for each object its target, final reading, error and settling time, and
+// the true temperature where it is recorded.
 
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
@@ -14,8 +15,8 @@ namespace bask {
 struct FinalValue {
     QString name;
     double target_K = 0.0;
-    double final_K = 0.0;
-    bool isTrue = false; ///< true: the plant's own temperature; false: the estimate
+    double final_K = 0.0; ///< by its thermometer
+    double true_K = 0.0;
     std::optional<double> settling_s;
 };
 std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics);

@@ -83,12 +83,15 @@ std::string numberInFiles(const std::optional<double>& value) {
 std::vector<ComparedMetric> compareMetrics(const std::vector<ComparedRun>& runs, std::size_t reference,
                                            TemperatureUnit unit) {
     double band_K = kSettledBand_K;
+    bool hasTruth = false;
     for (const ComparedRun& run : runs)
-        if (run.metrics)
+        if (run.metrics) {
             band_K = run.metrics->band_K;
+            hasTruth = hasTruth || !run.metrics->trueObjects.empty();
+        }
     std::vector<ComparedMetric> out;
     const QStringList objects = allObjects(runs);
-    for (const ObjectMetric metric : kObjectMetrics)
+    for (const ObjectMetric metric : objectMetrics(hasTruth))
         for (const QString& object : objects)
             out.push_back(compared(metric, object, runs, reference, band_K, unit));
     for (const RunMetric metric : kRunMetrics)

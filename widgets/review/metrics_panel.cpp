@@ -68,7 +68,8 @@ void MetricsPanel::refresh() {
     const auto objects = static_cast<int>(m_metrics.objects.size());
     m_table->clearSpans();
     m_table->setColumnCount(objects);
-    m_table->setRowCount(objects > 0 ? static_cast<int>(kObjectMetrics.size() + kRunMetrics.size()) : 0);
+    const std::vector<ObjectMetric> metrics = objectMetrics(!m_metrics.trueObjects.empty());
+    m_table->setRowCount(objects > 0 ? static_cast<int>(metrics.size() + kRunMetrics.size()) : 0);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     for (int i = 0; i < objects; ++i)
         m_table->setHorizontalHeaderItem(
@@ -89,7 +90,7 @@ void MetricsPanel::refresh() {
         item->setToolTip(definition);
         m_table->setItem(row, column, item);
     };
-    for (const ObjectMetric metric : kObjectMetrics) {
+    for (const ObjectMetric metric : metrics) {
         const QString definition = metricDefinition(metric, m_metrics.band_K, m_unit);
         name(metricName(metric), definition);
         for (int i = 0; i < objects; ++i)

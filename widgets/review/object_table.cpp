@@ -33,13 +33,16 @@ void copyTable(const QTableWidget& table) {
     const bool hasNames = !table.verticalHeader()->isHidden();
     QStringList lines, header(hasNames ? 1 : 0);
     for (int column = 0; column < table.columnCount(); ++column)
-        header << table.horizontalHeaderItem(column)->text();
+        if (!table.isColumnHidden(column))
+            header << table.horizontalHeaderItem(column)->text();
     lines << header.join(u'\t');
     for (int row = 0; row < table.rowCount(); ++row) {
         QStringList cells;
         if (hasNames)
             cells << table.verticalHeaderItem(row)->text();
         for (int column = 0; column < table.columnCount(); ++column) {
+            if (table.isColumnHidden(column))
+                continue;
             const QTableWidgetItem* item = table.item(row, column);
             cells << (item != nullptr ? item->text() : QString());
         }

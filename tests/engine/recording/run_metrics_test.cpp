@@ -24,7 +24,9 @@ template <class Temperature> SessionRecord recordOf(double duration_s, const Tem
         sample.time_s = 0.5 * k;
         ObjectSample object;
         object.target_K = kTarget_K;
-        object.true_K = T_K(sample.time_s);
+        object.measured_K = T_K(sample.time_s);
+        object.valid = true;
+        object.true_K = kNaN;
         object.estimated_K = 1000.0; // not to be taken
         sample.objects.push_back(object);
         record.samples.push_back(sample);
@@ -37,7 +39,7 @@ TEST(RunMetrics, OfAFirstOrderStepAreItsAnalyticOnes) {
     const auto metrics =
         runMetrics(recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / kTau_s); }));
     const ObjectMetrics& object = metrics.objects.at(0);
-    EXPECT_TRUE(object.isTrue);
+    EXPECT_TRUE(metrics.trueObjects.empty());
     EXPECT_NEAR(object.step_K.value(), 20.0, 1e-9);
     EXPECT_NEAR(object.rise_s.value(), kTau_s * std::log(9.0), 0.01);
     EXPECT_NEAR(object.settling_s.value(), kTau_s * std::log(20.0 / 0.5), 0.5);
@@ -105,15 +107,35 @@ TEST(RunMetrics, SayNothingOfWhatIsNotDefined) {
 TEST(RunMetrics, LeaveUnknownTemperaturesOut) {
     SessionRecord record = recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / 20.0); });
     for (TraceSample& sample : record.samples) {
-        sample.objects[0].estimated_K = sample.objects[0].true_K;
-        sample.objects[0].true_K = kNaN;
         if (sample.time_s > 5.0 && sample.time_s < 20.0)
-            sample.objects[0].estimated_K = kNaN;
+            sample.objects[0].measured_K = kNaN;
+        if (sample.time_s == 150.0) { // what is told is no reading
+            sample.objects[0].measured_K = 1000.0;
+            sample.objects[0].valid = false;
+        }
     }
     const ObjectMetrics object = runMetrics(record).objects[0];
-    EXPECT_FALSE(object.isTrue);
     EXPECT_NEAR(object.rise_s.value(), 20.0 * std::log(9.0), 0.01);
     EXPECT_EQ(object.overshoot_K.value(), 0.0);
+    EXPECT_NEAR(object.settling_s.value(), 20.0 * std::log(20.0 / 0.5), 0.5);
+    record.samples.back().objects[0].valid = false;
+    EXPECT_FALSE(runMetrics(record).objects[0].final_K);
+}
+
+// Catches metrics of a simulated run that say nothing of what they are counted on, and a sensor that is off
+// taken for the truth, or the truth for the sensor.
+TEST(RunMetrics, CountOnTheReadingsAndOnTheTruthWhereItIsRecorded) {
+    SessionRecord record = recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / 20.0); });
+    for (TraceSample& sample : record.samples)
+        sample.objects[0].true_K = sample.objects[0].measured_K - 0.6; // its sensor reads too high
+    const RunMetrics metrics = runMetrics(record);
+    ASSERT_EQ(metrics.trueObjects.size(), 1u);
+    EXPECT_NEAR(metrics.objects[0].final_K.value(), kTarget_K, 0.01);
+    EXPECT_NEAR(metrics.trueObjects[0].final_K.value(), kTarget_K - 0.6, 0.01);
+    EXPECT_TRUE(metrics.objects[0].settling_s);
+    EXPECT_FALSE(metrics.trueObjects[0].settling_s);
+    EXPECT_NEAR(metrics.trueObjects[0].step_K.value(), 20.6, 1e-9);
+    EXPECT_EQ(metrics.trueObjects[0].pathLength_m, metrics.objects[0].pathLength_m);
 }
 
 TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
@@ -167,16 +189,16 @@ TEST(RunMetrics, AHoldIsAtNoLimit) {
 }
 
 /// Since when an object with these errors, one sample a second, is settled.
-std::optional<double> settledFrom_s(const std::vector<double>& errors_K, bool truth = true,
-                                    double band_K = kSettledBand_K, double firstTarget_K = kTarget_K) {
+std::optional<double> settledFrom_s(const std::vector<double>& errors_K, double band_K = kSettledBand_K,
+                                    double firstTarget_K = kTarget_K) {
     SessionRecord record;
     record.experiment = test::twoDisks();
     record.experiment.objects.resize(1);
     for (const double error_K : errors_K) {
         ObjectSample object;
         object.target_K = record.samples.empty() ? firstTarget_K : kTarget_K;
-        object.true_K = truth ? kTarget_K + error_K : kNaN;
-        object.estimated_K = truth ? 1000.0 : kTarget_K + error_K;
+        object.measured_K = kTarget_K + error_K;
+        object.valid = std::isfinite(error_K);
         TraceSample sample;
         sample.time_s = static_cast<double>(record.samples.size());
         sample.objects.push_back(object);
@@ -189,10 +211,10 @@ TEST(RunMetrics, SettledIsFromTheLastEntryIntoTheBand) {
     EXPECT_EQ(settledFrom_s({-5, 0, 2, -0.4, 0.3, 0.1}), 3.0);
     EXPECT_FALSE(settledFrom_s({-5, 0, 0, 0, 0.6})) << "outside at the end";
     EXPECT_EQ(settledFrom_s({0.1, 0, 0}), 0.0);
-    EXPECT_EQ(settledFrom_s({-5, 0.2, 0.2}, false), 1.0) << "by the estimate where there is no truth";
-    EXPECT_EQ(settledFrom_s({-5, 0.9, 0.2}, true, 1.0), 1.0);
-    EXPECT_EQ(settledFrom_s({0, kNaN, 0}, false), 2.0) << "an unknown temperature is outside";
-    EXPECT_EQ(settledFrom_s({0, 0, 0, 0}, true, kSettledBand_K, 330.0), 1.0) << "of the target then";
+    EXPECT_EQ(settledFrom_s({-5, 0.9, 0.2}, 1.0), 1.0);
+    EXPECT_EQ(settledFrom_s({-5, 0, kNaN, 0}), 1.0) << "a sample without a reading says nothing";
+    EXPECT_FALSE(settledFrom_s({0, kNaN}, kSettledBand_K, 330.0)) << "of the target then";
+    EXPECT_EQ(settledFrom_s({0, 0, 0, 0}, kSettledBand_K, 330.0), 1.0) << "of the target then";
 }
 
 // Catches: the last sample taken from the retreat, or from the time after a fault.
@@ -203,7 +225,7 @@ TEST(RunMetrics, TheLastSampleIsThatAtStop) {
         record.events.push_back({6.0, {end, {}}});
         const RunMetrics metrics = runMetrics(record);
         EXPECT_EQ(metrics.last.time_s, 6.0);
-        EXPECT_EQ(metrics.last.objects.at(0).true_K, 306.0);
+        EXPECT_EQ(metrics.last.objects.at(0).measured_K, 306.0);
     }
     EXPECT_TRUE(runMetrics(SessionRecord()).last.objects.empty());
 }

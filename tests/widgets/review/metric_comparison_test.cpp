@@ -112,6 +112,23 @@ TEST(MetricComparison, WhatARunLacksIsADash) {
     EXPECT_EQ(row(waiting, "Duration of control", "").cells[1].text, dash);
 }
 
+// Catches numbers by readings and by the truth that cannot be told apart, and a run without a truth that is
+// given one.
+TEST(MetricComparison, TruthStandsBesideTheReadings) {
+    auto runs = twoRuns();
+    runs[0].metrics->trueObjects = runs[0].metrics->objects;
+    runs[0].metrics->trueObjects[0].final_K = kelvinFromCelsius(39.6);
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    EXPECT_EQ(metrics.size(), 12U * 4U + 5U);
+    EXPECT_EQ(plain(row(metrics, "Final", "circle").cells[0].text), "40.00 °C");
+    const ComparedMetric& truth = row(metrics, "Final, true", "circle");
+    EXPECT_EQ(plain(truth.cells[0].text), "39.60 °C");
+    EXPECT_EQ(truth.cells[1].text, "not known");
+    EXPECT_EQ(truth.nameInFiles, "true final (degC)");
+    EXPECT_NEAR(truth.cells[0].value.value(), 39.6, 1e-9);
+    EXPECT_FALSE(truth.cells[1].value || truth.cells[1].differenceBy);
+}
+
 // Catches a file that cannot be read as a table, or has its numbers rounded or in the window's unit.
 TEST(MetricComparison, IsExportedAsNumbers) {
     auto runs = twoRuns();

@@ -207,13 +207,16 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     ASSERT_EQ(child<FinalValuesTable>("finalValues")->rowCount(), 3);
     EXPECT_EQ(cell(0, 0), "circle");
     EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C");
-    EXPECT_EQ(cell(0, 2).toStdString(), "40.00 °C");
-    EXPECT_EQ(cell(0, 3), "0.00 K");
+    EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
+    EXPECT_EQ(cell(0, 3), QString(QChar(0x2212)) + "0.05 K");
     EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(cell(0, 5).toStdString(), "40.00 °C");
     EXPECT_EQ(cell(2, 4), "not settled");
-    const double error_K = -15.0 * std::exp(-200.0 / 110.0);
-    EXPECT_EQ(cell(2, 3), QString(QChar(0x2212)) + QString::number(-error_K, 'f', 2) + " K");
-    EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, true");
+    EXPECT_EQ(cell(2, 3), QString(QChar(0x2212)) + "2.45 K") << "310.7 K was read, 310.716 K was true";
+    auto* table = child<FinalValuesTable>("finalValues");
+    EXPECT_EQ(table->horizontalHeaderItem(2)->text(), "Final");
+    EXPECT_EQ(table->horizontalHeaderItem(5)->text(), "Final, true");
+    EXPECT_FALSE(table->isColumnHidden(5));
 }
 
 // Catches rates without their error, an object's failure without its reason, and a button that has nothing to
@@ -291,24 +294,31 @@ TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
     SessionRecord session = record();
     TraceSample retreated = session.samples.back();
     retreated.time_s += 20.0;
-    for (ObjectSample& object : retreated.objects)
+    for (ObjectSample& object : retreated.objects) {
+        object.measured_K -= 8.0;
         object.true_K -= 8.0;
+    }
     session.events.push_back({session.samples.back().time_s, {MessageCode::EventStopped, {}}});
     session.samples.push_back(retreated);
     show(session);
-    EXPECT_EQ(cell(0, 3), "0.00 K");
+    EXPECT_EQ(cell(0, 3), QString(QChar(0x2212)) + "0.05 K");
+    EXPECT_EQ(cell(0, 5).toStdString(), "40.00 °C");
     EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
 }
 
-// Catches a real rig's estimate shown as the truth.
-TEST_F(ReviewPageTest, WithoutATruthTheEstimateCounts) {
+// Catches a real rig's reading shown as the truth.
+TEST_F(ReviewPageTest, WithoutATruthTheReadingsStandAlone) {
     SessionRecord session = record();
     for (TraceSample& sample : session.samples)
         for (ObjectSample& object : sample.objects)
             object.true_K = kNan;
     show(session);
-    EXPECT_EQ(cell(0, 2).toStdString(), "40.05 °C");
-    EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, estimated");
+    EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
+    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->isColumnHidden(5));
+    EXPECT_EQ(child<QTableWidget>("metricsTable")->rowCount(), 12);
+    QTest::keyClick(child<FinalValuesTable>("finalValues"), Qt::Key_C, Qt::ControlModifier);
+    EXPECT_EQ(QApplication::clipboard()->text().split('\n').first(),
+              "Object\tTarget\tFinal\tError\tSettled after");
 }
 
 // Catches traces that are not those of the record.
@@ -468,18 +478,22 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     show(record());
     auto* table = child<QTableWidget>("metricsTable");
     ASSERT_EQ(table->columnCount(), 3);
-    ASSERT_EQ(table->rowCount(), 12);
+    ASSERT_EQ(table->rowCount(), 17);
     EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "circle");
     EXPECT_EQ(table->verticalHeaderItem(0)->text(), "Target");
-    EXPECT_EQ(table->item(2, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
-    EXPECT_EQ(table->item(2, 2)->text(), "not settled");
+    EXPECT_EQ(table->verticalHeaderItem(1)->text(), "Final");
+    EXPECT_EQ(table->verticalHeaderItem(2)->text(), "Final, true");
+    EXPECT_EQ(table->item(1, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "39.95 °C");
+    EXPECT_EQ(table->item(2, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.00 °C");
+    EXPECT_EQ(table->item(3, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(table->item(3, 2)->text(), "not settled");
     for (int row = 0; row < table->rowCount(); ++row)
         EXPECT_GT(table->verticalHeaderItem(row)->toolTip().size(), 20) << row;
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(table->item(0, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "313.2 K");
     QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
     const QStringList copied = QApplication::clipboard()->text().split('\n');
-    ASSERT_EQ(copied.size(), 13);
+    ASSERT_EQ(copied.size(), 18);
     EXPECT_EQ(copied[0], "\tcircle\tbunny\thand");
     EXPECT_TRUE(copied[1].startsWith("Target\t313.2"));
     QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
@@ -543,15 +557,15 @@ TEST_F(ReviewPageTest, OverlaidRunsAreComparedInATable) {
     ASSERT_EQ(table->columnCount(), 3);
     EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "A 2026-03-14 morning");
     EXPECT_EQ(table->horizontalHeaderItem(1)->text(), "B evening");
-    const QString dash(QChar(0x2014)), alone = child<QTableWidget>("metricsTable")->item(2, 0)->text();
-    EXPECT_EQ(table->item(6, 0)->text(), alone) << "settling of the circle, counted already";
-    EXPECT_EQ(table->item(6, 1)->text(), dash);
+    const QString dash(QChar(0x2014)), alone = child<QTableWidget>("metricsTable")->item(3, 0)->text();
+    EXPECT_EQ(table->item(9, 0)->text(), alone) << "settling of the circle, counted already";
+    EXPECT_EQ(table->item(9, 1)->text(), dash);
     const RunMetrics metrics = runMetrics(evening);
     page.replay()->setMetrics(path, &metrics);
     EXPECT_EQ(page.replay()->uncounted(), nullptr);
     const double settling_s = std::ceil(18.0 * std::log(30.0));
-    EXPECT_EQ(table->item(6, 1)->text(), QString("%1.0 s").arg(2.0 * settling_s));
-    EXPECT_EQ(table->item(6, 2)->text(), QString("+%1.0 s").arg(settling_s));
+    EXPECT_EQ(table->item(9, 1)->text(), QString("%1.0 s").arg(2.0 * settling_s));
+    EXPECT_EQ(table->item(9, 2)->text(), QString("+%1.0 s").arg(settling_s));
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.2"));
 
