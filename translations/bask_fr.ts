@@ -4733,10 +4733,6 @@
         <translation>Consigne</translation>
     </message>
     <message>
-        <source>Final, true</source>
-        <translation>Finale, vraie</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>Écart</translation>
     </message>
@@ -4767,6 +4763,10 @@
     <message>
         <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
         <translation>La température propre de l’objet simulé à l’arrêt de l’essai, qu’aucun capteur n’indique</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>Réelle</translation>
     </message>
 </context>
 <context>
@@ -5986,7 +5986,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1, true</source>
         <comment>a metric by the true temperature</comment>
-        <translation>%1 (vraie temp.)</translation>
+        <translation>%1 (réel)</translation>
     </message>
     <message>
         <source>The same by the simulated object&apos;s own temperature, which no sensor tells.</source>

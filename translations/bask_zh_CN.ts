@@ -4728,10 +4728,6 @@
         <translation>目标</translation>
     </message>
     <message>
-        <source>Final, true</source>
-        <translation>最终，真实</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>误差</translation>
     </message>
@@ -4762,6 +4758,10 @@
     <message>
         <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
         <translation>运行停止时仿真物体自身的温度，没有传感器能读到</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>真实</translation>
     </message>
 </context>
 <context>

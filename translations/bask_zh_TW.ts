@@ -4728,10 +4728,6 @@
         <translation>目標</translation>
     </message>
     <message>
-        <source>Final, true</source>
-        <translation>最終，真實</translation>
-    </message>
-    <message>
         <source>Error</source>
         <translation>誤差</translation>
     </message>
@@ -4762,6 +4758,10 @@
     <message>
         <source>The simulated object&apos;s own temperature when the run was stopped, which no sensor tells</source>
         <translation>運轉停止時模擬物體自身的溫度，沒有感測器能讀到</translation>
+    </message>
+    <message>
+        <source>True</source>
+        <translation>真實</translation>
     </message>
 </context>
 <context>

@@ -16,7 +16,7 @@
 namespace bask {
 namespace {
 
-enum Column { kName, kTarget, kFinal, kError, kSettling, kTrue, kColumns };
+enum Column { kName, kTarget, kFinal, kTrue, kError, kSettling, kColumns };
 
 } // namespace
 
@@ -51,7 +51,7 @@ void FinalValuesTable::setTemperatureUnit(TemperatureUnit unit) {
 void FinalValuesTable::refresh() {
     setAccessibleName(tr("Final values"));
     setHorizontalHeaderLabels(
-        {tr("Object"), tr("Target"), tr("Final"), tr("Error"), tr("Settled after"), tr("Final, true")});
+        {tr("Object"), tr("Target"), tr("Final"), tr("True"), tr("Error"), tr("Settled after")});
     setColumnHidden(kTrue, std::ranges::none_of(m_values, [](const FinalValue& value) {
                         return std::isfinite(value.true_K);
                     }));
@@ -72,9 +72,9 @@ void FinalValuesTable::refresh() {
         const QStringList texts{value.name,
                                 formatTemperature(value.target_K, m_unit),
                                 formatTemperature(value.final_K, m_unit, 2),
+                                formatTemperature(value.true_K, m_unit, 2),
                                 formatDifference(value.final_K - value.target_K, m_unit, 2),
-                                settling,
-                                formatTemperature(value.true_K, m_unit, 2)};
+                                settling};
         for (int column = 0; column < kColumns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
             item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);

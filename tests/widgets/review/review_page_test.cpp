@@ -208,15 +208,15 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     EXPECT_EQ(cell(0, 0), "circle");
     EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C");
     EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
-    EXPECT_EQ(cell(0, 3), QString(QChar(0x2212)) + "0.05 K");
-    EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
-    EXPECT_EQ(cell(0, 5).toStdString(), "40.00 °C");
-    EXPECT_EQ(cell(2, 4), "not settled");
-    EXPECT_EQ(cell(2, 3), QString(QChar(0x2212)) + "2.45 K") << "310.7 K was read, 310.716 K was true";
+    EXPECT_EQ(cell(0, 4), QString(QChar(0x2212)) + "0.05 K");
+    EXPECT_EQ(cell(0, 5), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(cell(0, 3).toStdString(), "40.00 °C");
+    EXPECT_EQ(cell(2, 5), "not settled");
+    EXPECT_EQ(cell(2, 4), QString(QChar(0x2212)) + "2.45 K") << "310.7 K was read, 310.716 K was true";
     auto* table = child<FinalValuesTable>("finalValues");
     EXPECT_EQ(table->horizontalHeaderItem(2)->text(), "Final");
-    EXPECT_EQ(table->horizontalHeaderItem(5)->text(), "Final, true");
-    EXPECT_FALSE(table->isColumnHidden(5));
+    EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "True");
+    EXPECT_FALSE(table->isColumnHidden(3));
 }
 
 // Catches rates without their error, an object's failure without its reason, and a button that has nothing to
@@ -301,9 +301,9 @@ TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
     session.events.push_back({session.samples.back().time_s, {MessageCode::EventStopped, {}}});
     session.samples.push_back(retreated);
     show(session);
-    EXPECT_EQ(cell(0, 3), QString(QChar(0x2212)) + "0.05 K");
-    EXPECT_EQ(cell(0, 5).toStdString(), "40.00 °C");
-    EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(cell(0, 4), QString(QChar(0x2212)) + "0.05 K");
+    EXPECT_EQ(cell(0, 3).toStdString(), "40.00 °C");
+    EXPECT_EQ(cell(0, 5), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
 }
 
 // Catches a real rig's reading shown as the truth.
@@ -314,7 +314,7 @@ TEST_F(ReviewPageTest, WithoutATruthTheReadingsStandAlone) {
             object.true_K = kNan;
     show(session);
     EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
-    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->isColumnHidden(5));
+    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->isColumnHidden(3));
     EXPECT_EQ(child<QTableWidget>("metricsTable")->rowCount(), 12);
     QTest::keyClick(child<FinalValuesTable>("finalValues"), Qt::Key_C, Qt::ControlModifier);
     EXPECT_EQ(QApplication::clipboard()->text().split('\n').first(),
@@ -358,7 +358,7 @@ TEST_F(ReviewPageTest, EmptyRunAndButtons) {
     session.samples.clear();
     show(session);
     EXPECT_EQ(text("factDuration"), QString(QChar(0x2014)));
-    EXPECT_EQ(cell(0, 4), "not settled");
+    EXPECT_EQ(cell(0, 5), "not settled");
     QSignalSpy open(&page, &ReviewPage::openRequested);
     QSignalSpy save(&page, &ReviewPage::exportRequested);
     QTest::mouseClick(child<QPushButton>("openSession"), Qt::LeftButton);
@@ -390,7 +390,7 @@ TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
     EXPECT_TRUE(text("outcomeWord").startsWith('['));
     EXPECT_TRUE(child<QPushButton>("exportSession")->text().startsWith('['));
     EXPECT_TRUE(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(3)->text().startsWith('['));
-    EXPECT_TRUE(cell(2, 4).startsWith('['));
+    EXPECT_TRUE(cell(2, 5).startsWith('['));
     qApp->removeTranslator(&longer);
     QApplication::processEvents();
     EXPECT_EQ(text("sessionTag"), "SIMULATED");
