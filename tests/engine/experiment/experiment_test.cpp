@@ -319,7 +319,7 @@ TEST(Reading, ATitleCannotCommandATerminal) {
     json["title"] = "b\n\u00e4\u4e2d\u200f";
     const auto read = experimentFromJson(json.dump(), "made up", kExamples);
     ASSERT_TRUE(read) << describe(read.error());
-    EXPECT_EQ(read->title, json["title"]);
+    EXPECT_EQ(read->title, json["title"].get<std::string>());
 }
 
 TEST(Reading, PutsClockwiseAndOffCentreOutlinesRight) {

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include <fstream>
+#include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 
 namespace bask::test {
 
@@ -20,14 +22,14 @@ inline const nlohmann::json& radiometryReference() {
 }
 
 /// The band of a curve of the reference, "flat" or "bolometer".
-inline const BandRadiance& referenceBand(const std::string& name) {
-    static std::map<std::string, BandRadiance> made;
+inline const BandRadiance& referenceBand(std::string_view name) {
+    static std::map<std::string, BandRadiance, std::less<>> made;
     if (const auto it = made.find(name); it != made.end())
         return it->second;
     std::vector<BandResponse> curve;
-    for (const auto& point : radiometryReference()["curves_m"][name])
+    for (const auto& point : radiometryReference()["curves_m"][std::string(name)])
         curve.push_back({point[0].get<double>(), point[1].get<double>()});
-    return made.emplace(name, BandRadiance(curve)).first->second;
+    return made.emplace(std::string(name), BandRadiance(curve)).first->second;
 }
 
 } // namespace bask::test
