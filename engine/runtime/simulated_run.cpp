@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -125,7 +126,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
 Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop,
                                                   const std::function<void(double time_s)>& progress) {
     SimulatedRunOptions options;
-    options.stop = stop;
+    options.stop = std::move(stop);
     if (progress)
         options.progress = [&](double time_s, const TraceSample&) { progress(time_s); };
     Experiment seen = experiment;
@@ -140,7 +141,7 @@ Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, 
         return outcome.error();
     double last_s = 0.0;
     for (const ObjectOutcome& object : outcome->objects) {
-        if (!outcome->settled || !object.settlingTime_s || stop.stop_requested())
+        if (!outcome->settled || !object.settlingTime_s || options.stop.stop_requested())
             return std::optional<double>();
         last_s = std::max(last_s, *object.settlingTime_s);
     }

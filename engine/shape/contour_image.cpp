@@ -118,8 +118,9 @@ struct Histogram {
         width = (max - min) / (kLevels - 1);
         if (width <= 0.0)
             return;
+        const double begin = min - 0.5 * width; // of the first level: values are rounded to the nearest
         for (const float value : valuesOf(values))
-            counts[static_cast<std::size_t>((value - min) / width + 0.5)] += 1.0;
+            counts[static_cast<std::size_t>((value - begin) / width)] += 1.0;
     }
 
     double valueOf(double level) const { return min + width * level; }

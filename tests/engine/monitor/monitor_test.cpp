@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <QDateTime>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QHostAddress>
@@ -126,7 +127,7 @@ public:
         const int listener = newSocket(*place);
         m_exists = ::bind(listener, place->ai_addr, place->ai_addrlen) == 0 && ::listen(listener, 0) == 0;
         for (int k = 0; m_exists && k < 4; ++k)
-            ::connect(newSocket(*place), place->ai_addr, place->ai_addrlen);
+            (void)::connect(newSocket(*place), place->ai_addr, place->ai_addrlen);
         ::freeaddrinfo(place);
     }
     ~DeadPlace() {
@@ -466,6 +467,11 @@ public:
                  "-keyout", "other.key", "-out", "other.pem", "-days", "2", "-subj",
                  "/CN=another authority"});
         std::ofstream(path("names").toStdString()) << "subjectAltName=IP:127.0.0.1,DNS:two.places.example\n";
+        std::ofstream(path("index").toStdString()).flush();
+        std::ofstream(path("authority").toStdString())
+            << "[ca]\ndefault_ca=test\n[test]\ndatabase=index\nrand_serial=yes\nnew_certs_dir=.\ndefault_md="
+               "sha256\n"
+               "unique_subject=no\npolicy=any\n[any]\ncommonName=supplied\n";
     }
 
     QString path(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
@@ -473,8 +479,13 @@ public:
     QString broker(int days) {
         openssl({"req", "-new", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
                  "-keyout", "server.key", "-out", "server.csr", "-subj", "/CN=127.0.0.1"});
-        openssl({"x509", "-req", "-in", "server.csr", "-CA", "ca.pem", "-CAkey", "ca.key", "-CAcreateserial",
-                 "-out", "server.pem", "-extfile", "names", "-days", QString::number(days)});
+        const auto inDays = [now = QDateTime::currentDateTimeUtc()](int number) {
+            return now.addDays(number).toString(QStringLiteral("yyyyMMddHHmmss'Z'"));
+        };
+        // Not x509, whose -days are no longer negative from OpenSSL 3.5 on.
+        openssl({"ca",       "-config",  "authority",  "-batch",   "-notext",    "-rand_serial", "-cert",
+                 "ca.pem",   "-keyfile", "ca.key",     "-in",      "server.csr", "-out",         "server.pem",
+                 "-extfile", "names",    "-startdate", inDays(-2), "-enddate",   inDays(days)});
         return QStringLiteral("allow_anonymous true\ncafile %1\ncertfile %2\nkeyfile %3")
             .arg(path("ca.pem"), path("server.pem"), path("server.key"));
     }
