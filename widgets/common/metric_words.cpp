@@ -6,7 +6,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -23,36 +22,14 @@ struct MetricFacts {
     int decimals; ///< on a screen
 };
 
-bool isOfTruth(ObjectMetric metric) {
-    return std::ranges::find(kTrueMetrics, metric) != kTrueMetrics.end();
-}
-
-/// Returns the same metric counted on the readings.
-ObjectMetric byReadings(ObjectMetric metric) {
-    switch (metric) {
-    case ObjectMetric::TrueFinal:
-        return ObjectMetric::Final;
-    case ObjectMetric::TrueSettling:
-        return ObjectMetric::Settling;
-    case ObjectMetric::TrueRise:
-        return ObjectMetric::Rise;
-    case ObjectMetric::TrueOvershoot:
-        return ObjectMetric::Overshoot;
-    case ObjectMetric::TrueSteadyError:
-        return ObjectMetric::SteadyError;
-    default:
-        return metric;
-    }
-}
-
 /// Returns nothing where the metric is of the truth and the recording has none.
 const ObjectMetrics* countedFor(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
-    const auto& counted = isOfTruth(metric) ? run.trueObjects : run.objects;
+    const auto& counted = metric.isTrue ? run.trueObjects : run.objects;
     return object < counted.size() ? &counted[object] : nullptr;
 }
 
-MetricFacts factsOf(ObjectMetric metric) {
-    switch (byReadings(metric)) {
+MetricFacts factsOf(ObjectMetric::Kind kind) {
+    switch (kind) {
     case ObjectMetric::Target:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Target"), unit::kCelsius, 1};
     case ObjectMetric::Final:
@@ -67,9 +44,8 @@ MetricFacts factsOf(ObjectMetric metric) {
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Steady-state error"), unit::kKelvin, 2};
     case ObjectMetric::PathLength:
         return {QT_TRANSLATE_NOOP("bask::Metrics", "Path length"), unit::kMillimetres, 1};
-    default:
-        return {};
     }
+    return {};
 }
 
 MetricFacts factsOf(RunMetric metric) {
@@ -164,16 +140,15 @@ std::vector<ObjectMetric> objectMetrics(bool hasTruth) {
     for (const ObjectMetric metric : kReadMetrics) {
         out.push_back(metric);
         for (const ObjectMetric truth : kTrueMetrics)
-            if (hasTruth && byReadings(truth) == metric)
+            if (hasTruth && truth.kind == metric.kind)
                 out.push_back(truth);
     }
     return out;
 }
 
 QString metricName(ObjectMetric metric) {
-    const QString name = MetricWords::tr(factsOf(metric).name);
-    return isOfTruth(metric) ? MetricWords::tr("%1, true", "a metric by the true temperature").arg(name)
-                             : name;
+    const QString name = MetricWords::tr(factsOf(metric.kind).name);
+    return metric.isTrue ? MetricWords::tr("%1, true", "a metric by the true temperature").arg(name) : name;
 }
 
 QString metricName(RunMetric metric) {
@@ -181,10 +156,10 @@ QString metricName(RunMetric metric) {
 }
 
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit) {
-    if (isOfTruth(metric))
+    if (metric.isTrue)
         return MetricWords::tr("The same by the simulated object's own temperature, which no sensor tells.");
     const QString band = QStringLiteral("\u00b1") + formatDifference(band_K, unit).mid(1);
-    switch (metric) {
+    switch (metric.kind) {
     case ObjectMetric::Target:
         return MetricWords::tr(
             "The last target that was set. The other numbers count from that moment, or from Start "
@@ -213,9 +188,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     case ObjectMetric::PathLength:
         return MetricWords::tr(
             "Length of the path of the object's centre in the robot's base, from Start until Stop.");
-    default:
-        return {};
     }
+    return {};
 }
 
 QString metricDefinition(RunMetric metric) {
@@ -245,8 +219,8 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     if (counted == nullptr)
         return MetricWords::tr("not known");
     const ObjectMetrics& metrics = *counted;
-    const MetricFacts facts = factsOf(metric);
-    switch (byReadings(metric)) {
+    const MetricFacts facts = factsOf(metric.kind);
+    switch (metric.kind) {
     case ObjectMetric::Target:
         return formatTemperature(metrics.target_K, unit, facts.decimals);
     case ObjectMetric::Final:
@@ -262,9 +236,8 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
         return steadyText(metrics, unit);
     case ObjectMetric::PathLength:
         return valueText(facts, metrics.pathLength_m);
-    default:
-        return {};
     }
+    return {};
 }
 
 QString metricText(RunMetric metric, const RunMetrics& run) {
@@ -283,7 +256,7 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
     if (run.samples == 0 || counted == nullptr)
         return std::nullopt;
     const ObjectMetrics& metrics = *counted;
-    switch (byReadings(metric)) {
+    switch (metric.kind) {
     case ObjectMetric::Target:
         return std::isfinite(metrics.target_K) ? std::optional(metrics.target_K) : std::nullopt;
     case ObjectMetric::Final:
@@ -298,9 +271,8 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
         return metrics.steadyError_K;
     case ObjectMetric::PathLength:
         return metrics.pathLength_m;
-    default:
-        return std::nullopt;
     }
+    return std::nullopt;
 }
 
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run) {
@@ -322,7 +294,7 @@ std::optional<double> metricValue(RunMetric metric, const RunMetrics& run) {
 }
 
 QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit) {
-    return differenceText(factsOf(metric), difference, unit);
+    return differenceText(factsOf(metric.kind), difference, unit);
 }
 
 QString metricDifferenceText(RunMetric metric, double difference) {
@@ -330,7 +302,7 @@ QString metricDifferenceText(RunMetric metric, double difference) {
 }
 
 QString metricNameInFiles(ObjectMetric metric) {
-    return nameInFiles(factsOf(metric), isOfTruth(metric) ? "true " : "");
+    return nameInFiles(factsOf(metric.kind), metric.isTrue ? "true " : "");
 }
 
 QString metricNameInFiles(RunMetric metric) {
@@ -338,7 +310,7 @@ QString metricNameInFiles(RunMetric metric) {
 }
 
 double metricValueInFiles(ObjectMetric metric, double value) {
-    return isIn(factsOf(metric).unit, unit::kCelsius) ? celsiusFromKelvin(value) : value;
+    return isIn(factsOf(metric.kind).unit, unit::kCelsius) ? celsiusFromKelvin(value) : value;
 }
 
 } // namespace bask

@@ -13,28 +13,21 @@
 
 namespace bask {
 
-/// Of an object. Those named True are counted on the simulated object's own temperature instead of the
-/// readings.
-enum class ObjectMetric {
-    Target,
-    Final,
-    TrueFinal,
-    Settling,
-    TrueSettling,
-    Rise,
-    TrueRise,
-    Overshoot,
-    TrueOvershoot,
-    SteadyError,
-    TrueSteadyError,
-    PathLength
+/// Of an object: what is counted, and on which temperature.
+struct ObjectMetric {
+    enum Kind { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
+    Kind kind;
+    bool isTrue = false; ///< on the simulated object's own temperature instead of the readings
 };
 inline constexpr std::array kReadMetrics{
-    ObjectMetric::Target,    ObjectMetric::Final,       ObjectMetric::Settling,  ObjectMetric::Rise,
-    ObjectMetric::Overshoot, ObjectMetric::SteadyError, ObjectMetric::PathLength};
-inline constexpr std::array kTrueMetrics{ObjectMetric::TrueFinal, ObjectMetric::TrueSettling,
-                                         ObjectMetric::TrueRise, ObjectMetric::TrueOvershoot,
-                                         ObjectMetric::TrueSteadyError};
+    ObjectMetric{ObjectMetric::Target},    ObjectMetric{ObjectMetric::Final},
+    ObjectMetric{ObjectMetric::Settling},  ObjectMetric{ObjectMetric::Rise},
+    ObjectMetric{ObjectMetric::Overshoot}, ObjectMetric{ObjectMetric::SteadyError},
+    ObjectMetric{ObjectMetric::PathLength}};
+inline constexpr std::array kTrueMetrics{
+    ObjectMetric{ObjectMetric::Final, true}, ObjectMetric{ObjectMetric::Settling, true},
+    ObjectMetric{ObjectMetric::Rise, true}, ObjectMetric{ObjectMetric::Overshoot, true},
+    ObjectMetric{ObjectMetric::SteadyError, true}};
 /// Returns all of them, in the order of a table; those by the true temperature only where there is one.
 std::vector<ObjectMetric> objectMetrics(bool hasTruth);
 
