@@ -44,77 +44,32 @@ private:
     std::optional<double> m_at_s;
 };
 
-} // namespace
+/// Metrics of an object by one of its temperatures.
+class TemperatureCount {
+public:
+    TemperatureCount() { m_metrics.target_K = std::numeric_limits<double>::quiet_NaN(); }
 
-struct RunMetricsCount::ObjectCount {
-    explicit ObjectCount(const Pose& X_EO) : centre_E(X_EO.translation()) {
-        metrics.target_K = std::numeric_limits<double>::quiet_NaN();
+    void add(double time_s, double target_K, double T_K, double band_K) {
+        if (target_K != m_metrics.target_K) // an unknown one is another each time
+            beginStep(time_s, target_K, T_K, band_K);
+        m_metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
+        if (m_metrics.final_K)
+            addTemperature(time_s, T_K, band_K);
     }
 
-    void add(const TraceSample& sample, std::size_t i, double T_K, double band_K) {
-        const ObjectSample& object = sample.objects[i];
-        if (!isBegun || object.target_K != metrics.target_K) // an unknown one is another each time
-            beginStep(sample.time_s, object.target_K, T_K, band_K);
-        metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
-        if (metrics.final_K)
-            addTemperature(sample.time_s, T_K, band_K);
-        const Eigen::Vector3d centre = poseFromCoordinates(sample.coordinates) * centre_E;
-        if (isBegun) {
-            const double way_m = (centre - lastCentre).norm();
-            metrics.pathLength_m += std::isfinite(way_m) ? way_m : 0.0;
-        }
-        lastCentre = centre;
-        isBegun = true;
-    }
-
-    void addTemperature(double time_s, double T_K, double band_K) {
-        const double error_K = T_K - metrics.target_K;
-        if (isJudged) {
-            begun.add(time_s, T_K);
-            done.add(time_s, T_K);
-            const double over_K = *metrics.step_K > 0.0 ? error_K : -error_K;
-            if (std::isfinite(over_K))
-                metrics.overshoot_K = std::max(*metrics.overshoot_K, over_K);
-        }
-        if (!(std::abs(error_K) <= band_K))
-            metrics.settledFrom_s.reset();
-        else if (!metrics.settledFrom_s)
-            metrics.settledFrom_s = time_s;
-        lately.emplace_back(time_s, error_K);
-        while (lately.front().first < time_s - kSteadyWindow_s)
-            lately.pop_front();
-    }
-
-    void beginStep(double time_s, double target_K, double T_K, double band_K) {
-        metrics.target_K = target_K;
-        metrics.from_s = time_s;
-        metrics.step_K.reset();
-        metrics.overshoot_K.reset();
-        if (std::isfinite(T_K) && std::isfinite(target_K))
-            metrics.step_K = target_K - T_K;
-        else
-            metrics.settledFrom_s.reset(); // at the target before
-        lately.clear();
-        isJudged = metrics.step_K && std::abs(*metrics.step_K) >= 2.0 * band_K;
-        if (!isJudged)
-            return;
-        const double step_K = *metrics.step_K, first_K = target_K - step_K;
-        begun = LevelCrossing(first_K + 0.1 * step_K, step_K > 0.0);
-        done = LevelCrossing(first_K + 0.9 * step_K, step_K > 0.0);
-        metrics.overshoot_K = 0.0;
-    }
-
-    ObjectMetrics judged(double last_s) const {
-        ObjectMetrics out = metrics;
-        if (isJudged && begun.at_s() && done.at_s())
-            out.rise_s = *done.at_s() - *begun.at_s();
-        if (!metrics.settledFrom_s)
+    ObjectMetrics judged(double last_s, double pathLength_m) const {
+        ObjectMetrics out = m_metrics;
+        out.pathLength_m = pathLength_m;
+        if (m_isJudged && m_begun.at_s() && m_done.at_s())
+            out.rise_s = *m_done.at_s() - *m_begun.at_s();
+        if (!m_metrics.settledFrom_s)
             return out;
-        out.settling_s = std::max(*metrics.settledFrom_s - metrics.from_s, 0.0);
-        const double from_s = std::max({*metrics.settledFrom_s, metrics.from_s, last_s - kSteadyWindow_s});
+        out.settling_s = std::max(*m_metrics.settledFrom_s - m_metrics.from_s, 0.0);
+        const double from_s =
+            std::max({*m_metrics.settledFrom_s, m_metrics.from_s, last_s - kSteadyWindow_s});
         double sum_K = 0.0, squares = 0.0;
         std::size_t count = 0; // none: all of them are older than the window
-        for (const auto& [time_s, error_K] : lately) {
+        for (const auto& [time_s, error_K] : m_lately) {
             if (time_s < from_s)
                 continue;
             sum_K += error_K;
@@ -132,12 +87,65 @@ struct RunMetricsCount::ObjectCount {
         return out;
     }
 
-    Eigen::Vector3d centre_E, lastCentre = Eigen::Vector3d::Zero();
-    ObjectMetrics metrics; ///< but for what judged() adds
-    bool isBegun = false;
-    bool isJudged = false; ///< the step is large enough
-    LevelCrossing begun, done;
-    std::deque<std::pair<double, double>> lately; ///< times and errors since the step and in the last window
+private:
+    void addTemperature(double time_s, double T_K, double band_K) {
+        const double error_K = T_K - m_metrics.target_K;
+        if (m_isJudged) {
+            m_begun.add(time_s, T_K);
+            m_done.add(time_s, T_K);
+            const double over_K = *m_metrics.step_K > 0.0 ? error_K : -error_K;
+            if (std::isfinite(over_K))
+                m_metrics.overshoot_K = std::max(*m_metrics.overshoot_K, over_K);
+        }
+        if (!(std::abs(error_K) <= band_K))
+            m_metrics.settledFrom_s.reset();
+        else if (!m_metrics.settledFrom_s)
+            m_metrics.settledFrom_s = time_s;
+        m_lately.emplace_back(time_s, error_K);
+        while (m_lately.front().first < time_s - kSteadyWindow_s)
+            m_lately.pop_front();
+    }
+
+    void beginStep(double time_s, double target_K, double T_K, double band_K) {
+        m_metrics.target_K = target_K;
+        m_metrics.from_s = time_s;
+        m_metrics.step_K.reset();
+        m_metrics.overshoot_K.reset();
+        if (std::isfinite(T_K) && std::isfinite(target_K))
+            m_metrics.step_K = target_K - T_K;
+        else
+            m_metrics.settledFrom_s.reset(); // at the target before
+        m_lately.clear();
+        m_isJudged = m_metrics.step_K && std::abs(*m_metrics.step_K) >= 2.0 * band_K;
+        if (!m_isJudged)
+            return;
+        const double step_K = *m_metrics.step_K, first_K = target_K - step_K;
+        m_begun = LevelCrossing(first_K + 0.1 * step_K, step_K > 0.0);
+        m_done = LevelCrossing(first_K + 0.9 * step_K, step_K > 0.0);
+        m_metrics.overshoot_K = 0.0;
+    }
+
+    ObjectMetrics m_metrics; ///< but for what judged() adds
+    bool m_isJudged = false; ///< the step is large enough
+    LevelCrossing m_begun, m_done;
+    /// Times and errors since the step and in the last window.
+    std::deque<std::pair<double, double>> m_lately;
+};
+
+} // namespace
+
+struct RunMetricsCount::ObjectCount {
+    explicit ObjectCount(const Pose& X_EO) : centre_E(X_EO.translation()) {}
+
+    /// From the end-effector's pose before to that of now.
+    void addMotion(const Pose& before, const Pose& now) {
+        const double way_m = (now * centre_E - before * centre_E).norm();
+        pathLength_m += std::isfinite(way_m) ? way_m : 0.0;
+    }
+
+    Eigen::Vector3d centre_E;
+    double pathLength_m = 0.0;
+    TemperatureCount read, truth;
 };
 
 RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
@@ -145,7 +153,6 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     m_metrics.band_K = band_K;
     for (const ObjectSpec& object : facts.experiment.objects)
         m_objects.emplace_back(poseFromCoordinates(object.mounting));
-    m_trueObjects = m_objects;
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
     for (const TraceEvent& event : facts.events) {
         const bool isPaused = !m_pauses_s.empty() && m_pauses_s.back().second == kOpen_s;
@@ -162,29 +169,32 @@ RunMetricsCount::~RunMetricsCount() = default;
 void RunMetricsCount::add(const TraceSample& sample) {
     if (sample.time_s > m_until_s)
         return;
-    for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        const double true_K = sample.objects[i].true_K;
-        m_hasTruth = m_hasTruth || std::isfinite(true_K);
-        m_objects[i].add(sample, i, read_K(sample.objects[i]), m_metrics.band_K);
-        m_trueObjects[i].add(sample, i, true_K, m_metrics.band_K);
-    }
+    const Pose X_RE = poseFromCoordinates(sample.coordinates);
     if (m_metrics.samples > 0)
-        addMotion(sample);
+        addMotion(sample.time_s, X_RE);
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const ObjectSample& object = sample.objects[i];
+        m_hasTruth = m_hasTruth || std::isfinite(object.true_K);
+        m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), m_metrics.band_K);
+        m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, m_metrics.band_K);
+    }
+    m_pose = X_RE;
     m_metrics.last = sample;
     m_metrics.duration_s = sample.time_s;
     ++m_metrics.samples;
 }
 
-/// From the last sample to this one.
-void RunMetricsCount::addMotion(const TraceSample& sample) {
+/// From the last sample to one at this time and pose.
+void RunMetricsCount::addMotion(double time_s, const Pose& X_RE) {
     const TraceSample& before = m_metrics.last;
-    const Pose X0 = poseFromCoordinates(before.coordinates), X1 = poseFromCoordinates(sample.coordinates);
-    const double way_m = (X1.translation() - X0.translation()).norm();
+    for (ObjectCount& object : m_objects)
+        object.addMotion(m_pose, X_RE);
+    const double way_m = (X_RE.translation() - m_pose.translation()).norm();
     if (std::isfinite(way_m)) {
         m_metrics.pathLength_m += way_m;
-        m_metrics.turned_rad += Eigen::AngleAxisd(X0.linear().transpose() * X1.linear()).angle();
+        m_metrics.turned_rad += Eigen::AngleAxisd(m_pose.linear().transpose() * X_RE.linear()).angle();
     }
-    const double lasts_s = sample.time_s - before.time_s;
+    const double lasts_s = time_s - before.time_s;
     const ActiveLimits& limits = before.limits;
     while (!m_pauses_s.empty() && m_pauses_s.front().second < before.time_s)
         m_pauses_s.pop_front();
@@ -206,10 +216,12 @@ void RunMetricsCount::addMotion(const TraceSample& sample) {
 
 RunMetrics RunMetricsCount::metrics() const {
     RunMetrics out = m_metrics;
-    for (const ObjectCount& object : m_objects)
-        out.objects.push_back(object.judged(m_metrics.last.time_s));
-    for (const ObjectCount& object : m_hasTruth ? m_trueObjects : std::vector<ObjectCount>())
-        out.trueObjects.push_back(object.judged(m_metrics.last.time_s));
+    const double last_s = m_metrics.last.time_s;
+    for (const ObjectCount& object : m_objects) {
+        out.objects.push_back(object.read.judged(last_s, object.pathLength_m));
+        if (m_hasTruth)
+            out.trueObjects.push_back(object.truth.judged(last_s, object.pathLength_m));
+    }
     return out;
 }
 

@@ -74,12 +74,13 @@ public:
 
 private:
     struct ObjectCount;
-    void addMotion(const TraceSample& sample);
+    void addMotion(double time_s, const Pose& X_RE);
 
     double m_until_s;
     std::deque<std::pair<double, double>> m_pauses_s; ///< start and end of each pause; past ones are removed
     RunMetrics m_metrics;
-    std::vector<ObjectCount> m_objects, m_trueObjects;
+    std::vector<ObjectCount> m_objects;
+    Pose m_pose = Pose::Identity(); ///< of the end-effector at the last sample
     bool m_hasTruth = false;
 };
 
