@@ -147,8 +147,7 @@ public:
         cv::Mat grey = image;
         if (image.channels() > 1)
             cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
-        CaughtPicture caught{{grey.cols, grey.rows, {grey.begin<std::uint8_t>(), grey.end<std::uint8_t>()}},
-                             now_s};
+        CaughtPicture caught{{grey.cols, grey.rows, bytesOf(grey)}, now_s};
         const double stamp_s =
             m_kind == VideoKind::Device ? 1e-3 * m_capture->get(cv::CAP_PROP_POS_MSEC) : 0.0;
         if (stamp_s <= now_s && stamp_s >= now_s - kOldestStamp_s)

@@ -2,6 +2,7 @@
 // OpenCV's codecs of pictures and its cameras, loaded when they are first wanted: with all that they can read
 // they bring 230 libraries, which would cost every start of the program 0.3 s and 50 MB.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,6 +28,10 @@ public:
 /// whole PNG of 8 bits that is grey, RGB or RGBA, without interlace or transparent colour, of at most 64
 /// megapixels; else an empty one.
 cv::Mat decodePlainPng(const cv::Mat& bytes);
+
+/// Return the values of a picture of one channel row by row; OpenCV's iterators take many times as long.
+std::vector<std::uint8_t> bytesOf(const cv::Mat& picture);
+std::vector<float> floatsOf(const cv::Mat& picture);
 
 /// A cv::VideoCapture.
 class VideoInput {

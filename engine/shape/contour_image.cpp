@@ -51,16 +51,6 @@ Result<cv::Mat> decoded(const std::string& bytes, const std::string& path) {
     return image;
 }
 
-/// The values of a picture without gaps between its rows. OpenCV's iterators take many times as long.
-template <class T> std::span<const T> valuesOf(const cv::Mat_<T>& image) {
-    CV_Assert(image.isContinuous());
-    return {image[0], image.total()};
-}
-
-template <class T> std::vector<T> copyOf(std::span<const T> values) {
-    return {values.begin(), values.end()};
-}
-
 // Channel `k` as floats in [0, 1].
 cv::Mat1f channel(const cv::Mat& image, int k) {
     cv::Mat one;
@@ -81,7 +71,7 @@ cv::Mat1f brightness(const cv::Mat& image) {
 GreyPicture greyPicture(const cv::Mat& image) {
     cv::Mat1b values;
     brightness(image).convertTo(values, CV_8U, 255.0);
-    return {image.cols, image.rows, copyOf(valuesOf(values))};
+    return {image.cols, image.rows, bytesOf(values)};
 }
 
 /// A field before it is traced.
@@ -119,8 +109,9 @@ struct Histogram {
         if (width <= 0.0)
             return;
         const double begin = min - 0.5 * width; // of the first level: values are rounded to the nearest
-        for (const float value : valuesOf(values))
-            counts[static_cast<std::size_t>((value - begin) / width)] += 1.0;
+        for (int y = 0; y < values.rows; ++y)
+            for (const float value : std::span(values[y], static_cast<std::size_t>(values.cols)))
+                counts[static_cast<std::size_t>((value - begin) / width)] += 1.0;
     }
 
     double valueOf(double level) const { return min + width * level; }
@@ -261,7 +252,7 @@ std::optional<Field> fieldOf(const cv::Mat& image, const std::optional<PickedCol
 }
 
 SignedField signedField(const cv::Mat1f& values, double contrast) {
-    return {values.cols, values.rows, copyOf(valuesOf(values)), static_cast<float>(contrast)};
+    return {values.cols, values.rows, floatsOf(values), static_cast<float>(contrast)};
 }
 
 // The marker as its surroundings, so that it is neither a silhouette nor counts among the levels.
@@ -389,9 +380,7 @@ ColourPicture picture(const cv::Mat& image) {
                     cv::Vec3f::all(255.0F * (1.0F - opacity(0, x))) + opacity(0, x) * cv::Vec3f(rgb(y, x));
         }
     }
-    const cv::Mat flat = rgb.reshape(1, 1);
-    return {rgb.cols, rgb.rows,
-            std::vector<std::uint8_t>(flat.begin<std::uint8_t>(), flat.end<std::uint8_t>())};
+    return {rgb.cols, rgb.rows, bytesOf(rgb.reshape(1))};
 }
 
 // What a picture gives, with what OpenCV and allocation throw as an Error.
