@@ -222,9 +222,8 @@ int runExperimentCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
         "Runs an experiment on the simulated rig, as fast as the machine goes, or with --live on its own\n"
-        "rig: the robot then moves and the source heats. Ctrl+C stops it, a second one at once. The outcome "
-        "is\n"
-        "judged by the simulated objects' own temperatures, with --live by the estimates from the readings.\n"
+        "rig: the robot then moves and the source heats. Ctrl+C stops it, a second one at once.\n"
+        "Judged by the simulated objects' own temperatures, with --live by the estimates from the readings.\n"
         "Exit code: 0 settled, 1 fault, 2 bad input or unwritable output, 3 not settled.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");

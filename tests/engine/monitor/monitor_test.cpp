@@ -483,9 +483,9 @@ public:
             return now.addDays(number).toString(QStringLiteral("yyyyMMddHHmmss'Z'"));
         };
         // Not x509, whose -days are no longer negative from OpenSSL 3.5 on.
-        openssl({"ca",       "-config",  "authority",  "-batch",   "-notext",    "-rand_serial", "-cert",
-                 "ca.pem",   "-keyfile", "ca.key",     "-in",      "server.csr", "-out",         "server.pem",
-                 "-extfile", "names",    "-startdate", inDays(-2), "-enddate",   inDays(days)});
+        openssl({"ca", "-config", "authority", "-batch", "-notext", "-cert", "ca.pem", "-keyfile", "ca.key",
+                 "-in", "server.csr", "-out", "server.pem", "-extfile", "names", "-startdate", inDays(-2),
+                 "-enddate", inDays(days)});
         return QStringLiteral("allow_anonymous true\ncafile %1\ncertfile %2\nkeyfile %3")
             .arg(path("ca.pem"), path("server.pem"), path("server.key"));
     }
