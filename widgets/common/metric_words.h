@@ -15,7 +15,8 @@ namespace bask {
 
 /// Of an object: what is counted, and on which temperature.
 struct ObjectMetric {
-    enum Kind { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
+    enum class Kind { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
+    using enum Kind;
     Kind kind;
     bool isTrue = false; ///< on the simulated object's own temperature instead of the readings
 };
