@@ -21,6 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kKeepAlive_s = 5; // the least that mosquitto takes: a network that is gone is seen
+constexpr const char* kNoAnswer = "no answer";
 constexpr const char* kSystemCertificates = "/etc/ssl/certs";
 
 /// A connection that is lost while TLS writes to it raises SIGPIPE in this thread, which would end the
@@ -149,7 +150,7 @@ public:
             return;
         const NoSigpipe guard;
         if (m_state == State::Connecting && Clock::now() - m_begun > kPatience)
-            return fail("no answer");
+            return fail(kNoAnswer);
         const int code = mosquitto_loop(m_client, static_cast<int>(max.count()), 1);
         if (code != MOSQ_ERR_SUCCESS && m_state != State::Failed)
             fail(code);
@@ -215,6 +216,8 @@ private:
 
     /// The library's log says more than its codes: why a certificate is refused, say.
     void fail(int code) {
+        if (code == MOSQ_ERR_KEEPALIVE) // for which the library has no words
+            return fail(kNoAnswer);
         const char* const words = code == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(code);
         fail(m_log.empty() ? std::string(words) : m_log);
     }

@@ -331,6 +331,8 @@ TEST(MonitorWithBroker, TellsOfABrokerThatDoesNotAcknowledgeAndForgetsTheOldest)
         inlet(withEvent(runningSnapshot(), k));
     EXPECT_GE(monitor.state().leftOut, 1900u);
     EXPECT_TRUE(waitFor([&] { return monitor.state().brokerProblem.code == MessageCode::MonitorNoBroker; }));
+    const std::string lost = describe(monitor.state().brokerProblem);
+    EXPECT_NE(lost.find("no answer"), std::string::npos) << lost;
     broker.thaw();
     EXPECT_TRUE(waitFor([&] {
         return monitor.state().isConnected && monitor.state().brokerProblem.code == MessageCode::None;
