@@ -8,6 +8,7 @@
 #include "engine/device_simulators/stream_simulator.h"
 #include "engine/drivers/driver_catalogue.h"
 #include "tests/engine/runtime/engine_thread.h"
+#include "tests/support/guard_processes.h"
 
 #include <QTemporaryDir>
 
@@ -102,6 +103,13 @@ struct RigOnPorts : testing::Test {
         rig.source->port = port(2);
         rig.source->serial = driverOf(*rig.source).serial;
     }
+    ~RigOnPorts() override {
+        engine.reset();
+        endGuardsOf(folder.path());
+    }
+    RigOnPorts(const RigOnPorts&) = delete;
+    RigOnPorts& operator=(const RigOnPorts&) = delete;
+
     /// Another engine, on this computer as it is now.
     void start() {
         engine.reset();
