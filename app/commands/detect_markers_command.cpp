@@ -110,16 +110,22 @@ Json markerJson(const FoundMarker& marker, const std::optional<PoseRequest>& req
     return json;
 }
 
-Result<std::vector<FoundMarker>> markersIn(const DetectMarkersArguments& request) {
+struct Search {
+    std::vector<FoundMarker> markers;
+    bool isCrowded = false; ///< it found none, for that reason
+};
+
+Result<Search> markersIn(const DetectMarkersArguments& request) {
     const auto picture = readGreyPicture(request.path);
     if (!picture)
         return picture.error();
     if (request.pose)
         if (const auto fits = checkSize(request.pose->camera, picture->width, picture->height); !fits)
             return Error{fits.error().code(), request.path, fits.error().message.args};
-    std::vector<FoundMarker> markers = findSmallMarkersToo(*picture, request.dictionary);
-    std::ranges::stable_sort(markers, {}, &FoundMarker::id);
-    return markers;
+    Search search{findSmallMarkersToo(*picture, request.dictionary)};
+    std::ranges::stable_sort(search.markers, {}, &FoundMarker::id);
+    search.isCrowded = search.markers.empty() && isCrowded(*picture);
+    return search;
 }
 
 void addDetectMarkersOptions(QCommandLineParser& parser) {
@@ -155,18 +161,24 @@ int detectMarkersCommand(const QStringList& arguments) {
     const auto request = readDetectMarkersArguments(parser);
     if (!request)
         return refuse(kDetectMarkers, request.error());
-    const auto markers = markersIn(*request);
-    if (!markers)
-        return refuse(kDetectMarkers, markers.error());
+    const auto search = markersIn(*request);
+    if (!search)
+        return refuse(kDetectMarkers, search.error());
+    if (search->isCrowded)
+        return refuse(
+            kDetectMarkers,
+            QStringLiteral("%1: a chessboard or the like: too many quadrangles to find a marker among "
+                           "them; cut the markers out")
+                .arg(QString::fromStdString(request->path)));
     Json json{{"markers", Json::array()}};
-    for (const FoundMarker& marker : *markers)
+    for (const FoundMarker& marker : search->markers)
         json["markers"].push_back(markerJson(marker, request->pose));
     const std::string text = json.dump(1) + "\n";
     if (request->jsonPath.empty())
         std::fputs(text.c_str(), stdout);
     else if (const auto written = writeTextFile(request->jsonPath, text); !written)
         return refuse(kDetectMarkers, written.error());
-    if (!markers->empty())
+    if (!search->markers.empty())
         return kExitDone;
     refuse(kDetectMarkers, Error{MessageCode::MarkerNotFound, request->path, {request->dictionary.name}});
     return kExitNegative;

@@ -197,6 +197,32 @@ bool isTooFine(const cv::Mat1b& image) {
     return cv::countNonZero(steps > kStep) > kMaxShare * static_cast<double>(image.total());
 }
 
+// Counts quadrangles that are as large as the detector takes, in a picture that is made small enough to be
+// quick beside the detection.
+bool hasManyQuads(const cv::Mat1b& image) {
+    constexpr double kLooked_px = 1000.0, kMaxQuads = 1000.0;
+    constexpr double kMinPerimeter = 0.03, kAccuracy = 0.05; // of the picture's length, of the perimeter
+    constexpr int kWindow_px = 23, kDarker = 7;              // of the detector's thresholds
+    const double length = std::max(image.cols, image.rows), times = std::min(1.0, kLooked_px / length);
+    cv::Mat1b small = image, dark;
+    if (times < 1.0)
+        cv::resize(image, small, {}, times, times, cv::INTER_AREA);
+    cv::adaptiveThreshold(small, dark, 255.0, cv::ADAPTIVE_THRESH_MEAN_C, cv::THRESH_BINARY_INV, kWindow_px,
+                          kDarker);
+    std::vector<std::vector<cv::Point>> outlines;
+    cv::findContours(dark, outlines, cv::RETR_LIST, cv::CHAIN_APPROX_NONE);
+    if (static_cast<double>(outlines.size()) <= kMaxQuads)
+        return false;
+    const auto isQuad = [&](const std::vector<cv::Point>& outline) {
+        if (static_cast<double>(outline.size()) < kMinPerimeter * length * times)
+            return false;
+        std::vector<cv::Point> corners;
+        cv::approxPolyDP(outline, corners, kAccuracy * static_cast<double>(outline.size()), true);
+        return corners.size() == 4 && cv::isContourConvex(corners);
+    };
+    return static_cast<double>(std::ranges::count_if(outlines, isQuad)) > kMaxQuads;
+}
+
 // The markers in the picture at so many times its size, in its own pixels. OpenCV's memory goes with what
 // looks like a quadrangle: pictures are made smaller rather than take gigabytes.
 std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary,
@@ -210,6 +236,8 @@ std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictiona
     const auto resize = [&] {
         cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
     };
+    if (hasManyQuads(image))
+        return markers;
     if (times != 1.0)
         resize();
     while (isTooFine(looked) && std::min(looked.cols, looked.rows) / 2 >= dictionary.markerSize + 4) {
@@ -282,6 +310,11 @@ std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id)
         for (int x = 0; x < side; ++x)
             rows[static_cast<std::size_t>(y)] += cells(y, x) > 127 ? '1' : '0';
     return rows;
+}
+
+bool isCrowded(const GreyPicture& picture) {
+    const cv::Mat1b image = imageOf(picture);
+    return !image.empty() && (isTooFine(image) || hasManyQuads(image));
 }
 
 std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary) {

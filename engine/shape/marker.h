@@ -47,9 +47,13 @@ int markerCount(const MarkerDictionary& dictionary);
 std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id);
 
 /// Finds all markers of a dictionary, the largest in the picture first. They need a light margin. A
-/// dictionary without bits must be known by name. Returns none if the picture is too small for any marker. A
-/// picture above 16 megapixels is searched at that size, and the corners are refined at full size.
+/// dictionary without bits must be known by name. Returns none if the picture is too small for any marker, or
+/// crowded. A picture above 16 megapixels is searched at that size, and the corners are refined at full size.
 std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary);
+
+/// Returns whether a picture has more quadrangles than any picture of markers, as a fine chessboard, or
+/// changes from nearly each pixel to the next. The search takes time with the square of their number.
+bool isCrowded(const GreyPicture& picture);
 
 /// Like findMarkers, but also searches the picture at twice its size, which takes five times as long: finds
 /// markers down to about 20 px. A picture above 4 megapixels is searched once.

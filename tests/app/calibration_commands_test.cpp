@@ -84,6 +84,14 @@ Captured make(const QStringList& arguments) {
     return test::captured(makeBoardCommand, arguments);
 }
 
+QImage chessboard(int side, int square) {
+    QImage image(side, side, QImage::Format_Grayscale8);
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            image.scanLine(y)[x] = (x / square + y / square) % 2 == 0 ? 0 : 255;
+    return image;
+}
+
 // -- detect-markers --------------------------------------------------------------------------------------
 
 // Catches: a file that is not what the issue says; --json that says something else than standard output.
@@ -142,7 +150,11 @@ TEST_F(DetectMarkers, RefusesInWords) {
     ASSERT_TRUE(whole.open(QIODevice::ReadOnly));
     write(path("cut.jpg"), whole.readAll().first(40'000));
     write(path("notes.json"), "{\"notes\": 1}");
+    ASSERT_TRUE(chessboard(2000, 16).save(path("crowded.png"))); // 15 000 squares: a minute, once
+    ASSERT_TRUE(chessboard(4000, 1).save(path("fine.png")));     // it took all memory, once
     const std::pair<QStringList, const char*> cases[] = {
+        {{path("crowded.png"), "--dictionary", "6X6_250"}, "too many quadrangles"},
+        {{path("fine.png"), "--dictionary", "6X6_250"}, "too many quadrangles"},
         {{picture}, "--dictionary is needed"},
         {{}, "1 argument expected"},
         {{picture, "--dictionary", "9X9_1"}, "is not known; known: 4X4_100"},
