@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kMark = "Bask field"; ///< in the attribute made_by, near the file's beginning
+constexpr const char* kMark = "Bask field"; ///< in the attribute creator, near the file's beginning
 constexpr std::size_t kMarkWithin = 1 << 16;
 constexpr double kSkeletonBytes = 64e6; ///< more than the axes and what explains them take
 
@@ -57,7 +57,8 @@ void addAxes(Hdf5File& file, const Field& header) {
 Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool withGradient,
                             const std::string& title, const FieldTally& tally) {
     Hdf5File file(Hdf5File::Backing::Sparse);
-    file.attribute("/", "made_by", std::string(kMark) + ", " BASK_VERSION);
+    file.attribute("/", "creator", kMark);
+    file.attribute("/", "creator_version", BASK_VERSION);
     file.attribute("/", "NX_class", "NXroot");
     file.attribute("/", "default", "entry");
     file.group("/entry", "NXentry");
@@ -83,10 +84,8 @@ Result<Hdf5Sparse> skeleton(const std::string& where, const Field& header, bool 
     file.number("/entry/sampling/rough_shade", header.isShadeRough ? 1.0 : 0.0, "1");
     file.room("/entry/field/" + header.quantity, sizes, header.unit.empty() ? "1" : header.unit);
     if (withGradient) {
-        sizes.push_back(6);
+        sizes.push_back(kCoordinateNames.size());
         file.room("/entry/field/view_factor_gradient", sizes, "1/m, 1/rad");
-        file.attribute("/entry/field/view_factor_gradient", "components",
-                       std::vector<std::string>(kCoordinateNames.begin(), kCoordinateNames.end()));
     }
     return file.sparse(where);
 }
