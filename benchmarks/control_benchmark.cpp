@@ -117,6 +117,21 @@ void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool a
         state.counters["feasible"] = jointFeasibility(request)->feasible ? 1.0 : 0.0;
 }
 
+/// From the file to the verdict, its pictures read: what `bask feasibility` without a prediction takes, but
+/// for the program's start. 200 ms at most. Baseline: the file alone.
+void verdictOfAFile(benchmark::State& state, bool readingAlone) {
+    for (auto _ : state) {
+        const auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
+        if (!experiment) {
+            state.SkipWithError(describe(experiment.error()).c_str());
+            return;
+        }
+        if (!readingAlone)
+            state.counters["feasible"] =
+                jointFeasibility(feasibilityRequest(*experiment))->feasible ? 1.0 : 0.0;
+    }
+}
+
 /// The same where the objects shade one another: three heights, and tilts. 300 ms at most, and 1 s for the
 /// look-up. Baseline: the same objects in one plane.
 std::optional<FeasibilityRequest> requestAtHeights(benchmark::State& state, bool inOnePlane,
@@ -217,6 +232,8 @@ BASK_STEP(adaptiveLimited, Adaptive, kFar_K, 0.0, benchmark::kMicrosecond);
 BASK_STEP(adaptiveAccelerating, Adaptive, kFar_K, kAcceleration_m_s2, benchmark::kMicrosecond);
 BASK_STEP(levelServoNear, LevelServo, kNear_K, 0.0, benchmark::kMillisecond);
 BASK_STEP(levelServoFar, LevelServo, kFar_K, 0.0, benchmark::kMillisecond);
+BENCHMARK_CAPTURE(verdictOfAFile, threeObjects, false)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK_CAPTURE(verdictOfAFile, baseline_readingAlone, true)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK_CAPTURE(mountingRemarksOf, threeObjects, false, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mountingRemarksOf, polygonsOf60000, false, 60000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mountingRemarksOf, worst, true, 0)->Unit(benchmark::kMillisecond);
