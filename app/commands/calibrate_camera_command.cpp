@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/calibration/camera_calibration.h"
@@ -99,10 +100,17 @@ struct Survey {
 Survey surveyOf(const CalibrateCameraArguments& request) {
     constexpr std::size_t kEnoughJudged = 12; // asking what board it is takes longest
     Survey survey;
+    Progress progress(static_cast<double>(request.images.size()), "pictures");
+    double looked = 0.0;
+    const auto leaveOut = [&](const Error& why) {
+        progress.makeRoom();
+        tell(why);
+    };
     for (const std::string& path : request.images) {
+        progress.tell(looked++);
         const auto picture = readGreyPicture(path);
         if (!picture) {
-            tell(picture.error());
+            leaveOut(picture.error());
             continue;
         }
         ++survey.readable;
@@ -111,12 +119,13 @@ Survey surveyOf(const CalibrateCameraArguments& request) {
             if (const auto seen = boardSeen(*picture, request.board))
                 survey.seen.push_back(*seen);
         if (!view) {
-            tell(view.error());
+            leaveOut(view.error());
             continue;
         }
         survey.views.push_back({path, std::move(*view)});
         survey.sizes.push_back({picture->width, picture->height});
     }
+    progress.tell(looked);
     return survey;
 }
 
@@ -161,6 +170,13 @@ void printFigures(const CalibrateCameraArguments& request, const CameraCalibrati
         std::printf("view_rms_px %.4g %s\n", view.rms_px, view.name.c_str());
 }
 
+Result<CameraCalibration> fitted(const std::vector<CalibrationView>& views, const Size& size,
+                                 const CalibrateCameraArguments& request) {
+    Progress progress(1.0);
+    return calibrateCamera(views, request.board, size.width, size.height, request.coefficients, {},
+                           [&](int done, int all) { progress.tell(static_cast<double>(done) / all); });
+}
+
 int calibrate(const CalibrateCameraArguments& request) {
     Survey survey = surveyOf(request);
     if (survey.readable == 0)
@@ -169,8 +185,7 @@ int calibrate(const CalibrateCameraArguments& request) {
     if (const Board seen = mostSeen(survey.seen, request.board); seen != request.board)
         return negative(Error{MessageCode::BoardOther, "", {boardText(seen), boardText(request.board)}});
     const Size size = survey.views.empty() ? Size() : keepCommonSize(survey);
-    const auto result =
-        calibrateCamera(survey.views, request.board, size.width, size.height, request.coefficients);
+    const auto result = fitted(survey.views, size, request);
     if (!result)
         return negative(result.error());
     printFigures(request, *result);

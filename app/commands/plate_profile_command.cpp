@@ -4,6 +4,7 @@
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
@@ -31,6 +32,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kPlateProfile = "plate-profile";
 constexpr std::uintmax_t kLargestPose = 1 << 20;
 constexpr qsizetype kMaxPlateFrames = 200;
+constexpr double kReading = 0.5; // the share of reading the frames
 constexpr const char* kFirstColumns = "radius_mm,temperature_ratio";
 
 /// What is known of the plate and the camera, which is not zeroed: docs/thermal-cameras.md.
@@ -73,7 +75,8 @@ Result<void> checkPlace(const std::vector<std::string>& inputs, const std::strin
 /// A lens of another tool's file takes the pictures' size.
 Result<std::vector<PlateView>> readViews(const std::vector<std::string>& paths,
                                          const std::optional<ThermalProfile>& profile,
-                                         const Experiment& experiment, CameraModel& lens) {
+                                         const Experiment& experiment, CameraModel& lens, Progress& progress,
+                                         const ShareDone& done) {
     std::vector<PlacedPlate> covers;
     for (const PlateSpec& shield : experiment.shields)
         covers.push_back({shield.shape, poseFromCoordinates(shield.pose)});
@@ -82,6 +85,7 @@ Result<std::vector<PlateView>> readViews(const std::vector<std::string>& paths,
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
+        progress.makeRoom();
         tellWarnings(kPlateProfile, path, *frame);
         if (lens.width == 0) {
             lens.width = frame->picture.width;
@@ -90,6 +94,7 @@ Result<std::vector<PlateView>> readViews(const std::vector<std::string>& paths,
         if (const auto size = checkSize(lens, frame->picture.width, frame->picture.height); !size)
             return located(size.error(), path);
         views.push_back({std::move(frame->picture), covers});
+        tellShare(done, static_cast<double>(views.size()) / static_cast<double>(paths.size()));
     }
     return views;
 }
@@ -114,7 +119,8 @@ struct PlateProfileArguments {
     std::vector<PlateView> views;
 };
 
-Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser& parser) {
+Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser& parser, Progress& progress,
+                                                        const ShareDone& done) {
     QStringList files = parser.positionalArguments();
     const std::string path = files.takeFirst().toStdString();
     auto experiment = readExperiment(path);
@@ -143,7 +149,7 @@ Result<PlateProfileArguments> readPlateProfileArguments(const QCommandLineParser
         if (const auto place = checkPlace(inputs, parser.value("output").toStdString()); !place)
             return place.error();
     }
-    auto views = readViews(frames, *profile, *experiment, *lens);
+    auto views = readViews(frames, *profile, *experiment, *lens, progress, done);
     if (!views)
         return views.error();
     if (!PixelRays::isUsable(*lens))
@@ -241,7 +247,10 @@ int plateProfileCommand(const QStringList& arguments) {
         return refuse(kPlateProfile, QStringLiteral("at most %1 frames").arg(kMaxPlateFrames));
     if (!parser.isSet("camera") || !parser.isSet("pose"))
         return refuse(kPlateProfile, QStringLiteral("--camera CAM.yml and --pose POSE.json are needed"));
-    const auto request = readPlateProfileArguments(parser);
+    Progress progress(1.0);
+    const ShareDone done = progress.share();
+    const auto request = readPlateProfileArguments(parser, progress, partOf(done, 0.0, kReading));
+    progress.makeRoom();
     if (!request)
         return refuse(kPlateProfile, request.error());
     const SourceSpec& source = request->experiment.source;
@@ -250,7 +259,9 @@ int plateProfileCommand(const QStringList& arguments) {
         return refuse(kPlateProfile, QStringLiteral("only a source that is one disk has a profile"));
     const auto found = plateProfile(thermalBand(), PixelRays(request->lens), request->X_RC,
                                     {source.shape, poseFromCoordinates(source.pose)}, request->views,
-                                    {source.emittance, {}, room_K}, uncertaintyAbout(room_K));
+                                    {source.emittance, {}, room_K}, uncertaintyAbout(room_K), {},
+                                    partOf(done, kReading, 1.0));
+    progress.makeRoom();
     if (!found) {
         const int code = refuse(kPlateProfile, found.error());
         return isOfThePlatePictures(found.error().code()) ? kExitNegative : code;

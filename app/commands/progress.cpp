@@ -41,6 +41,11 @@ Progress::~Progress() {
         std::fputc('\n', stderr);
 }
 
+void Progress::makeRoom() {
+    if (m_isShown && m_isTerminal)
+        std::fputs("\r\033[K", stderr);
+}
+
 ShareDone Progress::share() {
     return [this](double part) { tell(part * m_total); };
 }

@@ -21,6 +21,8 @@ public:
 
     /// `besides` is asked only when something is told, and stands at the end of the line.
     void tell(double done, const std::function<std::string()>& besides = {});
+    /// Erases the line where it is shown, so that something else can be written there.
+    void makeRoom();
     /// For a work that tells its share, on the thread of this; `this` outlives it.
     ShareDone share();
 

@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/commands/thermal_input.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
@@ -28,6 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kThermalPose = "thermal-pose";
 constexpr std::uintmax_t kLargestList = 1 << 20;
+constexpr double kReading = 0.1; // the share of reading the frames
 constexpr std::size_t kMaxPoseFrames = 200;
 
 struct ListedFrame {
@@ -67,7 +69,8 @@ Result<FrameList> readList(const std::string& path) {
 }
 
 Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const FrameList& list,
-                                              const std::optional<ThermalProfile>& profile) {
+                                              const std::optional<ThermalProfile>& profile,
+                                              Progress& progress, const ShareDone& done) {
     std::vector<SilhouetteView> views;
     const std::filesystem::path folder = std::filesystem::path(listPath).parent_path();
     for (const ListedFrame& listed : list.frames) {
@@ -75,8 +78,10 @@ Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
+        progress.makeRoom();
         tellWarnings(kThermalPose, path, *frame);
         views.push_back({std::move(frame->picture), poseFromCoordinates(listed.pose)});
+        tellShare(done, static_cast<double>(views.size()) / static_cast<double>(list.frames.size()));
     }
     return views;
 }
@@ -184,7 +189,9 @@ int thermalPoseCommand(const QStringList& arguments) {
     const auto profile = profileOption(parser);
     if (!profile)
         return refuse(kThermalPose, profile.error());
-    const auto views = readViews(listPath, *list, *profile);
+    Progress progress(1.0);
+    const ShareDone done = progress.share();
+    const auto views = readViews(listPath, *list, *profile, progress, partOf(done, 0.0, kReading));
     if (!views)
         return refuse(kThermalPose, views.error());
     CameraModel lens = *camera;
@@ -194,8 +201,9 @@ int thermalPoseCommand(const QStringList& arguments) {
     }
     if (experiment->objects.empty())
         return refuse(kThermalPose, QStringLiteral("the experiment has no objects"));
-    const auto found =
-        silhouettePose(lens, *views, silhouetteScene(*experiment), poseFromCoordinates(list->cameraPose));
+    const auto found = silhouettePose(lens, *views, silhouetteScene(*experiment),
+                                      poseFromCoordinates(list->cameraPose), {}, partOf(done, kReading, 1.0));
+    progress.makeRoom();
     if (!found) {
         const int code = refuse(kThermalPose, found.error());
         return isOfTheSilhouettes(found.error().code()) ? kExitNegative : code;

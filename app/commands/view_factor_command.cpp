@@ -4,6 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "app/commands/shape_json.h"
 #include "engine/base/json_fields.h"
 #include "engine/base/message_code.h"
@@ -174,7 +175,11 @@ Result<std::string> answersTo(const std::string& path) {
     try {
         const json document = json::parse(withOddNumbersQuoted(bytes.toStdString()));
         Fields root(document, {}, failure);
+        const auto cases = document.find("cases");
+        Progress progress(cases != document.end() ? static_cast<double>(cases->size()) : 0.0, "cases");
+        double answered = 0.0;
         readEach(root, "cases", true, [&](const json& one, const std::string&) {
+            progress.tell(answered++);
             text += separator + answer(one).dump(-1, ' ', false, json::error_handler_t::replace);
             separator = ",\n";
         });

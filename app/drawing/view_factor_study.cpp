@@ -58,14 +58,15 @@ Result<Contour> bunny() {
 
 class Study {
 public:
-    explicit Study(Contour outline) : m_outline(std::move(outline)), m_whole(m_outline) {
+    Study(Contour outline, int maxElements, const ShareDone& done)
+        : m_share(done, costOfAll(maxElements)), m_outline(std::move(outline)), m_whole(m_outline) {
         m_X_SO.translation().z() = kStudyDistance_m;
         m_study.corners = static_cast<int>(m_outline.points_m.size());
         m_study.exact = exact(m_whole);
     }
 
     void surfaceIntegrals(int max) {
-        for (int n : {10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000})
+        for (int n : kElements)
             if (n <= max)
                 add({.method = StudyMethod::SurfaceIntegral, .elements = n},
                     [&] { return discreteSurfaceIntegral(m_disk, m_outline, m_X_SO, n); });
@@ -74,7 +75,7 @@ public:
     void truncated(const FourierContour& contour, int harmonics) {
         const RadiatingContour object(contour);
         const double exactValue = exact(object);
-        for (int points : {8, 16, 32, 64, 128, 256})
+        for (int points : kPoints)
             add(
                 {.method = StudyMethod::Fourier, .harmonics = harmonics, .points = points},
                 [&] { return simpsonViewFactor(m_disk, contour, m_X_SO, points); }, exactValue);
@@ -83,7 +84,7 @@ public:
     }
 
     void solverOnOutline() {
-        for (double tolerance : {1e-3, 1e-6, 1e-9, 1e-12})
+        for (double tolerance : kTolerances)
             addSolver({.method = StudyMethod::SolverOutline, .tolerance = tolerance}, m_whole, std::nullopt);
     }
 
@@ -91,6 +92,20 @@ public:
     ViewFactorStudy take() { return std::move(m_study); }
 
 private:
+    static constexpr std::array kElements{10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 10000, 20000};
+    static constexpr std::array kPoints{8, 16, 32, 64, 128, 256};
+    static constexpr std::array kTolerances{1e-3, 1e-6, 1e-9, 1e-12};
+
+    /// In pairs of elements; what is not a surface integral takes about as long as a hundred thousand.
+    static double costOf(int elements) { return 1e5 + static_cast<double>(elements) * elements; }
+    static double costOfAll(int maxElements) {
+        double sum =
+            costOf(0) * static_cast<double>(kStudyMaxHarmonics * (kPoints.size() + 1) + kTolerances.size());
+        for (int n : kElements)
+            sum += n <= maxElements ? costOf(n) : 0.0;
+        return sum;
+    }
+
     double exact(const RadiatingContour& object) const {
         return viewFactor(m_source, object, m_X_SO, {1e-12}).value;
     }
@@ -107,8 +122,10 @@ private:
         if (exactValue)
             row.quadratureError = std::abs(row.value - *exactValue);
         m_study.rows.push_back(row);
+        m_share.add(costOf(row.elements));
     }
 
+    ShareCount m_share;
     const Disk m_disk{kStudyRadius_m};
     const RadiatingContour m_source{m_disk};
     Contour m_outline;
@@ -142,11 +159,11 @@ const char* studyMethodName(StudyMethod method) {
     return "";
 }
 
-Result<ViewFactorStudy> runViewFactorStudy(int maxElements) {
+Result<ViewFactorStudy> runViewFactorStudy(int maxElements, const ShareDone& done) {
     auto outline = bunny();
     if (!outline)
         return outline.error();
-    Study study(std::move(*outline));
+    Study study(std::move(*outline), maxElements, done);
     study.surfaceIntegrals(maxElements);
     for (int h = 1; h <= kStudyMaxHarmonics; ++h) {
         const auto fit = fitFourier(study.outline(), h);

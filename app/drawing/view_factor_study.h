@@ -2,6 +2,7 @@
 // The study of the paper's Appendix B on Bask's own bunny: value, error and time of each method.
 
 #include "engine/base/result.h"
+#include "engine/base/share_done.h"
 
 #include <optional>
 #include <string>
@@ -42,8 +43,8 @@ inline constexpr double kStudyRadius_m = 0.10;
 inline constexpr double kStudyDistance_m = 0.05;
 
 /// Runs the study with up to `maxElements` elements a face. Takes about (maxElements/20000)^2 times four
-/// seconds.
-Result<ViewFactorStudy> runViewFactorStudy(int maxElements);
+/// seconds; `done` is told the share.
+Result<ViewFactorStudy> runViewFactorStudy(int maxElements, const ShareDone& done = {});
 
 /// Returns the table as CSV, with a description in comment lines before the header.
 std::string studyCsv(const ViewFactorStudy& study);

@@ -1,6 +1,7 @@
 // bask study view-factor: the paper's Appendix B repeated, its table and figures.
 
 #include "app/commands/command_line.h"
+#include "app/commands/progress.h"
 #include "app/drawing/studies.h"
 #include "app/drawing/study_output.h"
 #include "app/drawing/view_factor_study_figures.h"
@@ -59,7 +60,9 @@ int viewFactorStudyCommand(const QString& folder, int maxElements) {
                                   {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"});
     if (!files)
         return kExitBadInput;
-    const auto study = runViewFactorStudy(maxElements);
+    Progress progress(1.0);
+    const auto study = runViewFactorStudy(maxElements, progress.share());
+    progress.makeRoom();
     if (!study)
         return refuseStudy(study.error());
     std::vector<std::string> contents{studyCsv(*study)};

@@ -71,7 +71,7 @@ SeenRing meanOf(const std::vector<SeenRing>& seen) {
 Result<PlateProfile> plateProfile(const BandRadiance& band, const PixelRays& rays, const Pose& X_WC,
                                   const PlacedPlate& plate, std::span<const PlateView> views,
                                   const FaceSurroundings& face, const ReadingUncertainty& uncertainty,
-                                  const PlateProfileOptions& options) {
+                                  const PlateProfileOptions& options, const ShareDone& done) {
     constexpr double kMinRing_px = 1.5;
     if (views.empty() || options.maxRings < 1)
         throw std::invalid_argument("plateProfile: at least one picture and one ring");
@@ -89,6 +89,7 @@ Result<PlateProfile> plateProfile(const BandRadiance& band, const PixelRays& ray
     const auto count = static_cast<std::size_t>(std::max(1.0, std::floor(radius_m / ring_m)));
     std::vector<std::vector<SeenRing>> seen(count);
     std::size_t seenPixels = 0;
+    ShareCount share(done, static_cast<double>(views.size()));
     for (const PlateView& view : views) {
         const auto found = facePixels(rays, X_WC, std::span(&plate, 1), view.covers, options.pixels).front();
         if (!found)
@@ -104,6 +105,7 @@ Result<PlateProfile> plateProfile(const BandRadiance& band, const PixelRays& ray
                 return statistics.error();
             seen[k].push_back({statistics->mean_K, statistics->standardError_K, rings[k].radii_m / n, n});
         }
+        share.add();
     }
     PlateProfile out;
     for (std::size_t k = 0; k < count; ++k) {

@@ -1,6 +1,7 @@
 #pragma once
 // The temperature of a source's plate over its radius, from thermal pictures of what is seen of it.
 
+#include "engine/base/share_done.h"
 #include "engine/thermography/face_pixels.h"
 #include "engine/thermography/face_temperature.h"
 #include "engine/thermography/thermal_picture.h"
@@ -43,10 +44,11 @@ struct PlateProfile {
 /// is not used). X_WC as in facePixels. Errors: those of facePixels (the hot face turned away:
 /// ThermalFaceHidden) and of faceTemperature; PlateProfilePixelsFew if no ring is seen. Throws as these do,
 /// and std::invalid_argument without pictures, for pictures of another size, and for less than one ring.
+/// `done` is told the share of the pictures.
 Result<PlateProfile> plateProfile(const BandRadiance& band, const PixelRays& rays, const Pose& X_WC,
                                   const PlacedPlate& plate, std::span<const PlateView> views,
                                   const FaceSurroundings& face, const ReadingUncertainty& uncertainty,
-                                  const PlateProfileOptions& options = {});
+                                  const PlateProfileOptions& options = {}, const ShareDone& done = {});
 
 /// Returns the profile as a CSV file for `source.profile_file` of an experiment: radius_mm, temperature_ratio
 /// and, for people, the temperature and its standard uncertainty. The ratio is

@@ -381,7 +381,8 @@ void checkArguments(const CameraModel& camera, std::span<const SilhouetteView> v
 
 Result<SilhouettePose> silhouettePose(const CameraModel& camera, std::span<const SilhouetteView> views,
                                       const SilhouetteScene& scene, const Pose& start,
-                                      const SilhouetteOptions& options) {
+                                      const SilhouetteOptions& options, const ShareDone& done) {
+    constexpr double kSearching = 0.5; // share of the time
     checkArguments(camera, views, scene, start, options);
     const auto fewViews = [&](std::size_t count) {
         return Error{
@@ -398,14 +399,19 @@ Result<SilhouettePose> silhouettePose(const CameraModel& camera, std::span<const
         return Error{MessageCode::SilhouetteOutside, ""};
 
     Refined best;
-    for (const Pose& rough : likelyPoses(outlines, *linear, start, options.start, options.minContrast_K)) {
+    const std::vector<Pose> likely = likelyPoses(outlines, *linear, start, options.start,
+                                                 options.minContrast_K, partOf(done, 0.0, kSearching));
+    ShareCount share(partOf(done, kSearching, 1.0), static_cast<double>(likely.size()) + 2.0);
+    for (const Pose& rough : likely) {
         Refined one = refined(work, rough, options.blur_px, 3);
         if (one.sighting.clear > 0 &&
             (best.sighting.clear == 0 || one.sighting.foundShare() > best.sighting.foundShare()))
             best = std::move(one);
+        share.add();
     }
     if (best.sighting.clear > 0)
         best = refined(work, best.X_RC, best.blur_px, 30);
+    share.add();
     if (const auto error = reasonAgainst(work, best))
         return *error;
     if (const auto mirrored = mirroredPose(work, scene, best)) {
@@ -418,6 +424,8 @@ Result<SilhouettePose> silhouettePose(const CameraModel& camera, std::span<const
                 return Error{MessageCode::SilhouetteAmbiguous, "", {formatNumber(degFromRad(apart_rad), 2)}};
         }
     }
+
+    share.add();
 
     SilhouettePose out;
     out.foundShare = best.sighting.foundShare();

@@ -1,6 +1,7 @@
 #pragma once
 // The pose of a thermal camera in the robot's base, from the silhouettes of the objects that the robot holds.
 
+#include "engine/base/share_done.h"
 #include "engine/calibration/pose_covariance.h"
 #include "engine/calibration/verdict.h"
 #include "engine/thermography/silhouette_outline.h"
@@ -51,10 +52,11 @@ struct SilhouettePose {
 /// SilhouetteNoContrast; SilhouetteContradicts (less than half of the visible outlines are found, or they are
 /// off by more than a pixel); SilhouetteAmbiguous (a second pose within twice the start's uncertainty fits
 /// as well). Throws std::invalid_argument for a camera without size or focal lengths, a scene without
-/// objects, poses that are not finite, and options out of range. It takes some seconds.
+/// objects, poses that are not finite, and options out of range. It takes some seconds; `done` is told its
+/// share.
 Result<SilhouettePose> silhouettePose(const CameraModel& camera, std::span<const SilhouetteView> views,
                                       const SilhouetteScene& scene, const Pose& start,
-                                      const SilhouetteOptions& options = {});
+                                      const SilhouetteOptions& options = {}, const ShareDone& done = {});
 
 /// Judges the pose by its error at the objects, as relative poses are judged. Reasons: SilhouetteGood,
 /// SilhouetteUncertain.

@@ -203,7 +203,8 @@ Pose roughlyFitted(const SilhouetteOutlines& outlines, std::span<const LinearVie
 }
 
 std::vector<Pose> likelyPoses(const SilhouetteOutlines& outlines, std::span<const LinearView> views,
-                              const Pose& start, const StartUncertainty& uncertainty, double minContrast_K) {
+                              const Pose& start, const StartUncertainty& uncertainty, double minContrast_K,
+                              const ShareDone& done) {
     constexpr double kStep_px = 2.0, kRollStep_rad = 0.04;
     constexpr std::size_t kMax = 4;
     const std::vector<GridOutline> grid = gridOutlines(outlines, views, start);
@@ -223,8 +224,9 @@ std::vector<Pose> likelyPoses(const SilhouetteOutlines& outlines, std::span<cons
             .toRotationMatrix();
     };
     std::vector<GridTurn> turns;
+    ShareCount share(done, (2.0 * maxRoll + 1.0) * (2.0 * max + 1.0));
     for (int roll = -maxRoll; roll <= maxRoll; ++roll)
-        for (int x = -max; x <= max; ++x)
+        for (int x = -max; x <= max; ++x, share.add())
             for (int y = -max; y <= max; ++y) {
                 GridTurn turn{x, y, roll, 0.0};
                 turn.score = scoreOf(grid, lens, turnOf(turn), roll * kRollStep_rad, minContrast_K);

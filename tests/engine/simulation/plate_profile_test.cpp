@@ -7,6 +7,7 @@
 #include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/thermography/usual_thermal_camera.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -70,10 +71,10 @@ struct PlateScene {
         return out;
     }
 
-    Result<PlateProfile> profile(std::span<const PlateView> pictures) const {
+    Result<PlateProfile> profile(std::span<const PlateView> pictures, const ShareDone& done = {}) const {
         return plateProfile(thermalBand(), PixelRays(config.camera), config.X_RC,
                             {Disk{kPlate_m}, Pose::Identity()}, pictures,
-                            {config.source.front().emittance, {}, kAround_K}, uncertainty());
+                            {config.source.front().emittance, {}, kAround_K}, uncertainty(), {}, done);
     }
 };
 
@@ -151,6 +152,14 @@ TEST(PlateProfile, LeavesOutHiddenAndDeadPixels) {
     EXPECT_GT(rim->rings.front().radius_m, 0.055);
     EXPECT_GE(rim->remarks.size(), 10U);
     EXPECT_EQ(rim->remarks.front().code, MessageCode::PlateProfileRingUnseen);
+}
+
+TEST(PlateProfile, TellsItsShareWithEachPicture) {
+    PlateScene scene(0.9, 6);
+    const std::vector<PlateView> pictures(3, scene.views().front());
+    test::ToldShares shares;
+    ASSERT_TRUE(scene.profile(pictures, shares.told()));
+    EXPECT_EQ(shares.shares(), (std::vector<double>{1.0 / 3.0, 2.0 / 3.0, 1.0}));
 }
 
 TEST(PlateProfile, RefusesWhatShowsNoPlate) {

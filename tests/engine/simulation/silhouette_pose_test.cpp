@@ -8,6 +8,7 @@
 #include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_thermal_camera.h"
 #include "engine/thermography/usual_thermal_camera.h"
+#include "tests/support/told_shares.h"
 
 #include <gtest/gtest.h>
 
@@ -134,8 +135,8 @@ std::vector<SilhouetteView> viewsOf(const Rig& rig) {
     return views;
 }
 
-Result<SilhouettePose> found(const Rig& rig) {
-    return silhouettePose(rig.config.camera, viewsOf(rig), rig.scene(), rig.start);
+Result<SilhouettePose> found(const Rig& rig, const ShareDone& done = {}) {
+    return silhouettePose(rig.config.camera, viewsOf(rig), rig.scene(), rig.start, {}, done);
 }
 
 /// Largest distance between where an object is and where the found pose has it.
@@ -160,8 +161,10 @@ TEST(SilhouettePose, IsWhereItsCovarianceSaysInRandomScenes) {
     std::vector<double> distances, errors_m, stated_m;
     for (std::uint64_t seed = 1; seed <= kScenes; ++seed) {
         const Rig rig = randomRig(seed);
-        const auto pose = found(rig);
+        test::ToldShares shares;
+        const auto pose = found(rig, shares.told());
         ASSERT_TRUE(pose) << "scene " << seed << ": " << describe(pose.error());
+        shares.expectAWhole(10);
         distances.push_back(mahalanobis(*pose, rig.config.X_RC));
         errors_m.push_back(errorAtObjects_m(rig, pose->X_RC));
         stated_m.push_back(pose->atObjects.position_m);
