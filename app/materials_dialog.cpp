@@ -64,8 +64,8 @@ MaterialsDialog::MaterialsDialog(QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(12);
-    column->addWidget(m_message);
     column->addWidget(m_list, 1);
+    column->addWidget(m_message); // the rows stay where they are
     column->addWidget(m_values);
     column->addLayout(buttons);
 

@@ -6,6 +6,7 @@
 #include "widgets/common/countdown_bar.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/common/verdict_words.h"
@@ -51,9 +52,9 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->addWidget(m_recipe);
     column->addWidget(m_question);
     column->addWidget(m_coach);
-    column->addWidget(m_bar);
     column->addWidget(m_pages, 1);
 
+    new FloatingPlace(*m_bar, *this);
     connectRig();
     connectObjects();
     connectCalibrate();

@@ -7,6 +7,7 @@
 #include "widgets/calibrate/coverage_view.h"
 #include "widgets/calibrate/view_list.h"
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 
@@ -78,7 +79,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(10);
-    layout->addWidget(m_message);
+    new FloatingPlace(*m_message, *this);
     for (QWidget* part : {buildBoard(), buildCapture(), buildViews(), buildResult()})
         layout->addWidget(part);
     layout->addStretch(1);

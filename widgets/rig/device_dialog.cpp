@@ -126,6 +126,9 @@ void DeviceDialog::build() {
     buttons->addWidget(m_use);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_message);
+    QSizePolicy kept = m_message->sizePolicy();
+    kept.setRetainSizeWhenHidden(true); // nothing moves under the pointer when it comes
+    m_message->setSizePolicy(kept);
     layout->addLayout(m_form);
     layout->addStretch(1);
     layout->addSpacing(6);

@@ -4,6 +4,7 @@
 #include "engine/model/limits_widened.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/check_list.h"
@@ -56,8 +57,8 @@ RigPage::RigPage(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(8);
-    layout->addWidget(m_message);
     layout->addLayout(columns, 1);
+    new FloatingPlace(*m_message, *this);
     connectAll();
     retranslate();
 }

@@ -1,0 +1,88 @@
+#include "widgets/common/floating_place.h"
+#include "widgets/common/message_bar.h"
+
+#include <QCoreApplication>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+/// A page with a button in its middle.
+class FloatingPlaceTest : public testing::Test {
+protected:
+    FloatingPlaceTest() {
+        auto* layout = new QVBoxLayout(&page);
+        layout->addWidget(button);
+        new FloatingPlace(*bar, page);
+        page.resize(600, 400);
+        page.show();
+        settle();
+    }
+    static void settle() { QCoreApplication::processEvents(); }
+    static QString longSentence() { return QStringLiteral("The robot cannot be moved now. ").repeated(12); }
+
+    QWidget page;
+    QPushButton* button = new QPushButton(&page);
+    MessageBar* bar = new MessageBar(&page);
+};
+
+} // namespace
+
+// Catches: a message that moves the button under the pointer; one that is cut off or half out of the page.
+TEST_F(FloatingPlaceTest, MovesNothingAndShowsAllItsWords) {
+    const QRect before = button->geometry();
+    bar->say(MessageBar::Kind::Problem, QStringLiteral("No."));
+    settle();
+    ASSERT_TRUE(bar->isVisible());
+    EXPECT_EQ(button->geometry(), before);
+    EXPECT_TRUE(page.rect().contains(bar->geometry()));
+    EXPECT_GT(bar->geometry().top(), page.height() / 2);
+    const int height = bar->height();
+    bar->say(MessageBar::Kind::Problem, longSentence());
+    settle();
+    EXPECT_GT(bar->height(), height);
+    EXPECT_GE(bar->height(), bar->heightForWidth(bar->width()));
+    EXPECT_TRUE(page.rect().contains(bar->geometry()));
+    bar->clear();
+    settle();
+    EXPECT_EQ(button->geometry(), before);
+}
+
+// Catches: a message that stays where the page's edge was.
+TEST_F(FloatingPlaceTest, FollowsThePagesEdge) {
+    bar->say(MessageBar::Kind::Note, longSentence());
+    for (const QSize size : {QSize(900, 700), QSize(320, 300)}) {
+        page.resize(size);
+        settle();
+        EXPECT_TRUE(page.rect().contains(bar->geometry())) << size.width();
+        EXPECT_LT(page.rect().bottom() - bar->geometry().bottom(), 30) << size.width();
+        EXPECT_GE(bar->height(), bar->heightForWidth(bar->width()));
+    }
+}
+
+// Catches: a message at the foot of a long page, below what is seen of it.
+TEST(FloatingPlaceInAScrollArea, StaysInSight) {
+    QScrollArea area;
+    auto* page = new QWidget;
+    auto* bar = new MessageBar(page);
+    new FloatingPlace(*bar, *page);
+    page->setFixedSize(500, 3000);
+    area.setWidget(page);
+    area.resize(520, 400);
+    area.show();
+    QCoreApplication::processEvents();
+    bar->say(MessageBar::Kind::Note, QStringLiteral("Undone."));
+    for (const int value : {0, 700, 2000}) {
+        area.verticalScrollBar()->setValue(value);
+        QCoreApplication::processEvents();
+        EXPECT_GE(bar->geometry().top(), value);
+        EXPECT_LE(bar->geometry().bottom(), value + area.viewport()->height());
+    }
+}
+
+} // namespace bask

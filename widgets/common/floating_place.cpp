@@ -1,0 +1,41 @@
+#include "widgets/common/floating_place.h"
+
+#include <QEvent>
+#include <QWidget>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr int kMargin_px = 12, kMaxWidth_px = 760;
+
+} // namespace
+
+FloatingPlace::FloatingPlace(QWidget& bar, QWidget& page) : QObject(&bar), m_bar(bar), m_page(page) {
+    if (bar.parentWidget() != &page)
+        bar.setParent(&page);
+    bar.installEventFilter(this);
+    page.installEventFilter(this);
+}
+
+bool FloatingPlace::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    const bool isOfBar = watched == &m_bar && (type == QEvent::ShowToParent || type == QEvent::LayoutRequest);
+    const bool isOfPage =
+        watched == &m_page && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show);
+    if ((isOfBar || isOfPage) && !m_bar.isHidden())
+        place();
+    return false;
+}
+
+void FloatingPlace::place() {
+    const QRect visible = m_page.visibleRegion().boundingRect(); // a scrolled page is larger
+    const QRect seen = visible.isEmpty() ? m_page.rect() : visible;
+    const int width = std::min(seen.width() - 2 * kMargin_px, kMaxWidth_px);
+    const int height = m_bar.hasHeightForWidth() ? m_bar.heightForWidth(width) : m_bar.sizeHint().height();
+    m_bar.setGeometry(seen.center().x() - width / 2, seen.bottom() - kMargin_px - height, width, height);
+    m_bar.raise();
+}
+
+} // namespace bask
