@@ -201,8 +201,8 @@ bool isTooFine(const cv::Mat1b& image) {
 // quick beside the detection.
 bool hasManyQuads(const cv::Mat1b& image) {
     constexpr double kLooked_px = 1000.0, kMaxQuads = 1000.0;
-    constexpr double kMinPerimeter = 0.03, kAccuracy = 0.05; // of the picture's length, of the perimeter
-    constexpr int kWindow_px = 23, kDarker = 7;              // of the detector's thresholds
+    constexpr double kMinPerimeter = 0.02, kAccuracy = 0.05; // of the picture's length, of the perimeter
+    constexpr int kWindow_px = 13, kDarker = 7;              // of the detector's middle threshold
     const double length = std::max(image.cols, image.rows), times = std::min(1.0, kLooked_px / length);
     cv::Mat1b small = image, dark;
     if (times < 1.0)
