@@ -122,6 +122,7 @@ QWidget* MonitorDialog::withBrowse(QLineEdit* field, const QString& title, bool 
     auto* browse = new QPushButton(tr("Choose\u2026"), both);
     browse->setAutoDefault(false);
     browse->setAccessibleName(title);
+    field->setAccessibleName(title); // the row's caption belongs to both together
     row->addWidget(field, 1);
     row->addWidget(browse);
     connect(browse, &QPushButton::clicked, this, [this, field, title, isFolder] {

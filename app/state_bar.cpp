@@ -7,6 +7,7 @@
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/run_label_words.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/stop_button.h"
@@ -130,6 +131,7 @@ void StateBar::apply(const Snapshot& snapshot) {
         m_hold->setDefaultAction(hold);
     }
     m_clock->setText(formatDuration(snapshot.runTime_s));
+    sayWithText(m_clock, tr("Time since Start"));
     if (snapshot.labels != m_labels) {
         m_labels = snapshot.labels;
         showLabels();
@@ -297,7 +299,7 @@ void StateBar::showTag() {
 void StateBar::retranslate() {
     m_clockCaption->setText(tr("Run"));
     m_clock->setToolTip(tr("Time since Start"));
-    m_clock->setAccessibleName(tr("Time since Start"));
+    sayWithText(m_clock, tr("Time since Start"));
     showLabels();
     setAccessibleName(tr("State of the run"));
 }

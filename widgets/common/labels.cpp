@@ -55,4 +55,10 @@ void showOld(QLabel* text, bool isOld) {
     setInk(text, isOld ? std::optional(secondaryText(isDark(text->parentWidget()))) : std::nullopt);
 }
 
+void sayWithText(QLabel* label, const QString& what) {
+    const QString said = label->text().isEmpty() ? what : what + QStringLiteral(", ") + label->text();
+    if (label->accessibleName() != said)
+        label->setAccessibleName(said);
+}
+
 } // namespace bask

@@ -1,8 +1,10 @@
 #pragma once
-// Headings of parts of a page, and labels that show that something is not known, or old.
+// Headings of parts of a page, labels that show that something is not known, or old, and what a screen reader
+// says of a value.
 
 class QColor;
 class QLabel;
+class QString;
 class QWidget;
 
 namespace bask {
@@ -15,5 +17,9 @@ QLabel* boldLabel(QWidget* parent, double scale = 1.0);
 void showUnknown(QLabel* mark, QLabel* text, bool isUnknown);
 /// Greys a value that is older than it should be.
 void showOld(QLabel* text, bool isOld);
+
+/// Makes a screen reader say what the label's text is of, and the text: with a name alone it says the name
+/// and not the value. To be called whenever either has changed.
+void sayWithText(QLabel* label, const QString& what);
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #include "widgets/common/object_tile.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
 #include <QEvent>
@@ -261,6 +262,7 @@ void ObjectTile::showTemperature(const ShownObject& now) {
     const bool isOld = isUnknown(m_activity);
     const bool isDoubted = m_activity == ObjectActivity::SensorDistrusted;
     m_temperature->setText(formatTemperature(now.temperature_K, m_unit));
+    sayWithText(m_temperature, tr("Measured temperature of %1").arg(m_name));
     if (QFont font = m_temperature->font(); font.strikeOut() != isDoubted) {
         font.setStrikeOut(isDoubted);
         m_temperature->setFont(font);
@@ -301,7 +303,6 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setText(tr("Rate"));
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(nameWords(m_name));
-    m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
     m_age->setToolTip(
         tr("Age of the newest reading that was believed, or what the thermal camera sees of the "
            "object, with twice its standard uncertainty"));

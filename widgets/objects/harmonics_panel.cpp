@@ -251,7 +251,6 @@ void HarmonicsPanel::refreshTexts() {
     m_useOutline->setText(tr("Use the outli&ne itself"));
     m_useOutline->setToolTip(tr("Takes the imported outline as a polygon, corner by corner, in place of a "
                                 "Fourier outline. Exact; slower the more corners it has."));
-    m_residual->setAccessibleName(tr("Residual"));
     m_residual->setToolTip(
         tr("Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of "
            "one outline is from the other. Area: of the Fourier outline against the imported one."));

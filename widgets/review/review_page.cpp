@@ -436,7 +436,6 @@ void ReviewPage::refreshTexts() {
     for (const auto& [fact, text] : facts) {
         fact.caption->setText(text);
         fact.caption->setPalette(caption);
-        fact.value->setAccessibleName(text);
     }
     if (!m_session)
         return;

@@ -1,6 +1,7 @@
 #include "widgets/review/transport_bar.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
 #include <QComboBox>
@@ -173,6 +174,7 @@ void TransportBar::showPosition() {
     }
     m_time->setText(
         QStringLiteral("%1 / %2").arg(formatDuration(position_s), formatDuration(m_replay.end_s())));
+    sayWithText(m_time, tr("Position and length of the run"));
     showButton();
     emit moved(position_s);
 }
@@ -200,7 +202,7 @@ void TransportBar::retranslate() {
     m_play->setText({});
     m_play->setToolTip(tr("Space, while nothing else on the page takes it"));
     m_slider->setAccessibleName(tr("Position in the run"));
-    m_time->setAccessibleName(tr("Position and length of the run"));
+    sayWithText(m_time, tr("Position and length of the run"));
     m_speedLabel->setText(tr("Speed"));
     m_speed->setAccessibleName(tr("Speed of the replay"));
     for (int i = 0; i < m_speed->count(); ++i)

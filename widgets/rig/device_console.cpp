@@ -247,6 +247,7 @@ void DeviceConsole::showSending() {
 void DeviceConsole::retranslate() {
     setWindowTitle(tr("Device console"));
     m_model->retranslate();
+    m_table->setAccessibleName(tr("Traffic of the links"));
     m_link->setItemText(0, tr("All links"));
     m_link->setAccessibleName(tr("Link"));
     m_direction->setItemText(0, tr("Both directions"));

@@ -131,6 +131,7 @@ void UnitFinder::choose(const QListWidgetItem* item) {
 void UnitFinder::retranslate() {
     m_find->setText(isOn() ? tr("Stop") : tr("Find devices"));
     m_find->setToolTip(tr("Asks units 1 to 16 at this port. Nothing is written."));
+    m_found->setAccessibleName(tr("Devices found at this port"));
     if (!m_isAsked)
         m_progress->clear();
     else if (m_state.problem.code != MessageCode::None)

@@ -106,6 +106,7 @@ void SourceTile::setTemperatureUnit(TemperatureUnit unit) {
 void SourceTile::showValues() {
     const bool isNotKnown = isUnknown(m_activity);
     m_temperature->setText(formatTemperature(m_now_K.value_or(m_last_K), m_unit));
+    sayWithText(m_temperature, tr("Temperature of the source"));
     showOld(m_temperature, isNotKnown);
     m_age->setText(isNotKnown ? formatAge(m_age_s) : QString());
     m_age->setVisible(isNotKnown);
@@ -135,7 +136,6 @@ void SourceTile::retranslateUi() {
         tr("Where the heat goes, or the set point with which a run begins while it is off"));
     m_setPointCaption->setToolTip(m_setPoint->toolTip());
     setAccessibleName(tr("Source"));
-    m_temperature->setAccessibleName(tr("Temperature of the source"));
     m_stateIcon->clear();
     showValues();
 }
