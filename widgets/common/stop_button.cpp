@@ -109,7 +109,6 @@ void StopButton::paintEvent(QPaintEvent*) {
     painter.setFont(big);
     painter.drawText(QRect(left, 0, wordWidth + 2, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
     painter.setFont(font());
-    painter.setPen(QColor(255, 255, 255, 210));
     painter.drawText(QRect(left + wordWidth + 10, 0, keyWidth + 2, height()),
                      Qt::AlignVCenter | Qt::AlignLeft, QStringLiteral("F12"));
 }

@@ -25,7 +25,7 @@ struct Shades {
     QRgb window, base, alternate, button, text, disabled, placeholder, highlight, highlightedText;
     QRgb light, midlight, mid, dark, shadow, toolTip, link;
 };
-constexpr Shades kLight{0xf2f3f4, 0xffffff, 0xf7f8f9, 0xe9ebed, 0x1d2125, 0x8d959d, 0x78818a, 0x2f6da8,
+constexpr Shades kLight{0xf2f3f4, 0xffffff, 0xf7f8f9, 0xe9ebed, 0x1d2125, 0x8d959d, 0x687179, 0x2f6da8,
                         0xffffff, 0xffffff, 0xeef0f1, 0xb9c0c6, 0x9aa2a9, 0x6d757c, 0xfffbe6, 0x1f5f99};
 constexpr Shades kDark{0x212427, 0x181a1c, 0x1e2123, 0x2e3236, 0xe4e7ea, 0x767e86, 0x868f97, 0x3a78b2,
                        0xffffff, 0x454a4f, 0x383c41, 0x15171a, 0x121416, 0x000000, 0x2e3236, 0x7ab8f0};
@@ -159,12 +159,24 @@ QColor alarmColor(int priority, bool dark) {
     }
 }
 
+QColor alarmEdgeColor(int priority, bool dark) {
+    const QColor colour = alarmColor(priority, dark);
+    return priority == 3 && !dark ? colour.darker(150) : colour;
+}
+
+QColor alarmInkColor(int priority, bool dark) {
+    return priority == 1 && !dark ? Qt::white : Qt::black;
+}
+
 QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, bool isOver) {
     QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(isOver ? QPen(secondaryText(dark), 1.2) : QPen(Qt::NoPen));
-    painter.setBrush(isOver ? QBrush(Qt::NoBrush) : QBrush(alarmColor(priority, dark)));
+    const QColor colour = alarmColor(priority, dark), rim = alarmEdgeColor(priority, dark);
+    painter.setPen(isOver          ? QPen(secondaryText(dark), 1.2)
+                   : rim != colour ? QPen(rim, 1.0)
+                                   : QPen(Qt::NoPen));
+    painter.setBrush(isOver ? QBrush(Qt::NoBrush) : QBrush(colour));
     const double edge = isOver ? 1.0 : 0.5;
     const QRectF box = QRectF(0, 0, size, size).adjusted(edge, edge, -edge, -edge);
     QRectF textBox = box;
@@ -183,7 +195,7 @@ QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, 
     font.setBold(true);
     font.setPixelSize(qMax(6, qRound(size * (priority == 1 ? 0.58 : 0.62))));
     painter.setFont(font);
-    painter.setPen(isOver ? secondaryText(dark) : QColor(priority == 1 && !dark ? Qt::white : Qt::black));
+    painter.setPen(isOver ? secondaryText(dark) : alarmInkColor(priority, dark));
     painter.drawText(textBox, Qt::AlignCenter, QString::number(priority));
     return pixmap;
 }

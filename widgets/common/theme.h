@@ -37,6 +37,11 @@ QPixmap seriesSwatch(int index, bool dark, QSize size, double devicePixelRatio);
 
 /// Alarm colours; always shown with their shape and figure. Priority 1 red, 2 orange, 3 yellow.
 QColor alarmColor(int priority, bool dark);
+/// Edge of the mark, at least 3:1 on window and base: yellow on a light ground has a darker one, the others
+/// their own colour.
+QColor alarmEdgeColor(int priority, bool dark);
+/// Ink of the figure on the mark.
+QColor alarmInkColor(int priority, bool dark);
 /// Returns a red triangle "1", orange diamond "2" or yellow circle "3"; for an alarm that is over, the grey
 /// outline.
 QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, bool isOver = false);

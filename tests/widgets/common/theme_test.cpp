@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace bask;
@@ -38,6 +39,64 @@ TEST(Theme, ContrastInLightAndDark) {
             EXPECT_GE(contrast(seriesColor(i, dark), palette.color(QPalette::Base)), 3.0)
                 << i << (dark ? " dark" : " light");
     }
+}
+
+// Catches: words and lines on a ground of their own, alternate rows, tips and tints of states, and captions
+// of empty fields and links that are too pale.
+TEST(Theme, ContrastOfEverySmallerPair) {
+    for (const bool dark : {false, true}) {
+        SCOPED_TRACE(dark ? "dark" : "light");
+        const QPalette palette = themePalette(dark);
+        const auto of = [&](QPalette::ColorRole role) { return palette.color(role); };
+        EXPECT_GE(contrast(of(QPalette::PlaceholderText), of(QPalette::Base)), 4.5);
+        EXPECT_GE(contrast(of(QPalette::ToolTipText), of(QPalette::ToolTipBase)), 4.5);
+        EXPECT_GE(contrast(of(QPalette::ButtonText), of(QPalette::Button)), 4.5);
+        for (auto ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase}) {
+            EXPECT_GE(contrast(of(QPalette::WindowText), of(ground)), 4.5) << ground;
+            EXPECT_GE(contrast(secondaryText(dark), of(ground)), 4.5) << ground;
+            EXPECT_GE(contrast(of(QPalette::Link), of(ground)), 4.5) << ground;
+            EXPECT_GE(contrast(accentColor(dark), of(ground)), 4.5) << ground << ": words of REPLAY and LIVE";
+            for (int object = 0; object < 5; ++object)
+                EXPECT_GE(contrast(seriesColor(object, dark), of(ground)), 3.0) << ground << ' ' << object;
+        }
+        for (auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+            EXPECT_GE(contrast(palette.color(QPalette::Disabled, role), of(QPalette::Window)), 2.5)
+                << "less than others, but not nothing";
+    }
+}
+
+// Catches: a figure that is not read on its mark, a mark that is not seen, and words lost on a chip's tint.
+TEST(Theme, ContrastOfAlarms) {
+    constexpr double kStrongestTint = 0.30; // of a fault's chip under the mouse
+    for (const bool dark : {false, true}) {
+        const QPalette palette = themePalette(dark);
+        const QColor text = palette.color(QPalette::WindowText);
+        for (int priority = 1; priority <= 3; ++priority) {
+            SCOPED_TRACE(testing::Message() << priority << (dark ? ", dark" : ", light"));
+            const QColor colour = alarmColor(priority, dark);
+            EXPECT_GE(contrast(alarmInkColor(priority, dark), colour), 4.5);
+            for (auto ground : {QPalette::Window, QPalette::Base}) {
+                EXPECT_GE(contrast(alarmEdgeColor(priority, dark), palette.color(ground)), 3.0) << ground;
+                EXPECT_GE(contrast(text, mixed(colour, palette.color(ground), kStrongestTint)), 4.5)
+                    << ground;
+            }
+        }
+        for (const QColor& colour : {unknownColor(dark), accentColor(dark)}) {
+            const QColor tint = mixed(colour, palette.color(QPalette::Window), kStrongestTint);
+            EXPECT_GE(contrast(text, tint), 4.5) << colour.name().toStdString();
+        }
+    }
+}
+
+// Catches: an edge that is declared and not drawn.
+TEST(Theme, AYellowMarkHasItsEdge) {
+    const QImage mark = alarmPixmap(3, false, 40, 1.0).toImage();
+    int darkest = 255;
+    for (int x = 0; x < 3; ++x)
+        if (const QColor colour = mark.pixelColor(x, 20); colour.alpha() > 200)
+            darkest = std::min(darkest, colour.red());
+    EXPECT_LT(darkest, alarmColor(3, false).red() - 40);
+    EXPECT_EQ(mark.pixelColor(5, 20), alarmColor(3, false)) << "inside it is as yellow as ever";
 }
 
 // Catches two objects that look the same: colour and dash together differ for six.
