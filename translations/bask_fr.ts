@@ -4191,6 +4191,10 @@
         <source>Send</source>
         <translation>Envoyer</translation>
     </message>
+    <message>
+        <source>Traffic of the links</source>
+        <translation>Trafic des liaisons</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceDialog</name>
@@ -4778,10 +4782,6 @@
     <message>
         <source>Number of harmonics</source>
         <translation>Nombre d’harmoniques</translation>
-    </message>
-    <message>
-        <source>Residual</source>
-        <translation>Résidu</translation>
     </message>
     <message>
         <source>With this number of harmonics the outline crosses itself; choose another.</source>
@@ -10606,6 +10606,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Choose one:</source>
         <translation>Choisissez-en un&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Devices found at this port</source>
+        <translation>Appareils trouvés à ce port</translation>
     </message>
 </context>
 <context>

@@ -4186,6 +4186,10 @@
         <source>Send</source>
         <translation>发送</translation>
     </message>
+    <message>
+        <source>Traffic of the links</source>
+        <translation>链路的通信</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceDialog</name>
@@ -4773,10 +4777,6 @@
     <message>
         <source>Number of harmonics</source>
         <translation>谐波的个数</translation>
-    </message>
-    <message>
-        <source>Residual</source>
-        <translation>残差</translation>
     </message>
     <message>
         <source>With this number of harmonics the outline crosses itself; choose another.</source>
@@ -10584,6 +10584,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Choose one:</source>
         <translation>请选择一项：</translation>
+    </message>
+    <message>
+        <source>Devices found at this port</source>
+        <translation>在此端口找到的设备</translation>
     </message>
 </context>
 <context>

@@ -4186,6 +4186,10 @@
         <source>Send</source>
         <translation>傳送</translation>
     </message>
+    <message>
+        <source>Traffic of the links</source>
+        <translation>連線的通訊</translation>
+    </message>
 </context>
 <context>
     <name>bask::DeviceDialog</name>
@@ -4773,10 +4777,6 @@
     <message>
         <source>Number of harmonics</source>
         <translation>諧波的個數</translation>
-    </message>
-    <message>
-        <source>Residual</source>
-        <translation>殘差</translation>
     </message>
     <message>
         <source>With this number of harmonics the outline crosses itself; choose another.</source>
@@ -10584,6 +10584,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Choose one:</source>
         <translation>請選擇一項：</translation>
+    </message>
+    <message>
+        <source>Devices found at this port</source>
+        <translation>在此連接埠找到的裝置</translation>
     </message>
 </context>
 <context>
