@@ -32,7 +32,7 @@
 namespace bask {
 namespace {
 
-constexpr int kPanelWidth = 440;
+constexpr int kPanelWidth = 440, kPanelLines = 26; // px; of text, where that is larger
 const QString kQuestion = QStringLiteral("limitQuestion");
 
 } // namespace
@@ -46,7 +46,7 @@ RigPage::RigPage(QWidget* parent)
     m_message->setObjectName("rigMessage");
     m_tabs->setObjectName("rigTabs");
     m_tabs->setDocumentMode(true);
-    m_tabs->setFixedWidth(kPanelWidth);
+    m_tabs->setFixedWidth(std::max(kPanelWidth, kPanelLines * fontMetrics().height()));
     m_tabs->addTab(scrolled(buildManual()), QString());
     m_tabs->addTab(scrolled(buildLimits()), QString());
 

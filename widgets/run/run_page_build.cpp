@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kSpeeds[] = {1.0, 2.0, 5.0, 10.0, 20.0};
 constexpr double kWindows_s[] = {0.0, 60.0, 300.0, 1800.0};
-constexpr int kGap = 8;
+constexpr int kGap = 8, kMinSide_px = 300;
 
 QToolButton* viewButton(QWidget* parent, const char* name) {
     auto* button = new QToolButton(parent);
@@ -158,7 +158,6 @@ QWidget* RunPage::makePlots() {
 
 QWidget* RunPage::makeSide() {
     auto* side = new QWidget(this);
-    side->setMinimumWidth(300);
     m_sceneLabel = new QLabel(side);
     m_viewTop = viewButton(side, "viewTop");
     m_viewSide = viewButton(side, "viewSide");
@@ -210,6 +209,7 @@ QWidget* RunPage::makeSide() {
     layout->addLayout(limits);
     layout->addWidget(m_controller);
     layout->addWidget(m_speedRow);
+    layout->addStrut(kMinSide_px); // wider where the words need it
     return side;
 }
 
