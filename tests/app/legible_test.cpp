@@ -106,7 +106,9 @@ private:
                 if (!header->isSectionHidden(i)) {
                     const int hint = header->sectionSizeHint(i);
                     ++m_looked;
-                    if (header->sectionSize(i) < hint)
+                    const bool isTold =
+                        header->model()->headerData(i, Qt::Horizontal, Qt::ToolTipRole).isValid();
+                    if (header->sectionSize(i) < hint && !isTold) // by pointing at it
                         m_found << QStringLiteral("%1 of %2 has %3, needs %4: %5")
                                        .arg(nameOf(header), nameOf(header->parent()))
                                        .arg(header->sectionSize(i))

@@ -321,6 +321,8 @@ void AlarmList::retranslateUi() {
     setAccessibleName(tr("Alarms"));
     m_tree->setAccessibleName(accessibleName());
     m_tree->setHeaderLabels({tr("Priority"), tr("State"), tr("Raised"), tr("Times"), tr("What is wrong")});
+    // The other columns may leave it little room.
+    m_tree->headerItem()->setToolTip(kWhat, tr("What is wrong"));
     m_guidance->setAccessibleName(tr("What to do about the alarm"));
     m_shelve->setIcon(QIcon(shelfPixmap(palette().color(QPalette::ButtonText), devicePixelRatioF())));
     m_acknowledge->setText(tr("Acknowledge"));

@@ -418,7 +418,8 @@ void ObjectProperties::refreshTexts() {
         captions.emplace_back(field, parameterLabel(*parameter));
     const QPalette caption = captionPalette(palette());
     for (const auto& [field, text] : captions) {
-        field->setAccessibleName(text);
+        if (qobject_cast<QLabel*>(field) == nullptr) // of a label it would be said in its text's place
+            field->setAccessibleName(text);
         for (const Caption& c : m_captions) {
             if (c.field == field) {
                 c.label->setText(text);

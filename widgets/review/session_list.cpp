@@ -311,6 +311,9 @@ void SessionList::showRows() {
 
 /// Titles get what the other columns leave.
 void SessionList::fitNames() {
+    for (int column = 0; column < m_tree->columnCount(); ++column) // larger text, another language
+        m_tree->setColumnWidth(
+            column, std::max(m_tree->columnWidth(column), m_tree->header()->sectionSizeHint(column)));
     int others = 0;
     for (const ListColumn column : {kDate, kOutcome, kDuration})
         others += m_tree->columnWidth(column);

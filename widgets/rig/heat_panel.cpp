@@ -25,10 +25,8 @@ HeatPanel::HeatPanel(QWidget* parent)
     m_take->setObjectName("takeTyped");
     m_state->setObjectName("heatState");
     m_state->setWordWrap(true);
-    for (QuantitySpinBox* field : {m_setPoint, m_typed}) {
+    for (QuantitySpinBox* field : {m_setPoint, m_typed})
         field->setRange_K(kMinTemperature_degC + kZeroCelsius_K, kMaxTemperature_degC + kZeroCelsius_K);
-        field->setMinimumWidth(110);
-    }
     m_setPointLabel->setBuddy(m_setPoint);
     m_typedLabel->setBuddy(m_typed);
     const auto row = [](std::initializer_list<QWidget*> parts) {

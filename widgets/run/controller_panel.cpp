@@ -32,6 +32,7 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     m_choiceLabel = new QLabel(this);
     m_choice = new QComboBox(this);
     m_choice->setObjectName(QStringLiteral("controllerChoice"));
+    m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents); // also when the language changes
     m_choiceLabel->setBuddy(m_choice);
     for (const ControllerEntry& entry : controllerCatalogue())
         m_choice->addItem(QString(), QLatin1String(entry.kind.key()));
@@ -209,6 +210,7 @@ void ControllerPanel::retranslateUi() {
         m_choice->setItemText(i, controllerWord(entry.kind));
         m_choice->setItemData(i++, QCoreApplication::translate("Controller", entry.help), Qt::ToolTipRole);
     }
+    m_choice->setMinimumWidth(m_choice->sizeHint().width()); // Qt keeps the minimum of the old words
     for (const Gain& gain : m_gains) {
         const ParameterFacts& facts = *gain.gain->facts;
         const QString unit = QString::fromUtf8(facts.unit.symbol);

@@ -165,7 +165,7 @@ void TargetsPage::buildRows() {
         m_grid->addWidget(m_headers.back(), 0, column);
     }
     m_grid->setColumnStretch(3, 1);
-    m_grid->setColumnMinimumWidth(1, 110);
+    m_grid->setColumnMinimumWidth(1, 120);
     for (std::size_t i = 0; i < m_experiment.objects.size(); ++i)
         addRow(static_cast<int>(i));
     m_grid->addWidget(horizontalLine(m_table), kLinesPerRow * static_cast<int>(m_rows.size()) + 1, 0, 1,
@@ -195,7 +195,6 @@ void TargetsPage::addRow(int index) {
     large.setPointSizeF(large.pointSizeF() * 1.2);
     made.target->setFont(large);
     made.target->setFocusPolicy(Qt::StrongFocus);
-    made.target->setMinimumWidth(120);
     made.bar->setSeries(index);
     made.name->setBuddy(made.target);
     made.target->setRange_K(kelvinFromCelsius(kMinTemperature_degC), kelvinFromCelsius(kMaxTemperature_degC));
