@@ -255,19 +255,23 @@ TEST_F(LegibleTest, NoTextIsCutOffInAnyLanguage) {
 // Catches: a width or height in pixels that larger text does not fit, and parts that a page which scrolls
 // presses together. A screen whose scale is 150 or 200 % has the room of a smaller one.
 TEST_F(LegibleTest, NoTextIsCutOffWhateverTheScreenAndTheTextAre) {
-    const std::pair<double, std::vector<QSize>> screens[] = {
+    struct Screens {
+        double text;
+        std::vector<QSize> sizes;
+    };
+    const Screens all[] = {
         {1.0, {{640, 360}, {683, 467}, {853, 533}, {1920, 1080}}},
         {1.5, {{1280, 800}}},
         {2.0, {{1920, 1080}}},
     };
     const QFont before = QApplication::font();
-    for (const auto& [text, sizes] : screens) {
+    for (const Screens& screens : all) {
         QFont font = before;
-        font.setPointSizeF(before.pointSizeF() * text);
+        font.setPointSizeF(before.pointSizeF() * screens.text);
         QApplication::setFont(font);
-        openWindow(sizes.front());
+        openWindow(screens.sizes.front());
         ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
-        for (const QSize& size : sizes) {
+        for (const QSize& size : screens.sizes) {
             window->resize(size);
             for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
                 window->setLanguage(QLatin1String(language));
@@ -276,7 +280,7 @@ TEST_F(LegibleTest, NoTextIsCutOffWhateverTheScreenAndTheTextAre) {
                     const Cut cut(window.get());
                     EXPECT_TRUE(cut.found().isEmpty())
                         << language << ", page " << page << ", " << size.width() << " x " << size.height()
-                        << ", text " << text << "\n  "
+                        << ", text " << screens.text << "\n  "
                         << cut.found().join(QStringLiteral("\n  ")).toStdString();
                 });
             }
