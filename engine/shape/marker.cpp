@@ -314,7 +314,7 @@ std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id)
 
 bool isCrowded(const GreyPicture& picture) {
     const cv::Mat1b image = imageOf(picture);
-    return !image.empty() && (isTooFine(image) || hasManyQuads(image));
+    return std::min(image.cols, image.rows) > 1 && (isTooFine(image) || hasManyQuads(image));
 }
 
 std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary) {
