@@ -85,7 +85,8 @@ Result<std::vector<PlateView>> readViews(const std::vector<std::string>& paths,
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
-        progress.makeRoom();
+        if (!frame->warnings.empty())
+            progress.makeRoom();
         tellWarnings(kPlateProfile, path, *frame);
         if (lens.width == 0) {
             lens.width = frame->picture.width;

@@ -42,8 +42,10 @@ Progress::~Progress() {
 }
 
 void Progress::makeRoom() {
-    if (m_isShown && m_isTerminal)
+    if (m_isShown && m_isTerminal) {
         std::fputs("\r\033[K", stderr);
+        m_isShown = false;
+    }
 }
 
 ShareDone Progress::share() {

@@ -78,7 +78,8 @@ Result<std::vector<SilhouetteView>> readViews(const std::string& listPath, const
         auto frame = readFrame(path, profile);
         if (!frame)
             return frame.error();
-        progress.makeRoom();
+        if (!frame->warnings.empty())
+            progress.makeRoom();
         tellWarnings(kThermalPose, path, *frame);
         views.push_back({std::move(frame->picture), poseFromCoordinates(listed.pose)});
         tellShare(done, static_cast<double>(views.size()) / static_cast<double>(list.frames.size()));

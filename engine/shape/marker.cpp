@@ -236,8 +236,6 @@ std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictiona
     const auto resize = [&] {
         cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
     };
-    if (hasManyQuads(image))
-        return markers;
     if (times != 1.0)
         resize();
     while (isTooFine(looked) && std::min(looked.cols, looked.rows) / 2 >= dictionary.markerSize + 4) {
@@ -318,12 +316,17 @@ bool isCrowded(const GreyPicture& picture) {
 }
 
 std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary) {
-    return found(imageOf(picture), library(dictionary), 1);
+    const cv::Mat1b image = imageOf(picture);
+    if (hasManyQuads(image))
+        return {};
+    return found(image, library(dictionary), 1);
 }
 
 std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary) {
     constexpr int kMaxPixels = 4'000'000;
     const cv::Mat1b image = imageOf(picture);
+    if (hasManyQuads(image))
+        return {};
     const cv::aruco::Dictionary from = library(dictionary);
     std::vector<FoundMarker> markers = found(image, from, 1);
     if (picture.width > kMaxPixels / std::max(picture.height, 1))

@@ -13,8 +13,6 @@ constexpr int kMargin_px = 12, kMaxWidth_px = 760;
 } // namespace
 
 FloatingPlace::FloatingPlace(QWidget& bar, QWidget& page) : QObject(&bar), m_bar(bar), m_page(page) {
-    if (bar.parentWidget() != &page)
-        bar.setParent(&page);
     bar.installEventFilter(this);
     page.installEventFilter(this);
 }

@@ -7,8 +7,8 @@ class QWidget;
 
 namespace bask {
 
-/// Places `bar` over what is seen of `page`, in its middle, as high as its words need. It belongs to the bar,
-/// which becomes a child of the page.
+/// Places `bar`, a child of `page` in no layout, over what is seen of the page, in its middle, as high as its
+/// words need. It belongs to the bar.
 class FloatingPlace : public QObject {
     Q_OBJECT
 
