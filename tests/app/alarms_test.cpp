@@ -40,14 +40,6 @@ protected:
         return item != nullptr ? item->text(column) : QString();
     }
     void trigger(const char* action) { window->findChild<QAction*>(QLatin1String(action))->trigger(); }
-    void startRun() {
-        ASSERT_NO_FATAL_FAILURE(goFast());
-        ASSERT_TRUE(waitForState(RunState::Ready));
-        click("armButton");
-        ASSERT_TRUE(waitForState(RunState::Armed));
-        click("startButton");
-        ASSERT_TRUE(waitFor([this] { return !samples.empty(); }));
-    }
     void atRealSpeed() {
         window->engine().send(SetSimulationSpeed{1.0});
         ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().simulationSpeed == 1.0; }));
@@ -203,7 +195,7 @@ TEST_F(AlarmsTest, OverTemperatureIsActedUponBehindADialog) {
     experiment.safety.trip_K = kelvinFromCelsius(52.0);
     experiment.sampling.period_s = 0.1;
     ASSERT_TRUE(window->document().edit(experiment).ok());
-    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(startRun(1));
     const auto true_K = [this] { return window->lastSnapshot().latest.objects[0].true_K; };
     window->engine().send(SimulateFault{SimulatedFault::ObjectHot, 0});
     ASSERT_TRUE(waitFor([&] { return true_K() > kelvinFromCelsius(40.0); }));
@@ -243,7 +235,7 @@ TEST_F(AlarmsTest, OverTemperatureIsActedUponBehindADialog) {
 // Catches: a loop or a recording that waits for the window.
 TEST_F(AlarmsTest, ABlockedWindowHoldsUpNothing) {
     ASSERT_NO_FATAL_FAILURE(openAt10Hz());
-    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(startRun(1));
     ASSERT_NO_FATAL_FAILURE(atRealSpeed());
     const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
     const double before_s = window->lastSnapshot().runTime_s;

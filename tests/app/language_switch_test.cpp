@@ -192,22 +192,13 @@ protected:
     }
 
     void fillEverything() {
-        ASSERT_NO_FATAL_FAILURE(goFast());
-        ASSERT_TRUE(waitForState(RunState::Ready));
-        click("armButton");
-        ASSERT_TRUE(waitForState(RunState::Armed));
-        click("startButton");
-        ASSERT_TRUE(waitFor([this] { return samples.size() > 5; }));
+        ASSERT_NO_FATAL_FAILURE(startRun(6));
         click("holdButton");
         ASSERT_TRUE(waitForState(RunState::Holding));
         const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
         click("stopRunButton");
         ASSERT_TRUE(waitForState(RunState::Stopped));
-        bool opened = false;
-        QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
-                         [&] { opened = true; });
-        window->files().open(recording);
-        ASSERT_TRUE(waitFor([&] { return opened; }));
+        openRecording(recording);
     }
 
     QMap<QString, QStringList> m_texts; ///< by the language's code

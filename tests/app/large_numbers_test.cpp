@@ -33,14 +33,6 @@ protected:
         ASSERT_TRUE(QTest::qWaitForWindowExposed(view()));
         ASSERT_TRUE(waitFor([this] { return text("largeTarget", "largeTile.2") != QString(); }));
     }
-    void startRun() {
-        ASSERT_NO_FATAL_FAILURE(goFast());
-        ASSERT_TRUE(waitForState(RunState::Ready));
-        click("armButton");
-        ASSERT_TRUE(waitForState(RunState::Armed));
-        click("startButton");
-        ASSERT_TRUE(waitFor([this] { return samples.size() > 5; }));
-    }
     QString text(const char* name, const char* tile = nullptr) {
         const QWidget* in = tile ? view()->findChild<QWidget*>(QLatin1String(tile)) : view();
         const auto* found = in ? in->findChild<LargeText*>(QLatin1String(name)) : nullptr;
@@ -75,7 +67,7 @@ protected:
 // Catches: another value or word than the tiles have, and a STOP that stops nothing.
 TEST_F(LargeNumbersWindowTest, ShowsWhatTheTilesShowAndItsStopStopsTheRun) {
     ASSERT_NO_FATAL_FAILURE(openWindow());
-    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(startRun(6));
     ASSERT_NO_FATAL_FAILURE(openLarge());
     for (const char* unit : {"celsius", "fahrenheit", "kelvin"}) {
         find<QAction>(unit)->trigger();
@@ -124,7 +116,7 @@ TEST_F(LargeNumbersWindowTest, BothWindowsKeepTheirStop) {
 // Catches: figures of a lost sensor, or of an engine that is silent, which look alive on the second screen.
 TEST_F(LargeNumbersWindowTest, WhatIsNotKnownIsNotShownAsKnown) {
     ASSERT_NO_FATAL_FAILURE(openWindow());
-    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(startRun(6));
     ASSERT_NO_FATAL_FAILURE(openLarge());
     window->engine().send(SimulateFault{SimulatedFault::SensorOpen, 1});
     ASSERT_TRUE(waitFor([this] { return isUnknown(find<ObjectTile>("objectTile.1")->activity()); }));
@@ -158,7 +150,7 @@ TEST_F(LargeNumbersWindowTest, WhatIsNotKnownIsNotShownAsKnown) {
 TEST_F(LargeNumbersWindowTest, ComesAndGoesWithoutTouchingTheRun) {
     const QSize size(700, 500);
     ASSERT_NO_FATAL_FAILURE(openWindow());
-    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(startRun(6));
     ASSERT_NO_FATAL_FAILURE(openLarge());
     EXPECT_EQ(view()->parentWidget(), nullptr) << "it would stay above the main window";
     view()->resize(size);

@@ -111,18 +111,13 @@ protected:
                                       now.state == RunState::Running || now.state == RunState::Settled);
     }
 
-    void settle() {
-        const QDeadlineTimer settled(200);
-        waitFor([&] { return settled.hasExpired(); });
-    }
-
     void expectQuietPages(const std::string& when) {
         for (const Theme theme : {Theme::Light, Theme::Dark}) {
             const bool dark = theme == Theme::Dark;
             applyTheme(*qApp, theme);
             for (int page = 0; page < kPages; ++page) {
                 window->pages().show(static_cast<Page>(page));
-                settle();
+                waitForLayouts();
                 ASSERT_EQ(isDark(window.get()), dark);
                 ASSERT_TRUE(isNormal())
                     << when << ", page " << page << ": " << runStateName(window->lastSnapshot().state);
@@ -140,11 +135,7 @@ TEST_F(NormalLookTest, NoPageHasAnAlarmsColour) {
     openWindow();
     ASSERT_TRUE(waitForState(RunState::Ready));
     ASSERT_NO_FATAL_FAILURE(expectQuietPages("ready"));
-    ASSERT_NO_FATAL_FAILURE(goFast());
-    click("armButton");
-    ASSERT_TRUE(waitForState(RunState::Armed));
-    click("startButton");
-    ASSERT_TRUE(waitFor([this] { return samples.size() > 5; }));
+    ASSERT_NO_FATAL_FAILURE(startRun(6));
     ASSERT_NO_FATAL_FAILURE(expectQuietPages("running"));
 }
 
@@ -158,7 +149,7 @@ TEST_F(NormalLookTest, AnAlarmsColoursAreFound) {
     for (const Theme theme : {Theme::Light, Theme::Dark}) {
         const bool dark = theme == Theme::Dark;
         applyTheme(*qApp, theme);
-        settle();
+        waitForLayouts();
         EXPECT_GT(alarmsSeen(dark).count, 500) << "the chip";
         const QPalette palette = themePalette(dark);
         for (int priority = 1; priority <= 3; ++priority) {

@@ -72,14 +72,14 @@ protected:
         for (int page = 0; page < kPages; ++page) {
             window->pages().show(static_cast<Page>(page));
             const std::string where = "page " + std::to_string(page);
-            settle();
+            waitForLayouts();
             look(where);
             for (QTabBar* tabs : visible<QTabBar>())
                 for (int i = 0, before = tabs->currentIndex(); i <= tabs->count(); ++i) {
                     if (i < tabs->count() && (i == before || !tabs->isTabVisible(i)))
                         continue;
                     tabs->setCurrentIndex(i < tabs->count() ? i : before);
-                    settle();
+                    waitForLayouts();
                     look(where + ", " + tabs->tabText(tabs->currentIndex()).toStdString());
                 }
         }
@@ -87,7 +87,7 @@ protected:
         ASSERT_TRUE(details->isVisible()) << "no run is open";
         for (int i = 0; i < details->count(); ++i) {
             details->setCurrentIndex(i);
-            settle();
+            waitForLayouts();
             look(details->currentText().toStdString());
         }
     }
@@ -105,30 +105,6 @@ protected:
             if (widget->objectName() == name)
                 return widget;
         return nullptr;
-    }
-
-    /// Fills tiles, tables and lists.
-    void openARun() {
-        ASSERT_NO_FATAL_FAILURE(goFast());
-        ASSERT_TRUE(waitForState(RunState::Ready));
-        click("armButton");
-        ASSERT_TRUE(waitForState(RunState::Armed));
-        click("startButton");
-        ASSERT_TRUE(waitFor([this] { return samples.size() > 20; }));
-        click("holdButton");
-        ASSERT_TRUE(waitForState(RunState::Holding));
-        const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
-        bool isOpened = false;
-        QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
-                         [&] { isOpened = true; });
-        window->files().open(recording);
-        ASSERT_TRUE(waitFor([&] { return isOpened; }));
-    }
-
-private:
-    void settle() {
-        const QDeadlineTimer settled(200);
-        waitFor([&] { return settled.hasExpired(); });
     }
 };
 
@@ -182,7 +158,7 @@ void lookAtTable(QAbstractItemView& view, const std::string& where) {
 // Catches: a control, a plot or a view that Tab reaches and nobody can tell what it is.
 TEST_F(ScreenReaderTest, WhateverTabReachesHasAName) {
     openWindow();
-    ASSERT_NO_FATAL_FAILURE(openARun());
+    ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
     int looked = 0;
     onEachView([&](const std::string& where) {
         for (QWidget* widget : visible<QWidget>()) {
@@ -198,7 +174,7 @@ TEST_F(ScreenReaderTest, WhateverTabReachesHasAName) {
 // Catches: a value whose name is all that is said of it.
 TEST_F(ScreenReaderTest, WhateverALabelShowsIsSaid) {
     openWindow();
-    ASSERT_NO_FATAL_FAILURE(openARun());
+    ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
     int looked = 0;
     onEachView([&](const std::string& where) {
         for (QLabel* label : visible<QLabel>()) {
@@ -217,7 +193,7 @@ TEST_F(ScreenReaderTest, WhateverALabelShowsIsSaid) {
 // Catches: a tile or a chip that is named and keeps its number to itself.
 TEST_F(ScreenReaderTest, TilesAndChipsSayTheirNumbersAndWords) {
     openWindow();
-    ASSERT_NO_FATAL_FAILURE(openARun());
+    ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
     window->pages().show(Page::Run);
     QCoreApplication::processEvents();
     const Experiment& experiment = window->document().experiment();
@@ -286,7 +262,7 @@ TEST_F(ScreenReaderTest, FieldsOfDialogsHaveNames) {
 // Catches: a cell that shows a picture only, a table without a name or without its columns' names.
 TEST_F(ScreenReaderTest, TablesSayTheirCells) {
     openWindow();
-    ASSERT_NO_FATAL_FAILURE(openARun());
+    ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
     int cells = 0;
     onEachView([&](const std::string& where) {
         for (QAbstractItemView* view : visible<QAbstractItemView>()) {

@@ -57,6 +57,35 @@ void WindowTest::goFast() {
     ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().simulationSpeed == 20.0; }));
 }
 
+void WindowTest::startRun(std::size_t count) {
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    click("armButton");
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    click("startButton");
+    ASSERT_TRUE(waitFor([&] { return samples.size() >= count; }));
+}
+
+void WindowTest::openRecording(const QString& path) {
+    bool isOpened = false;
+    QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
+                     [&] { isOpened = true; });
+    window->files().open(path);
+    ASSERT_TRUE(waitFor([&] { return isOpened; }));
+}
+
+void WindowTest::holdARunAndOpenIt() {
+    ASSERT_NO_FATAL_FAILURE(startRun(21));
+    click("holdButton");
+    ASSERT_TRUE(waitForState(RunState::Holding));
+    openRecording(QString::fromStdString(window->lastSnapshot().recordingPath));
+}
+
+void WindowTest::waitForLayouts() {
+    const QDeadlineTimer settled(200);
+    waitFor([&] { return settled.hasExpired(); });
+}
+
 void WindowTest::click(const char* name) {
     auto* button = find<QAbstractButton>(name);
     ASSERT_NE(button, nullptr);

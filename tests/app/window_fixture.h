@@ -25,6 +25,15 @@ protected:
     /// Simulated time runs 20 times as fast, chosen with the keyboard on the Run page.
     void goFast();
 
+    /// Arms and starts, at 20 times the speed; waits for so many samples.
+    void startRun(std::size_t count);
+    /// Opens a recording in Review.
+    void openRecording(const QString& path);
+    /// Fills tables, tiles and lists.
+    void holdARunAndOpenIt();
+    /// Layouts, one after the other.
+    void waitForLayouts();
+
     template <class Widget> Widget* find(const char* name) {
         auto* found = window->findChild<Widget*>(QLatin1String(name));
         EXPECT_NE(found, nullptr) << name;
