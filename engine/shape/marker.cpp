@@ -204,6 +204,8 @@ bool hasManyQuads(const cv::Mat1b& image) {
     constexpr double kMinPerimeter = 0.02, kAccuracy = 0.05; // of the picture's length, of the perimeter
     constexpr int kWindow_px = 13, kDarker = 7;              // of the detector's middle threshold
     const double length = std::max(image.cols, image.rows), times = std::min(1.0, kLooked_px / length);
+    if (std::min(image.cols, image.rows) * times < kWindow_px)
+        return false; // there is no place for so many, and OpenCV throws on pictures of no pixel
     cv::Mat1b small = image, dark;
     if (times < 1.0)
         cv::resize(image, small, {}, times, times, cv::INTER_AREA);
