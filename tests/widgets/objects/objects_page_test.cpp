@@ -264,7 +264,8 @@ TEST_F(ObjectsPageTest, ThePreviewTellsTheDistancesOfTheFitShown) {
 TEST_F(ObjectsPageTest, ResidualIsThatOfTheFitInMillimetres) {
     select("hand");
     ASSERT_TRUE(fitted());
-    const FourierFit fit = fitFourier(example().objects[2].origin.outline, 5).value();
+    const ContourOrigin& hand = example().objects[2].origin;
+    const FourierFit fit = fitFourier(hand.outline, hand.harmonics).value();
     EXPECT_TRUE(residual().contains(QString::number(fit.rms_m * 1e3, 'f', 3))) << residual().toStdString();
     EXPECT_TRUE(residual().contains(QString::number(fit.max_m * 1e3, 'f', 3)));
     EXPECT_TRUE(residual().contains(QString::number(fit.hausdorff_m * 1e3, 'f', 3)));
