@@ -4,7 +4,9 @@
 #include <array>
 #include <fstream>
 #include <numeric>
+#include <poll.h>
 #include <pthread.h>
+#include <pty.h>
 #include <sched.h>
 #include <string>
 #include <unistd.h>
@@ -18,10 +20,12 @@ HoldUpWatch::HoldUpWatch() {
     for (int i = 0; i < CPU_SETSIZE; ++i) {
         if (!CPU_ISSET(i, &processors))
             continue;
-        Sleeper& sleeper = *m_sleepers.emplace_back(std::make_unique<Sleeper>());
+        Waiter& sleeper = *m_sleepers.emplace_back(std::make_unique<Waiter>());
         sleeper.due = Clock::now().time_since_epoch();
         sleeper.thread = std::thread([this, &sleeper, i] { sleep(sleeper, i); });
     }
+    m_terminal.due = Clock::now().time_since_epoch();
+    m_terminal.thread = std::thread([this] { sendBytes(m_terminal); });
     begin();
 }
 
@@ -29,25 +33,26 @@ HoldUpWatch::~HoldUpWatch() {
     m_isOver = true;
     for (const auto& sleeper : m_sleepers)
         sleeper->thread.join();
+    m_terminal.thread.join();
 }
 
 void HoldUpWatch::begin() {
     m_begun = Clock::now().time_since_epoch();
     for (const auto& sleeper : m_sleepers)
         sleeper->late = Clock::duration::zero();
+    m_terminal.late = Clock::duration::zero();
     m_ticks = ticks();
 }
 
 HoldUp HoldUpWatch::seen() const {
     Clock::duration late{};
-    for (const auto& sleeper : m_sleepers) {
-        const Clock::duration now = lateNow(*sleeper); // before what it keeps, where it goes once it is awake
-        late = std::max({late, now, sleeper->late.load()});
-    }
+    for (const auto& sleeper : m_sleepers)
+        late = std::max(late, latest(*sleeper));
     const Ticks ended = ticks();
     const double all = ended.all - m_ticks.all, stolen = ended.stolen - m_ticks.stolen;
-    return {std::chrono::duration<double>(late).count(), stolen / static_cast<double>(::sysconf(_SC_CLK_TCK)),
-            all > 0.0 ? stolen / all : 0.0};
+    using Seconds = std::chrono::duration<double>;
+    return {Seconds(late).count(), Seconds(latest(m_terminal)).count(),
+            stolen / static_cast<double>(::sysconf(_SC_CLK_TCK)), all > 0.0 ? stolen / all : 0.0};
 }
 
 HoldUpWatch::Ticks HoldUpWatch::ticks() {
@@ -62,21 +67,48 @@ HoldUpWatch::Ticks HoldUpWatch::ticks() {
     return {std::accumulate(counts.begin(), counts.end(), 0.0), counts.back()};
 }
 
-HoldUpWatch::Clock::duration HoldUpWatch::lateNow(const Sleeper& sleeper) const {
-    return Clock::now().time_since_epoch() - std::max(sleeper.due.load(), m_begun.load());
+HoldUpWatch::Clock::duration HoldUpWatch::lateNow(const Waiter& waiter) const {
+    return Clock::now().time_since_epoch() - std::max(waiter.due.load(), m_begun.load());
 }
 
-void HoldUpWatch::sleep(Sleeper& sleeper, int processor) const {
+HoldUpWatch::Clock::duration HoldUpWatch::latest(const Waiter& waiter) const {
+    const Clock::duration now = lateNow(waiter); // before what it keeps, where it goes once it is over
+    return std::max(now, waiter.late.load());
+}
+
+void HoldUpWatch::pause(Waiter& waiter) const {
+    waiter.late = std::max(waiter.late.load(), lateNow(waiter)); // also when it began late
+    const auto due = Clock::now() + std::chrono::milliseconds(20);
+    waiter.due = due.time_since_epoch();
+    std::this_thread::sleep_until(due);
+}
+
+void HoldUpWatch::sleep(Waiter& sleeper, int processor) const {
     cpu_set_t only;
     CPU_ZERO(&only);
     CPU_SET(processor, &only);
     ::pthread_setaffinity_np(::pthread_self(), sizeof only, &only);
+    while (!m_isOver)
+        pause(sleeper);
+}
+
+void HoldUpWatch::sendBytes(Waiter& terminal) const {
+    int near = -1, far = -1;
+    termios raw{};
+    ::cfmakeraw(&raw);
+    const bool isThere = ::openpty(&near, &far, nullptr, &raw, nullptr) == 0;
     while (!m_isOver) {
-        sleeper.late = std::max(sleeper.late.load(), lateNow(sleeper)); // also when it began late
-        const auto due = Clock::now() + std::chrono::milliseconds(20);
-        sleeper.due = due.time_since_epoch();
-        std::this_thread::sleep_until(due);
+        pause(terminal);
+        char byte = '.';
+        pollfd arrived{far, POLLIN, 0};
+        if (isThere && ::write(near, &byte, 1) == 1)
+            while (!m_isOver && ::poll(&arrived, 1, 20) != 1) {
+            }
+        if ((arrived.revents & POLLIN) != 0 && ::read(far, &byte, 1) != 1)
+            break;
     }
+    ::close(near);
+    ::close(far);
 }
 
 } // namespace bask::test

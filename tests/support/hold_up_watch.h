@@ -10,12 +10,14 @@
 namespace bask::test {
 
 struct HoldUp {
-    double late_s = 0.0;      ///< the most that a sleeping thread woke too late
-    double stolen_s = 0.0;    ///< of all processors together, taken by the host
-    double stolenShare = 0.0; ///< of what all processors have
+    double late_s = 0.0;         ///< the most that a sleeping thread woke too late
+    double terminalLate_s = 0.0; ///< the most that a byte needed through a pseudo-terminal
+    double stolen_s = 0.0;       ///< of all processors together, taken by the host
+    double stolenShare = 0.0;    ///< of what all processors have
 };
 
-/// A thread on each processor sleeps 20 ms at a time and looks how late it wakes.
+/// A thread on each processor sleeps 20 ms at a time and looks how late it wakes; another one sends bytes
+/// through a pseudo-terminal, which the kernel hands over by threads of its own.
 class HoldUpWatch {
 public:
     HoldUpWatch();
@@ -29,7 +31,8 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
-    struct Sleeper {
+    /// A thread that waits for a moment again and again, and how late it was at the latest.
+    struct Waiter {
         std::atomic<Clock::duration> due{};
         std::atomic<Clock::duration> late{};
         std::thread thread;
@@ -39,12 +42,16 @@ private:
         double all = 0.0, stolen = 0.0;
     };
     static Ticks ticks();
-    Clock::duration lateNow(const Sleeper& sleeper) const;
-    void sleep(Sleeper& sleeper, int processor) const;
+    Clock::duration lateNow(const Waiter& waiter) const;
+    Clock::duration latest(const Waiter& waiter) const;
+    void pause(Waiter& waiter) const;
+    void sleep(Waiter& sleeper, int processor) const;
+    void sendBytes(Waiter& terminal) const;
 
     std::atomic<bool> m_isOver = false;
     std::atomic<Clock::duration> m_begun{};
-    std::vector<std::unique_ptr<Sleeper>> m_sleepers;
+    std::vector<std::unique_ptr<Waiter>> m_sleepers;
+    Waiter m_terminal;
     Ticks m_ticks; ///< when it began
 };
 

@@ -36,7 +36,7 @@ private:
 };
 
 bool isHeldUp(const HoldUp& by, const HoldUpLimits& limits) {
-    return by.late_s >= limits.late_s ||
+    return std::max(by.late_s, by.terminalLate_s) >= limits.late_s ||
            (by.stolenShare >= limits.stolenShare && by.stolen_s >= limits.late_s);
 }
 
@@ -68,9 +68,10 @@ int runJudgedTests(const HoldUpLimits& limits) {
     }
     for (const Failure& failure : judge->failures)
         std::printf(
-            "not judged: %s failed while this machine held a sleeping thread up for %.2f s and %.0f %% "
-            "of its processors' time was stolen\n",
-            failure.test.c_str(), failure.heldUp.late_s, 100.0 * failure.heldUp.stolenShare);
+            "not judged: %s failed while this machine held a sleeping thread up for %.2f s and a byte in a "
+            "terminal for %.2f s, and %.0f %% of its processors' time was stolen\n",
+            failure.test.c_str(), failure.heldUp.late_s, failure.heldUp.terminalLate_s,
+            100.0 * failure.heldUp.stolenShare);
     return kNotJudged;
 }
 

@@ -5,7 +5,7 @@ namespace bask::test {
 
 /// A failed test that was held up by more is not judged.
 struct HoldUpLimits {
-    double late_s = 0.25;
+    double late_s = 0.25;     ///< of a sleeping thread, or of a byte in a terminal
     double stolenShare = 0.2; ///< together with late_s of stolen time
 };
 
