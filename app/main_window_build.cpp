@@ -86,10 +86,17 @@ void MainWindow::buildNavigation() {
     m_navigation->setIconSize({26, 26});
     for (int i = 0; i < kPages; ++i) {
         m_navigation->addAction(m_actions.page(i));
-        QWidget* button = m_navigation->widgetForAction(m_actions.page(i));
+        auto* button = qobject_cast<QToolButton*>(m_navigation->widgetForAction(m_actions.page(i)));
         button->setObjectName(QStringLiteral("page.%1").arg(i));
         button->setMinimumSize(76, 60);
         button->setFocusPolicy(Qt::TabFocus);
+        // A screen reader toggles the button: its action is checked by that, and not triggered.
+        const auto turn = [this, i, page = static_cast<Page>(i)](bool isOn) {
+            if (isOn && m_pages->page() != page)
+                m_pages->show(page);
+            m_actions.page(i)->setChecked(m_pages->page() == page);
+        };
+        connect(button, &QToolButton::toggled, this, turn, Qt::QueuedConnection);
     }
 }
 

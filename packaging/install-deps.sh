@@ -16,7 +16,7 @@ run_packages="
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
     libgl-dev libgl1-mesa-dri fonts-dejavu-core"
 test_packages="
-    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev mosquitto mosquitto-clients openssl python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py python3-pil ccache python3 git xvfb xauth fonts-noto-cjk? doxygen clang-format-14? clang-tidy-14? clang? libclang-rt-dev?
+    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev mosquitto mosquitto-clients openssl python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py python3-pil python3-pyatspi at-spi2-core dbus-daemon ccache python3 git xvfb xauth fonts-noto-cjk? doxygen clang-format-14? clang-tidy-14? clang? libclang-rt-dev?
     desktop-file-utils appstream libglib2.0-bin"
 package_packages="
     dpkg-dev lintian debootstrap desktop-file-utils appstream xvfb xdotool x11-utils imagemagick"

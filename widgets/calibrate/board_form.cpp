@@ -1,6 +1,7 @@
 #include "widgets/calibrate/board_form.h"
 
 #include "engine/base/units.h"
+#include "widgets/common/labels.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -130,10 +131,10 @@ void BoardForm::retranslate() {
     m_markerLabel->setText(tr("Side of a &marker"));
     m_marker->setToolTip(tr("With its black border, as measured on the print."));
     m_dictionaryLabel->setText(tr("&Dictionary"));
-    m_kind->setAccessibleName(tr("Kind of board"));
+    nameChoice(m_kind, tr("Kind of board"));
     m_square->setAccessibleName(tr("Side of a square"));
     m_marker->setAccessibleName(tr("Side of a marker"));
-    m_dictionary->setAccessibleName(tr("Dictionary of the markers"));
+    nameChoice(m_dictionary, tr("Dictionary of the markers"));
     m_legacy->setText(tr("Lower left square is black"));
     m_legacy->setToolTip(tr("Boards made by OpenCV before 4.6 with an even number of rows."));
     showKind();

@@ -2,6 +2,7 @@
 
 #include "engine/base/units.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -256,7 +257,7 @@ void MarkerEditor::showForm() {
 
 void MarkerEditor::retranslate() {
     m_dictionaryLabel->setText(tr("Dictionary"));
-    m_dictionary->setAccessibleName(m_dictionaryLabel->text());
+    nameChoice(m_dictionary, m_dictionaryLabel->text());
     m_list->setHeaderLabels({tr("On"), tr("Id"), tr("Side"), tr("Camera")});
     m_list->setAccessibleName(tr("Markers of the rig"));
     m_add->setText(tr("Add"));
@@ -276,7 +277,7 @@ void MarkerEditor::retranslate() {
                               tr("about z, \u00b0")};
     for (std::size_t i = 0; i < m_captions.size(); ++i)
         m_captions[i]->setText(captions[i]);
-    m_part->setAccessibleName(captions[0]);
+    nameChoice(m_part, captions[0]);
     m_id->setAccessibleName(captions[1]);
     m_side->setAccessibleName(captions[2]);
     m_side->setToolTip(tr("With the black border, as measured on the print"));

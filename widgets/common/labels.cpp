@@ -2,6 +2,7 @@
 
 #include "widgets/common/theme.h"
 
+#include <QComboBox>
 #include <QLabel>
 
 #include <optional>
@@ -59,6 +60,11 @@ void sayWithText(QLabel* label, const QString& what) {
     const QString said = label->text().isEmpty() ? what : what + QStringLiteral(", ") + label->text();
     if (label->accessibleName() != said)
         label->setAccessibleName(said);
+}
+
+void nameChoice(QComboBox* choice, const QString& what) {
+    choice->setAccessibleName(what);
+    choice->setAccessibleDescription(what);
 }
 
 } // namespace bask

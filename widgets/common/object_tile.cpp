@@ -242,6 +242,9 @@ void ObjectTile::showValues() {
     m_target->setText(formatTemperature(now.target_K, m_unit));
     m_error->setText(formatDifference(now.error_K, m_unit));
     m_rate->setText(formatRate(isKnown ? m_trend.meanRate_K_s() : ShownObject::kNothing, m_unit));
+    sayWithText(m_target, m_targetCaption->text());
+    sayWithText(m_error, m_errorCaption->text());
+    sayWithText(m_rate, m_rateCaption->text());
 
     const bool dark = isDark(this);
     const QColor ink = isUnknown(m_activity) ? unknownColor(dark) : palette().color(QPalette::WindowText);

@@ -2,6 +2,7 @@
 
 #include "engine/shape/marker.h"
 #include "engine/shape/outline_formats.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
 #include <QCheckBox>
@@ -276,11 +277,11 @@ void ImportQuestions::retranslate() {
                                    ? tr("as its header says")
                                    : QString::fromLatin1(lengthUnitName(static_cast<LengthUnit>(unit))));
     }
-    m_unit->setAccessibleName(tr("Unit of the coordinates"));
+    nameChoice(m_unit, tr("Unit of the coordinates"));
     m_scaleMethod->setAccessibleName(tr("What gives the picture its scale"));
     m_scale->setAccessibleName(tr("Scale of the picture, pixels per millimetre"));
     m_markerSide->setAccessibleName(tr("Side of the marker\u2019s black square"));
-    m_dictionary->setAccessibleName(tr("Dictionary of the marker"));
+    nameChoice(m_dictionary, tr("Dictionary of the marker"));
     m_tolerance->setAccessibleName(tr("Tolerance of the colour"));
     m_scaleMethod->setItemText(0, tr("a known length"));
     m_scaleMethod->setItemText(1, tr("pixels per millimetre"));

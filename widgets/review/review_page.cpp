@@ -413,7 +413,7 @@ void ReviewPage::refreshTexts() {
                                tr("About the recording")};
     for (int i = 0; i < m_detail->count(); ++i)
         m_detail->setItemText(i, details[i]);
-    m_detail->setAccessibleName(tr("What is known of the run"));
+    nameChoice(m_detail, tr("What is known of the run"));
     m_identifiedTitle->setText(tr("Heat rates \u03bb\u2081 in K/s"));
     m_lossesTitle->setText(tr("Losses, of radiation and air"));
     m_useIdentified->setText(tr("Use as start values"));

@@ -1,5 +1,6 @@
 #include "widgets/rig/axis_table.h"
 
+#include "widgets/common/labels.h"
 #include "widgets/rig/coordinate_words.h"
 
 #include <QCheckBox>
@@ -96,7 +97,7 @@ void AxisTable::retranslate() {
     for (int k = 0; k < 6; ++k) {
         const Row& row = m_rows[static_cast<std::size_t>(k)];
         const QString word = coordinateWord(k);
-        row.letter->setAccessibleName(tr("Axis that drives %1").arg(word));
+        nameChoice(row.letter, tr("Axis that drives %1").arg(word));
         row.reversed->setText(tr("reversed"));
         row.reversed->setAccessibleName(tr("The axis of %1 counts the other way").arg(word));
         row.origin->setAccessibleName(tr("%1 where its axis reads zero").arg(word));

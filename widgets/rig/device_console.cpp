@@ -1,6 +1,7 @@
 #include "widgets/rig/device_console.h"
 
 #include "engine/drivers/traffic_log.h"
+#include "widgets/common/labels.h"
 #include "widgets/rig/traffic_model.h"
 
 #include <QApplication>
@@ -249,11 +250,11 @@ void DeviceConsole::retranslate() {
     m_model->retranslate();
     m_table->setAccessibleName(tr("Traffic of the links"));
     m_link->setItemText(0, tr("All links"));
-    m_link->setAccessibleName(tr("Link"));
+    nameChoice(m_link, tr("Link"));
     m_direction->setItemText(0, tr("Both directions"));
     m_direction->setItemText(1, tr("Sent"));
     m_direction->setItemText(2, tr("Received"));
-    m_direction->setAccessibleName(tr("Direction"));
+    nameChoice(m_direction, tr("Direction"));
     m_text->setPlaceholderText(tr("Show only rows with this text"));
     m_text->setAccessibleName(tr("Filter"));
     m_pause->setText(tr("Pause"));
@@ -261,7 +262,7 @@ void DeviceConsole::retranslate() {
     m_copy->setText(tr("Copy"));
     m_copy->setToolTip(
         tr("Copies the selected rows, or all that are shown: the newest 8 million characters"));
-    m_sendLink->setAccessibleName(tr("Link to send to"));
+    nameChoice(m_sendLink, tr("Link to send to"));
     m_sendText->setPlaceholderText(tr("Text to send"));
     m_sendText->setAccessibleName(tr("Text to send"));
     m_end->setItemText(static_cast<int>(End::LineFeed), tr("ends with \\n"));
@@ -269,7 +270,7 @@ void DeviceConsole::retranslate() {
     m_end->setItemText(static_cast<int>(End::Both), tr("ends with \\r\\n"));
     m_end->setItemText(static_cast<int>(End::Nothing), tr("as it is"));
     m_end->setItemText(static_cast<int>(End::Hexadecimal), tr("hexadecimal"));
-    m_end->setAccessibleName(tr("End of the text"));
+    nameChoice(m_end, tr("End of the text"));
     m_send->setText(tr("Send"));
     showSending();
 }

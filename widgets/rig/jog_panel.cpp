@@ -300,8 +300,8 @@ void JogPanel::retranslate() {
         m_stepAngle->setItemText(static_cast<int>(i), text(kSteps_deg[i], kThetaX));
     }
     m_stepLabel->setText(tr("Step"));
-    m_stepLength->setAccessibleName(tr("Step along an axis"));
-    m_stepAngle->setAccessibleName(tr("Step about an axis"));
+    nameChoice(m_stepLength, tr("Step along an axis"));
+    nameChoice(m_stepAngle, tr("Step about an axis"));
     m_speedLabel->setText(tr("Speed while held"));
     m_speed->setToolTip(tr("Of the largest speed that the robot's limits allow"));
     m_speed->setAccessibleName(m_speedLabel->text());

@@ -73,7 +73,7 @@ void ReadingPanel::refresh() {
         if (!isThere)
             continue;
         m_rows[i].name->setText(QString::fromStdString(m_names[i]));
-        m_rows[i].readBy->setAccessibleName(tr("Temperature of %1").arg(m_rows[i].name->text()));
+        nameChoice(m_rows[i].readBy, tr("Temperature of %1").arg(m_rows[i].name->text()));
         m_rows[i].readBy->setCurrentIndex(static_cast<int>(m_readBy[i]));
     }
     m_note->setVisible(m_isPoseUnknown);

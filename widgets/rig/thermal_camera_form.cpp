@@ -2,6 +2,7 @@
 
 #include "engine/thermography/usual_thermal_camera.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/rig/coordinate_words.h"
 #include "widgets/rig/profile_choice.h"
 
@@ -125,7 +126,7 @@ QString ThermalCameraForm::useProfileFile(const QString& path) {
 
 void ThermalCameraForm::retranslate() {
     m_profileLabel->setText(tr("Camera"));
-    m_profile->setAccessibleName(tr("Kind of thermal camera"));
+    nameChoice(m_profile, tr("Kind of thermal camera"));
     m_file->setText(tr("From file…"));
     m_file->setToolTip(tr("Take what the camera's numbers mean from a file"));
     m_isPoseKnown->setText(tr("Its pose in the robot's base is known"));

@@ -112,6 +112,8 @@ void SourceTile::showValues() {
     m_age->setVisible(isNotKnown);
     m_setPoint->setText(formatTemperature(m_goal_K, m_unit));
     m_rate->setText(formatRate(m_now_K ? m_trend.slope_K_s() : kNoTemperature, m_unit));
+    sayWithText(m_setPoint, m_setPointCaption->text());
+    sayWithText(m_rate, m_rateCaption->text());
     if (const QString word = activityWord(m_activity);
         word != m_state->text() || m_stateIcon->pixmap().isNull()) {
         const bool dark = isDark(this);
