@@ -18,6 +18,8 @@ public:
 
     ServoLoop& loop() { return m_loop; }
     const Clock& clock() { return m_rig.clock(); }
+    /// Begins there in place of the start; before the first period.
+    void use(const RigCondition& condition) { m_rig.use(condition); }
     /// Advances the rig by one sampling period, after activating its faults that are due, and ticks the loop.
     void period();
 

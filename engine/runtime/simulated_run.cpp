@@ -37,6 +37,53 @@ private:
     std::vector<std::optional<double>> m_since_s;
 };
 
+/// Keeps every sample until there are too many of them, then every second one and so on, and always the last.
+class ThinnedSamples {
+public:
+    void add(const TraceSample& sample) {
+        PredictedSample next{sample.time_s, sample.coordinates, {}};
+        next.temperatures_K.reserve(sample.objects.size());
+        for (const ObjectSample& object : sample.objects)
+            next.temperatures_K.push_back(object.true_K);
+        if (m_count++ % m_stride != 0) {
+            m_last = std::move(next);
+            return;
+        }
+        m_last.reset();
+        m_kept.push_back(std::move(next));
+        if (m_kept.size() < PredictedRun::kMaxSamples)
+            return;
+        for (std::size_t i = 1; 2 * i < m_kept.size(); ++i)
+            m_kept[i] = std::move(m_kept[2 * i]);
+        m_last = std::move(m_kept.back()); // an odd one, since their maximum is even
+        m_kept.resize(m_kept.size() / 2);
+        m_stride *= 2;
+    }
+    std::vector<PredictedSample> take() {
+        if (m_last)
+            m_kept.push_back(std::move(*m_last));
+        return std::move(m_kept);
+    }
+
+private:
+    std::vector<PredictedSample> m_kept;
+    std::optional<PredictedSample> m_last; ///< the newest, if it was not kept
+    std::size_t m_count = 0, m_stride = 1;
+};
+static_assert(PredictedRun::kMaxSamples % 2 == 0);
+
+/// The experiment as far as it is known before a run.
+Experiment asPredicted(const Experiment& experiment) {
+    Experiment seen = experiment;
+    seen.simulation.faults.clear();
+    if (experiment.air.isKnown()) {
+        seen.simulation.naturalConvection = experiment.air.isNatural;
+        seen.simulation.convection_W_m2K = experiment.air.convection_W_m2K.value_or(0.0);
+    }
+    seen.vision = {}; // a followed source uses its true pose, since pictures take ten times as long
+    return seen;
+}
+
 } // namespace
 
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options) {
@@ -44,9 +91,13 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         return valid.error();
     SimulatedDrive drive(experiment);
     ServoLoop& loop = drive.loop();
+    if (options.from)
+        drive.use(*options.from);
     const int patience = kFillingWindows * experiment.sampling.window; // readings may be missing
     for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)
         drive.period();
+    if (options.from && !loop.findZero()) // warm objects were zeroed before they were warm
+        loop.useZeroing({0.0, experiment.environment_K, std::vector<double>(experiment.objects.size())});
     loop.setOperator(options.labels.operatorName);
     if (const auto armed = loop.arm(); !armed)
         return armed.error();
@@ -123,29 +174,38 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     return outcome;
 }
 
-Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop,
-                                                  const std::function<void(double time_s)>& progress) {
+Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optional<RigCondition>& from,
+                                  std::stop_token stop, const std::function<void(double time_s)>& progress) {
+    ThinnedSamples samples;
     SimulatedRunOptions options;
     options.stop = std::move(stop);
-    if (progress)
-        options.progress = [&](double time_s, const TraceSample&) { progress(time_s); };
-    Experiment seen = experiment;
-    seen.simulation.faults.clear();
-    if (experiment.air.isKnown()) {
-        seen.simulation.naturalConvection = experiment.air.isNatural;
-        seen.simulation.convection_W_m2K = experiment.air.convection_W_m2K.value_or(0.0);
-    }
-    seen.vision = {}; // a followed source uses its true pose, since pictures take ten times as long
+    options.from = from;
+    options.progress = [&](double time_s, const TraceSample& sample) {
+        samples.add(sample);
+        if (progress)
+            progress(time_s);
+    };
+    Experiment seen = asPredicted(experiment);
+    if (from)
+        seen.simulation.sensorOffset_K = 0.0; // what zeroing takes off
     const auto outcome = runSimulated(seen, options);
     if (!outcome)
         return outcome.error();
-    double last_s = 0.0;
+    PredictedRun predicted{samples.take(), 0.0};
     for (const ObjectOutcome& object : outcome->objects) {
-        if (!outcome->settled || !object.settlingTime_s || options.stop.stop_requested())
-            return std::optional<double>();
-        last_s = std::max(last_s, *object.settlingTime_s);
+        if (!outcome->settled || !object.settlingTime_s || options.stop.stop_requested()) {
+            predicted.settling_s.reset();
+            break;
+        }
+        predicted.settling_s = std::max(*predicted.settling_s, *object.settlingTime_s);
     }
-    return std::optional(last_s);
+    return predicted;
+}
+
+Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop,
+                                                  const std::function<void(double time_s)>& progress) {
+    const auto predicted = predictedRun(experiment, std::nullopt, std::move(stop), progress);
+    return predicted ? Result<std::optional<double>>(predicted->settling_s) : predicted.error();
 }
 
 } // namespace bask

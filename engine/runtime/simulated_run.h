@@ -2,6 +2,7 @@
 // A whole run on the simulated rig, as fast as the computer can; used by `bask run` and by the whole-engine
 // tests.
 
+#include "engine/model/predicted_run.h"
 #include "engine/runtime/lateness.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/simulation/simulated_rig.h"
@@ -23,6 +24,8 @@ struct SimulatedRunOptions {
     std::stop_token stop = {}; ///< ends the run at once
     bool mayReplace = true;    ///< an earlier recording of that name
     RunLabels labels = {};
+    /// where the simulated rig begins; empty: at its start, as cold as the room
+    std::optional<RigCondition> from{};
 };
 
 /// Outcome for one object, judged by the plant's true temperature.
@@ -54,10 +57,18 @@ inline constexpr double kInBandFor_s = 30.0;
 /// validate, a session that cannot be written.
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options);
 
+/// Predicts a run of the experiment's controller by a whole run on the simulated rig, without its faults and
+/// with the air that the experiment assumes. `from` is where the rig is now; empty: at its start, as cold as
+/// the room. Objects that are warm cool for the seconds in which the estimators fill. Ends as runSimulated
+/// does; if it was stopped, the samples end there. Takes a few seconds for a thousand simulated seconds;
+/// `progress` is told how many of them have passed. Errors: those of runSimulated.
+Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optional<RigCondition>& from,
+                                  std::stop_token stop = {},
+                                  const std::function<void(double time_s)>& progress = {});
+
 /// Returns the time, s, after which the experiment's controller keeps all objects within kSettledBand_K of
-/// their targets, by a whole run on the simulated rig. Empty if that does not happen within the experiment's
-/// duration limit, or if stopped. Takes a few seconds for a thousand simulated seconds; `progress` is told
-/// how many of them have passed. Errors: those of runSimulated.
+/// their targets, by predictedRun from the start. Empty if that does not happen within the experiment's
+/// duration limit, or if stopped. Errors: those of runSimulated.
 Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop = {},
                                                   const std::function<void(double time_s)>& progress = {});
 

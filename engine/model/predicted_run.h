@@ -1,0 +1,29 @@
+#pragma once
+// A run as it is predicted before Start.
+
+#include "engine/base/pose.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace bask {
+
+/// One moment of a predicted run.
+struct PredictedSample {
+    double time_s = 0.0;                     ///< since Start
+    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
+    std::vector<double> temperatures_K;      ///< of each object, in the experiment's order
+};
+
+struct PredictedRun {
+    static constexpr std::size_t kMaxSamples = 500;
+
+    std::vector<PredictedSample>
+        samples;                      ///< in time order, with the first and the last; empty: no prediction
+    std::optional<double> settling_s; ///< when all objects have settled; empty: they do not, or not known
+
+    double end_s() const { return samples.empty() ? 0.0 : samples.back().time_s; }
+};
+
+} // namespace bask

@@ -1,0 +1,108 @@
+// Runs as they are predicted before Start.
+
+#include "engine/experiment/experiment_file.h"
+#include "engine/model/trace.h"
+#include "engine/runtime/simulated_run.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bask {
+namespace {
+
+Experiment predictedExample() {
+    return readExperiment(BASK_EXAMPLES "/three-objects.json").value();
+}
+
+void expectTimesAscend(const PredictedRun& run) {
+    for (std::size_t i = 1; i < run.samples.size(); ++i)
+        EXPECT_LT(run.samples[i - 1].time_s, run.samples[i].time_s) << i;
+}
+
+} // namespace
+
+// Catches a prediction that does not begin at the start, ends away from the targets, or is not of the time
+// that it tells.
+TEST(PredictedRun, LeadsFromTheStartToTheTargets) {
+    const Experiment experiment = predictedExample();
+    const auto run = predictedRun(experiment, std::nullopt);
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_GT(run->samples.size(), 10U);
+    EXPECT_LE(run->samples.size(), PredictedRun::kMaxSamples);
+    expectTimesAscend(*run);
+    const PredictedSample& first = run->samples.front();
+    EXPECT_NEAR(first.time_s, 0.0, experiment.sampling.period_s);
+    EXPECT_LT((first.coordinates - experiment.start).norm(), 2e-3);
+    const PredictedSample& last = run->samples.back();
+    EXPECT_GT((last.coordinates - experiment.start).norm(), 2e-2) << "it goes to the source";
+    ASSERT_TRUE(run->settling_s);
+    EXPECT_LT(*run->settling_s, run->end_s());
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        EXPECT_NEAR(first.temperatures_K.at(i), experiment.environment_K, 0.5) << i;
+        EXPECT_NEAR(last.temperatures_K.at(i), experiment.objects[i].target_K, kSettledBand_K) << i;
+    }
+}
+
+// Catches a prediction from the start although the robot stands elsewhere and an object is warm, or none
+// because that cannot be zeroed.
+TEST(PredictedRun, BeginsWhereTheRigIs) {
+    const Experiment experiment = predictedExample();
+    RigCondition now;
+    now.coordinates = experiment.start;
+    (*now.coordinates)[kX] += 0.01;
+    now.objects_K.assign(experiment.objects.size(), std::nan(""));
+    now.objects_K[1] = experiment.environment_K + 10.0;
+    const auto run = predictedRun(experiment, now);
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_GT(run->samples.size(), 10U);
+    expectTimesAscend(*run);
+    const PredictedSample& first = run->samples.front();
+    EXPECT_LT((first.coordinates - *now.coordinates).norm(), 2e-3);
+    EXPECT_NEAR(first.temperatures_K.at(0), experiment.environment_K, 0.5);
+    EXPECT_GT(first.temperatures_K.at(1), experiment.environment_K + 5.0);
+    EXPECT_LT(first.temperatures_K.at(1), experiment.environment_K + 10.1);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+        EXPECT_NEAR(run->samples.back().temperatures_K.at(i), experiment.objects[i].target_K, kSettledBand_K)
+            << i;
+}
+
+// Catches a prediction that goes on when nobody wants it, or tells when it would have settled all the same.
+TEST(PredictedRun, StopsWhenAsked) {
+    const Experiment experiment = predictedExample();
+    std::stop_source stop;
+    const auto run = predictedRun(experiment, std::nullopt, stop.get_token(), [&](double time_s) {
+        if (time_s >= 20.0)
+            stop.request_stop();
+    });
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_FALSE(run->samples.empty());
+    EXPECT_NEAR(run->end_s(), 20.0, 2.0 * experiment.sampling.period_s);
+    EXPECT_FALSE(run->settling_s);
+    const auto none = predictedRun(experiment, std::nullopt, stop.get_token());
+    ASSERT_TRUE(none) << describe(none.error());
+    EXPECT_LE(none->end_s(), 2.0 * experiment.sampling.period_s);
+}
+
+// Catches samples without bound, or a thinned prediction that loses its end.
+TEST(PredictedRun, StaysSmallHoweverOftenIsSampled) {
+    Experiment experiment = predictedExample();
+    experiment.objects.resize(1);
+    experiment.sampling.period_s = 0.2;
+    experiment.simulation.durationLimit_s = 140.0;
+    double last_s = 0.0;
+    int told = 0;
+    const auto run = predictedRun(experiment, std::nullopt, {}, [&](double time_s) {
+        last_s = time_s;
+        ++told;
+    });
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_GT(told, static_cast<int>(PredictedRun::kMaxSamples));
+    EXPECT_LE(run->samples.size(), PredictedRun::kMaxSamples);
+    EXPECT_GE(run->samples.size(), PredictedRun::kMaxSamples / 2);
+    expectTimesAscend(*run);
+    EXPECT_NEAR(run->samples.front().time_s, 0.0, 1e-9);
+    EXPECT_EQ(run->end_s(), last_s);
+}
+
+} // namespace bask
