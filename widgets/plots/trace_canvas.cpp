@@ -71,6 +71,7 @@ TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
 
 void TracePlot::Canvas::setObjects(const QStringList& objects) {
     names = objects;
+    prediction = {}; // it was of others
     clearData();
     rebuild();
 }
@@ -146,6 +147,7 @@ void TracePlot::Canvas::rebuild() {
                 graph->setLineStyle(QCPGraph::lsStepLeft);
         }
     }
+    rebuildPrediction();
     rebuildOverlays(); // under the lines of the run itself
     for (int i = 0; i < count; ++i) {
         QCPGraph* graph = addGraph();
@@ -258,7 +260,7 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
         }
     };
     const QCPRange time = xAxis->range();
-    QList<QCPGraph*> graphs = m_series;
+    QList<QCPGraph*> graphs = m_series + m_predicted;
     for (const Overlay& overlay : overlays)
         graphs << overlay.graphs;
     for (const QCPGraph* graph : std::as_const(graphs)) {

@@ -56,6 +56,14 @@ public:
     void styleOverlays(Density density);
     double lastTime_s() const; ///< last time of all runs
 
+    // The predicted run behind it (trace_canvas_prediction.cpp)
+    void setPrediction(const PredictedRun& run);
+    void showPrediction(bool visible);
+    void rebuildPrediction();
+    void stylePrediction();
+    double wholeEnd_s() const; ///< end of the whole run as it is shown: the last time, or what is predicted
+    QList<QPointF> predictedPoints(int series) const;
+
     // Ranges, mouse, keys (trace_canvas_interaction.cpp)
     void connectInteraction();
     void schedule();
@@ -100,6 +108,9 @@ public:
     };
     std::vector<Overlay> overlays;
 
+    PredictedRun prediction; ///< without samples: none
+    bool isPredictionShown = true;
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -115,6 +126,7 @@ private:
     void onUserRange(const QCPRange& range);
 
     QList<QCPGraph*> m_series;
+    QList<QCPGraph*> m_predicted; ///< one for each object, or none
     QList<QCPGraph*> m_targets;
     QList<QCPGraph*> m_bandLow, m_bandHigh;
     QList<QCPItemText*> m_labels;

@@ -113,7 +113,7 @@ void TracePlot::Canvas::updateRanges() {
         if (window_s > 0.0)
             xAxis->setRange(std::max(0.0, last - window_s), std::max(last, window_s));
         else
-            xAxis->setRange(0.0, std::max(last, kShortestFollow_s));
+            xAxis->setRange(0.0, std::max(wholeEnd_s(), kShortestFollow_s));
     }
     updatePoints();
     auto ticker = xAxis->ticker().staticCast<QCPAxisTickerTime>();
@@ -153,7 +153,7 @@ void TracePlot::Canvas::onUserRange(const QCPRange& range) {
         return;
     {
         const QScopedValueRollback<bool> guard(m_programRange, true);
-        const double end = std::max(lastTime_s(), kShortestFollow_s);
+        const double end = std::max(wholeEnd_s(), kShortestFollow_s);
         const double size = std::clamp(range.size(), kShortestZoom_s, 1.5 * end);
         const double centre = std::clamp(range.center(), 0.0, end);
         if (size != range.size() || centre != range.center())
@@ -176,7 +176,7 @@ void TracePlot::Canvas::showTime(double from_s, double to_s) {
 void TracePlot::Canvas::showWhole() {
     m_valueAuto = true;
     const QScopedValueRollback<bool> guard(m_programRange, true);
-    xAxis->setRange(0.0, std::max(lastTime_s(), kShortestFollow_s));
+    xAxis->setRange(0.0, std::max(wholeEnd_s(), kShortestFollow_s));
     schedule();
 }
 
@@ -187,7 +187,8 @@ void TracePlot::Canvas::zoomTime(double factor, double centre_s) {
 bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
     updateRanges(); // the newest samples may not be drawn yet
     const QCPRange range = xAxis->range();
-    const double centre = follow ? range.upper : range.center();
+    const double newest = std::max(lastTime_s(), kShortestFollow_s); // a prediction goes on after it
+    const double centre = follow ? std::min(range.upper, newest) : range.center();
     switch (event->key()) {
     case Qt::Key_Left:
         xAxis->moveRange(-0.15 * range.size());

@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kLongestLabel = 130; // px; longer names are elided
 constexpr int kLongestMarker = 220;
+constexpr double kBelowTheLines = 0.85; // of the height: what is heated goes up
 
 QString inLines(const QString& text, const QFont& font, double width) {
     QTextLayout layout(text, font);
@@ -74,6 +75,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
         m_labels[i]->setFont(bold);
         m_labels[i]->setColor(penOfSeries(i).color());
     }
+    stylePrediction();
     const QColor band = withAlpha(dark ? QColor(255, 255, 255) : QColor(0, 0, 0), dark ? 30 : 22);
     const auto targets = static_cast<double>(m_targets.size());
     for (int i = 0; i < m_targets.size(); ++i) {
@@ -173,12 +175,15 @@ void TracePlot::Canvas::fitMargins() {
 
 void TracePlot::Canvas::updateEmptyText() {
     QString text;
+    const bool isPredicted = !m_predicted.isEmpty();
     if (traces->rows() == 0) {
-        text = TracePlot::tr("No samples yet. Traces begin with Start.");
+        text = isPredicted ? TracePlot::tr("Dotted: predicted. Traces begin with Start.")
+                           : TracePlot::tr("No samples yet. Traces begin with Start.");
     } else if (quantity == Quantity::Strength && !traces->hasValues(quantity)) {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
     m_empty->setText(inLines(text, font(), axisRect()->width()));
+    m_empty->position->setCoords(0.5, isPredicted ? kBelowTheLines : 0.5);
     m_empty->setVisible(!text.isEmpty());
     m_errorBand->setVisible(quantity == Quantity::Error);
     const ShownAs shown = quantityShownAs(quantity);
@@ -201,6 +206,8 @@ void TracePlot::Canvas::placeLabels() {
         graphs << overlay.graphs;
         labels << overlay.labels;
     }
+    if (traces->rows() == 0 && !m_predicted.isEmpty()) // names stand at the lines that are there
+        std::ranges::copy(m_predicted, graphs.begin());
     for (int i = 0; i < graphs.size(); ++i) {
         const auto points = graphs[i]->data();
         auto it = points->findEnd(xAxis->range().upper, false);

@@ -88,6 +88,14 @@ void TracePlot::clearOverlays() {
     m_canvas->clearOverlays();
 }
 
+void TracePlot::setPrediction(const PredictedRun& run) {
+    m_canvas->setPrediction(run);
+}
+
+void TracePlot::setPredictionVisible(bool visible) {
+    m_canvas->showPrediction(visible);
+}
+
 void TracePlot::setPosition(std::optional<double> time_s) {
     m_canvas->setPosition(time_s);
 }
@@ -156,6 +164,10 @@ QList<QPointF> TracePlot::seriesPoints(int series) const {
     for (std::size_t k = 0; k < line.values.size(); ++k)
         points.append({line.times_s[k], m_canvas->displayed(line.values[k]) * m_canvas->factor(series)});
     return points;
+}
+
+QList<QPointF> TracePlot::predictedPoints(int series) const {
+    return m_canvas->predictedPoints(series);
 }
 
 QString TracePlot::valueAxisLabel() const {

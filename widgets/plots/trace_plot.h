@@ -3,6 +3,7 @@
 // cursors.
 
 #include "engine/base/units.h"
+#include "engine/model/predicted_run.h"
 #include "engine/model/trace.h"
 #include "widgets/plots/trace_store.h"
 
@@ -58,6 +59,13 @@ public:
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
 
+    /// Draws a predicted run behind the measured one, from its Start: pale dotted lines in a plot of
+    /// temperatures, which stand alone until the first sample. Plots of other quantities only show the whole
+    /// run as long as it is predicted, so that plots above each other line up. One without samples removes
+    /// it, as setObjects() does; clear() does not.
+    void setPrediction(const PredictedRun& run);
+    void setPredictionVisible(bool visible);
+
     /// Shows a line at the moment of a replay; moving it does not redraw the traces.
     void setPosition(std::optional<double> time_s);
 
@@ -78,8 +86,9 @@ public:
     // The visible content, as values.
     int seriesCount() const;
     QString seriesName(int series) const;
-    QList<QPointF> seriesPoints(int series) const; ///< (s, display unit); y is NaN in a gap
-    double visibleLowest() const;                  ///< lower end of the value axis, display unit
+    QList<QPointF> seriesPoints(int series) const;    ///< (s, display unit); y is NaN in a gap
+    QList<QPointF> predictedPoints(int series) const; ///< as drawn (s, display unit); empty if none is
+    double visibleLowest() const;                     ///< lower end of the value axis, display unit
     double visibleHighest() const;
     QString valueAxisLabel() const;
     QStringList markerTexts() const;

@@ -6,6 +6,7 @@
 
 #include "widgets/common/theme.h"
 
+#include <QPen>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -52,6 +53,28 @@ void wheel(QWidget* target, int angle, Qt::KeyboardModifiers modifiers = Qt::NoM
     QWheelEvent event(at, target->mapToGlobal(at), {}, {0, angle}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
                       false);
     QCoreApplication::sendEvent(target, &event);
+}
+
+/// Warms from 25 to 40 °C, settles at 200 s and goes on until 320 s.
+PredictedRun predictedWarmUp() {
+    PredictedRun run;
+    for (int k = 0; k <= 160; ++k) {
+        PredictedSample sample{2.0 * k, {}, {}};
+        for (int i = 0; i < 3; ++i)
+            sample.temperatures_K.push_back(313.15 - 15.0 * std::exp(-sample.time_s / (40.0 + 20.0 * i)));
+        run.samples.push_back(sample);
+    }
+    run.settling_s = 200.0;
+    return run;
+}
+
+/// The pens of lines in the order in which they are drawn; of measured ones only, or of all the others.
+std::vector<QPen> pensOf(TracePlot& plot, bool measured) {
+    std::vector<QPen> pens;
+    for (const QObject* child : canvasOf(plot)->children())
+        if (child->inherits("QCPGraph") && kNames.contains(child->property("name").toString()) == measured)
+            pens.push_back(child->property("pen").value<QPen>());
+    return pens;
 }
 
 struct ShownPlot {
@@ -281,4 +304,97 @@ TEST(TracePlot, ARecordedRunIsReadWhereItIsLookedAt) {
     shown.plot.setTimeRange(100.0, 110.0);
     shown.plot.redraw();
     EXPECT_LT(shown.plot.visibleHighest(), 60.0);
+}
+
+// Catches a prediction that is not drawn before Start, in another unit, or over the measured lines.
+TEST(TracePlot, APredictionStandsBehindTheMeasuredLines) {
+    ShownPlot shown;
+    EXPECT_TRUE(shown.plot.predictedPoints(0).isEmpty());
+    shown.plot.setPrediction(predictedWarmUp());
+    for (int i = 0; i < 3; ++i) {
+        const auto points = shown.plot.predictedPoints(i);
+        ASSERT_EQ(points.size(), 161) << i;
+        EXPECT_EQ(points.front().x(), 0.0);
+        EXPECT_NEAR(points.front().y(), 25.0, 1e-9);
+        EXPECT_NEAR(points.back().y(), 40.0, 0.5);
+    }
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 230.0) << "until a while after it has settled";
+    EXPECT_LT(shown.plot.visibleLowest(), 25.0);
+    EXPECT_GT(shown.plot.visibleHighest(), 40.0);
+    shown.plot.redraw();
+    EXPECT_FALSE(shown.plot.grab().isNull());
+
+    shown.plot.append(warmUp(10));
+    EXPECT_EQ(shown.plot.seriesPoints(0).size(), 10);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 230.0) << "what is to come is seen";
+    shown.plot.append(warmUp(300, 1.0, 10.0));
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 310.0);
+    shown.plot.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_NEAR(shown.plot.predictedPoints(0).front().y(), 77.0, 1e-9);
+
+    QStringList order;
+    for (const QObject* child : canvasOf(shown.plot)->children())
+        if (child->inherits("QCPGraph"))
+            order << (kNames.contains(child->property("name").toString()) ? QStringLiteral("measured")
+                                                                          : QStringLiteral("behind"));
+    ASSERT_EQ(order.count(QStringLiteral("measured")), 3);
+    EXPECT_EQ(order.indexOf(QStringLiteral("measured")), order.lastIndexOf(QStringLiteral("behind")) + 1);
+}
+
+// Catches a prediction that looks like a measured line, or keeps the pens of the other theme.
+TEST(TracePlot, APredictionIsThinDottedAndOfTheTheme) {
+    ShownPlot shown;
+    shown.plot.setPrediction(predictedWarmUp());
+    QColor before;
+    for (const bool dark : {false, true}) {
+        shown.plot.setTheme(dark);
+        const std::vector<QPen> behind = pensOf(shown.plot, false), measured = pensOf(shown.plot, true);
+        ASSERT_GE(behind.size(), 3U);
+        ASSERT_EQ(measured.size(), 3U);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const QPen& pen = behind[behind.size() - 3 + i];
+            EXPECT_LT(pen.widthF(), measured[i].widthF()) << i;
+            EXPECT_NE(pen.dashPattern(), measured[i].dashPattern()) << i;
+            EXPECT_EQ(pen.style(), Qt::CustomDashLine) << i;
+            EXPECT_NE(pen.color(), measured[i].color()) << i << ": it is pale";
+        }
+        EXPECT_NE(behind.back().color(), before);
+        before = behind.back().color();
+        EXPECT_EQ(shown.plot.predictedPoints(2).size(), 161);
+    }
+}
+
+// Catches a prediction that cannot be hidden, or outlives what it is about.
+TEST(TracePlot, APredictionIsHiddenAndRemoved) {
+    ShownPlot shown;
+    shown.plot.setPrediction(predictedWarmUp());
+    shown.plot.setPredictionVisible(false);
+    EXPECT_TRUE(shown.plot.predictedPoints(0).isEmpty());
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 60.0);
+    shown.plot.setPredictionVisible(true);
+    EXPECT_EQ(shown.plot.predictedPoints(0).size(), 161);
+    shown.plot.append(warmUp(5));
+    shown.plot.clear(); // Arm
+    EXPECT_EQ(shown.plot.predictedPoints(0).size(), 161);
+    shown.plot.setPrediction({});
+    EXPECT_TRUE(shown.plot.predictedPoints(0).isEmpty());
+    shown.plot.setPrediction(predictedWarmUp());
+    shown.plot.setObjects(kNames);
+    EXPECT_TRUE(shown.plot.predictedPoints(0).isEmpty()) << "it was of other objects";
+
+    shown.plot.setPrediction(predictedWarmUp());
+    shown.plot.setQuantity(Quantity::Error);
+    EXPECT_TRUE(shown.plot.predictedPoints(0).isEmpty());
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 230.0) << "in line with the plot of temperatures";
+}
+
+// Catches an endless empty axis in front of a run whose prediction does not settle.
+TEST(TracePlot, APredictionThatDoesNotSettleLeavesTheAxisToTheRun) {
+    ShownPlot shown;
+    PredictedRun run = predictedWarmUp();
+    run.settling_s.reset();
+    shown.plot.setPrediction(run);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 320.0);
+    shown.plot.append(warmUp(100));
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 100.0);
 }
