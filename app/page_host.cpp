@@ -60,6 +60,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connectCalibrate();
     connectDocument();
     connectJudge();
+    connectForecast();
     connectReview();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
         if (const auto set = m_document.setTargets(targets_K); !set) {
@@ -279,6 +280,15 @@ void PageHost::connectJudge() {
     connect(m_targets, &TargetsPage::predictionWanted, &m_judge, &TargetJudge::predict);
 }
 
+void PageHost::connectForecast() {
+    const auto tell = [this] { m_forecast.setExperiment(m_document.experiment()); };
+    for (const auto change :
+         {&Document::opened, &Document::edited, &Document::targetsChanged, &Document::controllerChanged})
+        connect(&m_document, change, this, tell);
+    connect(&m_forecast, &RunForecast::changed, this,
+            [this] { m_run->setPrediction(m_forecast.predicted()); });
+}
+
 /// A run that is on is told why targets set meanwhile cannot be held.
 void PageHost::reportInfeasible() {
     if (!m_verdictUntold || m_judge.isStale() || m_judge.isTrying() || !m_judge.verdict())
@@ -341,6 +351,7 @@ void PageHost::apply(const Snapshot& snapshot) {
     m_countdown->setPending(snapshot.pending);
     m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);
+    m_forecast.apply(snapshot, m_run->isVisible());
     m_reviewDesk.setRecording(QString::fromStdString(snapshot.recordingPath));
     const bool editable = allowsEdits(snapshot.state);
     m_rig->apply(snapshot, editable);

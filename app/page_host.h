@@ -6,6 +6,7 @@
 #include "app/page.h"
 #include "app/page_messages.h"
 #include "app/review_desk.h"
+#include "app/run_forecast.h"
 #include "app/target_judge.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
@@ -65,6 +66,7 @@ public:
     MessageBar& questionBar() { return *m_question; }
     MessageBar& coachBar() { return *m_coach; }
     const TargetJudge& judge() const { return m_judge; }
+    const RunForecast& forecast() const { return m_forecast; }
     ObjectsPage* objects() const { return m_objects; }
     RunPage* run() const { return m_run; }
     ReviewPage* review() const { return m_review; }
@@ -84,6 +86,7 @@ private:
     void connectCalibrate();
     void connectDocument();
     void connectJudge();
+    void connectForecast();
     void connectReview();
     void connectExports();
     void showExported(const QString& sentence, const QStringList& files);
@@ -96,6 +99,7 @@ private:
 
     Document& m_document;
     TargetJudge m_judge;
+    RunForecast m_forecast;
     SessionActions& m_files;
     CountdownBar* m_countdown;
     MessageBar *m_cutOff, *m_recipe, *m_question, *m_coach, *m_bar;

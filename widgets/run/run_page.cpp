@@ -70,6 +70,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
         plot->setObjects(names);
         plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
     }
+    setPrediction({});
     m_source->clear();
     m_scene->setExperiment(experiment);
     m_thermal->setNames(m_names);
@@ -180,6 +181,12 @@ void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vecto
         for (const TraceNote& note : notes)
             plot->addMarker(note.time_s, QString::fromStdString(note.text));
     }
+}
+
+void RunPage::setPrediction(const PredictedRun& run) {
+    for (TracePlot* plot : m_plots)
+        plot->setPrediction(run);
+    m_showPrediction->setVisible(!run.samples.empty());
 }
 
 void RunPage::setTemperatureUnit(TemperatureUnit unit) {

@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
+#include "engine/model/predicted_run.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/thermography/thermal_view.h"
 #include "widgets/common/object_tile.h"
@@ -34,8 +35,8 @@ class TracePlot;
 /// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>" and
 /// "sourceTile"; plots "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs
 /// "plotTabs", the last of which is "thermalPictureView" for a rig with a thermal camera; "followLive",
-/// "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric"; "activeLimits";
-/// "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
+/// "followWindow", "showPrediction", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric";
+/// "activeLimits"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
     Q_OBJECT
 public:
@@ -47,6 +48,8 @@ public:
     /// Takes everything new in the snapshot; a new runId begins a new trace. Cheap: drawing is done later in
     /// the event loop.
     void apply(const Snapshot& snapshot);
+    /// Shows the predicted run behind the traces; one without samples removes it, as setExperiment() does.
+    void setPrediction(const PredictedRun& run);
     void setTemperatureUnit(TemperatureUnit unit);
     TemperatureUnit temperatureUnit() const { return m_unit; }
     /// Returns what the tiles show now.
@@ -108,6 +111,7 @@ private:
     QCheckBox* m_follow = nullptr;
     QLabel* m_windowLabel = nullptr;
     QComboBox* m_window = nullptr;
+    QCheckBox* m_showPrediction = nullptr; ///< there while there is a prediction
     QPushButton* m_jump = nullptr;
     SceneView* m_scene = nullptr;
     QLabel* m_sceneLabel = nullptr;

@@ -99,6 +99,10 @@ QWidget* RunPage::makePlots() {
     for (double window_s : kWindows_s)
         m_window->addItem(QString(), window_s);
     m_windowLabel->setBuddy(m_window);
+    m_showPrediction = new QCheckBox(side);
+    m_showPrediction->setObjectName(QStringLiteral("showPrediction"));
+    m_showPrediction->setChecked(true);
+    m_showPrediction->hide();
     m_jump = new QPushButton(side);
     m_jump->setObjectName(QStringLiteral("jumpToLive"));
     auto* bar = new QHBoxLayout;
@@ -106,6 +110,7 @@ QWidget* RunPage::makePlots() {
     bar->addWidget(m_follow);
     bar->addWidget(m_windowLabel);
     bar->addWidget(m_window);
+    bar->addWidget(m_showPrediction);
     bar->addStretch(1);
     bar->addWidget(m_jump);
 
@@ -221,6 +226,10 @@ void RunPage::connectPlots() {
             plot->setFollowWindow_s(m_window->itemData(index).toDouble());
         setFollow(true);
     });
+    connect(m_showPrediction, &QCheckBox::toggled, this, [this](bool on) {
+        for (TracePlot* plot : m_plots)
+            plot->setPredictionVisible(on);
+    });
     for (TracePlot* plot : m_plots) {
         connect(plot, &TracePlot::followLiveChanged, this, [this](bool follow) {
             if (m_follow->isChecked() != follow)
@@ -248,6 +257,9 @@ void RunPage::retranslateUi() {
     for (int i = 0; i < m_window->count(); ++i)
         m_window->setItemText(i, windows[i]);
     m_window->setAccessibleName(tr("Stretch of time shown while following"));
+    m_showPrediction->setText(tr("Predicted"));
+    m_showPrediction->setToolTip(
+        tr("The run as the simulated rig predicts it from where it starts, dotted behind the traces."));
     m_jump->setText(tr("Jump to live"));
     m_jump->setAccessibleName(m_jump->text());
     m_jump->setToolTip(tr("Show the newest samples again and follow them."));

@@ -205,6 +205,41 @@ TEST(RunPage, PlotsMoveTogetherAndJumpBackToLive) {
     EXPECT_FALSE(jump->isVisible());
 }
 
+// Catches a prediction without its lines, without a way to hide it, or one that stays with other objects.
+TEST(RunPage, ThePredictedRunIsShownAndHidden) {
+    Shown shown;
+    auto* plot = shown.child<TracePlot>("plot.measured_K");
+    auto* error = shown.child<TracePlot>("plot.error_K");
+    auto* shows = shown.child<QCheckBox>("showPrediction");
+    ASSERT_NE(shows, nullptr);
+    EXPECT_FALSE(shows->isVisible()) << "there is none";
+    PredictedRun run;
+    for (const TraceSample& sample : likeARun(150)) {
+        run.samples.push_back({sample.time_s, sample.coordinates, {}});
+        for (const ObjectSample& object : sample.objects)
+            run.samples.back().temperatures_K.push_back(object.true_K);
+    }
+    run.settling_s = 90.0;
+    shown.page.setPrediction(run);
+    EXPECT_TRUE(shows->isVisible());
+    EXPECT_TRUE(shows->isChecked());
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(plot->predictedPoints(i).size(), 150) << i;
+    EXPECT_DOUBLE_EQ(plot->visibleTo_s(), error->visibleTo_s());
+    shown.page.grab().save(QStringLiteral("run_page_predicted.png"));
+    shown.page.apply(snapshotOf(likeARun(30)));
+    EXPECT_EQ(plot->predictedPoints(2).size(), 150) << "it stays behind the run";
+    shown.page.grab().save(QStringLiteral("run_page_predicted_run.png"));
+    QTest::mouseClick(shows, Qt::LeftButton, Qt::NoModifier, {8, shows->height() / 2});
+    EXPECT_TRUE(plot->predictedPoints(0).isEmpty());
+    EXPECT_DOUBLE_EQ(plot->visibleTo_s(), error->visibleTo_s());
+    QTest::mouseClick(shows, Qt::LeftButton, Qt::NoModifier, {8, shows->height() / 2});
+    EXPECT_EQ(plot->predictedPoints(0).size(), 150);
+    shown.page.setExperiment(threeObjects());
+    EXPECT_TRUE(plot->predictedPoints(0).isEmpty());
+    EXPECT_FALSE(shows->isVisible());
+}
+
 TEST(RunPage, KeyNThenTextThenEnterAddsANote) {
     Shown shown;
     shown.page.setFocus();

@@ -1,0 +1,139 @@
+// When the run that would be started now is predicted, and from where.
+
+#include "app/document.h"
+#include "app/run_forecast.h"
+#include "engine/base/units.h"
+#include "engine/model/trace.h"
+#include "tests/support/wait_for.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bask::test {
+namespace {
+
+struct RunForecastTest : testing::Test {
+    RunForecast forecast;
+    Experiment experiment = Document::blank();
+    int changes = 0;
+
+    RunForecastTest() {
+        QObject::connect(&forecast, &RunForecast::changed, [this] { ++changes; });
+        aimAt(45.0);
+    }
+    void aimAt(double target_degC) {
+        EXPECT_TRUE(bask::setTargets(experiment, {kelvinFromCelsius(target_degC)}));
+        forecast.setExperiment(experiment);
+    }
+    /// The rig at the start, as cold as the room.
+    Snapshot ready() const {
+        Snapshot snapshot;
+        snapshot.state = RunState::Ready;
+        snapshot.place = PlaceState::Sure;
+        snapshot.latest.coordinates = experiment.start;
+        snapshot.source_K = experiment.source.temperature_K;
+        for (const ObjectSpec& object : experiment.objects) {
+            snapshot.objects.push_back(object.name);
+            snapshot.toldReadings_K.push_back(experiment.environment_K + 0.1);
+        }
+        return snapshot;
+    }
+    bool isPredicted() const { return !forecast.predicted().samples.empty(); }
+    /// Tells the rig again and again, as the engine does, until it has been answered.
+    bool predictsFor(const Snapshot& snapshot) {
+        return waitFor([&] {
+            forecast.apply(snapshot, true);
+            return isPredicted();
+        });
+    }
+    /// Whether the rig, told so, makes it drop a prediction or compute one.
+    bool isMovedBy(const Snapshot& snapshot, bool isWatched = true) {
+        const int before = changes;
+        forecast.apply(snapshot, isWatched);
+        return changes > before || forecast.isPending();
+    }
+};
+
+// Catches a prediction from elsewhere, to elsewhere, or one that is computed again and again.
+TEST_F(RunForecastTest, IsMadeOnceForWhatWouldBeStarted) {
+    ASSERT_TRUE(predictsFor(ready()));
+    const PredictedRun run = forecast.predicted();
+    EXPECT_LT((run.samples.front().coordinates - experiment.start).norm(), 2e-3);
+    EXPECT_NEAR(run.samples.front().temperatures_K.at(0), experiment.environment_K, 0.5);
+    EXPECT_NEAR(run.samples.back().temperatures_K.at(0), kelvinFromCelsius(45.0), kSettledBand_K);
+    EXPECT_TRUE(run.settling_s);
+    Snapshot noisy = ready();
+    noisy.toldReadings_K[0] += 0.5;
+    noisy.latest.coordinates[kX] += 2e-4;
+    EXPECT_FALSE(isMovedBy(noisy));
+    EXPECT_EQ(changes, 1);
+}
+
+// Catches work that nobody sees, in a run, or for a rig that is not known.
+TEST_F(RunForecastTest, IsNotMadeUnlessItIsOfUse) {
+    EXPECT_FALSE(isMovedBy(ready(), false));
+    Snapshot other = ready();
+    other.state = RunState::Running;
+    EXPECT_FALSE(isMovedBy(other));
+    other = ready();
+    other.place = PlaceState::Unknown;
+    EXPECT_FALSE(isMovedBy(other));
+    other = ready();
+    other.objects.emplace_back("one more");
+    EXPECT_FALSE(isMovedBy(other)) << "the engine has another experiment yet";
+    EXPECT_TRUE(isMovedBy(ready()));
+    EXPECT_FALSE(isMovedBy(ready(), false)) << "nobody looks any more";
+}
+
+// Catches a prediction that goes, or is made anew, while its run is on or looked at; and one that stays when
+// the next run would begin elsewhere.
+TEST_F(RunForecastTest, StaysFromStartUntilTheNextRun) {
+    ASSERT_TRUE(predictsFor(ready()));
+    Snapshot run = ready();
+    run.state = RunState::Running;
+    EXPECT_FALSE(isMovedBy(run));
+    run.runTime_s = 90.0;
+    run.latest.coordinates[kZ] -= 0.03;
+    run.toldReadings_K[0] = kelvinFromCelsius(44.0);
+    EXPECT_FALSE(isMovedBy(run));
+    run.state = RunState::Stopped;
+    EXPECT_FALSE(isMovedBy(run));
+    run.state = RunState::Armed;
+    run.runTime_s = 0.0;
+    forecast.apply(run, true);
+    EXPECT_FALSE(isPredicted()) << "it was of the run before";
+    ASSERT_TRUE(predictsFor(run));
+    EXPECT_LT((forecast.predicted().samples.front().coordinates - run.latest.coordinates).norm(), 2e-3);
+    EXPECT_GT(forecast.predicted().samples.front().temperatures_K.at(0), experiment.environment_K + 5.0);
+}
+
+// Catches a prediction that outlives an edit, or the target of before.
+TEST_F(RunForecastTest, FollowsEdits) {
+    ASSERT_TRUE(predictsFor(ready()));
+    aimAt(42.0);
+    EXPECT_FALSE(isPredicted());
+    EXPECT_EQ(changes, 2) << "it was told";
+    ASSERT_TRUE(predictsFor(ready()));
+    EXPECT_NEAR(forecast.predicted().samples.back().temperatures_K.at(0), kelvinFromCelsius(42.0),
+                kSettledBand_K);
+    aimAt(43.0);
+    aimAt(44.0);
+    EXPECT_EQ(changes, 4);
+}
+
+// Catches a prediction for each step of a robot that is moved by hand.
+TEST_F(RunForecastTest, WaitsUntilTheRobotStands) {
+    Snapshot moved = ready();
+    for (int k = 0; k < 50; ++k) {
+        moved.latest.coordinates[kX] += 2e-3;
+        forecast.apply(moved, true);
+        QCoreApplication::processEvents();
+    }
+    ASSERT_TRUE(predictsFor(moved));
+    EXPECT_EQ(changes, 1);
+    EXPECT_LT((forecast.predicted().samples.front().coordinates - moved.latest.coordinates).norm(), 2e-3);
+}
+
+} // namespace
+} // namespace bask::test
