@@ -186,7 +186,13 @@ void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vecto
 void RunPage::setPrediction(const PredictedRun& run) {
     for (TracePlot* plot : m_plots)
         plot->setPrediction(run);
+    m_prediction = run;
+    showPlan();
     m_showPrediction->setVisible(!run.samples.empty());
+}
+
+void RunPage::showPlan() {
+    m_scene->setPlan(m_showPrediction->isChecked() ? m_prediction : PredictedRun());
 }
 
 void RunPage::setTemperatureUnit(TemperatureUnit unit) {

@@ -48,7 +48,8 @@ public:
     /// Takes everything new in the snapshot; a new runId begins a new trace. Cheap: drawing is done later in
     /// the event loop.
     void apply(const Snapshot& snapshot);
-    /// Shows the predicted run behind the traces; one without samples removes it, as setExperiment() does.
+    /// Shows the predicted run behind the traces and in the scene; one without samples removes it, as
+    /// setExperiment() does.
     void setPrediction(const PredictedRun& run);
     void setTemperatureUnit(TemperatureUnit unit);
     TemperatureUnit temperatureUnit() const { return m_unit; }
@@ -86,6 +87,7 @@ private:
     void setFollow(bool follow);
     void showBehind();
     void showScene(const Snapshot& snapshot);
+    void showPlan();
     void showTiles(const Snapshot& snapshot);
     void showLimits(const Snapshot& snapshot);
     void addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes);
@@ -100,6 +102,7 @@ private:
     std::optional<std::uint64_t> m_runId;
     std::vector<TraceEvent> m_events; ///< events of the run, to translate them again
     std::vector<TraceNote> m_notes;
+    PredictedRun m_prediction;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     TileGrid* m_tiles = nullptr;

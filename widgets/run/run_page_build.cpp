@@ -229,6 +229,7 @@ void RunPage::connectPlots() {
     connect(m_showPrediction, &QCheckBox::toggled, this, [this](bool on) {
         for (TracePlot* plot : m_plots)
             plot->setPredictionVisible(on);
+        showPlan();
     });
     for (TracePlot* plot : m_plots) {
         connect(plot, &TracePlot::followLiveChanged, this, [this](bool follow) {
@@ -259,7 +260,8 @@ void RunPage::retranslateUi() {
     m_window->setAccessibleName(tr("Stretch of time shown while following"));
     m_showPrediction->setText(tr("Predicted"));
     m_showPrediction->setToolTip(
-        tr("The run as the simulated rig predicts it from where it starts, dotted behind the traces."));
+        tr("The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed "
+           "in the scene."));
     m_jump->setText(tr("Jump to live"));
     m_jump->setAccessibleName(m_jump->text());
     m_jump->setToolTip(tr("Show the newest samples again and follow them."));

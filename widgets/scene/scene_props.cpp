@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_props.h"
 
 #include "widgets/common/theme.h"
+#include "widgets/scene/planned_path.h"
 #include "widgets/scene/scene_part.h"
 #include "widgets/scene/source_glow.h"
 #include "widgets/scene/source_pattern.h"
@@ -32,6 +33,7 @@ namespace bask {
 namespace {
 
 constexpr double kGridStep_m = 0.05;
+constexpr double kDash = 0.012; ///< of a planned path: share of the frame's diagonal
 // Incandescent, and nothing else on screen has it: middle and rim of the source.
 constexpr QRgb kSourceMiddle = 0xffffb45c;
 constexpr QRgb kSourceRim = 0xffd9481c;
@@ -254,6 +256,7 @@ struct ObjectParts {
     ScenePart mount;
     ScenePart drop; ///< from the centroid along the source's normal to its plane
     ScenePart trail;
+    ScenePart plan; ///< path of the centre that a run is predicted to take
     Pose X_EO = Pose::Identity();
 };
 
@@ -292,6 +295,7 @@ struct SceneProps::Impl {
     Box workspaceBox;
     int nearest = -1; ///< corner of the workspace whose edges are left out
     std::vector<ObjectParts> objects;
+    bool arePlansDim = false;
     std::vector<PlateParts> plates;
 
     void forEach(const std::function<void(ScenePart&)>& visit) {
@@ -299,7 +303,7 @@ struct SceneProps::Impl {
             visit(*part);
         for (ObjectParts& object : objects)
             for (ScenePart* part :
-                 {&object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
+                 {&object.plan, &object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
                 visit(*part);
         for (PlateParts& plate : plates)
             for (ScenePart* part : {&plate.fill, &plate.outline})
@@ -316,6 +320,7 @@ void SceneProps::Impl::applyColours() {
     sourceRim.setColour(QColor::fromRgb(kSourceRim).darker(colours.dark ? 100 : 120));
     for (std::size_t i = 0; i < objects.size(); ++i) {
         objects[i].mount.setColour(colours.mount);
+        objects[i].plan.setColour(arePlansDim ? colours.workspace : colours.mount);
         objects[i].drop.setColour(colours.workspace);
         objects[i].outline.setColour(seriesColor(static_cast<int>(i), colours.dark));
     }
@@ -382,6 +387,7 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
         setSegments(*object.drop.data, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
         object.trail.width_px = 3.0F;
         object.trail.mapper->ScalarVisibilityOn();
+        object.plan.width_px = 2.0F;
         m->objects.push_back(object);
     }
     for (const PlateSpec& fixture : experiment.fixtures)
@@ -435,6 +441,7 @@ void SceneProps::setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vecto
         object.fill.setTransform(X_RO);
         object.outline.setTransform(lifted(X_RO));
         object.mount.setTransform(lifted(X_RE));
+        object.plan.setTransform(Pose(Eigen::Translation3d(-lift))); // behind a trail on the same path
         Pose drop = X_RS;
         drop.translation() = X_RO.translation() - height_m * normal;
         drop.linear().col(2) *= height_m; // a line of length one, stretched
@@ -475,6 +482,19 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     setPolyline(data, points);
     data.GetPointData()->SetScalars(colours);
     data.Modified();
+}
+
+void SceneProps::setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R) {
+    vtkPolyData& data = *m->objects.at(index).plan.data;
+    setSegments(data, plannedPath(path_R, kDash * m->frame.diagonal().norm()));
+    data.Modified();
+}
+
+void SceneProps::setPlansDim(bool dim) {
+    if (dim == m->arePlansDim)
+        return;
+    m->arePlansDim = dim;
+    m->applyColours();
 }
 
 } // namespace bask

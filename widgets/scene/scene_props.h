@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 class vtkRenderer;
 
@@ -52,6 +53,10 @@ public:
     void setObjectOpacity(double opacity);
     /// Uploads one trail of at most Trail::kMaxPoints points.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
+    /// Sets the planned path of an object's centre, R, m; dashed, with a cross at its end. Empty: none.
+    void setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R);
+    /// Sets whether planned paths are dimmer, beside trails.
+    void setPlansDim(bool dim);
 
 private:
     struct Impl;

@@ -50,6 +50,7 @@ struct SceneView::Impl {
     std::vector<Pose> X_EO;
     std::vector<std::vector<Eigen::Vector3d>> outlines_O;
     std::vector<Trail> trails;
+    std::vector<Vector6d> plan; ///< coordinates of the end-effector on the way
     std::vector<double> temperatures_K;
     double source_K = kUnknown;
     double coldest_K = kUnknown;
@@ -62,6 +63,7 @@ struct SceneView::Impl {
     bool rebuild = true;
     bool recolour = true;
     bool trailsGrew = true;
+    bool isPlanNew = true;
     NiceRange shownRange;
     OverlayContent content;
 
@@ -79,6 +81,7 @@ struct SceneView::Impl {
     void resetTrace();
     NiceRange range() const;
     QColor colourOf(double t_K, bool dark) const;
+    std::vector<Eigen::Vector3d> plannedPathOf(std::size_t object) const;
     OverlayContent overlayContent(bool dark) const;
 };
 
@@ -101,6 +104,14 @@ NiceRange SceneView::Impl::range() const {
 QColor SceneView::Impl::colourOf(double t_K, bool dark) const {
     return mapColour((displayTemperature(t_K, unit) - shownRange.min) / (shownRange.max - shownRange.min),
                      dark);
+}
+
+std::vector<Eigen::Vector3d> SceneView::Impl::plannedPathOf(std::size_t object) const {
+    std::vector<Eigen::Vector3d> path_R;
+    path_R.reserve(plan.size());
+    for (const Vector6d& coordinates : plan)
+        path_R.emplace_back(poseFromCoordinates(coordinates) * X_EO[object].translation());
+    return path_R;
 }
 
 OverlayContent SceneView::Impl::overlayContent(bool dark) const {
@@ -219,6 +230,7 @@ void SceneView::setExperiment(const Experiment& experiment) {
         m->outlines_O.push_back(labelOutline(object.shape));
     }
     m->resetTrace();
+    m->plan.clear();
     m->rebuild = true;
     if (!sameRoom || !m->cameraIsPersons)
         fit();
@@ -252,6 +264,18 @@ void SceneView::appendSamples(const std::vector<TraceSample>& samples) {
 void SceneView::setSamples(const std::vector<TraceSample>& samples) {
     m->resetTrace();
     appendSamples(samples);
+}
+
+void SceneView::setPlan(const PredictedRun& run) {
+    if (run.samples.empty() && m->plan.empty())
+        return;
+    m->plan.clear();
+    m->plan.reserve(run.samples.size());
+    for (const PredictedSample& sample : run.samples)
+        if (sample.coordinates.allFinite())
+            m->plan.push_back(sample.coordinates);
+    m->isPlanNew = true;
+    requestFrame();
 }
 
 // What is told again and again and is the same needs no frame: the engine tells 20 times a second.
@@ -359,6 +383,11 @@ void SceneView::prepareFrame() {
                                    [this, dark](double t_K) { return m->colourOf(t_K, dark); });
         }
         m->trailsGrew = false;
+        if (m->rebuild || m->isPlanNew)
+            for (std::size_t i = 0; i < m->X_EO.size(); ++i)
+                m->props->setPlan(i, m->plannedPathOf(i));
+        m->isPlanNew = false;
+        m->props->setPlansDim(std::ranges::any_of(m->trails, [](const Trail& t) { return !t.empty(); }));
     }
     m->content = m->overlayContent(dark);
     m->rebuild = m->recolour = false;

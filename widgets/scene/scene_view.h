@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
+#include "engine/model/predicted_run.h"
 #include "engine/model/trace.h"
 
 #include <QWidget>
@@ -30,6 +31,9 @@ public:
     void appendSamples(const std::vector<TraceSample>& samples);
     /// Sets the whole trace at once.
     void setSamples(const std::vector<TraceSample>& samples);
+    /// Shows the paths that the objects' centres are predicted to take, dashed, and dimmer beside a trace.
+    /// One without samples removes them, as setExperiment() does; clearTrace() does not.
+    void setPlan(const PredictedRun& run);
     /// Moves the objects only (readings outside of a run, replay).
     void setPose(const Vector6d& coordinates);
     /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.

@@ -83,6 +83,46 @@ TEST_F(SceneViewTest, ATraceColoursObjectsAndTrail) {
               test::pixelsOf(after, mapColour(0.3, false), 6));
 }
 
+// Catches a planned path that is not drawn before Start, covers the trail, stays when there is no prediction
+// any more, or keeps the colours of the other theme.
+TEST_F(SceneViewTest, ThePlannedPathIsDrawnAndRemoved) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(test::threeObjects());
+    show(view);
+    const QImage before = grab(view);
+    PredictedRun plan;
+    for (const TraceSample& sample : test::spiral(300))
+        plan.samples.push_back({sample.time_s, sample.coordinates, {}});
+    view.setPlan(plan);
+    const QImage planned = grab(view);
+    keepScreenshot(planned, QStringLiteral("scene-planned"));
+    const int drawn = test::differentPixels(before, planned);
+    EXPECT_GT(drawn, 300);
+    EXPECT_LT(drawn, 20000) << "a thin line";
+    view.clearTrace();
+    EXPECT_LT(test::differentPixels(planned, grab(view)), 100) << "Arm leaves it";
+
+    view.setSamples(test::spiral(300));
+    const QImage withPlan = grab(view);
+    keepScreenshot(withPlan, QStringLiteral("scene-planned-run"));
+    QApplication::setPalette(themePalette(true));
+    QCoreApplication::processEvents();
+    keepScreenshot(grab(view), QStringLiteral("scene-planned-run-dark"));
+    QApplication::setPalette(themePalette(false));
+    QCoreApplication::processEvents();
+    view.setPlan({});
+    const QImage trailOnly = grab(view);
+    EXPECT_LT(test::differentPixels(withPlan, trailOnly), drawn) << "dimmer, and under the trail";
+    view.clearTrace();
+    view.setPose(test::threeObjects().start);
+    EXPECT_LT(test::differentPixels(before, grab(view)), 100);
+
+    view.setPlan(plan);
+    view.setExperiment(test::threeObjects());
+    EXPECT_LT(test::differentPixels(before, grab(view)), 100) << "it was of another experiment";
+}
+
 // Catches a pose that moves numbers but not the picture, or moves it the wrong way.
 TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
     SceneView view;
