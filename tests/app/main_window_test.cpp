@@ -13,6 +13,7 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/plots/trace_plot.h"
 #include "widgets/review/review_page.h"
 #include "widgets/review/session_list.h"
 #include "widgets/targets/reach_bar.h"
@@ -108,6 +109,26 @@ TEST_F(MainWindowTest, TheKeyboardDoesNotSlideFromStartToStop) {
     QTest::keyClick(window->focusWidget(), Qt::Key_Space);
     ASSERT_TRUE(waitForState(RunState::Running));
     EXPECT_EQ(window->focusWidget(), find<QWidget>("runStateChip"));
+}
+
+// Catches a run that its page does not predict, a prediction that goes at Arm or Start, and one that outlives
+// an edit.
+TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
+    openWindow();
+    auto* plot = find<TracePlot>("plot.measured_K");
+    ASSERT_NE(plot, nullptr);
+    EXPECT_TRUE(plot->predictedPoints(0).isEmpty()) << "nobody looks";
+    window->pages().show(Page::Run);
+    ASSERT_TRUE(waitFor([&] { return !plot->predictedPoints(0).isEmpty(); }));
+    EXPECT_TRUE(find<QCheckBox>("showPrediction")->isVisible());
+    keepPicture(QStringLiteral("run-predicted"));
+    const QList<QPointF> predicted = plot->predictedPoints(0);
+    EXPECT_NEAR(predicted.front().y(), 25.0, 1.0);
+    ASSERT_NO_FATAL_FAILURE(startRun(20));
+    EXPECT_EQ(plot->predictedPoints(0), predicted);
+    keepPicture(QStringLiteral("run-predicted-run"));
+    ASSERT_TRUE(window->document().setTargets(std::vector<double>(3, 312.0)));
+    EXPECT_TRUE(plot->predictedPoints(0).isEmpty()) << "it was for other targets";
 }
 
 TEST_F(MainWindowTest, HoldBecomesResume) {
