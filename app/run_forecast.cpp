@@ -20,6 +20,16 @@ bool isWithin(double a_K, double b_K, double near_K) {
     return std::abs(a_K - b_K) <= near_K;
 }
 
+/// Without what only a simulated rig knows: a run that differs by that is to be seen to.
+Experiment asAssumed(Experiment experiment) {
+    for (ObjectSpec& object : experiment.objects)
+        object.simulatedMaterial.reset();
+    experiment.simulation.sourceEmittance.reset();
+    experiment.simulation.sourcePose.reset();
+    experiment.simulation.sourceUneven.reset();
+    return experiment;
+}
+
 PredictedRun forecast(const Experiment& experiment, const RigCondition& from, const std::stop_token& stop) {
     std::stop_source over;
     const std::stop_callback unwanted(stop, [&over] { over.request_stop(); });
@@ -101,7 +111,7 @@ void RunForecast::drop() {
 }
 
 void RunForecast::predict() {
-    Experiment experiment = m_experiment;
+    Experiment experiment = asAssumed(m_experiment);
     experiment.environment_K = m_from->environment_K;
     experiment.simulation.durationLimit_s = std::min(experiment.simulation.durationLimit_s, kMaxPredicted_s);
     RigCondition from;
@@ -113,9 +123,9 @@ void RunForecast::predict() {
     if (!isWithin(m_from->source_K, sourceSetPoint_K(experiment.source, 0.0), SourceWarmUp::kWarm_K))
         from.source_K = m_from->source_K;
     m_job.run([experiment, from](const std::stop_token& stop) { return forecast(experiment, from, stop); },
-              [this](PredictedRun run) {
+              [this](const PredictedRun& run) {
                   m_isMade = true;
-                  m_predicted = std::move(run);
+                  m_predicted = run;
                   emit changed();
               });
 }

@@ -15,9 +15,10 @@
 
 namespace bask {
 
-/// GUI thread; the run is simulated on a thread of its own, with low priority, from where the rig is: a
-/// moment after the last change of experiment or rig, only while it is looked at, and before Start only. From
-/// Start on the last prediction stays until the next run or an edit.
+/// GUI thread; the run is simulated on a thread of its own, with low priority, from where the rig is and with
+/// objects and source as the experiment assumes them: a moment after the last change of experiment or rig,
+/// only while it is looked at, and before Start only. From Start on the last prediction stays until the next
+/// run or an edit.
 class RunForecast : public QObject {
     Q_OBJECT
 

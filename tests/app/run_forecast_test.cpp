@@ -70,6 +70,18 @@ TEST_F(RunForecastTest, IsMadeOnceForWhatWouldBeStarted) {
     EXPECT_EQ(changes, 1);
 }
 
+// Catches a prediction that knows what only the simulated rig does: the run would not deviate from it.
+TEST_F(RunForecastTest, KnowsNoMoreThanTheExperimentAssumes) {
+    ASSERT_TRUE(predictsFor(ready()));
+    const double assumed_s = forecast.predicted().settling_s.value();
+    experiment.objects[0].simulatedMaterial = experiment.objects[0].material;
+    experiment.objects[0].simulatedMaterial->absorptance *= 0.5;
+    experiment.simulation.sourceEmittance = 0.5 * experiment.source.emittance;
+    forecast.setExperiment(experiment);
+    ASSERT_TRUE(predictsFor(ready()));
+    EXPECT_EQ(forecast.predicted().settling_s, assumed_s);
+}
+
 // Catches work that nobody sees, in a run, or for a rig that is not known.
 TEST_F(RunForecastTest, IsNotMadeUnlessItIsOfUse) {
     EXPECT_FALSE(isMovedBy(ready(), false));
