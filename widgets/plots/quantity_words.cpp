@@ -143,9 +143,18 @@ QString quantityText(double si, Quantity quantity, std::size_t series, Temperatu
     return symbol.isEmpty() || !std::isfinite(si) ? text : text + QStringLiteral("\u00a0") + symbol;
 }
 
-int quantityDecimals(Quantity quantity) {
-    const auto shown = shownOf(quantity);
-    return shown && shown->as == ShownAs::Number && shown->decimals >= 0 ? shown->decimals : 1;
+QString quantityChange(double si, Quantity quantity, std::size_t series, TemperatureUnit unit) {
+    switch (quantityShownAs(quantity)) {
+    case ShownAs::Temperature:
+    case ShownAs::Difference:
+        return formatDifference(si, unit);
+    case ShownAs::RatePerMinute:
+        return formatRate(si, unit);
+    case ShownAs::Number:
+        break;
+    }
+    const QString text = quantityText(si, quantity, series, unit);
+    return si > 0.0 ? u'+' + text : text;
 }
 
 } // namespace bask

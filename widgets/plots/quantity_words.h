@@ -26,7 +26,7 @@ ShownAs quantityShownAs(Quantity quantity);
 double displayedQuantity(double si, Quantity quantity, TemperatureUnit unit);
 /// Returns the value with its unit; that of a speed depends on the series.
 QString quantityText(double si, Quantity quantity, std::size_t series, TemperatureUnit unit);
-/// Returns the number of decimals of a difference between two displayed values.
-int quantityDecimals(Quantity quantity);
+/// Returns the difference of two values with its sign and unit; that of a speed depends on the series.
+QString quantityChange(double si, Quantity quantity, std::size_t series, TemperatureUnit unit);
 
 } // namespace bask

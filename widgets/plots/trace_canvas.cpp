@@ -315,25 +315,28 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
 }
 
-QString TracePlot::Canvas::readout(double time_s, std::optional<double> reference_s) const {
+QString TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) const {
     const std::size_t row = traces->nearestRow(time_s);
     if (row >= traces->rows())
         return {};
+    const std::size_t from = from_s ? traces->nearestRow(*from_s) : traces->rows();
+    const bool isPinned = from < traces->rows();
+    const auto withChange = [](const QString& first, const QString& then, const QString& change) {
+        return QStringLiteral("%1 \u2192 %2 (\u0394 %3)").arg(first, then, change);
+    };
     QStringList parts{formatDuration(traces->time_s(row))};
-    std::optional<std::size_t> from;
-    if (reference_s) {
-        from = traces->nearestRow(*reference_s);
-        parts[0] +=
-            QStringLiteral(" (\u0394 %1)").arg(formatDuration(traces->time_s(row) - traces->time_s(*from)));
-    }
+    if (isPinned)
+        parts[0] = withChange(formatDuration(traces->time_s(from)), parts[0],
+                              formatSigned(traces->time_s(row) - traces->time_s(from), 1) +
+                                  QStringLiteral("\u00a0s"));
     for (int i = 0; i < m_series.size(); ++i) {
         const auto series = static_cast<std::size_t>(i);
+        const auto textOf = [&](double value) { return quantityText(value, quantity, series, unit); };
         const double value = traces->value(quantity, series, row);
-        QString text = quantityText(value, quantity, series, unit);
-        if (from && quantity != Quantity::Speed) {
-            const double change = displayed(value) - displayed(traces->value(quantity, series, *from));
-            if (std::isfinite(change))
-                text += QStringLiteral(" (\u0394 %1)").arg(formatSigned(change, quantityDecimals(quantity)));
+        QString text = textOf(value);
+        if (isPinned) {
+            const double first = traces->value(quantity, series, from);
+            text = withChange(textOf(first), text, quantityChange(value - first, quantity, series, unit));
         }
         parts << QStringLiteral("%1 %2").arg(seriesName(i), text);
     }

@@ -32,7 +32,7 @@ public:
     double displayed(double value) const;
     bool isOfRun() const; ///< whether the quantity belongs to the run: its lines are not the objects'
     QString seriesName(int series) const;
-    QString readout(double time_s, std::optional<double> reference_s) const;
+    QString readout(double time_s, std::optional<double> from_s) const;
     double factor(int series) const; ///< factor of displayed() values
     void readAll();                  ///< reads everything in the picture, even if it takes a while
 
@@ -90,6 +90,7 @@ public:
     double window_s = 0.0;
     bool markerTexts = true;
     std::optional<double> position_s; ///< position of a replay
+    std::optional<double> pinned_s;   ///< the first cursor
 
     struct Marker {
         double time_s;
@@ -150,7 +151,6 @@ private:
     bool m_isDrawn = false; ///< has been drawn once
     bool m_programRange = false;
     bool m_valueAuto = true;
-    std::optional<double> m_pinned_s;
     std::optional<double> m_cursor_s;
     QPoint m_pressed;
 };

@@ -56,13 +56,11 @@ void TracePlot::Canvas::connectInteraction() {
     connect(this, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
         if ((event->pos() - m_pressed).manhattanLength() > 4 || !axisRect()->rect().contains(event->pos()))
             return;
-        if (event->button() == Qt::LeftButton && traces->rows() > 0) {
-            const double clicked_s = xAxis->pixelToCoord(event->pos().x());
-            pinCursor(clicked_s);
-            emit owner->momentClicked(clicked_s);
-        } else {
-            pinCursor(std::nullopt);
-        }
+        if (event->button() != Qt::LeftButton || traces->rows() == 0)
+            return;
+        const double clicked_s = xAxis->pixelToCoord(event->pos().x());
+        pinCursor(traces->time_s(traces->nearestRow(clicked_s)));
+        emit owner->momentClicked(clicked_s);
     });
     connect(this, &QCustomPlot::mouseDoubleClick, this, [this] {
         pinCursor(std::nullopt);
@@ -212,7 +210,7 @@ bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
         setFollow(true);
         return true;
     case Qt::Key_Escape:
-        if (!m_pinned_s)
+        if (!pinned_s)
             return false;
         pinCursor(std::nullopt);
         return true;
@@ -233,7 +231,7 @@ void TracePlot::Canvas::showCursor(double time_s) {
     m_cursor->setVisible(true);
     layer(QStringLiteral("cursor"))->replot();
 
-    const QStringList parts = readout(*m_cursor_s, m_pinned_s).split(QStringLiteral("   "));
+    const QStringList parts = readout(*m_cursor_s, pinned_s).split(QStringLiteral("   "));
     QString rich = QStringLiteral("<b>%1</b>").arg(parts.value(0).toHtmlEscaped());
     for (int i = 1; i < parts.size(); ++i)
         rich += QStringLiteral("<br><span style='color:%1'>\u25a0</span> %2")
@@ -258,9 +256,11 @@ void TracePlot::Canvas::hideCursor() {
 }
 
 void TracePlot::Canvas::pinCursor(std::optional<double> time_s) {
-    if (!time_s && !m_pinned_s)
+    if (time_s && !std::isfinite(*time_s)) // of a damaged file
+        time_s.reset();
+    if (!time_s && !pinned_s)
         return;
-    m_pinned_s = time_s;
+    pinned_s = time_s;
     m_pinned->setVisible(time_s.has_value());
     if (time_s) {
         m_pinned->start->setCoords(*time_s, 1.0);

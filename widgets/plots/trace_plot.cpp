@@ -193,8 +193,16 @@ std::optional<double> TracePlot::position_s() const {
     return m_canvas->position_s;
 }
 
-QString TracePlot::readout(double time_s) const {
-    return m_canvas->readout(time_s, std::nullopt);
+std::optional<double> TracePlot::cursor_s() const {
+    return m_canvas->pinned_s;
+}
+
+QString TracePlot::readout(double time_s, std::optional<double> pinned_s) const {
+    return m_canvas->readout(time_s, pinned_s);
+}
+
+void TracePlot::takeCursorAway() {
+    m_canvas->pinCursor(std::nullopt);
 }
 
 void TracePlot::redraw() {

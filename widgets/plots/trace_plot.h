@@ -20,7 +20,8 @@ class RecordedSession;
 
 /// Follows the newest sample until a person zooms or drags; data is never lost by that. Wheel: zoom time;
 /// Ctrl+wheel or the wheel over the value axis: zoom values; drag: move; double click: whole picture, live
-/// again. Pointing reads the values at a moment, a click pins the first of two cursors. Keys: arrows, +, -,
+/// again. Pointing reads the values at a moment, a click pins the first of two cursors, from which the other
+/// then tells the differences. Keys: arrows, +, -,
 /// Home (whole run), End (live), Esc. Invalid samples leave a gap. Where samples are denser than pixels their
 /// extremes are drawn. Memory stays bounded however long a run goes on (TraceStore). Redraws at most 33
 /// times a second, and only while visible. Object name "tracePlot" unless given another; the drawing area
@@ -94,11 +95,16 @@ public:
     QStringList markerTexts() const;
     QStringList overlayLabels() const;
     std::optional<double> position_s() const;
-    /// Returns the values at the row nearest to a time in one line, as the cursor shows them.
-    QString readout(double time_s) const;
+    /// Returns the time of the pinned cursor; none if there is none.
+    std::optional<double> cursor_s() const;
+    /// Returns the values at the row nearest to a time in one line, as the cursor shows them; with the time
+    /// of a pinned cursor also the values there, and the differences from them.
+    QString readout(double time_s, std::optional<double> pinned_s = std::nullopt) const;
 
     /// Draws at once, also while hidden; only needed for pictures and measurements.
     void redraw();
+    /// Takes the pinned cursor away.
+    void takeCursorAway();
     /// Saves the shown picture; the suffix selects PNG or PDF. Returns false if it cannot be written.
     bool saveImage(const QString& path) const;
 

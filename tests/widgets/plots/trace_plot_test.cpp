@@ -206,6 +206,32 @@ TEST(TracePlot, QuantitiesAndTheirUnits) {
     EXPECT_NEAR(shown.plot.seriesPoints(1)[4].y(), 0.35, 1e-9);
 }
 
+// Catches a difference without its two values, one that is taken from where nothing was read, and a small one
+// that is rounded away.
+TEST(TracePlot, TwoCursorsTellBothValuesAndTheDifference) {
+    ShownPlot shown;
+    auto samples = warmUp(20);
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+        samples[k].objects[0].measured_K = 294.15 + static_cast<double>(k);
+        samples[k].objects[0].lambda1 = 0.01 * static_cast<double>(k + 1);
+    }
+    samples[2].objects[1].valid = false;
+    shown.plot.setSamples(samples);
+    const auto told = [&](double time_s, double pinned_s) { return shown.plot.readout(time_s, pinned_s); };
+    EXPECT_TRUE(told(12.0, 4.0).startsWith(QStringLiteral("0:04 \u2192 0:12 (\u0394 +8.0\u00a0s)")))
+        << told(12.0, 4.0).toStdString();
+    EXPECT_TRUE(told(12.0, 4.0).contains(
+        QStringLiteral("circle 24.0\u00a0\u00b0C \u2192 32.0\u00a0\u00b0C (\u0394 +8.0\u00a0K)")))
+        << told(12.0, 4.0).toStdString();
+    EXPECT_TRUE(told(2.0, 4.0).contains(QStringLiteral("(\u0394 \u22122.0\u00a0K)")))
+        << told(2.0, 4.0).toStdString();
+    EXPECT_TRUE(told(12.0, 3.0).contains(QStringLiteral("bunny \u2014 \u2192")));
+    EXPECT_TRUE(shown.plot.readout(12.0).contains(QStringLiteral("circle 32.0")));
+    EXPECT_FALSE(shown.plot.readout(12.0).contains(QStringLiteral("\u0394")));
+    shown.plot.setQuantity(Quantity::Strength);
+    EXPECT_TRUE(told(12.0, 4.0).contains(QStringLiteral("(\u0394 +0.08"))) << told(12.0, 4.0).toStdString();
+}
+
 TEST(TracePlot, MarkersAndClear) {
     ShownPlot shown;
     shown.plot.append(warmUp(20));
