@@ -10,6 +10,7 @@
 #include "app/main_window.h"
 #include "app/material_control.h"
 #include "app/monitor_control.h"
+#include "app/plot_windows_control.h"
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
 #include "app/state_bar.h"
@@ -209,6 +210,9 @@ void MainWindow::connectParts() {
     connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::open);
     connect(largeNumbers, &LargeNumbersControl::stopRequested, m_stateBar, &StateBar::stopRequested);
     connect(&m_engine, &EngineClient::answeringChanged, largeNumbers, &LargeNumbersControl::setAnswering);
+    auto* plotWindows = new PlotWindowsControl(this);
+    connect(this, &MainWindow::snapshotApplied, plotWindows, &PlotWindowsControl::apply);
+    connect(&m_engine, &EngineClient::answeringChanged, plotWindows, &PlotWindowsControl::setAnswering);
     connectRecipe();
     connectCoach();
 }

@@ -217,4 +217,12 @@ void SettingsStore::setLargeNumbersGeometry(const QByteArray& geometry) {
     m_settings.setValue(windowKey("large-numbers"), geometry);
 }
 
+QByteArray SettingsStore::plotWindowGeometry(const QString& plot) const {
+    return m_settings.value(windowKey(qPrintable(plot))).toByteArray();
+}
+
+void SettingsStore::setPlotWindowGeometry(const QString& plot, const QByteArray& geometry) {
+    m_settings.setValue(windowKey(qPrintable(plot)), geometry);
+}
+
 } // namespace bask

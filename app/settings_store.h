@@ -80,6 +80,9 @@ public:
     void setWindow(const QByteArray& geometry, const QByteArray& state);
     QByteArray largeNumbersGeometry() const;
     void setLargeNumbersGeometry(const QByteArray& geometry);
+    /// Place of the window of a plot, by the plot's name.
+    QByteArray plotWindowGeometry(const QString& plot) const;
+    void setPlotWindowGeometry(const QString& plot, const QByteArray& geometry);
 
 private:
     QSettings m_settings;

@@ -4,6 +4,7 @@
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/comparison_view.h"
@@ -108,12 +109,12 @@ ReplayView::ReplayView(QWidget* parent)
 
 ReplayView::~ReplayView() = default;
 
-TracePlot* ReplayView::makePlot(Quantity quantity) {
+PlotPlace* ReplayView::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);
     plot->setObjectName(QStringLiteral("review.") + quantityKey(quantity));
     plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
-    m_plots.push_back({plot, false});
-    return plot;
+    m_plots.push_back({new PlotPlace(plot, this), plot, false});
+    return m_plots.back().place;
 }
 
 void ReplayView::connectPlots() {
@@ -146,6 +147,7 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
     m_visible_s.reset();
     m_names = objectNames(*m_run);
     m_tiles->setObjects(QStringLiteral("reviewTile."), m_names);
+    nameRun();
     clearTiles();
     const auto& robot = m_run->facts().experiment.robot;
     for (Plot& each : m_plots) {
@@ -170,6 +172,7 @@ void ReplayView::clear() {
     m_runs.setOpen(nullptr);
     m_way.clear();
     m_sample.reset();
+    nameRun();
     showPictureTab();
     for (Plot& each : m_plots) {
         each.plot->clear();
@@ -194,15 +197,23 @@ void ReplayView::fill(Plot& each) {
         each.plot->setTimeRange(m_visible_s->first, m_visible_s->second);
 }
 
-/// What the chosen tab shows, made when it is looked at.
+/// What the chosen tab and windows of their own show, made when it is looked at.
 void ReplayView::fillShown() {
     for (Plot& each : m_plots)
-        if (each.plot == m_tabs->currentWidget())
+        if (each.place == m_tabs->currentWidget() || each.place->isOut())
             fill(each);
     if (m_tabs->currentWidget() == m_sceneTab && m_scene == nullptr)
         makeScene();
     if (m_run)
         showMoment(m_transport->position_s());
+}
+
+/// For the titles of plots in windows of their own.
+void ReplayView::nameRun() {
+    const QString name =
+        m_run ? QFileInfo(QString::fromStdString(m_run->facts().path)).completeBaseName() : QString();
+    for (const Plot& each : m_plots)
+        each.place->setRun(m_run ? tr("recorded run %1").arg(name) : tr("no recorded run"));
 }
 
 void ReplayView::makeScene() {
@@ -431,6 +442,7 @@ void ReplayView::retranslate() {
     m_tabs->setAccessibleName(tr("Further traces and the scene"));
     if (m_scene != nullptr)
         m_scene->setAccessibleName(tr("3-D scene of the run: source, objects and their paths"));
+    nameRun();
     if (!m_run)
         return;
     for (const Plot& each : m_plots) {

@@ -20,6 +20,7 @@ class QTabWidget;
 namespace bask {
 
 class ComparisonView;
+class PlotPlace;
 class TileGrid;
 class RecordedPictures;
 class SceneView;
@@ -75,17 +76,19 @@ protected:
 
 private:
     struct Plot {
+        PlotPlace* place;
         TracePlot* plot;
         bool isFilled; ///< a plot is filled when it is first shown
     };
 
-    TracePlot* makePlot(Quantity quantity);
+    PlotPlace* makePlot(Quantity quantity);
     void connectPlots();
     void fill(Plot& plot);
     void fillShown();
     void makeScene();
     void fillScene();
     void showMoment(double time_s);
+    void nameRun();
     void showScene();
     void showPictureTab();
     void showPicture(double time_s);

@@ -6,6 +6,7 @@
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/run/source_tile.h"
@@ -55,6 +56,8 @@ QString limitWords(const ActiveLimits& limits) {
 
 void RunPage::setExperiment(const Experiment& experiment) {
     QStringList names;
+    m_title = QString::fromStdString(experiment.title);
+    nameRun();
     m_targets_K.clear();
     m_names.clear();
     for (const ObjectSpec& object : experiment.objects) {
@@ -211,6 +214,12 @@ void RunPage::showMoment(double time_s) {
     for (TracePlot* plot : m_plots)
         plot->setTimeRange(time_s - half, time_s + half);
     setFollow(false);
+}
+
+/// For the titles of plots in windows of their own.
+void RunPage::nameRun() {
+    for (PlotPlace* place : m_places)
+        place->setRun(m_title.isEmpty() ? tr("present run") : tr("run of %1").arg(m_title));
 }
 
 void RunPage::showThermalTab(bool hasCamera) {

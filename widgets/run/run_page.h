@@ -26,6 +26,7 @@ class QToolButton;
 namespace bask {
 
 class ControllerPanel;
+class PlotPlace;
 class TileGrid;
 class SceneView;
 class SourceTile;
@@ -82,7 +83,7 @@ protected:
 private:
     QWidget* makePlots();
     QWidget* makeSide();
-    TracePlot* makePlot(Quantity quantity);
+    PlotPlace* makePlot(Quantity quantity);
     void connectPlots();
     void setFollow(bool follow);
     void showBehind();
@@ -93,10 +94,12 @@ private:
     void addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes);
     void beginTrace();
     void showThermalTab(bool hasCamera);
+    void nameRun();
     void addNote();
     void retranslateUi();
     void restyle();
 
+    QString m_title; ///< of the experiment
     std::vector<double> m_targets_K;
     std::vector<QString> m_names;
     std::optional<std::uint64_t> m_runId;
@@ -109,6 +112,7 @@ private:
     SourceTile* m_source = nullptr;
     std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< shared by all plots
     std::vector<TracePlot*> m_plots; ///< temperature first, then those of the tabs
+    std::vector<PlotPlace*> m_places;
     QTabWidget* m_tabs = nullptr;
     ThermalPictureView* m_thermal = nullptr; ///< in no tab without a thermal camera
     QCheckBox* m_follow = nullptr;

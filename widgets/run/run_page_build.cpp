@@ -2,6 +2,7 @@
 
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
@@ -80,13 +81,14 @@ QSize RunPage::minimumSizeHint() const {
     return {860, layout()->minimumSize().height()};
 }
 
-TracePlot* RunPage::makePlot(Quantity quantity) {
+PlotPlace* RunPage::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);
     plot->setObjectName(QStringLiteral("plot.") + quantityKey(quantity));
     plot->setStore(m_traces);
     plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
     m_plots.push_back(plot);
-    return plot;
+    m_places.push_back(new PlotPlace(plot, this));
+    return m_places.back();
 }
 
 QWidget* RunPage::makePlots() {
@@ -270,6 +272,7 @@ void RunPage::retranslateUi() {
     if (const int tab = m_tabs->indexOf(m_thermal); tab >= 0)
         m_tabs->setTabText(tab, tr("Thermal picture"));
     m_tabs->setAccessibleName(tr("Further traces"));
+    nameRun();
 
     m_sceneLabel->setText(tr("Scene"));
     m_viewTop->setText(tr("Top"));

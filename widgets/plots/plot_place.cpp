@@ -1,0 +1,124 @@
+#include "widgets/plots/plot_place.h"
+
+#include "widgets/plots/plot_window.h"
+#include "widgets/plots/quantity_words.h"
+#include "widgets/plots/trace_plot.h"
+
+#include <QAction>
+#include <QEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace bask {
+
+PlotPlace::PlotPlace(TracePlot* plot, QWidget* parent)
+    : QWidget(parent), m_plot(plot), m_layout(new QVBoxLayout(this)), m_note(new QWidget(this)),
+      m_noteText(new QLabel(m_note)), m_putBack(new QPushButton(m_note)), m_ownWindow(new QAction(this)) {
+    m_putBack->setObjectName(QStringLiteral("plotPutBack"));
+    m_noteText->setAlignment(Qt::AlignCenter);
+    m_noteText->setWordWrap(true);
+    auto* note = new QVBoxLayout(m_note);
+    note->addStretch(1);
+    note->addWidget(m_noteText);
+    note->addWidget(m_putBack, 0, Qt::AlignHCenter);
+    note->addStretch(1);
+    m_note->hide();
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->addWidget(m_note);
+    m_layout->addWidget(m_plot);
+
+    m_ownWindow->setObjectName(QStringLiteral("plotOwnWindow"));
+    m_ownWindow->setShortcut(Qt::Key_W);
+    m_ownWindow->setShortcutContext(Qt::WidgetShortcut); // in a field W is a letter
+    m_plot->addAction(m_ownWindow);
+    m_plot->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_ownWindow, &QAction::triggered, this, [this] { isOut() ? putBack() : takeOut(); });
+    connect(m_plot, &QWidget::customContextMenuRequested, this, &PlotPlace::openMenu);
+    connect(m_putBack, &QPushButton::clicked, this, &PlotPlace::putBack);
+    retranslate();
+}
+
+PlotPlace::~PlotPlace() = default;
+
+void PlotPlace::takeOut() {
+    if (isOut())
+        return;
+    m_plotWindow = std::make_unique<PlotWindow>(*m_plot);
+    m_plotWindow->setWindowIcon(window()->windowIcon());
+    connect(m_plotWindow.get(), &PlotWindow::closed, this, &PlotPlace::takeBack);
+    m_note->show();
+    retranslate();
+    emit takenOut(m_plotWindow.get());
+    m_plotWindow->show();
+    m_plotWindow->activateWindow();
+    m_plot->setFocus();
+}
+
+void PlotPlace::putBack() {
+    if (isOut())
+        m_plotWindow->close();
+}
+
+void PlotPlace::takeBack() {
+    if (!isOut())
+        return;
+    const bool hadFocus = m_putBack->hasFocus();
+    m_layout->addWidget(m_plot);
+    m_plot->show();
+    m_note->hide();
+    setTabOrder(m_putBack, m_plot); // it came to the end of the page's
+    if (hadFocus)
+        m_plot->setFocus();
+    m_plotWindow.release()->deleteLater(); // it is closing
+    retranslate();
+}
+
+void PlotPlace::setRun(const QString& words) {
+    m_run = words;
+    showTitle();
+}
+
+void PlotPlace::setState(const QString& words) {
+    if (m_state == words)
+        return;
+    m_state = words;
+    showTitle();
+}
+
+/// The state first: a narrow title loses its end.
+void PlotPlace::showTitle() {
+    if (!isOut())
+        return;
+    QStringList words{m_state, quantityTitle(m_plot->quantity()), m_run};
+    words.removeAll(QString());
+    m_plotWindow->setTitle(words.join(QStringLiteral(" \u2014 ")));
+}
+
+void PlotPlace::openMenu(const QPoint& at) {
+    auto* menu = new QMenu(m_plot);
+    menu->setObjectName(QStringLiteral("plotMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(m_ownWindow);
+    QAction* away = menu->addAction(tr("Take the cursor away"), m_plot, &TracePlot::takeCursorAway);
+    away->setObjectName(QStringLiteral("plotCursorAway"));
+    away->setEnabled(m_plot->cursor_s().has_value());
+    menu->popup(m_plot->mapToGlobal(at));
+}
+
+void PlotPlace::retranslate() {
+    m_ownWindow->setText(isOut() ? tr("Put back into the page") : tr("Own window"));
+    m_noteText->setText(tr("This plot is in a window of its own."));
+    m_putBack->setText(tr("Put back"));
+    m_putBack->setAccessibleName(tr("Put the plot back: %1").arg(quantityTitle(m_plot->quantity())));
+    showTitle();
+}
+
+void PlotPlace::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask
