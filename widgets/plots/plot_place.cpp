@@ -5,6 +5,7 @@
 #include "widgets/plots/trace_plot.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QEvent>
 #include <QLabel>
 #include <QMenu>
@@ -91,7 +92,10 @@ void PlotPlace::setState(const QString& words) {
 void PlotPlace::showTitle() {
     if (!isOut())
         return;
-    QStringList words{m_state, quantityTitle(m_plot->quantity()), m_run};
+    QString quantities = quantityTitle(m_plot->quantity());
+    if (const auto right = m_plot->rightQuantity())
+        quantities += QStringLiteral(", ") + quantityTitle(*right);
+    QStringList words{m_state, quantities, m_run};
     words.removeAll(QString());
     m_plotWindow->setTitle(words.join(QStringLiteral(" \u2014 ")));
 }
@@ -104,7 +108,30 @@ void PlotPlace::openMenu(const QPoint& at) {
     QAction* away = menu->addAction(tr("Take the cursor away"), m_plot, &TracePlot::takeCursorAway);
     away->setObjectName(QStringLiteral("plotCursorAway"));
     away->setEnabled(m_plot->cursor_s().has_value());
+    addRightMenu(*menu);
     menu->popup(m_plot->mapToGlobal(at));
+}
+
+void PlotPlace::addRightMenu(QMenu& menu) {
+    QMenu* choices = menu.addMenu(tr("On the right axis"));
+    choices->setObjectName(QStringLiteral("plotRightMenu"));
+    auto* group = new QActionGroup(choices);
+    const auto add = [&](const QString& text, const QString& name, std::optional<Quantity> quantity) {
+        QAction* action = choices->addAction(text, this, [this, quantity] {
+            m_plot->setRightQuantity(quantity);
+            showTitle();
+        });
+        action->setObjectName(QStringLiteral("plotRight.") + name);
+        action->setCheckable(true);
+        action->setChecked(m_plot->rightQuantity() == quantity);
+        group->addAction(action);
+    };
+    add(tr("None"), QStringLiteral("none"), std::nullopt);
+    std::vector<Quantity> quantities = furtherQuantities();
+    quantities.insert(quantities.begin(), Quantity::Temperature);
+    for (const Quantity quantity : quantities)
+        if (quantity != m_plot->quantity())
+            add(quantityTitle(quantity), quantityKey(quantity), quantity);
 }
 
 void PlotPlace::retranslate() {

@@ -7,6 +7,7 @@
 
 class QAction;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QVBoxLayout;
 
@@ -17,8 +18,9 @@ class TracePlot;
 
 /// Holds a plot, whose menu (right click, menu key) and key W take it out and put it back; closing its window
 /// puts it back, too. It is the same plot in either: with its data, cursor and stretch of time. Meanwhile the
-/// place says where it is. Object names: "plotOwnWindow" and "plotCursorAway" in its menu "plotMenu",
-/// "plotPutBack".
+/// place says where it is. The menu also chooses a second quantity for the right axis. Object names:
+/// "plotOwnWindow" and "plotCursorAway" in its menu "plotMenu", "plotRight." and the key of a quantity or
+/// "none" in that menu's "plotRightMenu"; "plotPutBack".
 class PlotPlace : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +45,7 @@ protected:
 
 private:
     void openMenu(const QPoint& at);
+    void addRightMenu(QMenu& menu);
     void takeBack();
     void showTitle();
     void retranslate();

@@ -79,7 +79,7 @@ void TracePlot::Canvas::setObjects(const QStringList& objects) {
 void TracePlot::Canvas::setQuantity(Quantity wanted) {
     quantity = wanted;
     m_valueAuto = true;
-    rebuild();
+    setRight(rightAxis.quantity);
 }
 
 void TracePlot::Canvas::setUnit(TemperatureUnit wanted) {
@@ -149,6 +149,7 @@ void TracePlot::Canvas::rebuild() {
     }
     rebuildPrediction();
     rebuildOverlays(); // under the lines of the run itself
+    rebuildRight();
     for (int i = 0; i < count; ++i) {
         QCPGraph* graph = addGraph();
         graph->setAdaptiveSampling(true);
@@ -189,6 +190,7 @@ void TracePlot::Canvas::updatePoints() {
     for (const Overlay& overlay : overlays)
         for (int i = 0; i < overlay.graphs.size(); ++i)
             fillGraph(overlay.graphs[i], overlay.traces, i, reads);
+    fillRight(range.lower, range.upper, static_cast<std::size_t>(width), reads);
     m_pointsAreOld = false;
     m_isUnread = reads < 0;
     if (m_isUnread)
@@ -329,17 +331,21 @@ QString TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) 
         parts[0] = withChange(formatDuration(traces->time_s(from)), parts[0],
                               formatSigned(traces->time_s(row) - traces->time_s(from), 1) +
                                   QStringLiteral("\u00a0s"));
-    for (int i = 0; i < m_series.size(); ++i) {
-        const auto series = static_cast<std::size_t>(i);
-        const auto textOf = [&](double value) { return quantityText(value, quantity, series, unit); };
-        const double value = traces->value(quantity, series, row);
-        QString text = textOf(value);
+    const auto add = [&](const QString& name, Quantity of, int index) {
+        const auto series = static_cast<std::size_t>(index);
+        const double value = traces->value(of, series, row);
+        QString text = quantityText(value, of, series, unit);
         if (isPinned) {
-            const double first = traces->value(quantity, series, from);
-            text = withChange(textOf(first), text, quantityChange(value - first, quantity, series, unit));
+            const double first = traces->value(of, series, from);
+            text = withChange(quantityText(first, of, series, unit), text,
+                              quantityChange(value - first, of, series, unit));
         }
-        parts << QStringLiteral("%1 %2").arg(seriesName(i), text);
-    }
+        parts << QStringLiteral("%1 %2").arg(name, text);
+    };
+    for (int i = 0; i < m_series.size(); ++i)
+        add(seriesName(i), quantity, i);
+    for (int i = 0; i < rightAxis.graphs.size(); ++i)
+        add(rightName(i), *rightAxis.quantity, i);
     return parts.join(QStringLiteral("   "));
 }
 

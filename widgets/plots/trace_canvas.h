@@ -79,6 +79,18 @@ public:
     void pinCursor(std::optional<double> time_s);
     void setPosition(std::optional<double> time_s);
 
+    // A second quantity (trace_canvas_right.cpp)
+    void setRight(std::optional<Quantity> wanted);
+    void rebuildRight();
+    void fillRight(double from_s, double to_s, std::size_t pixels, int& reads);
+    QList<QPointF> rightLine(int series, double from_s, double to_s, std::size_t pixels, int& reads) const;
+    void styleRight(Density density);
+    QString rightName(int series) const;
+    QString rightAxisText() const; ///< empty without one
+    QPen penOfRight(int series) const;
+    int rightAxisWidth() const; ///< 0 without one
+    void fitRightAxis();
+
     TracePlot* owner;
     Quantity quantity = Quantity::Temperature;
     TemperatureUnit unit = TemperatureUnit::Celsius;
@@ -99,6 +111,13 @@ public:
         QCPItemText* label;
     };
     QList<Marker> markers;
+
+    struct RightAxis {
+        std::optional<Quantity> quantity; ///< never that of the left one
+        QList<QCPGraph*> graphs;
+        QList<QCPItemText*> labels;
+    };
+    RightAxis rightAxis;
 
     struct Overlay {
         QString mark;

@@ -132,6 +132,7 @@ void TracePlot::Canvas::updateRanges() {
         if (!fits || high - low < 0.75 * now.size())
             yAxis->setRange(low, high);
     }
+    fitRightAxis();
 }
 
 void TracePlot::Canvas::setFollow(bool wanted) {
@@ -233,15 +234,17 @@ void TracePlot::Canvas::showCursor(double time_s) {
 
     const QStringList parts = readout(*m_cursor_s, pinned_s).split(QStringLiteral("   "));
     QString rich = QStringLiteral("<b>%1</b>").arg(parts.value(0).toHtmlEscaped());
+    const auto left = static_cast<int>(m_series.size());
     for (int i = 1; i < parts.size(); ++i)
         rich += QStringLiteral("<br><span style='color:%1'>\u25a0</span> %2")
-                    .arg(penOfSeries(i - 1).color().name(), parts[i].toHtmlEscaped());
+                    .arg((i <= left ? penOfSeries(i - 1) : penOfRight(i - 1 - left)).color().name(),
+                         parts[i].toHtmlEscaped());
     m_readout->setText(rich);
     m_readout->adjustSize();
     // On the side away from the cursor, so that it never hides what is pointed at.
     const QRect area = axisRect()->rect();
-    const bool left = xAxis->coordToPixel(*m_cursor_s) > area.center().x();
-    m_readout->move(left ? area.left() + 8 : area.right() - m_readout->width() - 8,
+    const bool isLeft = xAxis->coordToPixel(*m_cursor_s) > area.center().x();
+    m_readout->move(isLeft ? area.left() + 8 : area.right() - m_readout->width() - 8,
                     area.bottom() - m_readout->height() - 6);
     m_readout->show();
 }

@@ -54,7 +54,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
     const QColor ink = colors.color(QPalette::Text);
     const QColor quiet = secondaryText(dark);
     setBackground(colors.brush(QPalette::Base));
-    for (QCPAxis* axis : {xAxis, yAxis}) {
+    for (QCPAxis* axis : {xAxis, yAxis, yAxis2}) {
         axis->setBasePen(QPen(quiet, 1));
         axis->setTickPen(QPen(quiet, 1));
         axis->setSubTickPen(Qt::NoPen);
@@ -106,6 +106,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
         marker.label->setFont(font());
         marker.label->setBrush(withAlpha(colors.color(QPalette::Base), 215));
     }
+    styleRight(Density::Loose);
     QPalette readoutColors = colors;
     readoutColors.setColor(QPalette::Window, withAlpha(colors.color(QPalette::Base), 235));
     m_readout->setPalette(readoutColors);
@@ -119,10 +120,13 @@ QString TracePlot::Canvas::axisText() const {
 
 void TracePlot::Canvas::retranslate() {
     yAxis->setLabel(axisText());
+    yAxis2->setLabel(rightAxisText());
     xAxis->setLabel(TracePlot::tr("Time since start (min:s)"));
     for (int i = 0; i < m_series.size(); ++i)
         m_series[i]->setName(seriesName(i));
-    owner->setAccessibleName(TracePlot::tr("Plot against time: %1").arg(axisText()));
+    const QString axes =
+        rightAxis.quantity ? axisText() + QStringLiteral(", ") + rightAxisText() : axisText();
+    owner->setAccessibleName(TracePlot::tr("Plot against time: %1").arg(axes));
     owner->setAccessibleDescription(TracePlot::tr(
         "Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live."));
     owner->setToolTip(QString());
@@ -146,6 +150,7 @@ void TracePlot::Canvas::fitPensToDensity() {
         m_series[i]->setPen(density == Density::Loose ? pen : plainPen(pen, density));
     }
     styleOverlays(density);
+    styleRight(density);
 }
 
 QPen TracePlot::Canvas::plainPen(const QPen& pen, Density density) {
@@ -166,10 +171,12 @@ void TracePlot::Canvas::fitMargins() {
     for (const Overlay& overlay : overlays)
         for (const QCPItemText* label : overlay.labels)
             widest = std::max(widest, metrics.horizontalAdvance(label->text()));
+    for (const QCPItemText* label : std::as_const(rightAxis.labels))
+        widest = std::max(widest, metrics.horizontalAdvance(label->text()) + metrics.averageCharWidth());
     for (const QString& name : std::as_const(names))
         widest = std::max(widest, std::min(kLongestLabel, boldMetrics.horizontalAdvance(name)));
     const int left = metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20;
-    axisRect()->setMargins(QMargins(left, 10, widest + 14, 0));
+    axisRect()->setMargins(QMargins(left, 10, widest + 14 + rightAxisWidth(), 0));
     axisRect()->setMinimumMargins(QMargins(0, 0, 0, 0));
 }
 
@@ -200,8 +207,8 @@ void TracePlot::Canvas::placeLabels() {
     };
     std::vector<Wish> wishes;
     const QRect area = axisRect()->rect();
-    QList<QCPGraph*> graphs = m_series;
-    QList<QCPItemText*> labels = m_labels;
+    QList<QCPGraph*> graphs = m_series + rightAxis.graphs;
+    QList<QCPItemText*> labels = m_labels + rightAxis.labels;
     for (const Overlay& overlay : overlays) {
         graphs << overlay.graphs;
         labels << overlay.labels;
@@ -219,8 +226,8 @@ void TracePlot::Canvas::placeLabels() {
         }
         labels[i]->setVisible(found);
         if (found)
-            wishes.push_back({labels[i], std::clamp(yAxis->coordToPixel(it->value), double(area.top()),
-                                                    double(area.bottom()))});
+            wishes.push_back({labels[i], std::clamp(graphs[i]->valueAxis()->coordToPixel(it->value),
+                                                    double(area.top()), double(area.bottom()))});
     }
     std::ranges::stable_sort(wishes, {}, &Wish::y);
     QFont bold = font();
@@ -235,7 +242,7 @@ void TracePlot::Canvas::placeLabels() {
         floor = wishes[i].y - step;
     }
     for (const Wish& wish : wishes)
-        wish.label->position->setPixelPosition({area.right() + 8.0, wish.y});
+        wish.label->position->setPixelPosition({area.right() + 8.0 + rightAxisWidth(), wish.y});
 }
 
 void TracePlot::Canvas::addMarker(double time_s, const QString& text) {

@@ -36,6 +36,12 @@ void TracePlot::setQuantity(Quantity quantity) {
 Quantity TracePlot::quantity() const {
     return m_canvas->quantity;
 }
+void TracePlot::setRightQuantity(std::optional<Quantity> quantity) {
+    m_canvas->setRight(quantity);
+}
+std::optional<Quantity> TracePlot::rightQuantity() const {
+    return m_canvas->rightAxis.quantity;
+}
 void TracePlot::setSpeedLimits(const SpeedLimits& limits) {
     m_canvas->setLimits(limits);
 }
@@ -172,6 +178,26 @@ QList<QPointF> TracePlot::predictedPoints(int series) const {
 
 QString TracePlot::valueAxisLabel() const {
     return m_canvas->axisText();
+}
+
+QList<QPointF> TracePlot::rightPoints(int series) const {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    int reads = std::numeric_limits<int>::max();
+    return m_canvas->rightLine(series, -kEver, kEver, std::numeric_limits<std::size_t>::max(), reads);
+}
+
+double TracePlot::rightLowest() const {
+    m_canvas->updateRanges();
+    return m_canvas->yAxis2->range().lower;
+}
+
+double TracePlot::rightHighest() const {
+    m_canvas->updateRanges();
+    return m_canvas->yAxis2->range().upper;
+}
+
+QString TracePlot::rightAxisLabel() const {
+    return m_canvas->rightAxisText();
 }
 
 QStringList TracePlot::markerTexts() const {

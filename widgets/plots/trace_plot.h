@@ -37,6 +37,10 @@ public:
     void setObjects(const QStringList& names);
     void setQuantity(Quantity quantity);
     Quantity quantity() const;
+    /// Shows a second quantity of the run on the right axis, with a scale of its own; none, or the left one,
+    /// for no right axis. Of runs drawn over this one it is not shown.
+    void setRightQuantity(std::optional<Quantity> quantity);
+    std::optional<Quantity> rightQuantity() const;
     void setSpeedLimits(const SpeedLimits& limits);
 
     /// Shows the traces of `store`, which other plots may share, with one line for each of its objects. Code
@@ -92,6 +96,10 @@ public:
     double visibleLowest() const;                     ///< lower end of the value axis, display unit
     double visibleHighest() const;
     QString valueAxisLabel() const;
+    QList<QPointF> rightPoints(int series) const;
+    double rightLowest() const; ///< lower end of the right axis, display unit
+    double rightHighest() const;
+    QString rightAxisLabel() const; ///< empty without one
     QStringList markerTexts() const;
     QStringList overlayLabels() const;
     std::optional<double> position_s() const;

@@ -77,7 +77,8 @@ QMenu* openMenuOf(PlotPlace* place) {
 void choose(PlotPlace* place, const char* action) {
     QMenu* menu = openMenuOf(place);
     ASSERT_NE(menu, nullptr);
-    for (QAction* each : menu->actions())
+    for (QAction* each :
+         menu->actions() + menu->findChild<QMenu*>(QStringLiteral("plotRightMenu"))->actions())
         if (each->objectName() == QLatin1String(action))
             each->trigger();
     menu->close();
@@ -174,6 +175,28 @@ TEST(PlotPlace, TheTitleNamesStateQuantityAndRun) {
     EXPECT_TRUE(window->windowTitle().startsWith(QStringLiteral("Rig LIVE: Running")));
     shown.error->setRun(QStringLiteral("recorded run evening"));
     EXPECT_TRUE(window->windowTitle().endsWith(QStringLiteral("recorded run evening")));
+}
+
+// Catches a menu that does not say what is shown, and a title that keeps the second quantity to itself.
+TEST(PlotPlace, TheMenuChoosesASecondQuantity) {
+    ShownPage shown;
+    shown.error->takeOut();
+    choose(shown.error, "plotRight.view_factor");
+    EXPECT_EQ(shown.error->plot()->rightQuantity(), Quantity::ViewFactor);
+    EXPECT_TRUE(shown.error->plot()->window()->windowTitle().contains(QStringLiteral(", View factors")));
+    QMenu* menu = openMenuOf(shown.error);
+    ASSERT_NE(menu, nullptr);
+    int checked = 0;
+    for (const QAction* each : menu->findChild<QMenu*>(QStringLiteral("plotRightMenu"))->actions()) {
+        checked += each->isChecked() ? 1 : 0;
+        EXPECT_EQ(each->isChecked(), each->objectName() == QStringLiteral("plotRight.view_factor"));
+        EXPECT_NE(each->objectName(), QStringLiteral("plotRight.error_K")) << "it is on the left";
+    }
+    EXPECT_EQ(checked, 1);
+    menu->close();
+    QCoreApplication::sendPostedEvents(menu, QEvent::DeferredDelete);
+    choose(shown.error, "plotRight.none");
+    EXPECT_FALSE(shown.error->plot()->rightQuantity());
 }
 
 // Catches cursors that a plot in its own window does not take, and a menu that cannot take them away.

@@ -232,6 +232,47 @@ TEST(TracePlot, TwoCursorsTellBothValuesAndTheDifference) {
     EXPECT_TRUE(told(12.0, 4.0).contains(QStringLiteral("(\u0394 +0.08"))) << told(12.0, 4.0).toStdString();
 }
 
+// Catches a second quantity that is drawn on the scale or in the unit of the first, and one that is told by
+// nothing but a colour.
+TEST(TracePlot, ASecondQuantityHasAScaleAndAUnitOfItsOwn) {
+    ShownPlot shown;
+    const auto samples = warmUp(60);
+    shown.plot.setSamples(samples);
+    const double lowest = shown.plot.visibleLowest(), highest = shown.plot.visibleHighest();
+    EXPECT_TRUE(shown.plot.rightAxisLabel().isEmpty());
+    shown.plot.setRightQuantity(Quantity::ViewFactor);
+    EXPECT_EQ(shown.plot.rightAxisLabel(), QStringLiteral("View factor"));
+    EXPECT_EQ(shown.plot.valueAxisLabel(), QStringLiteral("Temperature (°C)"));
+    EXPECT_DOUBLE_EQ(shown.plot.visibleLowest(), lowest);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleHighest(), highest);
+    ASSERT_EQ(shown.plot.rightPoints(1).size(), 60);
+    EXPECT_NEAR(shown.plot.rightPoints(1)[10].y(), 0.35, 1e-9);
+    EXPECT_LT(shown.plot.rightLowest(), 0.3);
+    EXPECT_GT(shown.plot.rightHighest(), 0.4);
+    EXPECT_LT(shown.plot.rightHighest(), 0.5);
+    EXPECT_TRUE(shown.plot.readout(10.0).contains(QStringLiteral("bunny \u25b8 0.350")))
+        << shown.plot.readout(10.0).toStdString();
+    EXPECT_TRUE(shown.plot.accessibleName().contains(QStringLiteral("View factor")));
+    EXPECT_FALSE(shown.plot.grab().isNull());
+
+    shown.plot.setRightQuantity(Quantity::Error);
+    shown.plot.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_NEAR(shown.plot.rightPoints(2)[4].y(), 1.8 * (samples[4].objects[2].measured_K - 313.15), 1e-9);
+    EXPECT_TRUE(shown.plot.rightAxisLabel().startsWith(QStringLiteral("Error (")));
+    shown.plot.clear();
+    shown.plot.append(warmUp(3));
+    EXPECT_EQ(shown.plot.rightPoints(0).size(), 3) << "in the next run, too";
+    shown.plot.setQuantity(Quantity::Error);
+    EXPECT_FALSE(shown.plot.rightQuantity()) << "once is enough";
+    shown.plot.setRightQuantity(Quantity::Speed);
+    shown.plot.setSpeedLimits({0.02, 0.1});
+    EXPECT_EQ(shown.plot.rightAxisLabel(), QStringLiteral("Speed (% of limit)"));
+    EXPECT_TRUE(shown.plot.readout(2.0).contains(QStringLiteral("translation \u25b8")));
+    shown.plot.setRightQuantity(std::nullopt);
+    EXPECT_TRUE(shown.plot.rightAxisLabel().isEmpty());
+    EXPECT_TRUE(shown.plot.rightPoints(0).isEmpty());
+}
+
 TEST(TracePlot, MarkersAndClear) {
     ShownPlot shown;
     shown.plot.append(warmUp(20));

@@ -1,0 +1,155 @@
+// A second quantity of the run on the right axis of a trace plot: a scale of its own, colours by object,
+// groups of dots in place of dashes, so that it is told from the left one without colours.
+
+#include "widgets/plots/quantity_words.h"
+#include "widgets/plots/trace_canvas.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr int kLongestRightName = 100; // px, in front of its mark
+
+/// Two dots for the first object, three for the second: none of the dashes on the left.
+QList<qreal> dotGroups(int index) {
+    QList<qreal> dashes;
+    const int dots = 2 + index % 6;
+    for (int k = 1; k <= dots; ++k)
+        dashes << 1.5 << (k < dots ? 1.5 : 6.0);
+    return dashes;
+}
+
+} // namespace
+
+void TracePlot::Canvas::setRight(std::optional<Quantity> wanted) {
+    rightAxis.quantity = wanted == quantity ? std::nullopt : wanted;
+    yAxis2->setVisible(rightAxis.quantity.has_value());
+    rebuild();
+}
+
+/// The graphs went with clearGraphs().
+void TracePlot::Canvas::rebuildRight() {
+    rightAxis.graphs.clear();
+    for (QCPItemText* label : std::as_const(rightAxis.labels))
+        removeItem(label);
+    rightAxis.labels.clear();
+    if (!rightAxis.quantity)
+        return;
+    const auto count = static_cast<int>(bask::seriesCount(*rightAxis.quantity, traces->objects()));
+    for (int i = 0; i < count; ++i) {
+        rightAxis.graphs << addGraph(xAxis, yAxis2);
+        rightAxis.graphs.back()->setAdaptiveSampling(true);
+        auto* label = new QCPItemText(this);
+        label->setLayer(QStringLiteral("labels"));
+        label->setClipToAxisRect(false);
+        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        label->position->setType(QCPItemPosition::ptAbsolute);
+        rightAxis.labels << label;
+    }
+}
+
+QList<QPointF> TracePlot::Canvas::rightLine(int series, double from_s, double to_s, std::size_t pixels,
+                                            int& reads) const {
+    QList<QPointF> points;
+    if (!rightAxis.quantity)
+        return points;
+    const auto line =
+        traces->line(*rightAxis.quantity, static_cast<std::size_t>(series), from_s, to_s, pixels, reads);
+    const bool isSpeed = *rightAxis.quantity == Quantity::Speed;
+    const double ofLimit = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
+    for (std::size_t k = 0; k < line.values.size(); ++k)
+        points.append({line.times_s[k], displayedQuantity(line.values[k], *rightAxis.quantity, unit) *
+                                            (isSpeed ? ofLimit : 1.0)});
+    return points;
+}
+
+void TracePlot::Canvas::fillRight(double from_s, double to_s, std::size_t pixels, int& reads) {
+    for (int i = 0; i < rightAxis.graphs.size(); ++i) {
+        const QList<QPointF> line = rightLine(i, from_s, to_s, pixels, reads);
+        QVector<QCPGraphData> points(line.size());
+        std::ranges::transform(line, points.begin(),
+                               [](const QPointF& point) { return QCPGraphData(point.x(), point.y()); });
+        rightAxis.graphs[i]->data()->set(points, true);
+    }
+}
+
+QString TracePlot::Canvas::rightName(int series) const {
+    const QString ofRun = quantitySeries(*rightAxis.quantity, static_cast<std::size_t>(series));
+    return (ofRun.isEmpty() ? names.value(series) : ofRun) + QStringLiteral(" \u25b8");
+}
+
+QString TracePlot::Canvas::rightAxisText() const {
+    return rightAxis.quantity ? quantityAxis(*rightAxis.quantity, unit) : QString();
+}
+
+QPen TracePlot::Canvas::penOfRight(int series) const {
+    const bool isOfObjects = plottedColumn(*rightAxis.quantity) != nullptr;
+    QPen pen(isOfObjects   ? seriesColor(series, dark)
+             : series == 0 ? palette().color(QPalette::Text)
+                           : accentColor(dark),
+             1.5);
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern(dotGroups(series));
+    return pen;
+}
+
+void TracePlot::Canvas::styleRight(Density density) {
+    QFont slanted = font();
+    slanted.setItalic(true);
+    const QFontMetrics metrics(slanted);
+    for (int i = 0; i < rightAxis.graphs.size(); ++i) {
+        const QPen pen = penOfRight(i);
+        rightAxis.graphs[i]->setPen(density == Density::Loose ? pen : plainPen(pen, density));
+        rightAxis.labels[i]->setFont(slanted);
+        rightAxis.labels[i]->setColor(pen.color());
+        rightAxis.labels[i]->setText(metrics.elidedText(rightName(i), Qt::ElideMiddle, kLongestRightName));
+    }
+}
+
+/// The room of the right axis with its words, px: as much as on the left.
+int TracePlot::Canvas::rightAxisWidth() const {
+    const QFontMetrics metrics(font());
+    return rightAxis.quantity ? metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20
+                              : 0;
+}
+
+/// Always as large as what is shown: a person zooms the left one.
+void TracePlot::Canvas::fitRightAxis() {
+    if (!rightAxis.quantity)
+        return;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    const QCPRange time = xAxis->range();
+    for (const QCPGraph* graph : std::as_const(rightAxis.graphs)) {
+        const auto points = graph->data();
+        for (auto it = points->findBegin(time.lower); it != points->findEnd(time.upper); ++it)
+            if (std::isfinite(it->value)) {
+                low = std::min(low, it->value);
+                high = std::max(high, it->value);
+            }
+    }
+    if (!(low <= high)) { // nothing to show
+        low = 0.0;
+        high = 1.0;
+    }
+    const bool isNumber = quantityShownAs(*rightAxis.quantity) == ShownAs::Number;
+    const double smallest =
+        isNumber ? 0.02 * std::max(std::abs(low), std::abs(high)) : displayDifference(2.0, unit);
+    const double margin = 0.06 * (high - low) + 0.5 * std::max(0.0, std::max(smallest, 1e-12) - (high - low));
+    low -= margin;
+    high += margin;
+    // As on the left, a scale that fits stays.
+    const QCPRange now = yAxis2->range();
+    const double slack = 0.05 * (high - low);
+    if (now.lower > low + slack || now.upper < high - slack || high - low < 0.75 * now.size())
+        yAxis2->setRange(low, high);
+    yAxis2->ticker()->setTickCount(yAxis->ticker()->tickCount());
+}
+
+} // namespace bask
