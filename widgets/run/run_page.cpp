@@ -135,6 +135,7 @@ void RunPage::showScene(const Snapshot& snapshot) {
     m_scene->setPose(snapshot.latest.coordinates);
     m_scene->setSourcePose(snapshot.latest.source);
     m_scene->setSourceTemperature_K(snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN()));
+    m_scene->setSourceHeat(snapshot.isSourceManual ? std::nullopt : std::optional(snapshot.heat));
     m_scene->setTemperatures(temperatures_K);
 }
 

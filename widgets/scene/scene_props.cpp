@@ -39,6 +39,8 @@ constexpr QRgb kSourceMiddle = 0xffffb45c;
 constexpr QRgb kSourceRim = 0xffd9481c;
 constexpr QRgb kSourceCold = 0xff6b6460; // where nothing radiates
 constexpr int kGlowCells = 64, kPatternCells = 256;
+constexpr double kFadesFrom = 1024.0, kFadedAt = 3072.0; ///< points of a trail
+constexpr double kFaded = 0.8;                           ///< of the colour of the oldest, then
 
 using Points = std::vector<Eigen::Vector3d>;
 
@@ -182,6 +184,16 @@ void setTexture(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen:
     texture.SetInputData(image);
 }
 
+/// What the glow is multiplied by: at room temperature its middle is as grey as what does not radiate.
+QColor warmthTint(double share) {
+    const auto part = [share](int cold, int hot) {
+        return static_cast<float>(share + (1.0 - share) * std::min(1.0, double(cold) / hot));
+    };
+    return QColor::fromRgbF(part(qRed(kSourceCold), qRed(kSourceMiddle)),
+                            part(qGreen(kSourceCold), qGreen(kSourceMiddle)),
+                            part(qBlue(kSourceCold), qBlue(kSourceMiddle)));
+}
+
 /// What the picture of a source is made from.
 struct SourceLook {
     SourceSpec source;
@@ -287,6 +299,7 @@ struct SceneProps::Impl {
     vtkNew<vtkTexture> glow;
     std::optional<SourceLook> glowing; ///< what source, glow and rim show
     ScenePart sourceRim;
+    std::optional<HeatState> heat;
     ScenePart grid;
     Box frame;
     std::vector<Eigen::Vector2d> sourceOutline;
@@ -311,13 +324,14 @@ struct SceneProps::Impl {
     }
     void addPlate(const PlateSpec& spec, bool isHeld);
     void applyColours();
+    QColor rimColour() const;
 };
 
 void SceneProps::Impl::applyColours() {
     renderer.SetBackground(colours.ground.redF(), colours.ground.greenF(), colours.ground.blueF());
     grid.setColour(colours.grid);
     workspace.setColour(colours.workspace);
-    sourceRim.setColour(QColor::fromRgb(kSourceRim).darker(colours.dark ? 100 : 120));
+    sourceRim.setColour(rimColour());
     for (std::size_t i = 0; i < objects.size(); ++i) {
         objects[i].mount.setColour(colours.mount);
         objects[i].plan.setColour(arePlansDim ? colours.workspace : colours.mount);
@@ -328,6 +342,14 @@ void SceneProps::Impl::applyColours() {
         plate.fill.setColour(colours.mount);
         plate.outline.setColour(colours.mount);
     }
+}
+
+QColor SceneProps::Impl::rimColour() const {
+    if (heat == HeatState::Off)
+        return colours.mount;
+    if (heat == HeatState::Unknown)
+        return unknownColor(colours.dark);
+    return QColor::fromRgb(kSourceRim).darker(colours.dark ? 100 : 120);
 }
 
 void SceneProps::Impl::addPlate(const PlateSpec& spec, bool isHeld) {
@@ -454,6 +476,15 @@ void SceneProps::setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vecto
     }
 }
 
+void SceneProps::setSourceWarmth(double share) {
+    m->source.setColour(warmthTint(share));
+}
+
+void SceneProps::setSourceHeat(std::optional<HeatState> heat) {
+    m->heat = heat;
+    m->sourceRim.setColour(m->rimColour());
+}
+
 void SceneProps::setObjectColour(std::size_t index, const QColor& colour) {
     m->objects.at(index).fill.setColour(colour);
 }
@@ -467,10 +498,13 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     Points points;
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
+    const auto count = static_cast<double>(trail.kept().size());
+    const double faded = kFaded * std::clamp((count - kFadesFrom) / (kFadedAt - kFadesFrom), 0.0, 1.0);
     const auto add = [&](const Trail::Point& point) {
+        const double age = 1.0 - static_cast<double>(points.size()) / std::max(1.0, count);
         points.push_back(point.p_RO);
-        const QColor rgb = colour(point.temperature_K);
-        for (const int part : {rgb.red(), rgb.green(), rgb.blue()})
+        const QRgb rgb = mixed(colour(point.temperature_K).rgb(), m->colours.ground.rgb(), faded * age);
+        for (const int part : {qRed(rgb), qGreen(rgb), qBlue(rgb)})
             colours->InsertNextValue(static_cast<unsigned char>(part));
     };
     points.reserve(trail.kept().size() + 1);

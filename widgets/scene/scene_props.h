@@ -2,6 +2,7 @@
 // The VTK actors of the scene: source, floor, workspace, objects, mounts and trails; private to
 // widgets/scene.
 
+#include "engine/devices/device.h"
 #include "engine/model/experiment.h"
 #include "widgets/scene/camera_fit.h"
 #include "widgets/scene/trail.h"
@@ -10,6 +11,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkRenderer;
@@ -48,10 +50,14 @@ public:
     /// is not visible in a parallel projection, and draws the full width of a line in front of the surface
     /// that it bounds.
     void setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vector3d& lift);
+    /// Sets how hot the source looks: 0 as cold as the room, 1 incandescent.
+    void setSourceWarmth(double share);
+    /// Sets the colour of the source's rim: grey without heat, that of what is not known; none: incandescent.
+    void setSourceHeat(std::optional<HeatState> heat);
     void setObjectColour(std::size_t index, const QColor& colour);
     /// Sets the opacity of the objects' surfaces, 0 to 1: for objects that are only possible there.
     void setObjectOpacity(double opacity);
-    /// Uploads one trail of at most Trail::kMaxPoints points.
+    /// Uploads one trail of at most Trail::kMaxPoints points. What is old of a long one fades.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
     /// Sets the planned path of an object's centre, R, m; dashed, with a cross at its end. Empty: none.
     void setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R);

@@ -27,7 +27,8 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kBarSteps = 5;
-constexpr double kLift_px = 8.0; ///< of lines towards the viewer: enough at 80 degrees of tilt
+constexpr double kSmallestHeat_K = 10.0; ///< from the room to a source that glows
+constexpr double kLift_px = 8.0;         ///< of lines towards the viewer: enough at 80 degrees of tilt
 
 /// What the controller holds for true, else the reading, else the plant's own.
 double temperatureOf_K(const ObjectSample& sample) {
@@ -52,9 +53,9 @@ struct SceneView::Impl {
     std::vector<Trail> trails;
     std::vector<Vector6d> plan; ///< coordinates of the end-effector on the way
     std::vector<double> temperatures_K;
+    std::vector<double> targets_K;
     double source_K = kUnknown;
-    double coldest_K = kUnknown;
-    double hottest_K = kUnknown;
+    std::optional<HeatState> heat;
     TemperatureUnit unit = TemperatureUnit::Celsius;
     ViewPreset preset = ViewPreset::Isometric;
     bool cameraIsPersons = false;
@@ -72,13 +73,8 @@ struct SceneView::Impl {
     std::unique_ptr<SceneProps> props;
     SceneOverlay overlay;
 
-    void sawTemperature(double t_K) {
-        if (!std::isfinite(t_K))
-            return;
-        coldest_K = std::isfinite(coldest_K) ? std::min(coldest_K, t_K) : t_K;
-        hottest_K = std::isfinite(hottest_K) ? std::max(hottest_K, t_K) : t_K;
-    }
     void resetTrace();
+    double warmth() const;
     NiceRange range() const;
     QColor colourOf(double t_K, bool dark) const;
     std::vector<Eigen::Vector3d> plannedPathOf(std::size_t object) const;
@@ -89,16 +85,36 @@ void SceneView::Impl::resetTrace() {
     trails.assign(experiment.objects.size(), Trail());
     temperatures_K.assign(experiment.objects.size(), kUnknown);
     source_K = kUnknown;
-    coldest_K = hottest_K = kUnknown;
-    // The range holds the room and the targets from the start, so that colours stay as the objects warm up.
-    sawTemperature(experiment.environment_K);
+    targets_K.clear();
     for (const ObjectSpec& object : experiment.objects)
-        sawTemperature(object.target_K);
+        targets_K.push_back(object.target_K);
     trailsGrew = true;
 }
 
+/// Of what is drawn in its colours now: a wrong reading that is gone does not keep it wide. It holds the room
+/// and the targets from the start, so that colours stay as the objects warm up. The source has colours of its
+/// own: with it the objects would be alike.
 NiceRange SceneView::Impl::range() const {
+    double coldest_K = experiment.environment_K, hottest_K = coldest_K;
+    const auto see = [&](double t_K) {
+        coldest_K = std::fmin(coldest_K, t_K); // the other one where one is NaN
+        hottest_K = std::fmax(hottest_K, t_K);
+    };
+    std::ranges::for_each(targets_K, see);
+    std::ranges::for_each(temperatures_K, see);
+    for (const Trail& trail : trails)
+        for (const Trail::Point& point : trail.kept())
+            see(point.temperature_K);
     return niceRange(displayTemperature(coldest_K, unit), displayTemperature(hottest_K, unit), kBarSteps);
+}
+
+/// Share of the way from the room to the set point.
+double SceneView::Impl::warmth() const {
+    if (!std::isfinite(source_K))
+        return 1.0;
+    const double room_K = experiment.environment_K;
+    const double hot_K = std::max(experiment.source.temperature_K, room_K + kSmallestHeat_K);
+    return std::clamp((source_K - room_K) / (hot_K - room_K), 0.0, 1.0);
 }
 
 QColor SceneView::Impl::colourOf(double t_K, bool dark) const {
@@ -253,7 +269,8 @@ void SceneView::appendSamples(const std::vector<TraceSample>& samples) {
             m->source_K = sample.source_K;
         for (std::size_t i = 0; i < m->X_EO.size(); ++i) {
             m->temperatures_K[i] = temperatureOf_K(sample.objects[i]);
-            m->sawTemperature(m->temperatures_K[i]);
+            if (std::isfinite(sample.objects[i].target_K) && sample.objects[i].target_K > 0.0)
+                m->targets_K[i] = sample.objects[i].target_K;
             m->trails[i].append({m->X_RE * m->X_EO[i].translation(), m->temperatures_K[i]});
         }
         m->trailsGrew = true;
@@ -303,6 +320,11 @@ void SceneView::setSourceTemperature_K(double source_K) {
         requestFrame();
 }
 
+void SceneView::setSourceHeat(std::optional<HeatState> heat) {
+    if (std::exchange(m->heat, heat) != heat)
+        requestFrame();
+}
+
 void SceneView::setTemperatures(const std::vector<double>& temperatures_K) {
     bool isOther = false;
     for (std::size_t i = 0; i < m->temperatures_K.size(); ++i) {
@@ -310,7 +332,6 @@ void SceneView::setTemperatures(const std::vector<double>& temperatures_K) {
         const double t_K = std::isfinite(told_K) && told_K > 0.0 ? told_K : kUnknown;
         const double before_K = std::exchange(m->temperatures_K[i], t_K);
         isOther |= t_K != before_K && !(std::isnan(t_K) && std::isnan(before_K));
-        m->sawTemperature(t_K);
     }
     if (isOther)
         requestFrame();
@@ -373,6 +394,8 @@ void SceneView::prepareFrame() {
         vtkCamera* camera = m->view->renderer().GetActiveCamera();
         const Eigen::Vector3d direction(camera->GetDirectionOfProjection());
         const double metresPerPixel = 2.0 * camera->GetParallelScale() / std::max(1, m->view->height());
+        m->props->setSourceWarmth(m->warmth());
+        m->props->setSourceHeat(m->heat);
         m->props->setViewDirection(direction);
         m->props->setPoses(m->X_RE, m->X_RS, -kLift_px * metresPerPixel * direction);
         const bool allTrails = m->rebuild || m->recolour || newRange || m->trailsGrew;

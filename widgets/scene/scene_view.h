@@ -2,6 +2,7 @@
 // The 3-D scene of a run: source, workspace, objects at their pose, and trajectories coloured by temperature.
 
 #include "engine/base/units.h"
+#include "engine/devices/device.h"
 #include "engine/model/experiment.h"
 #include "engine/model/predicted_run.h"
 #include "engine/model/trace.h"
@@ -9,6 +10,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace bask {
@@ -38,8 +40,11 @@ public:
     void setPose(const Vector6d& coordinates);
     /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.
     void setSourcePose(const Vector6d& coordinates);
-    /// Sets the temperature shown beside the source, K; a trace's samples set it too. NaN if not known.
+    /// Sets the temperature shown beside the source, K; a trace's samples set it too. NaN if not known. It is
+    /// drawn from grey in the cold to incandescent at its set point; what is not known to be cold looks hot.
     void setSourceTemperature_K(double source_K);
+    /// Sets whether the source is heated; none if that is not told, as of a recorded run.
+    void setSourceHeat(std::optional<HeatState> heat);
     /// Colours the objects only, K in the experiment's order; NaN or missing if not known.
     void setTemperatures(const std::vector<double>& temperatures_K);
     void setTemperatureUnit(TemperatureUnit unit);

@@ -348,6 +348,111 @@ TEST_F(SceneViewTest, SourcesLightAndDark) {
         }
 }
 
+// Catches one wrong reading that makes the objects alike for the rest of the run, and a target set meanwhile
+// that the bar does not hold.
+TEST_F(SceneViewTest, TheBarFollowsWhatIsShown) {
+    SceneView view;
+    view.resize(1000, 700);
+    Experiment experiment = test::threeObjects();
+    view.setExperiment(experiment);
+    show(view);
+    const double warm_K = kelvinFromCelsius(37.0);
+    const auto shownIn = [&](double hottest_degC) { // the objects in the colour of that range
+        const NiceRange range = niceRange(experiment.environment_K - kelvinFromCelsius(0.0), hottest_degC, 5);
+        const QColor colour = mapColour((37.0 - range.min) / (range.max - range.min), false);
+        return test::pixelsOf(grab(view), colour, 3);
+    };
+    view.setTemperatures({warm_K, warm_K, warm_K});
+    const int before = shownIn(50.0);
+    EXPECT_GT(before, 500);
+    view.setTemperatures({kelvinFromCelsius(600.0), warm_K, warm_K});
+    EXPECT_LT(shownIn(50.0), before / 4);
+    view.setTemperatures({warm_K, warm_K, warm_K});
+    EXPECT_GT(shownIn(50.0), before / 2);
+    view.setSourceTemperature_K(kelvinFromCelsius(300.0));
+    EXPECT_GT(shownIn(50.0), before / 2) << "the source has colours of its own";
+
+    TraceSample sample = sampleAt(0.0, 0.1);
+    for (ObjectSample& object : sample.objects) {
+        object.estimated_K = object.measured_K = warm_K;
+        object.target_K = kelvinFromCelsius(90.0);
+    }
+    view.appendSamples({sample});
+    EXPECT_GT(shownIn(90.0), 500);
+}
+
+// Catches a cold plate that looks as hot as a glowing one, one that nobody knows of that looks cold, and a
+// heat state that is not seen.
+TEST_F(SceneViewTest, TheSourceLooksAsWarmAsItIs) {
+    SceneView view;
+    view.resize(1000, 700);
+    Experiment experiment = test::threeObjects();
+    experiment.objects.clear();
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    const QColor cold(0x6b, 0x64, 0x60);
+    const int glowing = test::pixelsOf(grab(view), kSource);
+    EXPECT_GT(glowing, 500) << "not known";
+    view.setSourceTemperature_K(experiment.environment_K);
+    QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-source-cold"));
+    EXPECT_GT(test::pixelsOf(image, cold), glowing / 2);
+    EXPECT_LT(test::pixelsOf(image, kSource), glowing / 20);
+    view.setSourceTemperature_K(0.5 * (experiment.environment_K + experiment.source.temperature_K));
+    image = grab(view);
+    EXPECT_LT(test::pixelsOf(image, kSource), glowing / 20);
+    EXPECT_LT(test::pixelsOf(image, cold), glowing / 20);
+    view.setSourceTemperature_K(experiment.source.temperature_K + 20.0);
+    EXPECT_GT(test::pixelsOf(grab(view), kSource), glowing / 2);
+
+    const auto with = [&](HeatState heat) {
+        view.setSourceHeat(heat);
+        return grab(view);
+    };
+    const QImage unknown = with(HeatState::Unknown), off = with(HeatState::Off), on = with(HeatState::On);
+    const int violet = test::pixelsOf(unknown, unknownColor(false));
+    EXPECT_GT(violet, 100);
+    EXPECT_LT(test::pixelsOf(off, unknownColor(false)), violet / 4);
+    EXPECT_LT(test::pixelsOf(on, unknownColor(false)), violet / 4);
+    EXPECT_GT(test::differentPixels(off, on), 100);
+}
+
+// Catches a long run whose beginning looks as new as its end.
+TEST_F(SceneViewTest, ALongTrailFades) {
+    SceneView view;
+    view.resize(1000, 1000);
+    Experiment experiment = test::threeObjects();
+    experiment.objects.resize(1);
+    experiment.objects[0].mounting.setZero();
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    std::vector<TraceSample> samples;
+    constexpr int kRow = 800;
+    for (int k = 0; k < 4 * kRow; ++k) { // four rows to and fro, from the lower to the upper end
+        TraceSample sample = sampleAt(0.0, 0.1);
+        const int row = k / kRow, place = k % kRow;
+        sample.coordinates[kX] = 2.6e-4 * ((row % 2 == 0 ? place : kRow - place) - kRow / 2);
+        sample.coordinates[kY] = 0.05 * row - 0.075;
+        sample.objects.resize(1);
+        sample.objects[0].estimated_K = kelvinFromCelsius(37.0);
+        samples.push_back(sample);
+    }
+    const NiceRange range = niceRange(experiment.environment_K - kelvinFromCelsius(0.0), 50.0, 5);
+    const QColor colour = mapColour((37.0 - range.min) / (range.max - range.min), false);
+    const auto inLowerHalf = [&](const std::vector<TraceSample>& trail) {
+        view.setSamples(trail);
+        view.setPose(sampleAt(0.0, 0.1).coordinates + 0.1 * Vector6d::Unit(kY)); // out of the lower half
+        const QImage image = grab(view);
+        return test::pixelsOf(image.copy(0, image.height() / 2, image.width(), image.height() / 2), colour,
+                              4);
+    };
+    const int shortOne = inLowerHalf({samples.begin(), samples.begin() + kRow});
+    EXPECT_GT(shortOne, 200);
+    EXPECT_LT(inLowerHalf(samples), shortOne / 4) << "its first row, and the second";
+}
+
 // Catches drawing from within setters, and frames for things that nobody sees.
 TEST_F(SceneViewTest, SettersDrawNothingAndAHiddenViewStaysIdle) {
     SceneView view;
