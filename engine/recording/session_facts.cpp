@@ -81,15 +81,8 @@ private:
     }
 
     Result<void> log() {
-        auto done = m_store.select("SELECT time_s, code, args FROM event ORDER BY rowid", [&](Row row) {
-            TraceEvent event{numberOf(row[0]), {messageCodeFromName(textOf(row[1])), {}}};
-            const auto args = nlohmann::json::parse(textOf(row[2]), nullptr, false);
-            for (const auto& arg : args) {
-                if (arg.is_string())
-                    event.message.args.push_back(printable(arg.get<std::string>()));
-            }
-            m_record.events.push_back(std::move(event));
-        });
+        auto done = m_store.select("SELECT time_s, code, args FROM event ORDER BY rowid",
+                                   [&](Row row) { m_record.events.push_back(eventOf(row)); });
         if (done)
             done = select("time_s, text", "note", [&](Row row) {
                 m_record.notes.push_back(
@@ -127,6 +120,16 @@ Result<SessionRecord> readFacts(const SessionStore& store, const std::string& pa
     if (auto done = FactsReader(store, record).all(); !done)
         return done.error();
     return record;
+}
+
+TraceEvent eventOf(Row row) {
+    TraceEvent event{numberOf(row[0]), {messageCodeFromName(textOf(row[1])), {}}};
+    const auto args = nlohmann::json::parse(textOf(row[2]), nullptr, false);
+    for (const auto& arg : args) {
+        if (arg.is_string())
+            event.message.args.push_back(printable(arg.get<std::string>()));
+    }
+    return event;
 }
 
 double roughRows(const SessionStore& store, const std::string& table) {

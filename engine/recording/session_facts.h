@@ -13,6 +13,9 @@ namespace bask {
 /// Reads header, experiment, events, notes and commands, but no samples.
 Result<SessionRecord> readFacts(const SessionStore& store, const std::string& path);
 
+/// Returns the event of a row: time_s, code, args.
+TraceEvent eventOf(SessionStore::Row row);
+
 /// Returns about how many rows a table has, by the number of its last one; 0 where that tells nothing.
 double roughRows(const SessionStore& store, const std::string& table);
 

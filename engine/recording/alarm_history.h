@@ -1,0 +1,58 @@
+#pragma once
+// The alarms of many recorded runs: which were raised, how often, when and for how long.
+
+#include "engine/base/share_done.h"
+#include "engine/model/trace.h"
+#include "engine/recording/session_header.h"
+
+#include <limits>
+#include <stop_token>
+#include <vector>
+
+namespace bask {
+
+/// A time that an alarm was raised in a run.
+struct AlarmSpell {
+    Message message;       ///< with its values at that time
+    double raised_s = 0.0; ///< since Start
+    /// Time until it was over or a person reset, at the latest until the recording ends. NaN: nothing tells
+    /// the end of such an alarm.
+    double active_s = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// An alarm in one run.
+struct AlarmInRun {
+    std::size_t run = 0; ///< index in AlarmHistory::runs
+    std::vector<AlarmSpell> spells;
+
+    double active_s() const; ///< of all spells; NaN if none has an end
+};
+
+/// An alarm in all runs. The same sentence about the same objects, or devices, is one alarm, whatever its
+/// values.
+struct PastAlarm {
+    std::vector<AlarmInRun> runs; ///< the newest first; never empty
+
+    const Message& message() const { return runs.front().spells.back().message; } ///< of the last time
+    int priority() const;
+    std::size_t times() const;
+    double active_s() const; ///< of all runs; NaN if none has an end
+};
+
+struct AlarmHistory {
+    std::vector<SessionHeader> runs;
+    std::vector<PastAlarm> alarms;       ///< in no particular order
+    std::vector<std::size_t> unreadable; ///< indices of the runs that cannot be read, which have their error
+};
+
+/// Returns the alarms among the events of a run, in their order; the recording ends at `end_s`. What counts
+/// as an alarm is what the report of a run counts: an event that has a priority.
+std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s);
+
+/// Reads the events of one run after another, no samples: some milliseconds for a run of any length. A file
+/// that cannot be read, now or when its header was read, is left out and named. Ends early, with the runs
+/// read so far, once `stop` is requested.
+AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_token& stop = {},
+                              const ShareDone& done = {});
+
+} // namespace bask
