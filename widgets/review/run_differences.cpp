@@ -115,6 +115,19 @@ QString givenName(const SessionHeader& session) {
     return isRecordingStem(stem.toStdString()) ? QString() : stem;
 }
 
+QString listedName(const SessionHeader& session) {
+    if (const QString given = givenName(session); !given.isEmpty() && !session.error)
+        return given;
+    return session.title.empty() ? QFileInfo(QString::fromStdString(session.path)).fileName()
+                                 : QString::fromStdString(session.title);
+}
+
+QDateTime recordedAt(const SessionHeader& session) {
+    const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
+    return (created.isValid() ? created : QFileInfo(QString::fromStdString(session.path)).lastModified())
+        .toLocalTime();
+}
+
 QString listedController(const SessionHeader& session) {
     const auto& known = controllerCatalogue();
     const auto found = std::ranges::find(known, session.controller,

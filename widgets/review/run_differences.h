@@ -1,9 +1,10 @@
 #pragma once
-// What tells the runs of one experiment apart in a list.
+// How runs are named in a list, and what tells those of one experiment apart.
 
 #include "engine/base/units.h"
 #include "engine/recording/session_header.h"
 
+#include <QDateTime>
 #include <QString>
 
 #include <vector>
@@ -12,6 +13,12 @@ namespace bask {
 
 /// Returns the name that a person gave to the file of a run, without its ending; empty if Bask named it.
 QString givenName(const SessionHeader& session);
+
+/// Returns the name by which a run is listed: the one that a person gave, else the title, else the file.
+QString listedName(const SessionHeader& session);
+
+/// Returns when a run was recorded, in local time; of a file that does not say, when it was changed.
+QDateTime recordedAt(const SessionHeader& session);
 
 /// Returns for each run in which targets, controller, materials and emittances it differs from those of the
 /// same title: "hand 55.0 °C · Adaptive". Where that, operator and sample tell nothing, the file's name.

@@ -1,0 +1,379 @@
+#include "widgets/review/alarm_history_dialog.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+#include "widgets/review/run_differences.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDateTime>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+namespace bask {
+namespace {
+
+enum PastColumn { kPastAlarm, kPastRuns, kPastTimes, kPastActive, kPastLast, kPastLastRun, kPastColumns };
+enum PastRunColumn { kInDate, kInName, kInRig, kInTimes, kInActive, kInAt, kInColumns };
+constexpr int kPastSortRole = Qt::UserRole;
+constexpr int kPastPlaceRole = Qt::UserRole + 1; ///< of an alarm in the history
+constexpr int kInPathRole = Qt::UserRole + 1;
+constexpr int kPastMark = 16;
+constexpr int kMaxListed = 30; ///< times of an alarm in a run; who wants more opens the run
+constexpr int kMaxNamed = 5;   ///< files that cannot be read; a tip has all
+
+/// Sorted by what the texts stand for.
+class PastRow : public QTreeWidgetItem {
+public:
+    using QTreeWidgetItem::QTreeWidgetItem;
+    bool operator<(const QTreeWidgetItem& other) const override {
+        const int column = treeWidget()->sortColumn();
+        const QVariant mine = data(column, kPastSortRole), its = other.data(column, kPastSortRole);
+        if (mine.typeId() == QMetaType::Double)
+            return mine.toDouble() < its.toDouble();
+        return QString::localeAwareCompare(mine.toString(), its.toString()) < 0;
+    }
+
+    void set(int column, const QString& text, double key) {
+        setText(column, text);
+        setData(column, kPastSortRole, key);
+        setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
+    }
+    void set(int column, const QString& text) {
+        setText(column, text);
+        setData(column, kPastSortRole, text);
+        setToolTip(column, text);
+    }
+    void setDate(int column, const SessionHeader& run) {
+        const QDateTime date = recordedAt(run);
+        setText(column, formatDate(date));
+        setData(column, kPastSortRole, static_cast<double>(date.toMSecsSinceEpoch()));
+        setToolTip(column, QString::fromStdString(run.path));
+    }
+    /// What has no end is before all that has one.
+    void setActive(int column, double active_s) {
+        set(column, formatDuration(active_s), std::isnan(active_s) ? -1.0 : active_s);
+    }
+};
+
+QTreeWidget* pastTree(const char* name, int columns, int sortedBy, QWidget* parent) {
+    auto* tree = new QTreeWidget(parent);
+    tree->setObjectName(QLatin1String(name));
+    tree->setColumnCount(columns);
+    tree->setRootIsDecorated(false);
+    tree->setUniformRowHeights(true);
+    tree->setAlternatingRowColors(true);
+    tree->setAllColumnsShowFocus(true);
+    tree->setIconSize({kPastMark, kPastMark});
+    tree->setMinimumHeight(80);
+    tree->setSortingEnabled(true);
+    tree->sortByColumn(sortedBy, Qt::DescendingOrder);
+    return tree;
+}
+
+/// Columns of names are as wide as a person makes them, the others as their content.
+void fitPastColumns(QTreeWidget& tree) {
+    const QHeaderView& header = *tree.header();
+    const int name = 20 * tree.fontMetrics().averageCharWidth();
+    for (int column = 0; column < tree.columnCount(); ++column)
+        if (header.sectionResizeMode(column) == QHeaderView::Interactive)
+            tree.setColumnWidth(column,
+                                std::max({name, tree.columnWidth(column), header.sectionSizeHint(column)}));
+}
+
+std::size_t runsWithAlarms(const AlarmHistory& history) {
+    std::set<std::size_t> runs;
+    for (const PastAlarm& alarm : history.alarms)
+        for (const AlarmInRun& in : alarm.runs)
+            runs.insert(in.run);
+    return runs.size();
+}
+
+} // namespace
+
+AlarmHistoryDialog::AlarmHistoryDialog(QWidget* parent)
+    : QDialog(parent), m_filter(new QLineEdit(this)), m_summary(new QLabel(this)),
+      m_alarms(pastTree("alarmHistoryAlarms", kPastColumns, kPastTimes, this)),
+      m_runs(pastTree("alarmHistoryRuns", kInColumns, kInDate, this)), m_unread(new QLabel(this)),
+      m_copy(new QPushButton(this)), m_open(new QPushButton(this)), m_close(new QPushButton(this)) {
+    build();
+    connect(m_filter, &QLineEdit::textChanged, this, &AlarmHistoryDialog::filter);
+    connect(m_alarms, &QTreeWidget::currentItemChanged, this, &AlarmHistoryDialog::showRuns);
+    connect(m_runs, &QTreeWidget::currentItemChanged, this,
+            [this](const QTreeWidgetItem* row) { m_open->setEnabled(row != nullptr); });
+    connect(m_runs, &QTreeWidget::itemActivated, this, &AlarmHistoryDialog::open);
+    connect(m_copy, &QPushButton::clicked, this, &AlarmHistoryDialog::copy);
+    connect(m_open, &QPushButton::clicked, this, &AlarmHistoryDialog::open);
+    connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
+    retranslate();
+}
+
+void AlarmHistoryDialog::build() {
+    setObjectName(QStringLiteral("alarmHistoryDialog"));
+    m_filter->setObjectName(QStringLiteral("alarmHistoryFilter"));
+    m_filter->setClearButtonEnabled(true);
+    m_summary->setObjectName(QStringLiteral("alarmHistorySummary"));
+    m_unread->setObjectName(QStringLiteral("alarmHistoryUnread"));
+    for (QLabel* label : {m_summary, m_unread}) {
+        label->setWordWrap(true);
+        label->setTextFormat(Qt::PlainText);
+    }
+    m_copy->setObjectName(QStringLiteral("alarmHistoryCopy"));
+    m_open->setObjectName(QStringLiteral("alarmHistoryOpen"));
+    m_close->setObjectName(QStringLiteral("alarmHistoryClose"));
+    for (QPushButton* button : {m_copy, m_open, m_close})
+        button->setAutoDefault(false); // Enter opens the selected run
+    m_alarms->header()->setStretchLastSection(false);
+    m_alarms->header()->setSectionResizeMode(kPastAlarm, QHeaderView::Stretch);
+    for (const PastColumn column : {kPastRuns, kPastTimes, kPastActive, kPastLast})
+        m_alarms->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+    for (const PastRunColumn column : {kInDate, kInRig, kInTimes, kInActive})
+        m_runs->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
+
+    auto* parts = new QSplitter(Qt::Vertical, this);
+    parts->setChildrenCollapsible(false);
+    parts->addWidget(m_alarms);
+    parts->addWidget(m_runs);
+    parts->setStretchFactor(0, 3);
+    parts->setStretchFactor(1, 2);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_copy);
+    buttons->addStretch(1);
+    buttons->addWidget(m_open);
+    buttons->addWidget(m_close);
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(m_filter);
+    column->addWidget(m_summary);
+    column->addWidget(parts, 1);
+    column->addWidget(m_unread);
+    column->addLayout(buttons);
+    QSize size(900, 560);
+    if (parentWidget() != nullptr)
+        size = size.boundedTo(parentWidget()->window()->size());
+    resize(size);
+}
+
+void AlarmHistoryDialog::setReading(int percent) {
+    m_isReading = true;
+    m_percent = percent;
+    showSummary();
+}
+
+void AlarmHistoryDialog::setHistory(AlarmHistory history) {
+    {
+        const QSignalBlocker quiet(m_alarms);
+        m_alarms->clear(); // its rows are of the history before
+    }
+    m_history = std::move(history);
+    m_isReading = false;
+    showAlarms();
+    showUnread();
+}
+
+void AlarmHistoryDialog::showAlarms() {
+    const PastAlarm* chosen = selected();
+    {
+        const QSignalBlocker quiet(m_alarms);
+        m_alarms->setSortingEnabled(false);
+        m_alarms->clear();
+        QTreeWidgetItem* current = nullptr;
+        QList<QTreeWidgetItem*> rows;
+        for (std::size_t place = 0; place < m_history.alarms.size(); ++place) {
+            rows << alarmRow(place);
+            if (&m_history.alarms[place] == chosen)
+                current = rows.back();
+        }
+        m_alarms->addTopLevelItems(rows);
+        m_alarms->setSortingEnabled(true);
+        m_alarms->setCurrentItem(current);
+        fitPastColumns(*m_alarms);
+    }
+    filter();
+}
+
+QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
+    const PastAlarm& alarm = m_history.alarms[place];
+    const SessionHeader& last = m_history.runs[alarm.runs.front().run];
+    const QString sentence = sentenceText(alarm.message());
+    auto* row = new PastRow;
+    row->set(kPastAlarm, sentence);
+    row->setData(kPastAlarm, kPastPlaceRole, QVariant::fromValue<qulonglong>(place));
+    row->setData(kPastAlarm, Qt::AccessibleTextRole,
+                 tr("Priority %1: %2").arg(alarm.priority()).arg(sentence));
+    row->setIcon(kPastAlarm,
+                 QIcon(alarmPixmap(alarm.priority(), isDark(this), kPastMark, devicePixelRatioF())));
+    row->set(kPastRuns, QString::number(alarm.runs.size()), static_cast<double>(alarm.runs.size()));
+    row->set(kPastTimes, QString::number(alarm.times()), static_cast<double>(alarm.times()));
+    row->setActive(kPastActive, alarm.active_s());
+    row->setDate(kPastLast, last);
+    row->set(kPastLastRun, listedName(last));
+    return row;
+}
+
+/// Leaves the alarms that have every word.
+void AlarmHistoryDialog::filter() {
+    const QStringList words = m_filter->text().simplified().toCaseFolded().split(u' ', Qt::SkipEmptyParts);
+    QTreeWidgetItem* first = nullptr;
+    for (int k = 0; k < m_alarms->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* row = m_alarms->topLevelItem(k);
+        const QString all = row->text(kPastAlarm).toCaseFolded();
+        const bool isFound =
+            std::ranges::all_of(words, [&](const QString& word) { return all.contains(word); });
+        row->setHidden(!isFound);
+        if (isFound && first == nullptr)
+            first = row;
+    }
+    if (selected() == nullptr) {
+        const QSignalBlocker quiet(m_alarms);
+        m_alarms->setCurrentItem(first);
+    }
+    m_copy->setEnabled(first != nullptr);
+    showRuns();
+    showSummary();
+}
+
+const PastAlarm* AlarmHistoryDialog::selected() const {
+    const QTreeWidgetItem* row = m_alarms->currentItem();
+    return row == nullptr || row->isHidden()
+               ? nullptr
+               : &m_history.alarms[row->data(kPastAlarm, kPastPlaceRole).toULongLong()];
+}
+
+void AlarmHistoryDialog::showRuns() {
+    m_runs->setSortingEnabled(false);
+    m_runs->clear();
+    if (const PastAlarm* alarm = selected()) {
+        QList<QTreeWidgetItem*> rows;
+        for (const AlarmInRun& in : alarm->runs)
+            rows << runRow(in);
+        m_runs->addTopLevelItems(rows);
+    }
+    m_runs->setSortingEnabled(true);
+    m_runs->setCurrentItem(m_runs->topLevelItem(0));
+    m_open->setEnabled(m_runs->currentItem() != nullptr);
+    fitPastColumns(*m_runs);
+}
+
+QTreeWidgetItem* AlarmHistoryDialog::runRow(const AlarmInRun& in) const {
+    const SessionHeader& run = m_history.runs[in.run];
+    QStringList times;
+    for (const AlarmSpell& spell : in.spells) {
+        if (times.size() == kMaxListed) {
+            times << QStringLiteral("\u2026");
+            break;
+        }
+        times << formatDuration(spell.raised_s);
+    }
+    auto* row = new PastRow;
+    row->setDate(kInDate, run);
+    row->setData(kInDate, kInPathRole, QString::fromStdString(run.path));
+    row->set(kInName, listedName(run));
+    row->set(kInRig, run.simulated ? tr("SIMULATED") : tr("LIVE"));
+    row->set(kInTimes, QString::number(in.spells.size()), static_cast<double>(in.spells.size()));
+    row->setActive(kInActive, in.active_s());
+    row->set(kInAt, times.join(QStringLiteral(", ")));
+    row->setData(kInAt, kPastSortRole, in.spells.front().raised_s);
+    return row;
+}
+
+void AlarmHistoryDialog::showSummary() {
+    const auto read = static_cast<int>(m_history.runs.size() - m_history.unreadable.size());
+    const int rows = m_alarms->topLevelItemCount();
+    if (m_isReading)
+        m_summary->setText(tr("Reading the runs: %1 %").arg(m_percent));
+    else if (m_history.runs.empty())
+        m_summary->setText(tr("The list has no run."));
+    else if (rows == 0)
+        m_summary->setText(tr("No alarm was raised in %n run(s).", nullptr, read));
+    else if (selected() == nullptr)
+        m_summary->setText(tr("No alarm matches \"%1\".").arg(m_filter->text().simplified()));
+    else
+        m_summary->setText(tr("Alarms in %1 of %n run(s)", nullptr, read).arg(runsWithAlarms(m_history)));
+}
+
+void AlarmHistoryDialog::showUnread() {
+    QStringList names, reasons;
+    for (const std::size_t k : m_history.unreadable) {
+        const SessionHeader& run = m_history.runs[k];
+        const QString name = QFileInfo(QString::fromStdString(run.path)).fileName();
+        reasons << name + QStringLiteral(": ") + sentenceText(run.error->message);
+        if (names.size() < kMaxNamed)
+            names << name;
+        else if (names.size() == kMaxNamed)
+            names << QStringLiteral("\u2026");
+    }
+    m_unread->setVisible(!names.isEmpty());
+    m_unread->setText(tr("%n recording(s) could not be read: %1", nullptr, static_cast<int>(reasons.size()))
+                          .arg(names.join(QStringLiteral(", "))));
+    m_unread->setToolTip(reasons.join(u'\n'));
+}
+
+void AlarmHistoryDialog::open() {
+    if (const QTreeWidgetItem* row = m_runs->currentItem())
+        emit runChosen(row->data(kInDate, kInPathRole).toString());
+}
+
+/// The alarms that are shown, for a spreadsheet.
+void AlarmHistoryDialog::copy() const {
+    QStringList lines;
+    const auto add = [&](const QTreeWidgetItem& row) {
+        QStringList cells;
+        for (int column = 0; column < kPastColumns; ++column)
+            cells << row.text(column).simplified();
+        lines << cells.join(u'\t');
+    };
+    add(*m_alarms->headerItem());
+    for (int k = 0; k < m_alarms->topLevelItemCount(); ++k)
+        if (!m_alarms->topLevelItem(k)->isHidden())
+            add(*m_alarms->topLevelItem(k));
+    QApplication::clipboard()->setText(lines.join(u'\n'));
+}
+
+void AlarmHistoryDialog::retranslate() {
+    setWindowTitle(tr("Alarms of the listed runs"));
+    m_filter->setPlaceholderText(tr("Filter the alarms"));
+    m_filter->setToolTip(tr("Shows the alarms that have every word."));
+    m_filter->setAccessibleName(m_filter->placeholderText());
+    m_alarms->setHeaderLabels(
+        {tr("Alarm"), tr("Runs"), tr("Times"), tr("Active"), tr("Last raised"), tr("Last run")});
+    m_alarms->setAccessibleName(tr("Alarms"));
+    m_alarms->headerItem()->setToolTip(kPastAlarm, tr("As it was raised the last time"));
+    m_alarms->headerItem()->setToolTip(kPastRuns, tr("Number of runs in which it was raised"));
+    m_alarms->headerItem()->setToolTip(kPastTimes, tr("How often it was raised"));
+    m_alarms->headerItem()->setToolTip(
+        kPastActive, tr("Time for which it was active, until it was over or reset or the recording ended"));
+    m_alarms->headerItem()->setToolTip(kPastLast, tr("When the last run with it was recorded"));
+    m_runs->setHeaderLabels(
+        {tr("Recorded"), tr("Run"), tr("Rig"), tr("Times"), tr("Active"), tr("Raised at")});
+    m_runs->setAccessibleName(tr("Runs of the selected alarm"));
+    m_runs->headerItem()->setToolTip(kInAt, tr("Time since Start"));
+    m_copy->setText(tr("Copy"));
+    m_copy->setToolTip(tr("Copy the alarms as text, for a spreadsheet"));
+    m_open->setText(tr("Open"));
+    m_open->setAccessibleName(tr("Open the selected run"));
+    m_close->setText(tr("Close"));
+    showAlarms();
+    showUnread();
+}
+
+void AlarmHistoryDialog::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        retranslate();
+    QDialog::changeEvent(event);
+}
+
+} // namespace bask

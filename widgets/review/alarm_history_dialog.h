@@ -1,0 +1,62 @@
+#pragma once
+// The alarms of the listed runs: how often each was raised, and in which runs.
+
+#include "engine/recording/alarm_history.h"
+
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace bask {
+
+/// Reading is the receiver's work. Not modal, so that STOP stays reachable. Object names:
+/// "alarmHistoryDialog", "alarmHistoryFilter", "alarmHistorySummary" (also that there is none),
+/// "alarmHistoryAlarms" (a row for each alarm), "alarmHistoryRuns" (a row for each run of the selected
+/// alarm), "alarmHistoryUnread", "alarmHistoryCopy", "alarmHistoryOpen", "alarmHistoryClose".
+class AlarmHistoryDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit AlarmHistoryDialog(QWidget* parent = nullptr);
+
+    /// The runs are being read: the shown content may be old.
+    void setReading(int percent);
+    void setHistory(AlarmHistory history);
+    /// Says all again, in the reader's language and unit of temperature.
+    void retranslate();
+
+signals:
+    /// A person wants to see a run.
+    void runChosen(const QString& path);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void showAlarms();
+    QTreeWidgetItem* alarmRow(std::size_t place) const;
+    void filter();
+    void showRuns();
+    QTreeWidgetItem* runRow(const AlarmInRun& in) const;
+    void showSummary();
+    void showUnread();
+    void open();
+    void copy() const;
+    const PastAlarm* selected() const;
+
+    AlarmHistory m_history;
+    bool m_isReading = true;
+    int m_percent = 0;
+    QLineEdit* m_filter;
+    QLabel* m_summary;
+    QTreeWidget *m_alarms, *m_runs;
+    QLabel* m_unread;
+    QPushButton *m_copy, *m_open, *m_close;
+};
+
+} // namespace bask
