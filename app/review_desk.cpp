@@ -15,7 +15,7 @@ namespace bask {
 
 ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent)
     : QObject(parent), m_page(page), m_document(document), m_files(files), m_library(*page.sessions()),
-      m_overlayCount(*page.replay()) {
+      m_overlayCount(*page.replay()), m_alarms(*page.sessions()) {
     connectList();
     connectCount();
     connect(&m_page, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
@@ -60,12 +60,14 @@ void ReviewDesk::setRecording(const QString& path) {
 
 void ReviewDesk::retranslate() {
     showSession();
+    m_alarms.retranslate(); // its sentences have temperatures, too
 }
 
 /// The list of runs; reading them is the library's work.
 void ReviewDesk::connectList() {
     SessionList* list = m_page.sessions();
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
+    connect(&m_alarms, &AlarmHistoryControl::runChosen, &m_files, &SessionActions::open);
     connect(list, &SessionList::experimentRequested, &m_files,
             qOverload<const QString&>(&SessionActions::openAsNew));
     list->setSorting(m_files.sessionSorting());

@@ -1,6 +1,7 @@
 #pragma once
 // The Review page with the run that is open, its numbers and the list of runs.
 
+#include "app/alarm_history_control.h"
 #include "app/document.h"
 #include "app/overlay_count.h"
 #include "app/session_actions.h"
@@ -49,6 +50,7 @@ private:
     SessionLibrary m_library;
     SessionCount m_count;
     OverlayCount m_overlayCount;
+    AlarmHistoryControl m_alarms;
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
     /// numbers of m_session; null if they are being computed or not available

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -89,22 +90,17 @@ std::vector<std::string> withoutEmpty(std::vector<std::string> texts) {
     return texts;
 }
 
-/// When it was recorded; of a file that does not say, when it was changed.
-QDateTime dateOf(const SessionHeader& session) {
-    const QDateTime created = QDateTime::fromString(text(session.created), Qt::ISODate);
-    return (created.isValid() ? created : QFileInfo(text(session.path)).lastModified()).toLocalTime();
-}
-
 } // namespace
 
 SessionList::SessionList(QWidget* parent)
     : QWidget(parent), m_search(new QLineEdit(this)), m_folder(new QPushButton(this)),
-      m_tree(new QTreeWidget(this)), m_cells(new TwoLineDelegate(this)), m_count(new ElidedLabel(this)),
-      m_message(new MessageBar(this)), m_tagsLabel(new QLabel(this)), m_tags(new QLineEdit(this)),
-      m_open(new QPushButton(this)), m_compare(new QPushButton(this)) {
+      m_alarms(new QPushButton(this)), m_tree(new QTreeWidget(this)), m_cells(new TwoLineDelegate(this)),
+      m_count(new ElidedLabel(this)), m_message(new MessageBar(this)), m_tagsLabel(new QLabel(this)),
+      m_tags(new QLineEdit(this)), m_open(new QPushButton(this)), m_compare(new QPushButton(this)) {
     m_search->setObjectName(QStringLiteral("sessionSearch"));
     m_search->setClearButtonEnabled(true);
     m_folder->setObjectName(QStringLiteral("sessionFolder"));
+    m_alarms->setObjectName(QStringLiteral("sessionAlarms"));
     m_count->setObjectName(QStringLiteral("sessionCount"));
     m_message->setObjectName(QStringLiteral("sessionMessage"));
     m_tags->setObjectName(QStringLiteral("sessionTags"));
@@ -132,6 +128,7 @@ SessionList::SessionList(QWidget* parent)
     auto* top = new QHBoxLayout;
     top->addWidget(m_search, 1);
     top->addWidget(m_folder);
+    top->addWidget(m_alarms);
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_count, 1);
     buttons->addWidget(m_compare);
@@ -150,6 +147,7 @@ SessionList::SessionList(QWidget* parent)
 
     connect(m_search, &QLineEdit::textChanged, this, &SessionList::search);
     connect(m_folder, &QPushButton::clicked, this, &SessionList::folderRequested);
+    connect(m_alarms, &QPushButton::clicked, this, &SessionList::alarmsRequested);
     connectTree();
     connect(m_tags, &QLineEdit::editingFinished, this, &SessionList::takeTags);
     connect(m_message, &MessageBar::actionClicked, this, [this] {
@@ -243,6 +241,17 @@ void SessionList::setSorting(const QString& sorting) {
     if (found != kSortNames.end())
         m_tree->sortByColumn(static_cast<int>(found - kSortNames.begin()),
                              isDescending ? Qt::DescendingOrder : Qt::AscendingOrder);
+}
+
+std::vector<SessionHeader> SessionList::listed() const {
+    std::set<std::string> paths;
+    for (int k = 0; k < m_tree->topLevelItemCount(); ++k)
+        if (!m_tree->isRowHidden(k, {}))
+            paths.insert(m_tree->topLevelItem(k)->data(0, kPathRole).toString().toStdString());
+    std::vector<SessionHeader> out;
+    std::ranges::copy_if(m_sessions, std::back_inserter(out),
+                         [&](const SessionHeader& each) { return paths.contains(each.path); });
+    return out;
 }
 
 bool SessionList::isOpened(const QTreeWidgetItem* row) const {
@@ -344,13 +353,13 @@ const QIcon& SessionList::outcomeIcon(Outcome outcome) {
 }
 
 void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences) {
-    const QDateTime date = dateOf(session);
+    const QDateTime date = recordedAt(session);
     const QString file = QFileInfo(text(session.path)).fileName();
     const Outcome outcome = session.error               ? Outcome::Unreadable
                             : isRecording(session.path) ? Outcome::Recording
                                                         : outcomeOf(session.outcome);
     const QString given = session.error ? QString() : givenName(session), title = text(session.title);
-    const QString name = !given.isEmpty() ? given : title.isEmpty() ? file : title;
+    const QString name = listedName(session);
     const QString detail =
         joined(withoutEmpty({given.isEmpty() ? std::string() : session.title, differences.toStdString()}),
                QStringLiteral(" \u00b7 "));
@@ -540,6 +549,8 @@ void SessionList::retranslate() {
     m_folder->setText(tr("Folder\u2026"));
     m_folder->setToolTip(m_folderPath.isEmpty() ? tr("Choose the folder whose runs are listed")
                                                 : tr("The runs listed are in %1").arg(m_folderPath));
+    m_alarms->setText(tr("Alarms\u2026"));
+    m_alarms->setToolTip(tr("Which alarms the listed runs had, how often and when"));
     m_icons.clear();
     m_tree->setHeaderLabels({tr("Recorded"), tr("Run"), tr("Outcome"), tr("Duration"), tr("Operator"),
                              tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});

@@ -26,8 +26,8 @@ class TwoLineDelegate;
 
 /// A run is listed by its experiment, one whose file a person named by that name; under it is what tells runs
 /// of one experiment apart. Reading and writing are the receiver's work. Object names: "sessionSearch",
-/// "sessionFolder", "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen",
-/// "sessionCompare", "sessionMenu" (of a row), "sessionSorting" (in it).
+/// "sessionFolder", "sessionAlarms", "sessionTree", "sessionCount", "sessionMessage", "sessionTags",
+/// "sessionOpen", "sessionCompare", "sessionMenu" (of a row), "sessionSorting" (in it).
 class SessionList : public QWidget {
     Q_OBJECT
 
@@ -48,6 +48,8 @@ public:
     /// all.
     void setSorting(const QString& sorting);
     QString sorting() const;
+    /// Returns the runs that the search has left.
+    std::vector<SessionHeader> listed() const;
 
     /// Returns the comma-separated tags, each once.
     static QStringList tagsOf(const QString& text);
@@ -56,6 +58,7 @@ signals:
     void sessionChosen(const QString& path);
     void compareRequested(const QString& path);
     void folderRequested();
+    void alarmsRequested(); ///< of the runs that are listed
     void tagsEdited(const QString& path, const QStringList& tags);
     /// Closing the interrupted recording was requested.
     void closeRequested(const QString& path);
@@ -93,7 +96,7 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     std::map<Outcome, QIcon> m_icons; ///< in the colours of the palette
     QLineEdit* m_search;
-    QPushButton* m_folder;
+    QPushButton *m_folder, *m_alarms;
     QTreeWidget* m_tree;
     TwoLineDelegate* m_cells;
     QLabel* m_count;

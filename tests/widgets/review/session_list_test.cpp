@@ -175,6 +175,23 @@ TEST_F(SessionListTest, ASearchWithoutAnAnswerSaysSo) {
     EXPECT_TRUE(message().isEmpty()) << "the folder is empty, which is said already";
 }
 
+// Catches alarms asked for of other runs than those that a person sees.
+TEST_F(SessionListTest, TheListedRunsAreThoseThatTheSearchHasLeft) {
+    const auto listed = [this] {
+        QStringList names;
+        for (const SessionHeader& run : list.listed())
+            names << QString::fromStdString(run.path).mid(6).chopped(5);
+        names.sort();
+        return names;
+    };
+    EXPECT_EQ(listed(), (QStringList{"a", "b", "bad", "cut"}));
+    search->setText("live");
+    EXPECT_EQ(listed(), QStringList{"b"});
+    QSignalSpy asked(&list, &SessionList::alarmsRequested);
+    QTest::mouseClick(list.findChild<QPushButton*>("sessionAlarms"), Qt::LeftButton);
+    EXPECT_EQ(asked.count(), 1);
+}
+
 // Catches an order that is lost with the next recording, runs that are alike in any order, and an order that
 // the next start does not have.
 TEST_F(SessionListTest, TheChosenOrderStays) {

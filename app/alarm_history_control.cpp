@@ -1,0 +1,64 @@
+#include "app/alarm_history_control.h"
+
+#include "widgets/review/alarm_history_dialog.h"
+#include "widgets/review/session_list.h"
+
+#include <QThread>
+
+#include <utility>
+
+namespace bask {
+
+AlarmHistoryControl::AlarmHistoryControl(SessionList& list) : m_list(list) {
+    m_pool.setMaxThreadCount(1);
+    m_pool.setThreadPriority(QThread::LowPriority);
+    m_timer.setInterval(kInterval_ms);
+    connect(&m_timer, &QTimer::timeout, this, [this] { m_dialog->setReading(*m_percent); });
+    connect(&m_list, &SessionList::alarmsRequested, this, &AlarmHistoryControl::open);
+}
+
+AlarmHistoryControl::~AlarmHistoryControl() {
+    delete m_dialog;
+}
+
+void AlarmHistoryControl::make() {
+    m_dialog = new AlarmHistoryDialog(m_list.window());
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(m_dialog, &AlarmHistoryDialog::runChosen, this, &AlarmHistoryControl::runChosen);
+    connect(m_dialog, &QDialog::finished, this, [this] {
+        m_timer.stop();
+        m_job.forget();
+        m_dialog.clear(); // it is deleted a little later
+    });
+}
+
+void AlarmHistoryControl::open() {
+    if (!m_dialog)
+        make();
+    read();
+    m_dialog->show();
+    m_dialog->raise();
+    m_dialog->activateWindow();
+}
+
+void AlarmHistoryControl::retranslate() {
+    if (m_dialog)
+        m_dialog->retranslate();
+}
+
+void AlarmHistoryControl::read() {
+    m_percent = std::make_shared<std::atomic<int>>(0);
+    m_dialog->setReading(0);
+    m_timer.start();
+    m_job.run(
+        [runs = m_list.listed(), percent = m_percent](const std::stop_token& stop) {
+            return readAlarmHistory(runs, stop,
+                                    [&](double share) { *percent = static_cast<int>(100.0 * share); });
+        },
+        [this](AlarmHistory history) {
+            m_timer.stop();
+            m_dialog->setHistory(std::move(history));
+        });
+}
+
+} // namespace bask

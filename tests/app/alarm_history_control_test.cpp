@@ -1,0 +1,129 @@
+// The alarms of the listed runs with the files behind them.
+
+#include "app/alarm_history_control.h"
+#include "app/examples.h"
+#include "app/resources.h"
+#include "engine/base/message_code.h"
+#include "engine/recording/session_file.h"
+#include "tests/support/wait_for.h"
+#include "widgets/review/session_list.h"
+
+#include <QDialog>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+class AlarmHistoryControlTest : public testing::Test {
+protected:
+    void SetUp() override {
+        initResources();
+        list.show();
+        QObject::connect(&control, &AlarmHistoryControl::runChosen,
+                         [this](const QString& path) { chosen << path; });
+    }
+
+    /// A short run with an alarm.
+    QString record(const QString& name) {
+        const QString path = folder.filePath(name);
+        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
+        EXPECT_TRUE(writer);
+        const TraceEvent hot{1.0, {MessageCode::SafetyObjectHot, {"hand", "91", "90"}}};
+        EXPECT_TRUE((*writer)->add(hot));
+        EXPECT_TRUE((*writer)->finish("fault"));
+        return path;
+    }
+    void listAll() {
+        const std::vector<std::string> paths = sessionFiles(folder.path().toStdString());
+        std::vector<SessionHeader> headers;
+        headers.reserve(paths.size());
+        for (const std::string& path : paths)
+            headers.push_back(readSessionHeader(path));
+        list.setSessions(headers);
+    }
+    QDialog* openDialog() {
+        QTest::mouseClick(list.findChild<QPushButton*>("sessionAlarms"), Qt::LeftButton);
+        return dialog();
+    }
+    void close() {
+        QTest::mouseClick(dialog()->findChild<QPushButton*>("alarmHistoryClose"), Qt::LeftButton);
+    }
+    QDialog* dialog() { return list.findChild<QDialog*>("alarmHistoryDialog"); }
+    QTreeWidget* tree(const char* name) { return dialog()->findChild<QTreeWidget*>(QLatin1String(name)); }
+    bool waitForAlarms(const QString& runs) {
+        return waitFor([&] {
+            const QTreeWidget* alarms = tree("alarmHistoryAlarms");
+            return alarms->topLevelItemCount() == 1 && alarms->topLevelItem(0)->text(1) == runs;
+        });
+    }
+
+    QTemporaryDir folder;
+    SessionList list;
+    AlarmHistoryControl control{list};
+    QStringList chosen;
+};
+
+// Catches: runs that the list does not show, one that is not opened, a second dialog, numbers that stay when
+// another search is on.
+TEST_F(AlarmHistoryControlTest, TheListedRunsAreRead) {
+    record("morning.bask");
+    const QString evening = record("evening.bask");
+    listAll();
+    ASSERT_NE(openDialog(), nullptr);
+    ASSERT_TRUE(waitForAlarms("2"));
+    list.findChild<QLineEdit*>("sessionSearch")->setText("evening");
+    openDialog();
+    ASSERT_TRUE(waitForAlarms("1"));
+    EXPECT_EQ(list.findChildren<QDialog*>("alarmHistoryDialog").size(), 1);
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("alarmHistoryOpen"), Qt::LeftButton);
+    EXPECT_EQ(chosen, QStringList{evening});
+}
+
+// Catches: a dialog that is opened again while the one before is on its way out.
+TEST_F(AlarmHistoryControlTest, ItIsOpenedAgainAfterItWasClosed) {
+    record("a.bask");
+    listAll();
+    QPointer<QDialog> first = openDialog();
+    ASSERT_NE(first, nullptr);
+    close();
+    openDialog();
+    ASSERT_TRUE(waitFor([&] { return first.isNull(); }));
+    ASSERT_NE(dialog(), nullptr);
+    EXPECT_TRUE(dialog()->isVisible());
+    EXPECT_TRUE(waitForAlarms("1"));
+}
+
+// Catches: an end, or a closed dialog, that waits for a folder of hundreds.
+TEST_F(AlarmHistoryControlTest, ClosingItEndsTheReading) {
+    const QString first = record("run0.bask");
+    for (int k = 1; k < 100; ++k)
+        ASSERT_TRUE(QFile::copy(first, folder.filePath(QStringLiteral("run%1.bask").arg(k))));
+    std::vector<SessionHeader> headers(100, readSessionHeader(first.toStdString()));
+    for (std::size_t k = 1; k < headers.size(); ++k)
+        headers[k].path = folder.filePath(QStringLiteral("run%1.bask").arg(k)).toStdString();
+    list.setSessions(headers);
+    QElapsedTimer timer;
+    timer.start();
+    {
+        AlarmHistoryControl brief(list);
+        brief.open();
+    }
+    QCoreApplication::processEvents();
+    EXPECT_LT(timer.elapsed(), 10'000);
+    openDialog();
+    close();
+    EXPECT_TRUE(waitFor([&] { return dialog() == nullptr; }));
+    EXPECT_LT(timer.elapsed(), 20'000);
+}
+
+} // namespace
+} // namespace bask::test
