@@ -2,6 +2,30 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>bask::AlarmHistoryDialog</name>
+    <message numerus="yes">
+        <source>No alarm was raised in %n run(s).</source>
+        <translation>
+            <numerusform>No alarm was raised in %n run.</numerusform>
+            <numerusform>No alarm was raised in %n runs.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Alarms in %1 of %n run(s)</source>
+        <translation>
+            <numerusform>Alarms in %1 of %n run</numerusform>
+            <numerusform>Alarms in %1 of %n runs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read: %1</source>
+        <translation>
+            <numerusform>%n recording could not be read: %1</numerusform>
+            <numerusform>%n recordings could not be read: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmList</name>
     <message numerus="yes">
         <source>, %n follow(s)</source>

@@ -2813,6 +2813,158 @@
     </message>
 </context>
 <context>
+    <name>bask::AlarmHistoryDialog</name>
+    <message>
+        <source>Priority %1: %2</source>
+        <translation>Priorité %1 : %2</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>Reading the runs: %1 %</source>
+        <translation>Lecture des essais : %1 %</translation>
+    </message>
+    <message>
+        <source>The list has no run.</source>
+        <translation>La liste n’a aucun essai.</translation>
+    </message>
+    <message numerus="yes">
+        <source>No alarm was raised in %n run(s).</source>
+        <translation>
+            <numerusform>Aucune alarme n’est apparue dans %n essai.</numerusform>
+            <numerusform>Aucune alarme n’est apparue dans %n essais.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No alarm matches &quot;%1&quot;.</source>
+        <translation>Aucune alarme ne correspond à « %1 ».</translation>
+    </message>
+    <message numerus="yes">
+        <source>Alarms in %1 of %n run(s)</source>
+        <translation>
+            <numerusform>Alarmes dans %1 essai sur %n</numerusform>
+            <numerusform>Alarmes dans %1 essais sur %n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read: %1</source>
+        <translation>
+            <numerusform>%n enregistrement n’a pas pu être lu : %1</numerusform>
+            <numerusform>%n enregistrements n’ont pas pu être lus : %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Alarms of the listed runs</source>
+        <translation>Alarmes des essais listés</translation>
+    </message>
+    <message>
+        <source>Filter the alarms</source>
+        <translation>Filtrer les alarmes</translation>
+    </message>
+    <message>
+        <source>Shows the alarms that have every word.</source>
+        <translation>Montre les alarmes qui ont tous les mots.</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>Alarme</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Essais</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Fois</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Active</translation>
+    </message>
+    <message>
+        <source>Last raised</source>
+        <translation>Dernière fois</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>Dernier essai</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>As it was raised the last time</source>
+        <translation>Telle qu’elle est apparue la dernière fois</translation>
+    </message>
+    <message>
+        <source>Number of runs in which it was raised</source>
+        <translation>Nombre d’essais où elle est apparue</translation>
+    </message>
+    <message>
+        <source>How often it was raised</source>
+        <translation>Combien de fois elle est apparue</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset or the recording ended</source>
+        <translation>Temps pendant lequel elle a été active, jusqu’à ce qu’elle soit finie ou réinitialisée ou que l’enregistrement se termine</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded</source>
+        <translation>Quand le dernier essai qui l’a eue a été enregistré</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>Raised at</source>
+        <translation>Apparue à</translation>
+    </message>
+    <message>
+        <source>Runs of the selected alarm</source>
+        <translation>Essais de l’alarme choisie</translation>
+    </message>
+    <message>
+        <source>Time since Start</source>
+        <translation>Temps depuis le démarrage</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Copier</translation>
+    </message>
+    <message>
+        <source>Copy the alarms as text, for a spreadsheet</source>
+        <translation>Copier les alarmes comme texte, pour un tableur</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the selected run</source>
+        <translation>Ouvrir l’essai choisi</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmList</name>
     <message>
         <source>Priority %1</source>
@@ -6894,6 +7046,49 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::PlotPlace</name>
+    <message>
+        <source>Take the cursor away</source>
+        <translation>Retirer le curseur</translation>
+    </message>
+    <message>
+        <source>On the right axis</source>
+        <translation>Sur l’axe de droite</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Put back into the page</source>
+        <translation>Remettre dans la page</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>Fenêtre à part</translation>
+    </message>
+    <message>
+        <source>This plot is in a window of its own.</source>
+        <translation>Cette courbe est dans une fenêtre à part.</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Remettre</translation>
+    </message>
+    <message>
+        <source>Put the plot back: %1</source>
+        <translation>Remettre la courbe : %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PlotWindowsControl</name>
+    <message>
+        <source>Rig %1: %2</source>
+        <comment>SIMULATED or LIVE, and the state of the run</comment>
+        <translation>Banc %1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ProblemDialog</name>
     <message>
         <source>Report a problem</source>
@@ -7553,6 +7748,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Comparison</source>
         <translation>Comparaison</translation>
+    </message>
+    <message>
+        <source>recorded run %1</source>
+        <translation>essai enregistré %1</translation>
+    </message>
+    <message>
+        <source>no recorded run</source>
+        <translation>aucun essai enregistré</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8473,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Thermal picture</source>
         <translation>Image thermique</translation>
+    </message>
+    <message>
+        <source>present run</source>
+        <translation>essai en cours</translation>
+    </message>
+    <message>
+        <source>run of %1</source>
+        <translation>essai de %1</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Prédit</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
+        <translation>L’essai tel que le banc simulé le prédit depuis son point de départ : en pointillé derrière les courbes, en tireté dans la scène.</translation>
     </message>
 </context>
 <context>
@@ -9449,6 +9668,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Controller</source>
         <translation>Régulateur</translation>
     </message>
+    <message>
+        <source>Alarms…</source>
+        <translation>Alarmes…</translation>
+    </message>
+    <message>
+        <source>Which alarms the listed runs had, how often and when</source>
+        <translation>Les alarmes qu’ont eues les essais listés, combien de fois et quand</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -10442,6 +10669,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>%1 (%2)</source>
         <comment>quantity and unit</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Dotted: predicted. Traces begin with Start.</source>
+        <translation>En pointillé : la prédiction. Les courbes commencent au démarrage.</translation>
     </message>
 </context>
 <context>

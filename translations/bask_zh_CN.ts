@@ -2813,6 +2813,155 @@
     </message>
 </context>
 <context>
+    <name>bask::AlarmHistoryDialog</name>
+    <message>
+        <source>Priority %1: %2</source>
+        <translation>优先级 %1：%2</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>实机</translation>
+    </message>
+    <message>
+        <source>Reading the runs: %1 %</source>
+        <translation>正在读取运行：%1 %</translation>
+    </message>
+    <message>
+        <source>The list has no run.</source>
+        <translation>列表中没有运行。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No alarm was raised in %n run(s).</source>
+        <translation>
+            <numerusform>%n 次运行中没有出现报警。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No alarm matches &quot;%1&quot;.</source>
+        <translation>没有与“%1”匹配的报警。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Alarms in %1 of %n run(s)</source>
+        <translation>
+            <numerusform>%n 次运行中有 %1 次出现报警</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read: %1</source>
+        <translation>
+            <numerusform>%n 个记录无法读取：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Alarms of the listed runs</source>
+        <translation>所列运行的报警</translation>
+    </message>
+    <message>
+        <source>Filter the alarms</source>
+        <translation>筛选报警</translation>
+    </message>
+    <message>
+        <source>Shows the alarms that have every word.</source>
+        <translation>显示含有全部词语的报警。</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>运行次数</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>次数</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>有效时间</translation>
+    </message>
+    <message>
+        <source>Last raised</source>
+        <translation>最近出现</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>最近的运行</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>报警</translation>
+    </message>
+    <message>
+        <source>As it was raised the last time</source>
+        <translation>最近一次出现时的内容</translation>
+    </message>
+    <message>
+        <source>Number of runs in which it was raised</source>
+        <translation>出现该报警的运行次数</translation>
+    </message>
+    <message>
+        <source>How often it was raised</source>
+        <translation>出现的次数</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset or the recording ended</source>
+        <translation>有效的时间，到它结束、被复位或记录结束为止</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded</source>
+        <translation>最近一次出现该报警的运行的记录时间</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>记录时间</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>装置</translation>
+    </message>
+    <message>
+        <source>Raised at</source>
+        <translation>出现于</translation>
+    </message>
+    <message>
+        <source>Runs of the selected alarm</source>
+        <translation>所选报警的运行</translation>
+    </message>
+    <message>
+        <source>Time since Start</source>
+        <translation>自“开始”起的时间</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Copy the alarms as text, for a spreadsheet</source>
+        <translation>将报警作为文本复制，供电子表格使用</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Open the selected run</source>
+        <translation>打开所选运行</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>关闭</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmList</name>
     <message>
         <source>Priority %1</source>
@@ -6889,6 +7038,49 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::PlotPlace</name>
+    <message>
+        <source>Take the cursor away</source>
+        <translation>移走游标</translation>
+    </message>
+    <message>
+        <source>On the right axis</source>
+        <translation>右轴上</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Put back into the page</source>
+        <translation>放回页面</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>单独窗口</translation>
+    </message>
+    <message>
+        <source>This plot is in a window of its own.</source>
+        <translation>此曲线图在一个单独的窗口中。</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Put the plot back: %1</source>
+        <translation>放回曲线图：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PlotWindowsControl</name>
+    <message>
+        <source>Rig %1: %2</source>
+        <comment>SIMULATED or LIVE, and the state of the run</comment>
+        <translation>%1装置：%2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ProblemDialog</name>
     <message>
         <source>Report a problem</source>
@@ -7546,6 +7738,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Comparison</source>
         <translation>比较</translation>
+    </message>
+    <message>
+        <source>recorded run %1</source>
+        <translation>已记录的运行 %1</translation>
+    </message>
+    <message>
+        <source>no recorded run</source>
+        <translation>没有已记录的运行</translation>
     </message>
 </context>
 <context>
@@ -8262,6 +8462,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Thermal picture</source>
         <translation>热像图</translation>
+    </message>
+    <message>
+        <source>present run</source>
+        <translation>当前运行</translation>
+    </message>
+    <message>
+        <source>run of %1</source>
+        <translation>%1 的运行</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>预测</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
+        <translation>仿真装置从运行起始处预测的运行：在曲线后面为点线，在场景中为虚线。</translation>
     </message>
 </context>
 <context>
@@ -9431,6 +9647,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Controller</source>
         <translation>控制器</translation>
     </message>
+    <message>
+        <source>Alarms…</source>
+        <translation>报警…</translation>
+    </message>
+    <message>
+        <source>Which alarms the listed runs had, how often and when</source>
+        <translation>所列运行中出现过哪些报警、多少次、何时</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -10421,6 +10645,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>%1 (%2)</source>
         <comment>quantity and unit</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Dotted: predicted. Traces begin with Start.</source>
+        <translation>点线：预测。曲线从“开始”时起绘制。</translation>
     </message>
 </context>
 <context>

@@ -2813,6 +2813,155 @@
     </message>
 </context>
 <context>
+    <name>bask::AlarmHistoryDialog</name>
+    <message>
+        <source>Priority %1: %2</source>
+        <translation>優先順序 %1：%2</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>模擬</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>實機</translation>
+    </message>
+    <message>
+        <source>Reading the runs: %1 %</source>
+        <translation>正在讀取運轉：%1 %</translation>
+    </message>
+    <message>
+        <source>The list has no run.</source>
+        <translation>清單中沒有運轉。</translation>
+    </message>
+    <message numerus="yes">
+        <source>No alarm was raised in %n run(s).</source>
+        <translation>
+            <numerusform>%n 次運轉中沒有出現警報。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No alarm matches &quot;%1&quot;.</source>
+        <translation>沒有符合「%1」的警報。</translation>
+    </message>
+    <message numerus="yes">
+        <source>Alarms in %1 of %n run(s)</source>
+        <translation>
+            <numerusform>%n 次運轉中有 %1 次出現警報</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n recording(s) could not be read: %1</source>
+        <translation>
+            <numerusform>%n 個記錄無法讀取：%1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Alarms of the listed runs</source>
+        <translation>所列運轉的警報</translation>
+    </message>
+    <message>
+        <source>Filter the alarms</source>
+        <translation>篩選警報</translation>
+    </message>
+    <message>
+        <source>Shows the alarms that have every word.</source>
+        <translation>顯示含有全部字詞的警報。</translation>
+    </message>
+    <message>
+        <source>Alarm</source>
+        <translation>警報</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>運轉次數</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>次數</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>有效時間</translation>
+    </message>
+    <message>
+        <source>Last raised</source>
+        <translation>最近出現</translation>
+    </message>
+    <message>
+        <source>Last run</source>
+        <translation>最近的運轉</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>警報</translation>
+    </message>
+    <message>
+        <source>As it was raised the last time</source>
+        <translation>最近一次出現時的內容</translation>
+    </message>
+    <message>
+        <source>Number of runs in which it was raised</source>
+        <translation>出現該警報的運轉次數</translation>
+    </message>
+    <message>
+        <source>How often it was raised</source>
+        <translation>出現的次數</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset or the recording ended</source>
+        <translation>有效的時間，到它結束、被復歸或記錄結束為止</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded</source>
+        <translation>最近一次出現該警報的運轉的記錄時間</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>記錄時間</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>運轉</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>實驗台</translation>
+    </message>
+    <message>
+        <source>Raised at</source>
+        <translation>出現於</translation>
+    </message>
+    <message>
+        <source>Runs of the selected alarm</source>
+        <translation>所選警報的運轉</translation>
+    </message>
+    <message>
+        <source>Time since Start</source>
+        <translation>自「開始」起的時間</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>複製</translation>
+    </message>
+    <message>
+        <source>Copy the alarms as text, for a spreadsheet</source>
+        <translation>將警報作為文字複製，供試算表使用</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>開啟</translation>
+    </message>
+    <message>
+        <source>Open the selected run</source>
+        <translation>開啟所選運轉</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>關閉</translation>
+    </message>
+</context>
+<context>
     <name>bask::AlarmList</name>
     <message>
         <source>Priority %1</source>
@@ -6889,6 +7038,49 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::PlotPlace</name>
+    <message>
+        <source>Take the cursor away</source>
+        <translation>移走游標</translation>
+    </message>
+    <message>
+        <source>On the right axis</source>
+        <translation>右軸上</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>無</translation>
+    </message>
+    <message>
+        <source>Put back into the page</source>
+        <translation>放回頁面</translation>
+    </message>
+    <message>
+        <source>Own window</source>
+        <translation>單獨視窗</translation>
+    </message>
+    <message>
+        <source>This plot is in a window of its own.</source>
+        <translation>此曲線圖在一個單獨的視窗中。</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>放回</translation>
+    </message>
+    <message>
+        <source>Put the plot back: %1</source>
+        <translation>放回曲線圖：%1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PlotWindowsControl</name>
+    <message>
+        <source>Rig %1: %2</source>
+        <comment>SIMULATED or LIVE, and the state of the run</comment>
+        <translation>%1實驗台：%2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ProblemDialog</name>
     <message>
         <source>Report a problem</source>
@@ -7546,6 +7738,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Comparison</source>
         <translation>比較</translation>
+    </message>
+    <message>
+        <source>recorded run %1</source>
+        <translation>已記錄的運轉 %1</translation>
+    </message>
+    <message>
+        <source>no recorded run</source>
+        <translation>沒有已記錄的運轉</translation>
     </message>
 </context>
 <context>
@@ -8262,6 +8462,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Thermal picture</source>
         <translation>熱像圖</translation>
+    </message>
+    <message>
+        <source>present run</source>
+        <translation>目前的運轉</translation>
+    </message>
+    <message>
+        <source>run of %1</source>
+        <translation>%1 的運轉</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>預測</translation>
+    </message>
+    <message>
+        <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
+        <translation>模擬實驗台從運轉起始處預測的運轉：在曲線後面為點線，在場景中為虛線。</translation>
     </message>
 </context>
 <context>
@@ -9431,6 +9647,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Controller</source>
         <translation>控制器</translation>
     </message>
+    <message>
+        <source>Alarms…</source>
+        <translation>警報…</translation>
+    </message>
+    <message>
+        <source>Which alarms the listed runs had, how often and when</source>
+        <translation>所列運轉中出現過哪些警報、多少次、何時</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -10421,6 +10645,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>%1 (%2)</source>
         <comment>quantity and unit</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>Dotted: predicted. Traces begin with Start.</source>
+        <translation>點線：預測。曲線從「開始」時起繪製。</translation>
     </message>
 </context>
 <context>
