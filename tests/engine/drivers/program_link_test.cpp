@@ -170,14 +170,15 @@ TEST_F(ProgramLinkTest, TellsWhyItHasEndedAndStartsItAgainLater) {
 
 // Catches a program, or what it has started, that goes on when its link is closed.
 TEST_F(ProgramLinkTest, EndsItAndWhatItHasStarted) {
+    // SIGTERM comes after 1 s, SIGKILL after 2 s: each is over before the next would have ended it.
     struct Stubborn {
         const char* text;
-        double least_s, most_s;
+        double min_s, max_s;
     };
-    for (const Stubborn& each : {Stubborn{"echo $$; cat > /dev/null", 0.0, 0.5},
-                                 Stubborn{"echo $$; while :; do sleep 0.1; done", 0.9, 1.6},
-                                 Stubborn{"trap '' TERM; echo $$; while :; do sleep 0.1; done", 1.9, 2.7},
-                                 Stubborn{"sleep 1000 & echo $!; cat > /dev/null", 0.0, 0.5}}) {
+    for (const Stubborn& each : {Stubborn{"echo $$; cat > /dev/null", 0.0, 0.95},
+                                 Stubborn{"echo $$; while :; do sleep 0.1; done", 0.95, 1.95},
+                                 Stubborn{"trap '' TERM; echo $$; while :; do sleep 0.1; done", 1.95, 4.0},
+                                 Stubborn{"sleep 1000 & echo $!; cat > /dev/null", 0.0, 0.95}}) {
         m_read.clear();
         makeOpen("sh " + script(each.text));
         ASSERT_TRUE(comes("\n")) << each.text;
@@ -185,11 +186,11 @@ TEST_F(ProgramLinkTest, EndsItAndWhatItHasStarted) {
         const SteadyClock clock;
         const double from_s = clock.now_s();
         link.reset();
-        EXPECT_LT(clock.now_s() - from_s, 0.02) << "nobody waits for it";
+        EXPECT_LT(clock.now_s() - from_s, 0.25) << "nobody waits for it";
         EXPECT_TRUE(isGone(pid)) << each.text;
         const double took_s = clock.now_s() - from_s;
-        EXPECT_GE(took_s, each.least_s) << each.text;
-        EXPECT_LE(took_s, each.most_s) << each.text;
+        EXPECT_GE(took_s, each.min_s) << each.text;
+        EXPECT_LE(took_s, each.max_s) << each.text;
         ProgramLink::waitForAll();
     }
 }
@@ -211,7 +212,7 @@ TEST_F(ProgramLinkTest, EndsABabbler) {
         EXPECT_EQ(link->problem().code, MessageCode::ProgramStopped) << text;
         EXPECT_LT(clock.now_s() - from_s, 0.5 + 1.0) << text;
         EXPECT_LE(most, 200000U);
-        EXPECT_LT(worst_s, 0.02);
+        EXPECT_LT(worst_s, 0.25);
         link.reset();
         ProgramLink::waitForAll();
     }
