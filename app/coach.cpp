@@ -24,14 +24,33 @@ constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSl
                                                     {Page::Run, "controllerPanel"},
                                                     {Page::Run, "toolsMenu"},
                                                     {Page::Run, "alarmButton"},
+                                                    {Page::Run, "toolsMenu"},
                                                     {Page::Run, "holdButton"},
                                                     {Page::Run, "stopRunButton"},
                                                     {Page::Review, "sessionTree"},
-                                                    {Page::Run, "fileMenu"}}};
+                                                    {Page::Run, "fileMenu"},
+                                                    {Page::Rig, "fileMenu"},
+                                                    {Page::Rig, "card.robot"},
+                                                    {Page::Rig, "setUp.thermometer"}}};
+
+/// Where the example serial-rig has its ports.
+const QString kPorts = QStringLiteral("/tmp/bask-");
 
 /// Of a run that is on; the last one ends it.
 bool isInRun(Coach::Step step) {
     return step >= Coach::Step::Note && step <= Coach::Step::Resume;
+}
+
+/// Its devices are those of `bask simulate-rig`, or it has none.
+bool isPlayed(const Snapshot& snapshot) {
+    return std::ranges::all_of(snapshot.devices, [](const RigDeviceState& device) {
+        return QString::fromStdString(device.port).startsWith(kPorts);
+    });
+}
+
+bool isLive(const Snapshot& snapshot, DeviceRole role) {
+    const auto device = std::ranges::find(snapshot.devices, role, &RigDeviceState::role);
+    return device != snapshot.devices.end() && device->status.link == LinkState::Live;
 }
 
 } // namespace
@@ -87,9 +106,12 @@ void Coach::skip() {
 void Coach::done(Step step) {
     if (m_step != step)
         return;
-    if (step == Step::Thermal) {
+    if (step == Step::Find) {
         m_step.reset();
-        m_bar.say(MessageBar::Kind::Note, tr("That was all. F1 opens the manual, which has the rest."));
+        m_bar.say(
+            MessageBar::Kind::Note,
+            tr("That was all. “Simulated rig” on the Rig page leads back to the simulated one; F1 opens "
+               "the manual, which has the rest."));
         return;
     }
     m_step = static_cast<Step>(static_cast<int>(step) + 1);
@@ -117,9 +139,10 @@ void Coach::see(const Snapshot& snapshot) {
     const RunState state = m_state = snapshot.state;
     m_hasRun = m_hasRun || isRunOn(state);
     m_isFaultOn = std::ranges::any_of(snapshot.alarms, &Alarm::isActive);
-    if (m_isSimulated != snapshot.simulated) {
-        m_isSimulated = snapshot.simulated;
-        if (!m_isSimulated && (m_step || m_isOffer))
+    const bool isHarmless = snapshot.simulated || isPlayed(snapshot);
+    if (m_isHarmless != isHarmless) {
+        m_isHarmless = isHarmless;
+        if (!m_isHarmless && (m_step || m_isOffer))
             end();
     }
     if (state == RunState::Armed || isRunOn(state))
@@ -132,12 +155,26 @@ void Coach::see(const Snapshot& snapshot) {
         done(Step::Fault);
     if (std::ranges::all_of(snapshot.alarms, &Alarm::isAcknowledged))
         done(Step::Acknowledge);
+    if (snapshot.faults.empty())
+        done(Step::Restore);
     if (state == RunState::Running || state == RunState::Settled)
         done(Step::Resume);
     if (m_hasRun && !isRunOn(state))
         done(Step::Stop);
+    seeDevices(snapshot);
     if (m_step && words() != before)
         say();
+}
+
+void Coach::seeDevices(const Snapshot& snapshot) {
+    const bool isThermometerLive = isLive(snapshot, DeviceRole::Thermometer);
+    if (!snapshot.simulated && !snapshot.devices.empty())
+        done(Step::SerialRig);
+    if (isThermometerLive && isLive(snapshot, DeviceRole::Robot) && isLive(snapshot, DeviceRole::HeatSource))
+        done(Step::Connect);
+    m_hasFound = m_step == Step::Find && (m_hasFound || (snapshot.search && !snapshot.search->found.empty()));
+    if (m_hasFound && isThermometerLive)
+        done(Step::Find);
 }
 
 /// It ended by itself before the steps in it were done: a hold that lasts does.
@@ -166,7 +203,9 @@ void Coach::retranslate() {
 void Coach::say() {
     if (m_isOffer)
         return m_bar.ask(
-            tr("New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn."),
+            //: how many
+            tr("New here? %1 small steps on simulated rigs show what Bask does. Nothing can burn.")
+                .arg(kSteps),
             tr("Show me"), tr("Not now"));
     //: number of the step, of so many, what to do
     m_bar.ask(tr("%1 of %2: %3").arg(static_cast<int>(*m_step) + 1).arg(kSteps).arg(words()),
@@ -207,11 +246,18 @@ QString Coach::words() const {
     case Step::Gain:
         return tr("Change a gain at the controller and apply it: the traces are marked there.");
     case Step::Fault:
-        return tr("Tools > Simulate fault: take a sensor away. The run holds, and an alarm says what to do.");
+        //: a simulated fault, as the menu has it
+        return tr("Tools > Simulate fault > %1: choose an object. The run holds, and an alarm says what to "
+                  "do.")
+            .arg(simulatedFaultWord(SimulatedFault::SensorLost));
     case Step::Acknowledge:
         return tr("Acknowledge the alarm (F9): you have seen it.");
+    case Step::Restore:
+        return tr(
+            "Remove its cause: choose the fault again in the same menu, which ends it. The sensor tells "
+            "its temperature again.");
     case Step::Resume:
-        return tr("End the fault in the same menu, then Resume (Shift+F7).");
+        return tr("Resume (Shift+F7): the run goes on where it was held.");
     case Step::Stop:
         return tr("Stop (F8): heat off, the robot retreats, the recording is closed.");
     case Step::Review:
@@ -220,6 +266,20 @@ QString Coach::words() const {
         return tr(
             "File > Examples > thermal-camera: three objects that only a thermal camera reads. On the Run "
             "page, look at the tab Thermal picture.");
+    case Step::SerialRig:
+        return tr(
+            "File > Examples > serial-rig: a rig with devices of its own, as a real one has. They are at "
+            "serial ports, where nothing answers yet.");
+    case Step::Connect:
+        return tr(
+            "Type “bask simulate-rig” in a terminal: it plays robot, thermometer and heat source at these "
+            "ports. On the Rig page all three become live.");
+    case Step::Find:
+        //: the path of a serial port
+        return tr("Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” "
+                  "lists "
+                  "what answers there; choose it and press “Use”.")
+            .arg(kPorts + QStringLiteral("thermometer"));
     }
     return {};
 }

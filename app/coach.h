@@ -14,7 +14,7 @@ namespace bask {
 class MessageBar;
 
 /// Shown in a bar above the pages; it never does anything itself and never blocks a person. For a simulated
-/// rig only.
+/// rig only; its last steps are about a rig at serial ports that `bask simulate-rig` plays.
 class Coach : public QObject {
     Q_OBJECT
 
@@ -30,12 +30,16 @@ public:
         Gain,
         Fault,
         Acknowledge,
+        Restore,
         Resume,
         Stop,
         Review,
-        Thermal
+        Thermal,
+        SerialRig,
+        Connect,
+        Find
     };
-    static constexpr int kSteps = 14;
+    static constexpr int kSteps = 18;
 
     explicit Coach(MessageBar& bar, QObject* parent = nullptr);
 
@@ -64,6 +68,7 @@ signals:
 
 private:
     void done(Step step);
+    void seeDevices(const Snapshot& snapshot);
     bool isRunOver() const;
     void say();
     QString words() const;
@@ -74,10 +79,11 @@ private:
     MessageBar& m_bar;
     bool m_isOffer = false;
     std::optional<Step> m_step;
-    bool m_isSimulated = true;
+    bool m_isHarmless = true; ///< the rig is simulated, or its devices are
     RunState m_state = RunState::Idle;
     bool m_hasRun = false; ///< a run has begun since the coach began
     bool m_isFaultOn = false;
+    bool m_hasFound = false; ///< a search for devices has found one since it was told how
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };
 

@@ -4,6 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/end_signal.h"
 #include "app/commands/parse_command.h"
+#include "app/examples.h"
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
@@ -24,6 +25,7 @@ namespace bask {
 namespace {
 
 constexpr const char* kSimulateRig = "simulate-rig";
+constexpr const char* kExample = "serial-rig"; // as File > Examples has it
 constexpr int kTurn_ms = 2;
 
 Result<BenchDevices> benchDevices(const Experiment& experiment) {
@@ -165,24 +167,27 @@ private:
 int simulateRigCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "The devices of the experiment's \"rig\" on pseudo-terminals at their "
-        "ports' paths, around one thermal\n"
-        "plant, until Ctrl+C or SIGTERM. A line \"robot silent\" on standard "
-        "input begins a fault, \"robot none\"\n"
-        "ends it; \"robot unplug\" takes its terminal away and \"robot plug\" "
-        "makes it anew; \"state\" prints what is truly so, \"switched\" since when\n"
-        "the heat is on or off, in seconds of the computer's monotonic clock.\n"
+        "The devices of the experiment's \"rig\" on pseudo-terminals at their ports' paths, around one "
+        "thermal\n"
+        "plant, until Ctrl+C or SIGTERM; without a file those of the example serial-rig, which are in /tmp.\n"
+        "A line \"robot silent\" on standard input begins a fault, \"robot none\" ends it; \"robot unplug\" "
+        "takes\n"
+        "its terminal away and \"robot plug\" makes it anew; \"state\" prints what is truly so, \"switched\" "
+        "since\n"
+        "when the heat is on or off, in seconds of the computer's monotonic clock.\n"
         "Exit code: 0 ended, 2 bad input, or no terminal there.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(
         {"heating-time", "Time constant of the plate while it heats, in seconds.", "SECONDS", "60"});
     parser.addOption({"open", "Opens the terminals that are at the paths already, of null-modem cables or of "
                               "socat, instead of making new ones."});
-    parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.");
-    if (const auto code = parseCommand(parser, kSimulateRig, arguments, 1))
+    parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.", "[EXPERIMENT.json]");
+    const bool isExample =
+        parser.parse(QStringList{"bask"} + arguments) && parser.positionalArguments().isEmpty();
+    if (const auto code = parseCommand(parser, kSimulateRig, arguments, isExample ? 0 : 1))
         return *code;
-    const std::string path = parser.positionalArguments().first().toStdString();
-    const auto experiment = readExperiment(path);
+    const std::string path = isExample ? kExample : parser.positionalArguments().first().toStdString();
+    const auto experiment = isExample ? readExample(kExample) : readExperiment(path);
     if (!experiment)
         return refuse(kSimulateRig, experiment.error());
     auto devices = benchDevices(*experiment);

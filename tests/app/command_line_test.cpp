@@ -112,6 +112,18 @@ TEST(CommandLine, TheDocumentsHaveEveryCommandAndNoOtherOption) {
     }
 }
 
+// Catches a rig that the tour asks for and that is not there: it is read before the time is refused.
+TEST(CommandLine, SimulateRigHasARigOfItsOwn) {
+    const Answer answer =
+        bask({QStringLiteral("simulate-rig"), QStringLiteral("--heating-time"), QStringLiteral("0")});
+    EXPECT_EQ(answer.exitCode, 2);
+    EXPECT_TRUE(answer.err.contains(QStringLiteral("--heating-time is in seconds")))
+        << answer.err.toStdString();
+    EXPECT_EQ(bask({QStringLiteral("simulate-rig"), QStringLiteral("one.json"), QStringLiteral("two.json")})
+                  .exitCode,
+              2);
+}
+
 TEST(CommandLine, UnknownWordsAreRefusedWithTheList) {
     for (const char* word : {"frobnicate", "--frobnicate"}) {
         const Answer answer = bask({QLatin1String(word)});

@@ -1,18 +1,26 @@
 // The first five minutes as the coach tells them, done with mouse and keys, with a picture of every step.
 
 #include "app/coach.h"
+#include "app/examples.h"
 #include "engine/base/message_code.h"
+#include "engine/model/limits_widened.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/common/display.h"
+#include "widgets/common/language.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/review/review_page.h"
+#include "widgets/rig/device_dialog.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFileInfo>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTreeWidget>
@@ -136,8 +144,8 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().simulationSpeed <= 1.0; }));
     step(Step::Fault, [this] { simulateFault(QStringLiteral("Sensor lost"), 1); });
     step(Step::Acknowledge, [this] { press(Qt::Key_F9); });
+    step(Step::Restore, [this] { simulateFault(QStringLiteral("Sensor lost"), 1); });
     step(Step::Resume, [this] {
-        simulateFault(QStringLiteral("Restore all devices"), 0);
         ASSERT_TRUE(waitFor(
             [this] { return std::ranges::none_of(window->lastSnapshot().alarms, &Alarm::isActive); }));
         press(Qt::Key_F7, Qt::ShiftModifier);
@@ -171,7 +179,7 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     QTest::keyClick(position, Qt::Key_Home);
     click("replayPlay");
     EXPECT_TRUE(waitFor([&] { return position->value() > position->minimum(); }));
-    keepPicture(QStringLiteral("five-minutes-13b"));
+    keepPicture(QStringLiteral("five-minutes-14b"));
     const QTemporaryDir folder;
     window->files().setFileChooser([&](const FileQuestion&) { return folder.path(); });
     emit window->pages().review()->exportRequested(SessionForm::Csv);
@@ -187,6 +195,14 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
         window->pages().show(Page::Run);
         tabs->setCurrentWidget(picture);
     });
+    step(Step::SerialRig, [this] { window->files().openExample(QStringLiteral("serial-rig"), false); });
+    if (HasFatalFailure())
+        return;
+    for (const char* control : {"card.robot", "setUp.thermometer"}) { // nobody plays the devices here
+        ASSERT_NO_FATAL_FAILURE(pressIn("messageAction"));
+        EXPECT_TRUE(find<QWidget>(control)->isVisible()) << control;
+        ASSERT_NO_FATAL_FAILURE(pressIn("messageOther"));
+    }
     EXPECT_EQ(coach().step(), std::nullopt);
 }
 
@@ -206,7 +222,7 @@ TEST_F(FiveMinutesTest, AreOfferedOnce) {
     ASSERT_NO_FATAL_FAILURE(pressIn("messageOther"));
     EXPECT_EQ(coach().step(), Coach::Step::Undo);
     window->setLanguage(QStringLiteral("fr"));
-    EXPECT_TRUE(waitFor([this] { return bar->sentence().startsWith(QStringLiteral("2 sur 14")); }));
+    EXPECT_TRUE(waitFor([this] { return bar->sentence().startsWith(QStringLiteral("2 sur 18")); }));
     ASSERT_NO_FATAL_FAILURE(pressIn("messageClose"));
     EXPECT_EQ(coach().step(), std::nullopt);
     EXPECT_FALSE(bar->isVisible());
@@ -255,6 +271,173 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
     EXPECT_EQ(pointsAt(RunState::Holding), "holdButton");
     EXPECT_EQ(pointsAt(RunState::Running), "stopRunButton");
     EXPECT_EQ(pointsAt(RunState::Fault), "sessionTree") << "there is nothing to stop any more";
+}
+
+/// One that is on its way to `step`, with what it says.
+class CoachSteps : public testing::Test {
+protected:
+    void beginAt(Coach::Step step) {
+        coach.begin();
+        while (coach.step() && coach.step() != step)
+            emit bar.otherClicked();
+        ASSERT_EQ(coach.step(), step);
+    }
+    static Snapshot rigAt(const char* folder, LinkState link) {
+        Snapshot snapshot;
+        snapshot.simulated = false;
+        for (const auto& [role, port] : {std::pair{DeviceRole::Robot, "robot"},
+                                         {DeviceRole::Thermometer, "thermometer"},
+                                         {DeviceRole::HeatSource, "heater"}}) {
+            RigDeviceState device;
+            device.role = role;
+            device.port = std::string(folder) + port;
+            device.status.link = link;
+            snapshot.devices.push_back(device);
+        }
+        return snapshot;
+    }
+
+    MessageBar bar;
+    Coach coach{bar};
+};
+
+// Catches a step that goes on before it is done: an alarm that nobody has acknowledged, a fault that is still
+// there, a run that still is held.
+TEST_F(CoachSteps, AFaultIsSeenAcknowledgedRemovedAndLeft) {
+    using Step = Coach::Step;
+    ASSERT_NO_FATAL_FAILURE(beginAt(Step::Fault));
+    Snapshot snapshot;
+    const auto stepAfter = [&] {
+        coach.see(snapshot);
+        return coach.step();
+    };
+    snapshot.state = RunState::Holding;
+    EXPECT_EQ(stepAfter(), Step::Fault) << "held by hand";
+    EXPECT_TRUE(bar.sentence().contains(simulatedFaultWord(SimulatedFault::SensorLost)))
+        << qPrintable(bar.sentence());
+    snapshot.alarms.emplace_back();
+    snapshot.faults.push_back({SimulatedFault::SensorLost, 1});
+    EXPECT_EQ(stepAfter(), Step::Acknowledge);
+    EXPECT_EQ(stepAfter(), Step::Acknowledge);
+    snapshot.alarms[0].isAcknowledged = true;
+    EXPECT_EQ(stepAfter(), Step::Restore);
+    EXPECT_EQ(stepAfter(), Step::Restore);
+    snapshot.faults.clear();
+    EXPECT_EQ(stepAfter(), Step::Resume);
+    EXPECT_EQ(stepAfter(), Step::Resume);
+    snapshot.state = RunState::Running;
+    EXPECT_EQ(stepAfter(), Step::Stop);
+}
+
+// Catches a rig that is taken for connected before all of its devices answer, and a device that counts as
+// found because it was there before.
+TEST_F(CoachSteps, ARigOfSerialPortsIsConnectedAndADeviceFound) {
+    using Step = Coach::Step;
+    ASSERT_NO_FATAL_FAILURE(beginAt(Step::SerialRig));
+    const auto stepAfter = [&](const Snapshot& snapshot) {
+        coach.see(snapshot);
+        return coach.step();
+    };
+    EXPECT_EQ(stepAfter(Snapshot()), Step::SerialRig);
+    Snapshot rig = rigAt("/tmp/bask-", LinkState::Opening);
+    EXPECT_EQ(stepAfter(rig), Step::Connect);
+    EXPECT_TRUE(bar.sentence().contains(QStringLiteral("bask simulate-rig"))) << qPrintable(bar.sentence());
+    rig.devices[0].status.link = rig.devices[1].status.link = LinkState::Live;
+    EXPECT_EQ(stepAfter(rig), Step::Connect) << "the heat source does not answer";
+    rig.devices[2].status.link = LinkState::Live;
+    EXPECT_EQ(stepAfter(rig), Step::Find);
+    EXPECT_TRUE(bar.sentence().contains(QStringLiteral("/tmp/bask-thermometer")))
+        << qPrintable(bar.sentence());
+    EXPECT_EQ(stepAfter(rig), Step::Find) << "nothing was looked for";
+    Snapshot without = rig;
+    without.devices.erase(without.devices.begin() + 1);
+    without.search.emplace();
+    EXPECT_EQ(stepAfter(without), Step::Find);
+    without.search->found.push_back({1, {}, 0});
+    EXPECT_EQ(stepAfter(without), Step::Find) << "found, and not used";
+    EXPECT_EQ(stepAfter(rig), std::nullopt);
+    EXPECT_TRUE(bar.sentence().startsWith(QStringLiteral("That was all"))) << qPrintable(bar.sentence());
+}
+
+// Catches a tour that says "nothing can burn" over a rig that can, and its end on the one that it asks for.
+TEST_F(CoachSteps, EndOnARigThatIsNobodysSimulation) {
+    ASSERT_NO_FATAL_FAILURE(beginAt(Coach::Step::SerialRig));
+    coach.see(rigAt("/dev/ttyUSB-", LinkState::Live));
+    EXPECT_EQ(coach.step(), std::nullopt);
+    EXPECT_EQ(bar.sentence(), QString());
+}
+
+// Catches an example whose ports are not those that the tour names, or that a real rig's question about
+// limits comes before.
+TEST(CoachTest, TheExampleHasThePortsThatAreNamed) {
+    const auto example = readExample(QStringLiteral("serial-rig"));
+    ASSERT_TRUE(example.ok()) << describe(example.error());
+    ASSERT_TRUE(example->rig && example->rig->robot && example->rig->thermometer && example->rig->source);
+    EXPECT_EQ(example->rig->robot->port, "/tmp/bask-robot");
+    EXPECT_EQ(example->rig->thermometer->port, "/tmp/bask-thermometer");
+    EXPECT_EQ(example->rig->source->port, "/tmp/bask-heater");
+    EXPECT_TRUE(widenedOnRealRig({}, *example, {}).empty());
+}
+
+QString withoutMnemonic(QString text) {
+    static const QRegularExpression kOfChinese(QStringLiteral("\\(&.\\)$"));
+    return text.remove(kOfChinese).remove(u'&');
+}
+
+/// "Tools > Simulate fault > Sensor lost", and so on.
+void addPaths(const QList<QAction*>& actions, const QString& before, QStringList& paths) {
+    for (const QAction* action : actions) {
+        if (action->isSeparator())
+            continue;
+        const QString path = before + withoutMnemonic(action->text());
+        paths << path;
+        if (action->menu() != nullptr)
+            addPaths(action->menu()->actions(), path + QStringLiteral(" > "), paths);
+    }
+}
+
+// Catches a step that names a menu or a button which is not there, or not so in that language.
+TEST_F(FiveMinutesTest, NameNothingThatIsNotThere) {
+    openWindow();
+    static const QRegularExpression kQuoted(
+        QStringLiteral("“([^”]+)”|«[\\s\u00a0]*([^»]+?)[\\s\u00a0]*»|「([^」]+)」"));
+    for (const QString& code : Language::codes()) {
+        window->setLanguage(code);
+        ASSERT_TRUE(waitFor([this] {
+            return find<QAbstractButton>("setUp.thermometer")->text() ==
+                   QCoreApplication::translate("bask::DeviceCard", "Set up…");
+        }));
+        const DeviceDialog dialog(DeviceRole::Thermometer, {}, {"bunny"});
+        QStringList paths, names{QStringLiteral("bunny"), QStringLiteral("bask simulate-rig"),
+                                 QCoreApplication::translate("bask::RunPage", "Thermal picture")};
+        addPaths(window->menuBar()->actions(), {}, paths);
+        for (const QAction* action : window->findChildren<QAction*>())
+            names << withoutMnemonic(action->text());
+        for (const QWidget* within : std::initializer_list<const QWidget*>{window.get(), &dialog}) {
+            for (const auto* button : within->findChildren<QAbstractButton*>())
+                names << withoutMnemonic(button->text());
+            for (const auto* label : within->findChildren<QLabel*>())
+                names << withoutMnemonic(label->text());
+            for (const auto* tabs : within->findChildren<QTabWidget*>())
+                for (int i = 0; i < tabs->count(); ++i)
+                    names << withoutMnemonic(tabs->tabText(i));
+        }
+        MessageBar said;
+        Coach alone(said);
+        alone.begin();
+        std::ranges::sort(paths, std::ranges::greater(), &QString::size);
+        for (; alone.step(); emit said.otherClicked()) {
+            QString sentence = said.sentence();
+            for (const QString& path : paths)
+                if (path.contains(u'>'))
+                    sentence.remove(path);
+            EXPECT_FALSE(sentence.contains(u'>')) << qPrintable(code + u' ' + said.sentence());
+            for (const QRegularExpressionMatch& quoted : kQuoted.globalMatch(sentence)) {
+                const QString name = quoted.captured(quoted.lastCapturedIndex());
+                EXPECT_TRUE(names.contains(name)) << qPrintable(code + u' ' + name);
+            }
+        }
+    }
 }
 
 } // namespace

@@ -41,7 +41,7 @@ std::vector<std::string> exampleNames() {
 }
 
 TEST(Examples, AllAreReadAndValid) {
-    EXPECT_EQ(exampleNames().size(), 10u);
+    EXPECT_EQ(exampleNames().size(), 11u);
     for (const std::string& name : exampleNames()) {
         const Experiment e = example(name);
         EXPECT_FALSE(e.objects.empty()) << name;
