@@ -72,7 +72,7 @@ int runWindow(int& argc, char** argv, const QString& file) {
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
     QGuiApplication::setApplicationDisplayName(QString());
-    // Qt takes the user's locale; files and sentences keep the decimal point.
+    // Qt takes the user's locale: files keep the decimal point, and the window's language says what is shown.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());
     applyTheme(application, SettingsStore().theme());

@@ -10,6 +10,7 @@
 
 #include <QEvent>
 #include <QFileInfo>
+#include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 
@@ -99,8 +100,10 @@ void StatusLine::refresh() {
     }
     set(m_ageLabel, ageText());
     const QString speed =
-        m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(m_speed, 0, 'g', 3) : QString();
-    set(m_loopLabel, tr("loop %1 Hz, late %2").arg(m_rate_Hz, 0, 'f', 1).arg(m_late) + speed);
+        m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(QLocale().toString(m_speed, 'g', 3))
+                      : QString();
+    set(m_loopLabel,
+        tr("loop %1 Hz, late %2").arg(QLocale().toString(m_rate_Hz, 'f', 1)).arg(m_late) + speed);
     set(m_sourceLabel, sourceText());
     set(m_trackingLabel, trackingText());
     m_trackingLabel->setVisible(m_tracking.has_value());
@@ -120,7 +123,7 @@ QString StatusLine::ageText() const {
     }
     if (!ages.isEmpty())
         return ages.join(QStringLiteral(", "));
-    return m_any ? tr("readings %1 s old").arg(m_age_s, 0, 'f', 1) : tr("no readings");
+    return m_any ? tr("readings %1 s old").arg(QLocale().toString(m_age_s, 'f', 1)) : tr("no readings");
 }
 
 QString StatusLine::sourceText() const {
@@ -174,13 +177,15 @@ QString StatusLine::trackingText() const {
         return {};
     if (!m_tracking->isSeen)
         return tr("source not seen");
-    QString text = m_tracking->isPredicted
-                       ? tr("source not seen for %1 s, predicted").arg(m_tracking->age_s, 0, 'f', 1)
-                       : tr("source followed");
+    QString text =
+        m_tracking->isPredicted
+            ? tr("source not seen for %1 s, predicted").arg(QLocale().toString(m_tracking->age_s, 'f', 1))
+            : tr("source followed");
     if (m_tracking->latency_s > 0.0)
         text += QStringLiteral(", ") + tr("%1 ms late").arg(m_tracking->latency_s * 1e3, 0, 'f', 0);
     if (m_tracking->position_m > 0.0)
-        text += QStringLiteral(", ") + tr("\u00b1%1 mm").arg(m_tracking->position_m * 1e3, 0, 'f', 1);
+        text += QStringLiteral(", ") +
+                tr("\u00b1%1 mm").arg(QLocale().toString(m_tracking->position_m * 1e3, 'f', 1));
     return text;
 }
 

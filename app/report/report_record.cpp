@@ -70,7 +70,7 @@ QString plainValue(const QJsonValue& value) {
         return parts.join(QStringLiteral(", "));
     }
     if (value.isDouble())
-        return QString::number(value.toDouble(), 'g', 10);
+        return QLocale().toString(value.toDouble(), 'g', 10);
     return value.toVariant().toString();
 }
 

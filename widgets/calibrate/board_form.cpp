@@ -2,6 +2,7 @@
 
 #include "engine/base/units.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -17,7 +18,7 @@ namespace bask {
 namespace {
 
 QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, double value_mm) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberField(parent);
     box->setObjectName(QString::fromLatin1(name));
     box->setRange(1.0, 1000.0);
     box->setDecimals(2);

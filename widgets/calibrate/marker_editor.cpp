@@ -3,6 +3,7 @@
 #include "engine/base/units.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -102,7 +103,7 @@ MarkerEditor::MarkerEditor(QWidget* parent)
 }
 
 QDoubleSpinBox* MarkerEditor::number(const QString& name, double min, double max, int decimals, double step) {
-    auto* field = new QDoubleSpinBox(this);
+    auto* field = new NumberField(this);
     field->setObjectName(name);
     field->setRange(min, max);
     field->setDecimals(decimals);

@@ -5,6 +5,7 @@
 #include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/sheet_preview.h"
 #include "widgets/common/display.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 
 #include <QComboBox>
@@ -35,8 +36,8 @@ void setLabel(QFormLayout* form, QWidget* field, const QString& text) {
 SheetPanel::SheetPanel(QWidget* parent)
     : QWidget(parent), m_preview(new SheetPreview(this)), m_pages(new QLabel(this)), m_form(new QFormLayout),
       m_kind(new QComboBox(this)), m_board(new BoardForm(this)), m_dictionary(new QComboBox(this)),
-      m_ids(new QLineEdit(this)), m_side(new QDoubleSpinBox(this)), m_paper(new QComboBox(this)),
-      m_problem(new QLabel(this)), m_save(new QPushButton(this)), m_measured(new QDoubleSpinBox(this)),
+      m_ids(new QLineEdit(this)), m_side(new NumberField(this)), m_paper(new QComboBox(this)),
+      m_problem(new QLabel(this)), m_save(new QPushButton(this)), m_measured(new NumberField(this)),
       m_true(new QLabel(this)), m_use(new QPushButton(this)) {
     m_preview->setObjectName("sheetPreview");
     m_pages->setObjectName("sheetPages");

@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -155,13 +156,24 @@ namespace {
 
 TemperatureUnit g_readersUnit = TemperatureUnit::Celsius;
 
+/// Of the engine's numbers, with or without a unit, which have a point; other words stay as they are.
+QString inNotation(QString text) {
+    static const QRegularExpression kNumber(
+        QStringLiteral("^[+-]?\\d+\\.\\d+(e[+-]?\\d+)?([ \\x{a0}]\\S+)?$"));
+    const QString mark = QLocale().decimalPoint();
+    return mark != u'.' && kNumber.match(text).hasMatch() ? text.replace(text.indexOf(u'.'), 1, mark) : text;
+}
+
 /// Puts an argument in words; without a unit as it is recorded.
 class ArgWords {
 public:
     ArgWords(const Message& message, std::optional<TemperatureUnit> unit)
         : m_message(message), m_unit(unit) {}
 
-    QString at(std::size_t i) const {
+    QString at(std::size_t i) const { return isQuoted(i) ? words(i) : inNotation(words(i)); }
+
+private:
+    QString words(std::size_t i) const {
         const MessageArg& arg = m_message.args[i];
         const ArgKind kind = arg.kind(argKind(m_message.code, i));
         const QString text = QString::fromStdString(arg.text());
@@ -186,7 +198,11 @@ public:
         }
     }
 
-private:
+    /// A key, a name or what stands in a file.
+    bool isQuoted(std::size_t i) const {
+        return QLatin1String(messageTemplate(m_message.code)).contains(QStringLiteral("\"%%1\"").arg(i + 1));
+    }
+
     TemperatureUnit shownUnit() const { return m_unit.value_or(TemperatureUnit::Celsius); }
 
     QChar space() const { return m_unit ? kNarrowSpace : QChar(u' '); }
@@ -212,8 +228,10 @@ private:
     QString objects(const MessageArg& arg, ArgKind kind, const QString& text) const {
         const std::vector<ObjectKelvin> all = arg.objects(kind);
         const bool isTemperature = kind == ArgKind::Temperatures;
-        if (!m_unit || all.empty() || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit))
-            return text;
+        if (!m_unit || all.empty() || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit)) {
+            static const QRegularExpression kPoint(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
+            return QString(text).replace(kPoint, QLocale().decimalPoint());
+        }
         QStringList words;
         for (const ObjectKelvin& each : all)
             words << QString::fromStdString(each.object) + u' ' +

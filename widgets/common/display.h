@@ -1,6 +1,6 @@
 #pragma once
-// Values as a person reads them: numbers with units in the locale's notation, and words for states and
-// sentences.
+// Values as a person reads them: numbers with units in the notation of the language (see language.h), and
+// words for states and sentences.
 
 #include "engine/base/message.h"
 #include "engine/base/units.h"

@@ -4,9 +4,20 @@
 #include <QFont>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QWidget>
 
 namespace bask {
 namespace {
+
+/// Kept for good: another thread may be writing with the one before.
+const QLocale& notationOf(const QString& code) {
+    static const QLocale point = QLocale::c(), comma = [] {
+        QLocale french(QLocale::French, QLocale::France);
+        french.setNumberOptions(QLocale::OmitGroupSeparator);
+        return french;
+    }();
+    return code == QLatin1String("fr") ? comma : point;
+}
 
 // Left to itself, fontconfig draws Han characters in the forms of the desktop's language, in Japanese ones if
 // that is not Chinese.
@@ -16,6 +27,7 @@ const QStringList kHanFamilies = {QStringLiteral("Noto Sans CJK SC"), QStringLit
 
 Language::~Language() {
     remove();
+    QLocale::setDefault(notationOf({})); // the window's fields are being deleted
 }
 
 QStringList Language::codes() {
@@ -51,6 +63,7 @@ void Language::set(const QString& code) {
         return;
     remove();
     m_code = code;
+    setNotation();
     // Qt's own words (file dialog, standard buttons), where the distribution has installed them.
     const QString qtName = QStringLiteral("qtbase_") + code;
     if (m_qt.load(qtName, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
@@ -59,6 +72,15 @@ void Language::set(const QString& code) {
     if (m_bask.load(QStringLiteral(":/i18n/bask_%1.qm").arg(code)))
         QCoreApplication::installTranslator(&m_bask);
     chooseFonts();
+}
+
+void Language::setNotation() {
+    QLocale::setDefault(notationOf(m_code));
+    if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) // there are no fields
+        return;
+    for (QWidget* widget : QApplication::allWidgets()) // plots have one of their own, others their window's
+        if (widget->isWindow() || widget->testAttribute(Qt::WA_SetLocale))
+            widget->unsetLocale();
 }
 
 void Language::chooseFonts() {

@@ -8,8 +8,8 @@
 
 namespace bask {
 
-/// Installs the translators of one language. Numbers have the decimal point in every language, as in Bask's
-/// files and in the engine's sentences.
+/// Installs the translators of one language, and makes its notation of numbers that of QLocale() and of the
+/// fields: French has a decimal comma, the others a point, and none groups digits. Files never go by it.
 class Language {
 public:
     Language() = default;
@@ -29,6 +29,7 @@ public:
 
 private:
     void remove();
+    void setNotation();
     void chooseFonts();
 
     QString m_code;

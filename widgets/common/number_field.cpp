@@ -1,12 +1,32 @@
 #include "widgets/common/number_field.h"
 
+#include <QLocale>
 #include <QSignalBlocker>
+
+#include <algorithm>
 
 namespace bask {
 
+std::optional<double> typedNumber(QString text) {
+    text = text.trimmed().replace(u',', u'.').replace(QChar(0x2212), u'-');
+    const bool isPlain = std::all_of(
+        text.begin(), text.end(), [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); });
+    bool ok = false;
+    const double value = QLocale::c().toDouble(text, &ok);
+    return ok && isPlain ? std::optional(value) : std::nullopt;
+}
+
+QValidator::State NumberField::validate(QString& text, int& position) const {
+    const QString unit = text.endsWith(suffix()) ? suffix() : QString();
+    text.chop(unit.size());
+    const QString mark = locale().decimalPoint();
+    text = text.replace(u'.', mark).replace(u',', mark) + unit;
+    return QDoubleSpinBox::validate(text, position);
+}
+
 QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
                             const QString& suffix) {
-    auto* field = new QDoubleSpinBox(parent);
+    auto* field = new NumberField(parent);
     field->setObjectName(name);
     field->setDecimals(decimals);
     field->setRange(min, max);

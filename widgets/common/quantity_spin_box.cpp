@@ -1,6 +1,7 @@
 #include "widgets/common/quantity_spin_box.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/number_field.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -62,13 +63,7 @@ std::optional<double> QuantitySpinBox::number(const QString& text) const {
     QString bare = text;
     for (const QChar c : suffix()) // part of which may have been deleted
         bare.remove(c);
-    bare =
-        bare.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
-    const bool plain = std::all_of(
-        bare.begin(), bare.end(), [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); });
-    bool ok = false;
-    const double value = QLocale::c().toDouble(bare, &ok);
-    return ok && plain ? std::optional(value) : std::nullopt;
+    return typedNumber(bare);
 }
 
 QString QuantitySpinBox::textFromValue(double value) const {
@@ -141,22 +136,13 @@ QString GainSpinBox::withoutSuffix(const QString& text) const {
 }
 
 double GainSpinBox::valueFromText(const QString& text) const {
-    bool ok = false;
-    const QString bare = withoutSuffix(text);
-    double value = locale().toDouble(bare, &ok);
-    if (!ok)
-        value = QLocale::c().toDouble(bare, &ok);
-    return ok ? value : this->value();
+    return typedNumber(withoutSuffix(text)).value_or(value());
 }
 
 QValidator::State GainSpinBox::validate(QString& text, int&) const {
-    bool ok = false;
     const QString bare = withoutSuffix(text);
-    double value = locale().toDouble(bare, &ok);
-    if (!ok)
-        value = QLocale::c().toDouble(bare, &ok);
-    if (ok)
-        return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    if (const auto typed = typedNumber(bare))
+        return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
     const bool plausible = std::all_of(bare.begin(), bare.end(), [](QChar c) {
         return c.isDigit() || QStringLiteral("eE+-.,").contains(c);
     });

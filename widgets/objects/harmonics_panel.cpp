@@ -1,6 +1,7 @@
 #include "widgets/objects/harmonics_panel.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/fourier_fits.h"
 #include "widgets/objects/residual_plot.h"
@@ -34,9 +35,9 @@ QString number(double value, int decimals) {
 HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     : QWidget(parent), m_fits(new FourierFits(this)), m_caption(new QLabel(this)),
       m_slider(new QSlider(Qt::Horizontal, this)), m_spin(new QSpinBox(this)),
-      m_fewest(new QPushButton(this)), m_tolerance(new QDoubleSpinBox(this)),
-      m_useOutline(new QCheckBox(this)), m_residual(new QLabel(this)), m_verdict(new QLabel(this)),
-      m_warningIcon(new QLabel(this)), m_warning(new QLabel(this)), m_plot(new ResidualPlot(this)) {
+      m_fewest(new QPushButton(this)), m_tolerance(new NumberField(this)), m_useOutline(new QCheckBox(this)),
+      m_residual(new QLabel(this)), m_verdict(new QLabel(this)), m_warningIcon(new QLabel(this)),
+      m_warning(new QLabel(this)), m_plot(new ResidualPlot(this)) {
     m_slider->setObjectName("harmonicsSlider");
     m_spin->setObjectName("harmonicsSpin");
     m_fewest->setObjectName("fewestHarmonics");

@@ -3,6 +3,7 @@
 #include "engine/shape/marker.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 
 #include <QCheckBox>
@@ -23,7 +24,7 @@ constexpr int kUnitFromHeader = -1;
 
 /// A positive length that is not known until it is typed.
 QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, int decimals, double max) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberField(parent);
     box->setObjectName(QString::fromLatin1(name));
     box->setDecimals(decimals);
     box->setRange(0.0, max);

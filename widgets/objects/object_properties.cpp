@@ -67,7 +67,7 @@ ObjectProperties::ObjectProperties(QWidget* parent) : QWidget(parent) {
 
 QDoubleSpinBox* ObjectProperties::number(const char* name, double min, double max, int decimals, double step,
                                          std::function<void(ObjectSpec&, double)> apply) {
-    auto* field = new QDoubleSpinBox(this);
+    auto* field = new NumberField(this);
     field->setObjectName(QString::fromLatin1(name));
     field->setRange(min, max);
     field->setDecimals(decimals);

@@ -3,6 +3,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/figure_style.h"
 
+#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -174,7 +175,7 @@ void paintAxis(QPainter& painter, const SurfacePanel& panel, const Projection& p
         painter.setPen(QPen(secondaryText(false), 2));
         painter.drawLine(project(place), project(place) + 10.0 * outwards);
         painter.setPen(themePalette(false).color(QPalette::Text));
-        paintWords(painter, project(place) + 34.0 * outwards, QString::number(number(value)));
+        paintWords(painter, project(place) + 34.0 * outwards, QLocale().toString(number(value)));
     }
     painter.setFont(figureFont(28));
     paintWords(painter, project(0.5 * (from + to)) + (axis == 2 ? 112.0 : 92.0) * outwards,

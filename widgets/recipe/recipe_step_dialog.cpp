@@ -1,5 +1,6 @@
 #include "widgets/recipe/recipe_step_dialog.h"
 
+#include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/recipe/recipe_words.h"
 
@@ -19,9 +20,9 @@ using Until = RecipeStep::Until;
 namespace {
 
 /// Milliseconds are kept, and shown where there are any.
-class SecondsSpinBox : public QDoubleSpinBox {
+class SecondsSpinBox : public NumberField {
 public:
-    explicit SecondsSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    explicit SecondsSpinBox(QWidget* parent) : NumberField(parent) {
         setDecimals(3);
         setSingleStep(10.0);
         setSuffix(QStringLiteral(" s"));

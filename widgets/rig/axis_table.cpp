@@ -1,6 +1,7 @@
 #include "widgets/rig/axis_table.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 #include "widgets/rig/coordinate_words.h"
 
 #include <QCheckBox>
@@ -38,7 +39,7 @@ AxisTable::AxisTable(QWidget* parent)
             row.letter->addItem(QString(QLatin1Char(letter)), static_cast<int>(letter));
         row.reversed = new QCheckBox(this);
         row.reversed->setObjectName(coordinateObjectName("reversed", k));
-        row.origin = new QDoubleSpinBox(this);
+        row.origin = new NumberField(this);
         row.origin->setObjectName(coordinateObjectName("origin", k));
         row.origin->setDecimals(kOriginDecimals);
         row.origin->setRange(k < kThetaX ? -5000.0 : -360.0, k < kThetaX ? 5000.0 : 360.0);

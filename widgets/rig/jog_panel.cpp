@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 #include "widgets/rig/coordinate_words.h"
 
 #include <QComboBox>
@@ -114,7 +115,7 @@ QWidget* JogPanel::buildRows() {
         row.stepDown = stepButton(k, -1);
         row.stepUp = stepButton(k, 1);
         row.holdUp = holdButton(k, 1);
-        row.goTo = new QDoubleSpinBox(part);
+        row.goTo = new NumberField(part);
         row.goTo->setObjectName(coordinateObjectName("goTo", k));
         row.goTo->setDecimals(2);
         row.goTo->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

@@ -3,6 +3,7 @@
 #include "engine/thermography/usual_thermal_camera.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 #include "widgets/rig/coordinate_words.h"
 #include "widgets/rig/profile_choice.h"
 
@@ -41,7 +42,7 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
     auto* pose = new QGridLayout;
     for (int k = 0; k < 6; ++k) {
         const auto index = static_cast<std::size_t>(k);
-        auto* field = new QDoubleSpinBox(this);
+        auto* field = new NumberField(this);
         field->setObjectName(coordinateObjectName("thermalPose", k));
         field->setDecimals(1);
         const double largest = k < 3 ? kFarthest_mm : kLargest_deg;

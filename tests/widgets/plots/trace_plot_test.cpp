@@ -4,9 +4,11 @@
 
 #include "tests/support/thread_time.h"
 
+#include "widgets/common/language.h"
 #include "widgets/common/theme.h"
 
 #include <QPen>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -88,6 +90,23 @@ struct ShownPlot {
 };
 
 } // namespace
+
+// Catches axes and cursors in the notation of the language before.
+TEST(TracePlot, ItsNumbersFollowTheLanguage) {
+    Language language;
+    ShownPlot shown;
+    shown.plot.append(warmUp(50));
+    const QWidget* canvas = canvasOf(shown.plot);
+    for (const char* code : {"fr", "en", "fr"}) {
+        language.set(QLatin1String(code));
+        const QString mark =
+            QLatin1String(code) == QLatin1String("fr") ? QStringLiteral(",") : QStringLiteral(".");
+        EXPECT_EQ(canvas->locale().decimalPoint(), mark);
+        const QString readout = shown.plot.readout(30.0);
+        EXPECT_TRUE(readout.contains(QRegularExpression(QStringLiteral("\\d\\%1\\d").arg(mark))))
+            << readout.toStdString();
+    }
+}
 
 // Catches samples lost between the engine and the trace, and a wrong unit.
 TEST(TracePlot, ContainsEverySampleInTheDisplayUnit) {

@@ -1,5 +1,7 @@
 #include "widgets/review/comparison_view.h"
 
+#include "widgets/common/language.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -143,6 +145,18 @@ TEST(MetricComparison, IsExportedAsNumbers) {
     EXPECT_TRUE(lines.contains("path length (m),circle,0.1,0.1,0"));
     EXPECT_TRUE(lines.contains("rotation of the end-effector (rad),,0,0,0"));
     EXPECT_TRUE(lines[0].startsWith(QLatin1String(kComparisonMark)));
+}
+
+// Catches a file for other programs in the notation of the window's language.
+TEST(MetricComparison, TheFileHasThePointInEveryLanguage) {
+    const auto csv = [] {
+        const auto runs = twoRuns();
+        return comparisonCsv(runs, 0, compareMetrics(runs, 0, TemperatureUnit::Celsius));
+    };
+    const std::string point = csv();
+    Language language;
+    language.set(QStringLiteral("fr"));
+    EXPECT_EQ(csv(), point);
 }
 
 struct ComparisonViewTest : testing::Test {
