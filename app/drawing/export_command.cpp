@@ -25,9 +25,9 @@ using Files = Result<std::vector<std::string>>;
 
 /// The tables are written as they are read; the other forms want the whole run.
 Files exported(const QString& kind, const std::string& path, std::optional<SessionRecord>& session,
-               const std::string& folder, const ShareDone& done) {
+               const std::string& folder, CsvDigits digits, const ShareDone& done) {
     if (kind == QLatin1String("csv"))
-        return exportSessionCsv(path, folder, done);
+        return exportSessionCsv(path, folder, done, digits);
     if (kind == QLatin1String("frames"))
         return exportThermalFrames(path, folder, done);
     const double begin = session ? 0.0 : kAfterRecord;
@@ -51,10 +51,11 @@ Result<void> exportAll(const QStringList& kinds, const QCommandLineParser& parse
                        std::vector<std::string>& files) {
     Progress progress(static_cast<double>(kinds.size()));
     const std::string path = parser.positionalArguments().front().toStdString();
+    const CsvDigits digits = parser.isSet("all-digits") ? CsvDigits::All : CsvDigits::Meaningful;
     std::optional<SessionRecord> session;
     double done = 0.0;
     for (const QString& kind : kinds) {
-        const auto some = exported(kind, path, session, parser.value(kind).toStdString(),
+        const auto some = exported(kind, path, session, parser.value(kind).toStdString(), digits,
                                    [&](double share) { progress.tell(done + share); });
         if (!some)
             return some.error();
@@ -74,7 +75,11 @@ int exportCommand(const QStringList& arguments) {
         "Exit code: 0 done, 2 bad input or unwritable output.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions(
-        {{"csv", "Tables with units in their headers, all digits; an empty field is not known.", "DIR"},
+        {{"csv",
+          "traces.csv, a row a sample with the digits that mean something, and all tables with all digits;\n"
+          "units are in the headers, an empty field is not known.",
+          "DIR"},
+         {"all-digits", "All digits in traces.csv, too."},
          {"nexus", "One HDF5 file in NeXus layout, *.nxs, with recorded thermal pictures.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
          {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
@@ -93,7 +98,8 @@ int exportCommand(const QStringList& arguments) {
     if (wanted.isEmpty())
         return refuse(kExport, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
     if (const auto code = refuseIdle(parser, kExport,
-                                     {{"language", parser.isSet("figures"),
+                                     {{"all-digits", parser.isSet("csv"), "is for --csv"},
+                                      {"language", parser.isSet("figures"),
                                        "is for --figures; the other forms have no words in a language"}}))
         return *code;
     Language language;

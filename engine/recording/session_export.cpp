@@ -14,9 +14,11 @@
 #include <cctype>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <string_view>
 
 namespace bask {
 namespace {
@@ -169,13 +171,43 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
     return {};
 }
 
-/// A number, temperatures in degC.
-template <class Row> SqlValue cellOf(const SampleColumn<Row>& column, const Row& row) {
-    const double value = column.value.get(row);
-    if (column.isWhole)
-        return static_cast<std::int64_t>(value);
-    return sqlNumber(column.unit.edge == EdgeUnit::Temperature ? celsiusFromKelvin(value) : value);
+double rounded(double value, double perUnit) {
+    return std::round(value * perUnit) / perUnit + 0.0; // no minus zero
 }
+
+/// Without digits that no sensor tells and no step of the robot has. `value` is in SI or in degC.
+double meaningful(double value, const Unit& unit) {
+    const std::string_view suffix = unit.suffix;
+    if (unit.edge == EdgeUnit::Temperature || suffix == "K" || suffix == "s")
+        return rounded(value, 1e4);
+    if (unit.edge == EdgeUnit::LengthMm || unit.edge == EdgeUnit::Angle)
+        return rounded(value, 1e6);
+    constexpr int kSignificant = 6;
+    const int magnitude =
+        value == 0.0 || !std::isfinite(value) ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
+    return rounded(value, std::pow(10.0, kSignificant - 1 - magnitude));
+}
+
+/// Cells of traces.csv.
+class TraceCells {
+public:
+    explicit TraceCells(CsvDigits digits) : m_digits(digits) {}
+
+    SqlValue number(double value, const Unit& unit) const {
+        return sqlNumber(m_digits == CsvDigits::All ? value : meaningful(value, unit));
+    }
+    /// A number, temperatures in degC.
+    template <class Row> SqlValue of(const SampleColumn<Row>& column, const Row& row) const {
+        const double value = column.value.get(row);
+        if (column.isWhole)
+            return static_cast<std::int64_t>(value);
+        return number(column.unit.edge == EdgeUnit::Temperature ? celsiusFromKelvin(value) : value,
+                      column.unit);
+    }
+
+private:
+    CsvDigits m_digits;
+};
 
 template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
     const bool isTemperature = column.unit.edge == EdgeUnit::Temperature;
@@ -192,7 +224,8 @@ std::vector<const ObjectColumn*> columnsInTraces(const RecordedRig& rig) {
 
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
 /// export of one that is damaged.
-Result<void> writeTraces(const SessionRecord& facts, CsvFile& file, const ShareDone& done) {
+Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, CsvFile& file,
+                         const ShareDone& done) {
     const std::vector<const ObjectColumn*> ofObjects = columnsInTraces(facts.rig());
     std::vector<SqlValue> row{std::string("time (s)")};
     for (const RunColumn& column : kRunColumns)
@@ -205,15 +238,15 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file, const ShareD
             row.emplace_back(object.name + ' ' + headerOf(*column));
     file.add(row);
     const auto add = [&](const TraceSample& sample) {
-        row = {sqlNumber(sample.time_s)};
+        row = {cells.number(sample.time_s, unit::kSeconds)};
         for (const RunColumn& column : kRunColumns)
             if (column.csv != nullptr)
-                row.push_back(cellOf(column, sample));
+                row.push_back(cells.of(column, sample));
         for (int k = 0; k < 6; ++k)
-            row.push_back(sqlNumber(sample.coordinates[k]));
+            row.push_back(cells.number(sample.coordinates[k], k < 3 ? unit::kMillimetres : unit::kDegrees));
         for (const ObjectSample& object : sample.objects)
             for (const ObjectColumn* column : ofObjects)
-                row.push_back(cellOf(*column, object));
+                row.push_back(cells.of(*column, object));
         file.add(row);
     };
     const auto read = readSamples(facts.path, add, {}, done);
@@ -223,7 +256,7 @@ Result<void> writeTraces(const SessionRecord& facts, CsvFile& file, const ShareD
 } // namespace
 
 Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder,
-                                                  const ShareDone& told) {
+                                                  const ShareDone& told, CsvDigits digits) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -245,7 +278,7 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     if (done)
         done = openTables(**store, *tables, *stage, files);
     if (done)
-        done = writeTraces(*facts, traces, partOf(told, 0.0, kAfterTraces));
+        done = writeTraces(*facts, TraceCells(digits), traces, partOf(told, 0.0, kAfterTraces));
     if (done)
         done = writeTables(**store, *tables, files, facts->experiment.objects.size(),
                            partOf(told, kAfterTraces, 1.0));

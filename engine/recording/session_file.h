@@ -108,9 +108,16 @@ Result<void> copySession(const std::string& from, const std::string& to);
 Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder,
                                                      const ShareDone& done = {});
 
-/// Writes one CSV for each table into an existing or new folder, with units in the headers. Returns the files
-/// written.
+/// The digits of the numbers in traces.csv.
+enum class CsvDigits {
+    Meaningful, ///< to 1e-4 K, 1e-4 s, 1e-6 m and 1e-6 rad; of other numbers six significant ones
+    All         ///< as many as it takes to read the same double back
+};
+
+/// Writes traces.csv and one CSV for each table into an existing or new folder, with units in the headers.
+/// The tables have all digits. Returns the files written.
 Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder,
-                                                  const ShareDone& done = {});
+                                                  const ShareDone& done = {},
+                                                  CsvDigits digits = CsvDigits::Meaningful);
 
 } // namespace bask

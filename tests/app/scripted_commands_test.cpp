@@ -83,6 +83,7 @@ TEST_F(ScriptedCommands, refuseOptionsWithoutAnEffect) {
         {{"fit-contour", picture, "--harmonics", "5", "--scale", "15", "--factor", "2"},
          "--factor is for lists and drawings"},
         {{"export", "s.bask", "--csv", out, "--language", "fr"}, "--language is for --figures"},
+        {{"export", "s.bask", "--vtk", out, "--all-digits"}, "--all-digits is for --csv"},
         {{"export", "s.bask", "--csv", out, "--vtk", ""}, "--vtk: the name of its folder is empty"},
         {{"merge", "--status", "a.part", "-o", out}, "--status writes no files"},
         {{"field", "--preset", "paper-translation", "--shade", "exact"}, "--shade"},

@@ -107,7 +107,8 @@ def altered(*statements, name="altered", of="run"):
 
 def exported(file, form="csv"):
     out = os.path.join(folder, f"{os.path.basename(file)}-{form}")
-    subprocess.run([BASK, "export", file, f"--{form}", out], check=True, capture_output=True, timeout=300)
+    digits = ["--all-digits"] if form == "csv" else []
+    subprocess.run([BASK, "export", file, f"--{form}", out, *digits], check=True, capture_output=True, timeout=300)
     return out
 
 

@@ -47,11 +47,22 @@ QString formatTemperature(double t_K, TemperatureUnit unit, int decimals) {
     return formatTemperatureNumber(t_K, unit, decimals) + kNarrowSpace + temperatureUnitSymbol(unit);
 }
 
+std::optional<int> decimalsOf(double uncertainty, int min) {
+    constexpr int kMax = 4;
+    constexpr double kRoundsUp = 0.95; // 0.095 is shown as 0.1
+    if (!std::isfinite(uncertainty) || uncertainty < kRoundsUp * std::pow(10.0, -kMax))
+        return std::nullopt;
+    return std::clamp(-static_cast<int>(std::floor(std::log10(uncertainty / kRoundsUp))), min, kMax);
+}
+
 QString formatReading(double t_K, double standardUncertainty_K, TemperatureUnit unit) {
+    constexpr double kNoTenths = 9.5;
     const double expanded = displayDifference(2.0 * standardUncertainty_K, unit);
-    const int decimals = expanded < 0.095 ? 2 : 1;
-    return formatTemperature(t_K, unit, decimals) + QStringLiteral(" \u00b1 ") +
-           QLocale().toString(expanded, 'f', decimals) + QChar(0x00a0) + differenceUnitSymbol(unit);
+    const auto decimals = decimalsOf(expanded, expanded < kNoTenths ? 1 : 0);
+    if (!decimals)
+        return formatTemperature(t_K, unit);
+    return formatTemperature(t_K, unit, *decimals) + QStringLiteral(" \u00b1 ") +
+           QLocale().toString(expanded, 'f', *decimals) + QChar(0x00a0) + differenceUnitSymbol(unit);
 }
 
 QString formatDifference(double d_K, TemperatureUnit unit, int decimals) {

@@ -21,7 +21,11 @@ inline const QString kNoValue = QStringLiteral("\u2014");
 
 /// Returns "40.0 °C"; a dash if it is not finite.
 QString formatTemperature(double t_K, TemperatureUnit unit, int decimals = 1);
-/// Returns "40.2 °C ± 0.6 K", with the expanded uncertainty (two standard deviations).
+/// Returns how many decimals show the first digit of an uncertainty: 1 for 0.6, 2 for 0.05 and 3 for 0.004;
+/// at least `min`. Empty for one that is not known, or that four decimals do not show: "± 0.00" says nothing.
+std::optional<int> decimalsOf(double uncertainty, int min);
+/// Returns "40.2 °C ± 0.6 K", with the expanded uncertainty (two standard deviations) and the digits that it
+/// allows; without one that decimalsOf() is empty for.
 QString formatReading(double t_K, double standardUncertainty_K, TemperatureUnit unit);
 /// Returns "40.0", without the unit.
 QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals = 1);

@@ -75,14 +75,21 @@ QString withUnit(const QString& number, const Unit& unit) {
     return number + QChar(0x00a0) + QString::fromUtf8(unit.symbol);
 }
 
+/// A path of 9716 mm is not known to a tenth of one.
+int decimalsFor(const MetricFacts& facts, double shown) {
+    return std::abs(shown) < 1000.0 ? facts.decimals : 0;
+}
+
 QString valueText(const MetricFacts& facts, double value) {
-    return withUnit(QLocale().toString(value * facts.unit.symbolPerSi, 'f', facts.decimals), facts.unit);
+    const double shown = value * facts.unit.symbolPerSi;
+    return withUnit(QLocale().toString(shown, 'f', decimalsFor(facts, shown)), facts.unit);
 }
 
 QString differenceText(const MetricFacts& facts, double difference, TemperatureUnit shown) {
     if (isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin))
         return formatDifference(difference, shown, facts.decimals);
-    return withUnit(formatSigned(difference * facts.unit.symbolPerSi, facts.decimals), facts.unit);
+    const double number = difference * facts.unit.symbolPerSi;
+    return withUnit(formatSigned(number, decimalsFor(facts, number)), facts.unit);
 }
 
 QString nameInFiles(const MetricFacts& facts, const char* kind = "") {
@@ -123,14 +130,14 @@ QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit) {
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
+    const double deviation = displayDifference(metrics.steadyDeviation_K.value_or(0.0), unit);
     const MetricFacts facts = factsOf(ObjectMetric::SteadyError);
-    const QString mean = differenceText(facts, *metrics.steadyError_K, unit);
-    if (!metrics.steadyDeviation_K)
-        return mean;
-    const QString deviation =
-        QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', facts.decimals);
+    const auto decimals = decimalsOf(deviation, facts.decimals);
+    if (!decimals) // one sample, or a reading that stood still
+        return differenceText(facts, *metrics.steadyError_K, unit);
     return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")
-        .arg(mean, deviation);
+        .arg(formatDifference(*metrics.steadyError_K, unit, *decimals),
+             QLocale().toString(deviation, 'f', *decimals));
 }
 
 } // namespace

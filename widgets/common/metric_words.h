@@ -48,7 +48,7 @@ QString metricText(RunMetric metric, const RunMetrics& run);
 /// Returns the number of metricText() in SI; empty where that says why there is none.
 std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, std::size_t object);
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run);
-/// Returns a difference of two such numbers, "+1.5 s", with the decimals of metricText().
+/// Returns a difference of two such numbers, "+1.5 s", with the decimals that metricText() has for its size.
 QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit);
 QString metricDifferenceText(RunMetric metric, double difference);
 

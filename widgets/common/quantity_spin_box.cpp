@@ -12,6 +12,11 @@
 #include <utility>
 
 namespace bask {
+namespace {
+
+constexpr double kSameTemperature_K = 1e-9; // more than a conversion of units loses
+
+} // namespace
 
 QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setDecimals(1);
@@ -19,16 +24,25 @@ QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
     setKeyboardTracking(false);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this](double shown) {
-        if (m_showing)
-            return;
-        m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_min_K, m_max_K);
-        m_typed_K = m_value_K;
-        m_typing = false;
-        emit valueEdited_K(m_value_K);
+        if (!m_showing)
+            take(shown);
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, &QuantitySpinBox::takeTyped);
-    connect(this, &QAbstractSpinBox::editingFinished, this, &QuantitySpinBox::endTyping);
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        // What is shown already is no change to the base class; the value may have more digits.
+        if (m_typing && m_isNumber &&
+            std::abs(kelvinFromDisplay(value(), m_unit) - m_value_K) > kSameTemperature_K)
+            take(value());
+        endTyping();
+    });
     show_K();
+}
+
+void QuantitySpinBox::take(double shown) {
+    m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_min_K, m_max_K);
+    m_typed_K = m_value_K;
+    m_typing = false;
+    emit valueEdited_K(m_value_K);
 }
 
 void QuantitySpinBox::takeTyped(const QString& text) {
@@ -36,7 +50,8 @@ void QuantitySpinBox::takeTyped(const QString& text) {
         m_typed_K = m_value_K;
     m_typing = true;
     const auto shown = number(text);
-    if (!shown || *shown < minimum() || *shown > maximum())
+    m_isNumber = shown && *shown >= minimum() && *shown <= maximum();
+    if (!m_isNumber)
         return;
     m_typed_K = kelvinFromDisplay(*shown, m_unit);
     emit valueTyped_K(m_typed_K);

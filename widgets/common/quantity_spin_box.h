@@ -11,7 +11,8 @@
 namespace bask {
 
 /// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is
-/// also accepted as a decimal point; Escape restores the value before typing.
+/// also accepted as a decimal point; Escape restores the value before typing. What is typed is the value,
+/// also where one with more digits is shown so already.
 class QuantitySpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -39,6 +40,7 @@ protected:
 
 private:
     void show_K();
+    void take(double shown);
     void takeTyped(const QString& text);
     void endTyping();
     std::optional<double> number(const QString& text) const;
@@ -49,6 +51,7 @@ private:
     double m_max_K = 1273.15;
     bool m_showing = false;
     bool m_typing = false;
+    bool m_isNumber = false;   ///< the text that is being typed, in the range
     double m_typed_K = 298.15; ///< value of the last valueTyped_K
 };
 

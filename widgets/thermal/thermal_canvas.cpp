@@ -3,7 +3,6 @@
 #include "widgets/common/display.h"
 #include "widgets/common/picture_painting.h"
 #include "widgets/common/theme.h"
-#include "widgets/thermal/thermal_words.h"
 #include "widgets/thermal/thermal_zoom.h"
 
 #include <QHelpEvent>

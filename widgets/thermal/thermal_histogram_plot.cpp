@@ -52,9 +52,13 @@ QString ThermalHistogramPlot::summary() const {
     if (!m_histogram)
         return tr("No pixels are read");
     const double deviation = displayDifference(m_histogram->deviation_K, m_unit);
+    const auto decimals = decimalsOf(deviation, 2);
+    const QString mean = formatTemperature(m_histogram->mean_K, m_unit, decimals.value_or(2));
+    if (!decimals)
+        return tr("mean %1").arg(mean);
     return tr("mean %1, s.d. %2", "standard deviation")
-        .arg(formatTemperature(m_histogram->mean_K, m_unit, 2),
-             QLocale().toString(deviation, 'f', 2) + QChar(0x00a0) + differenceUnitSymbol(m_unit));
+        .arg(mean,
+             QLocale().toString(deviation, 'f', *decimals) + QChar(0x00a0) + differenceUnitSymbol(m_unit));
 }
 
 void ThermalHistogramPlot::describe() {

@@ -2,7 +2,6 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
-#include "widgets/thermal/thermal_words.h"
 
 #include <QEvent>
 #include <QHeaderView>

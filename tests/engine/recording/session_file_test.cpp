@@ -468,7 +468,7 @@ TEST_F(SessionFile, IsReadThroughALinkAndWithOddNames) {
 // Catches: a column under another's header, a number that lost digits.
 TEST_F(SessionFile, ExportsTheTracesSideBySideWithUnits) {
     const std::string path = recorded("run.bask", 12);
-    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    ASSERT_TRUE(exportSessionCsv(path, file("csv"), {}, CsvDigits::All));
     std::istringstream traces(contents(qfile("csv/traces.csv")));
     std::string header, line;
     std::getline(traces, header);
@@ -492,6 +492,45 @@ TEST_F(SessionFile, ExportsTheTracesSideBySideWithUnits) {
     EXPECT_EQ(std::stod(fields[23]), expected.objects[1].unshadedViewFactor);
     EXPECT_EQ(fields[24], expected.objects[1].valid ? "1" : "0");
     EXPECT_DOUBLE_EQ(std::stod(fields[25]), expected.objects[1].true_K - 273.15);
+}
+
+// Catches: 40.12299999999999 of a reading of 40.123, and a number that is rounded to nothing.
+TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
+    const std::string path = file("run.bask");
+    TraceSample sample = madeUpSample(twoDisks(), 3);
+    sample.time_s = 0.1 + 0.2;
+    sample.source_K = 473.15 + 1e-6;
+    sample.coordinates[kX] = -1e-9;
+    sample.coordinates[kZ] = 0.15 + 1e-9;
+    sample.objects[1].measured_K = 273.15 + 40.123;
+    sample.objects[1].viewFactor = 1.23456789e-5;
+    sample.objects[1].unshadedViewFactor = std::nan("");
+    {
+        auto writer = SessionWriter::create(path, twoDisks(), true);
+        ASSERT_TRUE((*writer)->add(sample));
+    }
+    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    const auto at = [this](const char* folder, std::size_t column) {
+        std::istringstream traces(contents(qfile(folder)));
+        std::string line;
+        std::getline(traces, line);
+        std::getline(traces, line);
+        std::vector<std::string> fields;
+        std::istringstream row(line);
+        for (std::string field; std::getline(row, field, ',');)
+            fields.push_back(field);
+        return column < fields.size() ? fields[column] : "none";
+    };
+    EXPECT_EQ(at("csv/traces.csv", 0), "0.3");
+    EXPECT_EQ(at("csv/traces.csv", 1), "200");
+    EXPECT_EQ(at("csv/traces.csv", 2), "0");
+    EXPECT_EQ(at("csv/traces.csv", 4), "0.15");
+    EXPECT_EQ(at("csv/traces.csv", 17), "40.123");
+    EXPECT_EQ(std::stod(at("csv/traces.csv", 22)), 1.23457e-5);
+    EXPECT_EQ(at("csv/traces.csv", 23), "");
+    ASSERT_TRUE(exportSessionCsv(path, file("all"), {}, CsvDigits::All));
+    EXPECT_EQ(std::stod(at("all/traces.csv", 0)), 0.1 + 0.2);
+    EXPECT_EQ(std::stod(at("all/traces.csv", 22)), 1.23456789e-5);
 }
 
 TEST_F(SessionFile, ExportsOneCsvPerTable) {

@@ -15,6 +15,27 @@ TEST(Display, TemperaturesInEveryUnit) {
     EXPECT_EQ(formatTemperature(std::nan(""), TemperatureUnit::Celsius), kNoValue);
 }
 
+// Catches digits that an uncertainty does not allow, and one of "0.00".
+TEST(Display, DigitsFollowTheUncertainty) {
+    EXPECT_EQ(decimalsOf(0.6, 1), 1);
+    EXPECT_EQ(decimalsOf(0.05, 1), 2);
+    EXPECT_EQ(decimalsOf(0.0949, 1), 2);
+    EXPECT_EQ(decimalsOf(0.0951, 1), 1) << "is shown as 0.1";
+    EXPECT_EQ(decimalsOf(0.004, 2), 3);
+    EXPECT_EQ(decimalsOf(12.0, 0), 0);
+    EXPECT_FALSE(decimalsOf(0.0, 2).has_value());
+    EXPECT_FALSE(decimalsOf(1e-9, 2).has_value());
+    EXPECT_FALSE(decimalsOf(std::nan(""), 2).has_value());
+    const auto reading = [](double standardUncertainty_K) {
+        return formatReading(313.273, standardUncertainty_K, TemperatureUnit::Celsius)
+            .replace(QChar(0x00a0), u' ');
+    };
+    EXPECT_EQ(reading(0.3), QString::fromUtf8("40.1 \u00b0C \u00b1 0.6 K"));
+    EXPECT_EQ(reading(0.025), QString::fromUtf8("40.12 \u00b0C \u00b1 0.05 K"));
+    EXPECT_EQ(reading(6.0), QString::fromUtf8("40 \u00b0C \u00b1 12 K"));
+    EXPECT_EQ(reading(0.0), QString::fromUtf8("40.1 \u00b0C"));
+}
+
 TEST(Display, DifferencesHaveSignAndNoOffset) {
     EXPECT_EQ(formatDifference(0.5, TemperatureUnit::Celsius), QStringLiteral("+0.5\u00a0K"));
     EXPECT_EQ(formatDifference(-10.0, TemperatureUnit::Fahrenheit), QStringLiteral("\u221218.0\u00a0°F"));

@@ -67,6 +67,35 @@ TEST(QuantitySpinBox, WhatIsTypedIsWhatIsTaken) {
     }
 }
 
+// Catches 39.9817 that stays where a person has typed 40.0, because both look alike; and an edit of nothing.
+TEST(QuantitySpinBox, WhatIsTypedAsItIsShownIsTaken) {
+    QuantitySpinBox box;
+    QSignalSpy edited(&box, &QuantitySpinBox::valueEdited_K);
+    const double found_K = 273.15 + 39.9817;
+    const auto enter = [&](const char* text) {
+        box.setValue_K(found_K);
+        EXPECT_EQ(box.text(), QStringLiteral("40.0\u00a0\u00b0C"));
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, QString::fromUtf8(text));
+        QTest::keyClick(&box, Qt::Key_Return);
+    };
+    for (const char* text : {"40.0", "40", "40,0"}) {
+        enter(text);
+        EXPECT_EQ(box.value_K(), 313.15) << text;
+        EXPECT_EQ(box.text(), QStringLiteral("40.0\u00a0\u00b0C"));
+    }
+    ASSERT_EQ(edited.count(), 3);
+    EXPECT_EQ(edited.last()[0].toDouble(), 313.15);
+    QTest::keyClicks(&box, QStringLiteral("40.0"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_EQ(edited.count(), 3) << "it is so already";
+    enter("");
+    enter("99999");
+    EXPECT_EQ(box.value_K(), found_K) << "nothing that could be taken";
+    EXPECT_EQ(edited.count(), 3);
+}
+
 // Catches a page that cannot follow typing, and one that keeps what was taken back.
 TEST(QuantitySpinBox, TypingIsToldAndTakenBack) {
     QuantitySpinBox box;

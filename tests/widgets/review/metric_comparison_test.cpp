@@ -147,6 +147,23 @@ TEST(MetricComparison, IsExportedAsNumbers) {
     EXPECT_TRUE(lines[0].startsWith(QLatin1String(kComparisonMark)));
 }
 
+// Catches "s.d. 0.00", and tenths of a millimetre of a path of metres.
+TEST(MetricComparison, ShowsTheDigitsThatMeanSomething) {
+    const auto shown = [](double deviation_K, double path_m) {
+        ObjectMetrics object = settled(40.0, 62.0);
+        object.steadyError_K = 0.0123;
+        object.steadyDeviation_K = deviation_K;
+        object.pathLength_m = path_m;
+        const auto metrics =
+            compareMetrics({comparedRun("A", {{"circle", object}})}, 0, TemperatureUnit::Celsius);
+        return plain(row(metrics, "Steady-state error", "circle").cells[0].text) + ", " +
+               plain(row(metrics, "Path length", "circle").cells[0].text);
+    };
+    EXPECT_EQ(shown(0.054, 0.1056), "+0.01 K (s.d. 0.05), 105.6 mm");
+    EXPECT_EQ(shown(0.004, 9.7156), "+0.012 K (s.d. 0.004), 9716 mm");
+    EXPECT_EQ(shown(0.0, 0.0), "+0.01 K, 0.0 mm");
+}
+
 // Catches a file for other programs in the notation of the window's language.
 TEST(MetricComparison, TheFileHasThePointInEveryLanguage) {
     const auto csv = [] {
