@@ -378,7 +378,7 @@
     </message>
     <message>
         <source>Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished</source>
-        <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0.04 à 0.06, poli</translation>
+        <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0,04 à 0,06, poli</translation>
     </message>
     <message>
         <source>Incropera, table A.1 (bulk), FLIR tables (surface)</source>
@@ -394,15 +394,15 @@
     </message>
     <message>
         <source>EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)</source>
-        <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0.5 à 0.7 après chauffage (surface)</translation>
+        <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0,5 à 0,7 après chauffage (surface)</translation>
     </message>
     <message>
         <source>FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)</source>
-        <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0.85 à 0.95 (surface)</translation>
+        <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0,85 à 0,95 (surface)</translation>
     </message>
     <message>
         <source>Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)</source>
-        <translation>Kaiao, Granta Design (masse), plastiques : 0.85 à 0.95 (surface)</translation>
+        <translation>Kaiao, Granta Design (masse), plastiques : 0,85 à 0,95 (surface)</translation>
     </message>
     <message>
         <source>Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg·K)</source>
@@ -410,7 +410,7 @@
     </message>
     <message>
         <source>Entegris, by FreeCAD&apos;s card (bulk), tables: 0.8 to 0.98 (surface)</source>
-        <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0.8 à 0.98 (surface)</translation>
+        <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0,8 à 0,98 (surface)</translation>
     </message>
     <message>
         <source>Ashby: 480 to 860 kg/m³ (bulk), FLIR tables: paper (surface)</source>
@@ -941,7 +941,7 @@
     </message>
     <message>
         <source>the drawing gives its size in pixels, taken as 1/96 inch (0.2646 mm) each; check its size</source>
-        <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0.2646 mm) chacun ; vérifiez sa taille</translation>
+        <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0,2646 mm) chacun ; vérifiez sa taille</translation>
     </message>
     <message>
         <source>left out, since they are no outlines: %1</source>
@@ -3738,10 +3738,6 @@
         <translation>Passer</translation>
     </message>
     <message>
-        <source>That was all. F1 opens the manual, which has the rest.</source>
-        <translation>C’est tout. F1 ouvre le manuel, où se trouve le reste.</translation>
-    </message>
-    <message>
         <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing&apos;s.</source>
         <translation>Page Objets : choisissez « bunny » et faites glisser les harmoniques. Moins il y en a, plus le contour s’écarte du dessin.</translation>
     </message>
@@ -3782,16 +3778,8 @@
         <translation>Changez un gain du régulateur et appliquez-le : les courbes en gardent la marque.</translation>
     </message>
     <message>
-        <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
-        <translation>Outils &gt; Simuler un défaut : retirez un capteur. L’essai se met en pause et une alarme dit que faire.</translation>
-    </message>
-    <message>
         <source>Acknowledge the alarm (F9): you have seen it.</source>
         <translation>Acquittez l’alarme (F9) : vous l’avez vue.</translation>
-    </message>
-    <message>
-        <source>End the fault in the same menu, then Resume (Shift+F7).</source>
-        <translation>Mettez fin au défaut dans le même menu, puis Reprendre (Maj+F7).</translation>
     </message>
     <message>
         <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
@@ -3806,12 +3794,43 @@
         <translation>Retapez-y %1, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
     </message>
     <message>
-        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>Première fois ? Quatorze petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
-    </message>
-    <message>
         <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
         <translation>Fichier &gt; Exemples &gt; thermal-camera&#xa0;: trois objets que seule une caméra thermique lit. Sur la page Essai, regardez l’onglet Image thermique.</translation>
+    </message>
+    <message>
+        <source>That was all. “Simulated rig” on the Rig page leads back to the simulated one; F1 opens the manual, which has the rest.</source>
+        <translation>C’est tout. « Banc simulé », page Banc, ramène au banc simulé ; F1 ouvre le manuel, où se trouve le reste.</translation>
+    </message>
+    <message>
+        <source>New here? %1 small steps on simulated rigs show what Bask does. Nothing can burn.</source>
+        <extracomment>how many</extracomment>
+        <translation>Première fois ? %1 petites étapes sur des bancs simulés montrent ce que fait Bask. Rien ne peut brûler.</translation>
+    </message>
+    <message>
+        <source>Tools &gt; Simulate fault &gt; %1: choose an object. The run holds, and an alarm says what to do.</source>
+        <extracomment>a simulated fault, as the menu has it</extracomment>
+        <translation>Outils &gt; Simuler un défaut &gt; %1 : choisissez un objet. L’essai se met en pause et une alarme dit que faire.</translation>
+    </message>
+    <message>
+        <source>Remove its cause: choose the fault again in the same menu, which ends it. The sensor tells its temperature again.</source>
+        <translation>Supprimez sa cause : choisissez de nouveau le défaut dans le même menu, ce qui y met fin. Le capteur redonne sa température.</translation>
+    </message>
+    <message>
+        <source>Resume (Shift+F7): the run goes on where it was held.</source>
+        <translation>Reprendre (Maj+F7) : l’essai continue là où il était en pause.</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; serial-rig: a rig with devices of its own, as a real one has. They are at serial ports, where nothing answers yet.</source>
+        <translation>Fichier &gt; Exemples &gt; serial-rig : un banc qui a ses propres appareils, comme un banc réel. Ils sont sur des ports série, où rien ne répond encore.</translation>
+    </message>
+    <message>
+        <source>Type “bask simulate-rig” in a terminal: it plays robot, thermometer and heat source at these ports. On the Rig page all three become live.</source>
+        <translation>Tapez « bask simulate-rig » dans un terminal : il joue le robot, le thermomètre et la source de chaleur sur ces ports. Page Banc, tous trois deviennent actifs.</translation>
+    </message>
+    <message>
+        <source>Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” lists what answers there; choose it and press “Use”.</source>
+        <extracomment>the path of a serial port</extracomment>
+        <translation>Trouvez un appareil : « Retirer » le thermomètre, puis « Régler… » avec le port %1. « Chercher les appareils » liste ce qui y répond ; choisissez-le et pressez « Utiliser ».</translation>
     </message>
 </context>
 <context>
@@ -8488,7 +8507,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed in the scene.</source>
-        <translation>L’essai tel que le banc simulé le prédit depuis son point de départ : en pointillé derrière les courbes, en tireté dans la scène.</translation>
+        <translation>L’essai tel que le banc simulé le prédit depuis son point de départ&#xa0;: en pointillé derrière les courbes, en tireté dans la scène.</translation>
     </message>
 </context>
 <context>
@@ -10457,6 +10476,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>Distribution of apparent temperatures</source>
         <translation>Répartition des températures apparentes</translation>
     </message>
+    <message>
+        <source>mean %1</source>
+        <translation>moyenne %1</translation>
+    </message>
 </context>
 <context>
     <name>bask::ThermalObjectList</name>
@@ -10672,7 +10695,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
     <message>
         <source>Dotted: predicted. Traces begin with Start.</source>
-        <translation>En pointillé : la prédiction. Les courbes commencent au démarrage.</translation>
+        <translation>En pointillé&#xa0;: la prédiction. Les courbes commencent au démarrage.</translation>
     </message>
 </context>
 <context>

@@ -3731,10 +3731,6 @@
         <translation>跳过</translation>
     </message>
     <message>
-        <source>That was all. F1 opens the manual, which has the rest.</source>
-        <translation>到此结束。其余内容见手册（F1）。</translation>
-    </message>
-    <message>
         <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing&apos;s.</source>
         <translation>在“物体”页选择“bunny”并拖动谐波数。谐波越少，轮廓偏离原图越多。</translation>
     </message>
@@ -3775,16 +3771,8 @@
         <translation>更改控制器的一个增益并应用：曲线上会有标记。</translation>
     </message>
     <message>
-        <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
-        <translation>“工具 &gt; 模拟故障”：去掉一个传感器。运行保持，报警说明如何处理。</translation>
-    </message>
-    <message>
         <source>Acknowledge the alarm (F9): you have seen it.</source>
         <translation>确认报警（F9）：表示您已看到。</translation>
-    </message>
-    <message>
-        <source>End the fault in the same menu, then Resume (Shift+F7).</source>
-        <translation>在同一菜单中结束故障，然后继续（Shift+F7）。</translation>
     </message>
     <message>
         <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
@@ -3799,12 +3787,43 @@
         <translation>在那里重新输入 %1，可更快达到。然后待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
     </message>
     <message>
-        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>初次使用？在仿真装置上的十四个小步骤演示 Bask 的功能，不会有任何危险。</translation>
-    </message>
-    <message>
         <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
         <translation>文件 &gt; 示例 &gt; thermal-camera：三个只由热像仪读取的物体。在“运行”页查看“热像图”标签页。</translation>
+    </message>
+    <message>
+        <source>That was all. “Simulated rig” on the Rig page leads back to the simulated one; F1 opens the manual, which has the rest.</source>
+        <translation>到此结束。“装置”页的“仿真装置”可返回仿真装置；其余内容见手册（F1）。</translation>
+    </message>
+    <message>
+        <source>New here? %1 small steps on simulated rigs show what Bask does. Nothing can burn.</source>
+        <extracomment>how many</extracomment>
+        <translation>初次使用？在仿真装置上的 %1 个小步骤演示 Bask 的功能，不会有任何危险。</translation>
+    </message>
+    <message>
+        <source>Tools &gt; Simulate fault &gt; %1: choose an object. The run holds, and an alarm says what to do.</source>
+        <extracomment>a simulated fault, as the menu has it</extracomment>
+        <translation>“工具 &gt; 模拟故障 &gt; %1”：选择一个物体。运行保持，报警说明如何处理。</translation>
+    </message>
+    <message>
+        <source>Remove its cause: choose the fault again in the same menu, which ends it. The sensor tells its temperature again.</source>
+        <translation>消除原因：在同一菜单中再次选择该故障，即可结束它。传感器重新给出温度。</translation>
+    </message>
+    <message>
+        <source>Resume (Shift+F7): the run goes on where it was held.</source>
+        <translation>继续（Shift+F7）：运行从保持处接着进行。</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; serial-rig: a rig with devices of its own, as a real one has. They are at serial ports, where nothing answers yet.</source>
+        <translation>文件 &gt; 示例 &gt; serial-rig：像实际装置一样有自己的设备。它们在串行端口上，目前还没有应答。</translation>
+    </message>
+    <message>
+        <source>Type “bask simulate-rig” in a terminal: it plays robot, thermometer and heat source at these ports. On the Rig page all three become live.</source>
+        <translation>在终端中输入“bask simulate-rig”：它在这些端口上充当机器人、温度计和热源。在“装置”页，三者都变为在线。</translation>
+    </message>
+    <message>
+        <source>Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” lists what answers there; choose it and press “Use”.</source>
+        <extracomment>the path of a serial port</extracomment>
+        <translation>查找设备：先“移除”温度计，再“设置…”，端口为 %1。“查找设备”列出在那里应答的设备；选择它并按“使用”。</translation>
     </message>
 </context>
 <context>
@@ -10432,6 +10451,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Distribution of apparent temperatures</source>
         <translation>表观温度的分布</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
     </message>
 </context>
 <context>

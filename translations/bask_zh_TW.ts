@@ -3731,10 +3731,6 @@
         <translation>略過</translation>
     </message>
     <message>
-        <source>That was all. F1 opens the manual, which has the rest.</source>
-        <translation>到此結束。其餘內容見手冊（F1）。</translation>
-    </message>
-    <message>
         <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing&apos;s.</source>
         <translation>在「物體」頁選擇「bunny」並拖動諧波數。諧波越少，輪廓偏離原圖越多。</translation>
     </message>
@@ -3775,16 +3771,8 @@
         <translation>更改控制器的一個增益並套用：曲線上會有標記。</translation>
     </message>
     <message>
-        <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
-        <translation>「工具 &gt; 模擬故障」：去掉一個感測器。運轉保持，警報說明如何處理。</translation>
-    </message>
-    <message>
         <source>Acknowledge the alarm (F9): you have seen it.</source>
         <translation>確認警報（F9）：表示您已看到。</translation>
-    </message>
-    <message>
-        <source>End the fault in the same menu, then Resume (Shift+F7).</source>
-        <translation>在同一選單中結束故障，然後繼續（Shift+F7）。</translation>
     </message>
     <message>
         <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
@@ -3799,12 +3787,43 @@
         <translation>在那裡重新輸入 %1，可更快達到。然後待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
     </message>
     <message>
-        <source>New here? Fourteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-        <translation>初次使用？在模擬實驗台上的十四個小步驟示範 Bask 的功能，不會有任何危險。</translation>
-    </message>
-    <message>
         <source>File &gt; Examples &gt; thermal-camera: three objects that only a thermal camera reads. On the Run page, look at the tab Thermal picture.</source>
         <translation>檔案 &gt; 範例 &gt; thermal-camera：三個只由熱像儀讀取的物體。在「運轉」頁查看「熱像圖」標籤頁。</translation>
+    </message>
+    <message>
+        <source>That was all. “Simulated rig” on the Rig page leads back to the simulated one; F1 opens the manual, which has the rest.</source>
+        <translation>到此結束。「實驗台」頁的「模擬實驗台」可返回模擬實驗台；其餘內容見手冊（F1）。</translation>
+    </message>
+    <message>
+        <source>New here? %1 small steps on simulated rigs show what Bask does. Nothing can burn.</source>
+        <extracomment>how many</extracomment>
+        <translation>初次使用？在模擬實驗台上的 %1 個小步驟示範 Bask 的功能，不會有任何危險。</translation>
+    </message>
+    <message>
+        <source>Tools &gt; Simulate fault &gt; %1: choose an object. The run holds, and an alarm says what to do.</source>
+        <extracomment>a simulated fault, as the menu has it</extracomment>
+        <translation>「工具 &gt; 模擬故障 &gt; %1」：選擇一個物體。運轉保持，警報說明如何處理。</translation>
+    </message>
+    <message>
+        <source>Remove its cause: choose the fault again in the same menu, which ends it. The sensor tells its temperature again.</source>
+        <translation>消除原因：在同一選單中再次選擇該故障，即可結束它。感測器重新給出溫度。</translation>
+    </message>
+    <message>
+        <source>Resume (Shift+F7): the run goes on where it was held.</source>
+        <translation>繼續（Shift+F7）：運轉從保持處接著進行。</translation>
+    </message>
+    <message>
+        <source>File &gt; Examples &gt; serial-rig: a rig with devices of its own, as a real one has. They are at serial ports, where nothing answers yet.</source>
+        <translation>檔案 &gt; 範例 &gt; serial-rig：像實際實驗台一樣有自己的裝置。它們在序列埠上，目前還沒有回應。</translation>
+    </message>
+    <message>
+        <source>Type “bask simulate-rig” in a terminal: it plays robot, thermometer and heat source at these ports. On the Rig page all three become live.</source>
+        <translation>在終端機中輸入「bask simulate-rig」：它在這些連接埠上充當機器人、溫度計和熱源。在「實驗台」頁，三者都變為線上。</translation>
+    </message>
+    <message>
+        <source>Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” lists what answers there; choose it and press “Use”.</source>
+        <extracomment>the path of a serial port</extracomment>
+        <translation>尋找裝置：先「移除」溫度計，再「設定…」，連接埠為 %1。「尋找裝置」列出在那裡回應的裝置；選擇它並按「使用」。</translation>
     </message>
 </context>
 <context>
@@ -10432,6 +10451,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Distribution of apparent temperatures</source>
         <translation>表觀溫度的分布</translation>
+    </message>
+    <message>
+        <source>mean %1</source>
+        <translation>平均 %1</translation>
     </message>
 </context>
 <context>
