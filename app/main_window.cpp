@@ -27,6 +27,7 @@
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/point_at.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/source_words.h"
@@ -71,6 +72,7 @@ bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
 MainWindow::MainWindow()
     : m_autosave(m_document, unsavedFolder()), m_files(m_document, m_settings, this),
       m_actions((initResources(), this)) {
+    setFileFolders(&m_settings);
     m_language.set(m_settings.language());
     m_actions.retranslate();
     buildLayout();
@@ -96,6 +98,7 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
     endEngine(); // before anything is written
+    setFileFolders(nullptr);
 }
 
 void MainWindow::begin(const QString& path) {

@@ -31,6 +31,8 @@ QString folderKey(FileFolder kind) {
         return QStringLiteral("recordingFolder");
     case FileFolder::Exports:
         return QStringLiteral("exportFolder");
+    case FileFolder::Imports:
+        return QStringLiteral("importFolder");
     case FileFolder::Experiments:
         break;
     }

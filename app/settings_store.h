@@ -4,6 +4,7 @@
 #include "app/data_folder.h"
 #include "app/horn.h"
 #include "engine/base/units.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/theme.h"
 
 #include <QByteArray>
@@ -14,13 +15,9 @@
 
 namespace bask {
 
-/// Kinds of files that are kept at different places: experiments, rigs and recipes; recordings; what is
-/// written for others.
-enum class FileFolder { Experiments, Recordings, Exports };
-
 /// An INI file in the user's configuration folder, or in the folder BASK_SETTINGS_DIR. Unknown values read as
 /// the defaults.
-class SettingsStore {
+class SettingsStore : public FileFolders {
 public:
     static constexpr int kMaxRecent = 8;
     static constexpr std::array kTextSizes_percent{100, 125, 150, 200};
@@ -65,8 +62,8 @@ public:
 
     /// Folder where a file of that kind was opened or saved last. Before the first, or where it is gone: that
     /// of experiments, else the documents.
-    QString lastFolder(FileFolder kind) const;
-    void setLastFolder(FileFolder kind, const QString& folder);
+    QString lastFolder(FileFolder kind) const override;
+    void setLastFolder(FileFolder kind, const QString& folder) override;
 
     /// Folder whose runs the Review page lists: where Bask records, unless another was chosen.
     QString sessionFolder() const;

@@ -7,13 +7,13 @@
 #include "widgets/calibrate/coverage_view.h"
 #include "widgets/calibrate/view_list.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/floating_place.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 
 #include <QCheckBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImage>
@@ -398,22 +398,19 @@ void CameraPanel::askWhereToSave() {
                   ros = tr("ROS camera_info (%1)").arg("*.yaml");
     const bool isSizeKnown = m_result->camera()->width > 0; // which ROS wants
     QString chosen;
-    QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the camera"), m_folder + QStringLiteral("/camera.yml"),
-                                     isSizeKnown ? openCv + QStringLiteral(";;") + ros : openCv, &chosen);
-    if (path.isEmpty())
-        return;
-    m_folder = QFileInfo(path).path();
-    saveCamera(path, chosen == ros);
+    const QString path = askFileToSave(this, tr("Save the camera"), QStringLiteral("camera.yml"),
+                                       isSizeKnown ? openCv + QStringLiteral(";;") + ros : openCv,
+                                       FileFolder::Imports, &chosen);
+    if (!path.isEmpty())
+        saveCamera(path, chosen == ros);
 }
 
 void CameraPanel::askWhatToLoad() {
-    const QString path = QFileDialog::getOpenFileName(this, tr("Load a camera"), m_folder,
-                                                      tr("Cameras (%1);;All files (*)").arg("*.yml *.yaml"));
-    if (path.isEmpty())
-        return;
-    m_folder = QFileInfo(path).path();
-    loadCamera(path);
+    const QString path =
+        askFileToOpen(this, tr("Load a camera"), tr("Cameras (%1);;All files (*)").arg("*.yml *.yaml"),
+                      FileFolder::Imports);
+    if (!path.isEmpty())
+        loadCamera(path);
 }
 
 // -- words -----------------------------------------------------------------------------------------------

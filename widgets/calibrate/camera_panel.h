@@ -99,7 +99,6 @@ private:
     bool m_cameraWanted = false;  ///< solve again when views change
     bool m_isAsked = false;       ///< a person waits for the result: show it
     std::vector<int> m_outstanding;
-    QString m_folder;
 
     LatestJob<Result<CameraCalibration>> m_solving;
     LatestJob<Result<CameraModel>> m_loading;

@@ -5,13 +5,13 @@
 #include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/sheet_preview.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -112,7 +112,8 @@ void SheetPanel::connectAll() {
     connect(m_use, &QPushButton::clicked, this, &SheetPanel::use);
     connect(m_save, &QPushButton::clicked, this, [this] {
         const QString name = isMarkers() ? QStringLiteral("markers.pdf") : QStringLiteral("board.pdf");
-        const QString path = QFileDialog::getSaveFileName(this, tr("Save the sheet"), name, "*.pdf");
+        const QString path =
+            askFileToSave(this, tr("Save the sheet"), name, QStringLiteral("*.pdf"), FileFolder::Exports);
         if (!path.isEmpty())
             saveTo(path);
     });

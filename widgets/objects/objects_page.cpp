@@ -3,6 +3,7 @@
 #include "engine/model/experiment_rig.h"
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
@@ -19,7 +20,6 @@
 #include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
@@ -515,13 +515,12 @@ void ObjectsPage::offerFile(const QString& path) {
 }
 
 void ObjectsPage::chooseFile() {
-    const QString path = QFileDialog::getOpenFileName(
-        this, tr("Import an outline"), m_folder,
-        tr("Outlines (%1);;All files (*)").arg(QString::fromStdString(outlineEndings("*.", " "))));
-    if (path.isEmpty())
-        return;
-    m_folder = QFileInfo(path).path();
-    offerFile(path);
+    const QString path = askFileToOpen(
+        this, tr("Import an outline"),
+        tr("Outlines (%1);;All files (*)").arg(QString::fromStdString(outlineEndings("*.", " "))),
+        FileFolder::Imports);
+    if (!path.isEmpty())
+        offerFile(path);
 }
 
 /// What is no outline is the window's to take or to refuse.

@@ -122,7 +122,6 @@ private:
     bool m_importing = false;  ///< a file is being read or fitted in the background, as the message says
     bool m_committing = false; ///< the next experiment is the answer to an edit
     QString m_why;
-    QString m_folder; ///< folder of the last chosen file
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     MessageBar* m_note;

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/parameter_form.h"
@@ -16,7 +17,6 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
@@ -300,7 +300,7 @@ void DeviceDialog::offerProfiles() {
 
 void DeviceDialog::chooseProfileFile() {
     const QString path =
-        QFileDialog::getOpenFileName(this, tr("Take a profile from a file"), {}, tr("Profiles (*.json)"));
+        askFileToOpen(this, tr("Take a profile from a file"), tr("Profiles (*.json)"), FileFolder::Imports);
     if (!path.isEmpty())
         useProfileFile(path);
 }

@@ -2,6 +2,7 @@
 
 #include "engine/thermography/usual_thermal_camera.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/rig/coordinate_words.h"
@@ -11,7 +12,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -62,8 +62,8 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
     layout->addLayout(pose);
     layout->addWidget(m_hint);
     connect(m_file, &QPushButton::clicked, this, [this] {
-        const QString path =
-            QFileDialog::getOpenFileName(this, tr("Take a profile from a file"), {}, tr("Profiles (*.json)"));
+        const QString path = askFileToOpen(this, tr("Take a profile from a file"), tr("Profiles (*.json)"),
+                                           FileFolder::Imports);
         if (path.isEmpty())
             return;
         if (const QString problem = useProfileFile(path); !problem.isEmpty())

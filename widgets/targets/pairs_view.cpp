@@ -4,13 +4,13 @@
 #include "engine/exchange/reachable_file.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/display.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/common/marked_picture.h"
 #include "widgets/common/theme.h"
 #include "widgets/targets/reach_map.h"
 
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -220,7 +220,7 @@ void PairsView::arrange() {
 }
 
 void PairsView::askAndExport() {
-    const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder for the tables and pictures"));
+    const QString folder = askFolder(this, tr("Folder for the tables and pictures"), FileFolder::Exports);
     if (!folder.isEmpty())
         exportTo(folder);
 }

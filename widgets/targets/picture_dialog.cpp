@@ -1,8 +1,8 @@
 #include "widgets/targets/picture_dialog.h"
+#include "widgets/common/file_folders.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -65,8 +65,8 @@ std::optional<PictureDialog::Order> PictureDialog::askPicture(QSize size, QWidge
     PictureDialog dialog(tr("Save the picture"), size, kMax_px, parent);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
-    const QString path =
-        QFileDialog::getSaveFileName(parent, tr("Save the picture"), QStringLiteral("targets.png"), "*.png");
+    const QString path = askFileToSave(parent, tr("Save the picture"), QStringLiteral("targets.png"),
+                                       QStringLiteral("*.png"), FileFolder::Exports);
     return path.isEmpty() ? std::nullopt : std::optional(Order{path, dialog.size_px()});
 }
 
@@ -74,7 +74,7 @@ std::optional<PictureDialog::Order> PictureDialog::askAnimation(QSize size, QWid
     PictureDialog dialog(tr("Save the animation"), size, kMaxFrame_px, parent);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
-    const QString path = QFileDialog::getExistingDirectory(parent, tr("Folder for the pictures"));
+    const QString path = askFolder(parent, tr("Folder for the pictures"), FileFolder::Exports);
     return path.isEmpty() ? std::nullopt : std::optional(Order{path, dialog.size_px()});
 }
 

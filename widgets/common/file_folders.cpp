@@ -1,0 +1,44 @@
+#include "widgets/common/file_folders.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include <utility>
+
+namespace bask {
+namespace {
+
+FileFolders* fileFolders = nullptr;
+
+QString begin(FileFolder kind) {
+    return fileFolders == nullptr ? QString() : fileFolders->lastFolder(kind);
+}
+
+QString remembered(QString path, FileFolder kind) {
+    if (fileFolders != nullptr && !path.isEmpty())
+        fileFolders->setLastFolder(kind, QFileInfo(path).isDir() ? path : QFileInfo(path).absolutePath());
+    return path;
+}
+
+} // namespace
+
+void setFileFolders(FileFolders* folders) {
+    fileFolders = folders;
+}
+
+QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind) {
+    return remembered(QFileDialog::getOpenFileName(parent, title, begin(kind), filters), kind);
+}
+
+QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
+                      FileFolder kind, QString* filter) {
+    const QString proposed = QDir(begin(kind)).filePath(name);
+    return remembered(QFileDialog::getSaveFileName(parent, title, proposed, filters, filter), kind);
+}
+
+QString askFolder(QWidget* parent, const QString& title, FileFolder kind) {
+    return remembered(QFileDialog::getExistingDirectory(parent, title, begin(kind)), kind);
+}
+
+} // namespace bask

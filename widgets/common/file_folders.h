@@ -1,0 +1,36 @@
+#pragma once
+// Dialogs for files, which begin in the folder last used for that kind of file.
+
+#include <QString>
+
+class QWidget;
+
+namespace bask {
+
+/// Kinds of files that are kept at different places: experiments, rigs and recipes; recordings; what is
+/// written for others; outlines, cameras and profiles of other programs.
+enum class FileFolder { Experiments, Recordings, Exports, Imports };
+
+/// Keeps these folders between starts.
+class FileFolders {
+public:
+    FileFolders() = default;
+    FileFolders(const FileFolders&) = delete;
+    FileFolders& operator=(const FileFolders&) = delete;
+    virtual ~FileFolders() = default;
+    /// Folder where a file of that kind was opened or saved last.
+    virtual QString lastFolder(FileFolder kind) const = 0;
+    virtual void setLastFolder(FileFolder kind, const QString& folder) = 0;
+};
+
+/// Those that the dialogs below use, on the GUI thread; null, as at first: each begins in the current folder.
+void setFileFolders(FileFolders* folders);
+
+/// Each is empty if it was cancelled. `name` is the file's without a folder; `filter` is told which was
+/// chosen.
+QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind);
+QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
+                      FileFolder kind, QString* filter = nullptr);
+QString askFolder(QWidget* parent, const QString& title, FileFolder kind);
+
+} // namespace bask
