@@ -17,7 +17,7 @@
 namespace bask {
 namespace {
 
-constexpr int kNameWidth = 280;
+constexpr int kNameCharacters = 36;
 
 } // namespace
 
@@ -31,7 +31,7 @@ SaveMaterialDialog::SaveMaterialDialog(const Material& values, const MaterialLib
     m_values.date = today.toString(Qt::ISODate).toStdString();
     m_name->setObjectName(QStringLiteral("materialName"));
     m_name->setText(QString::fromStdString(values.name));
-    m_name->setMinimumWidth(kNameWidth);
+    m_name->setMinimumWidth(kNameCharacters * fontMetrics().averageCharWidth());
     m_source->setObjectName(QStringLiteral("materialSource"));
     m_source->setText(QString::fromStdString(values.source));
     m_source->setPlaceholderText(tr("measured on a sample, data sheet, book"));

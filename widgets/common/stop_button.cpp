@@ -1,5 +1,7 @@
 #include "widgets/common/stop_button.h"
 
+#include "widgets/common/theme.h"
+
 #include <QApplication>
 #include <QEvent>
 #include <QKeyEvent>
@@ -95,9 +97,10 @@ void StopButton::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor red(0xc6, 0x1f, 0x1f);
     painter.setBrush(isDown() ? red.darker(135) : underMouse() ? red.lighter(112) : red);
-    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::WindowText), 2.0)
-                              : QPen(red.darker(150), 1.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
+    const QColor edge = isDark(this) ? red.lighter(150) : red.darker(150); // red alone is dim in the dark
+    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::WindowText), 2.0) : QPen(edge, 1.0));
+    const double inside = hasFocus() ? 1.0 : 1.5;
+    painter.drawRoundedRect(QRectF(rect()).adjusted(inside, inside, -inside, -inside), 5, 5);
 
     QFont big = font();
     big.setBold(true);

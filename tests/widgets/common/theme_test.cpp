@@ -1,3 +1,4 @@
+#include "widgets/common/stop_button.h"
 #include "widgets/common/theme.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +86,24 @@ TEST(Theme, ContrastOfAlarms) {
             const QColor tint = mixed(colour, palette.color(QPalette::Window), kStrongestTint);
             EXPECT_GE(contrast(text, tint), 4.5) << colour.name().toStdString();
         }
+    }
+}
+
+// Catches: STOP as a shape that is dim on its ground.
+TEST(Theme, StopStandsOutFromItsGround) {
+    for (const bool dark : {false, true}) {
+        QWidget ground;
+        ground.setPalette(themePalette(dark));
+        StopButton stop(&ground);
+        stop.setFocusPolicy(Qt::NoFocus);
+        stop.move(20, 20);
+        stop.resize(stop.sizeHint());
+        ground.resize(200, 100);
+        const QImage seen = ground.grab().toImage();
+        const QColor around = seen.pixelColor(10, 20 + stop.height() / 2),
+                     edge = seen.pixelColor(20 + 1, 20 + stop.height() / 2);
+        EXPECT_GE(contrast(edge, around), 3.0) << (dark ? "dark " : "light ") << edge.name().toStdString()
+                                               << " on " << around.name().toStdString();
     }
 }
 
