@@ -92,8 +92,8 @@ void MainWindow::buildNavigation() {
         button->setMinimumSize(76, 60);
         button->setFocusPolicy(Qt::TabFocus);
         // A screen reader toggles the button: its action is checked by that, and not triggered.
-        const auto turn = [this, i, page = static_cast<Page>(i)](bool isOn) {
-            if (isOn && m_pages->page() != page)
+        const auto turn = [this, button, i, page = static_cast<Page>(i)] { // as it is by then
+            if (button->isChecked() && m_pages->page() != page)
                 m_pages->show(page);
             m_actions.page(i)->setChecked(m_pages->page() == page);
         };

@@ -12,6 +12,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
+#include <QSignalSpy>
 #include <QTabBar>
 #include <QTableView>
 #include <QTreeView>
@@ -247,6 +248,18 @@ TEST_F(ScreenReaderTest, TurnsThePages) {
         EXPECT_EQ(window->pages().page(), static_cast<Page>(page));
         EXPECT_TRUE(told->state().checked) << page;
     }
+}
+
+// Catches: two turns of the page at once, each of which brings its page back when the other has.
+TEST_F(ScreenReaderTest, PagesTurnedAtOnceStay) {
+    openWindow();
+    QSignalSpy turned(&window->pages(), &PageHost::pageChanged);
+    window->pages().show(Page::Targets);
+    window->pages().show(Page::Rig);
+    for (int i = 0; i < 20; ++i)
+        QCoreApplication::processEvents();
+    EXPECT_EQ(window->pages().page(), Page::Rig);
+    EXPECT_EQ(turned.count(), 2);
 }
 
 // Catches: a bar of reachable temperatures that only the eye can read.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <fcntl.h>
 #include <fstream>
 #include <numeric>
 #include <poll.h>
@@ -96,16 +97,21 @@ void HoldUpWatch::sendBytes(Waiter& terminal) const {
     int near = -1, far = -1;
     termios raw{};
     ::cfmakeraw(&raw);
-    const bool isThere = ::openpty(&near, &far, nullptr, &raw, nullptr) == 0;
+    if (::openpty(&near, &far, nullptr, &raw, nullptr) != 0) {
+        terminal.due = Clock::duration::max(); // it tells nothing
+        return;
+    }
+    for (const int end : {near, far})
+        ::fcntl(end, F_SETFD, FD_CLOEXEC);
+    ::fcntl(far, F_SETFL, O_NONBLOCK);
     while (!m_isOver) {
         pause(terminal);
         char byte = '.';
+        if (::write(near, &byte, 1) != 1)
+            continue;
         pollfd arrived{far, POLLIN, 0};
-        if (isThere && ::write(near, &byte, 1) == 1)
-            while (!m_isOver && ::poll(&arrived, 1, 20) != 1) {
-            }
-        if ((arrived.revents & POLLIN) != 0 && ::read(far, &byte, 1) != 1)
-            break;
+        while (!m_isOver && ::read(far, &byte, 1) != 1)
+            ::poll(&arrived, 1, 20);
     }
     ::close(near);
     ::close(far);
