@@ -61,7 +61,8 @@ void wheel(QWidget* target, int angle, Qt::KeyboardModifiers modifiers = Qt::NoM
 PredictedRun predictedWarmUp() {
     PredictedRun run;
     for (int k = 0; k <= 160; ++k) {
-        PredictedSample sample{2.0 * k, {}, {}};
+        PredictedSample sample;
+        sample.time_s = 2.0 * k;
         for (int i = 0; i < 3; ++i)
             sample.temperatures_K.push_back(313.15 - 15.0 * std::exp(-sample.time_s / (40.0 + 20.0 * i)));
         run.samples.push_back(sample);
