@@ -72,6 +72,7 @@ private:
     // main_window_build.cpp
     void buildLayout();
     void buildNavigation();
+    void turnToChosenPage();
     void connectActions();
     void connectParts();
     void connectCoach();

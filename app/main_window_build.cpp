@@ -91,14 +91,19 @@ void MainWindow::buildNavigation() {
         button->setObjectName(QStringLiteral("page.%1").arg(i));
         button->setMinimumSize(76, 60);
         button->setFocusPolicy(Qt::TabFocus);
-        // A screen reader toggles the button: its action is checked by that, and not triggered.
-        const auto turn = [this, button, i, page = static_cast<Page>(i)] { // as it is by then
-            if (button->isChecked() && m_pages->page() != page)
-                m_pages->show(page);
-            m_actions.page(i)->setChecked(m_pages->page() == page);
-        };
-        connect(button, &QToolButton::toggled, this, turn, Qt::QueuedConnection);
+        connect(button, &QToolButton::toggled, this, &MainWindow::turnToChosenPage, Qt::QueuedConnection);
     }
+}
+
+/// A screen reader toggles a page's button: its action is checked or unchecked by that, and not triggered.
+void MainWindow::turnToChosenPage() {
+    for (int i = 0; i < kPages; ++i)
+        if (m_actions.page(i)->isChecked()) {
+            if (m_pages->page() != static_cast<Page>(i))
+                m_pages->show(static_cast<Page>(i));
+            return;
+        }
+    m_actions.page(static_cast<int>(m_pages->page()))->setChecked(true);
 }
 
 void MainWindow::connectActions() {

@@ -140,6 +140,7 @@ class AtSpi(unittest.TestCase):
         self.show("Run")
         wait_for(lambda: "Ready" in self.state(), "the rig is ready")
         self.press(pyatspi.ROLE_PUSH_BUTTON, "Arm")
+        wait_for(lambda: "Armed" in self.state(), "armed")
         self.press(pyatspi.ROLE_PUSH_BUTTON, "Start")
         wait_for(lambda: "Servoing" in self.state(), "servoing")
         wait_for(lambda: self.temperature("circle") > 26.0, "the circle is warmer")
