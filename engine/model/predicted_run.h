@@ -4,6 +4,7 @@
 #include "engine/base/pose.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -16,12 +17,21 @@ struct PredictedSample {
     std::vector<double> temperatures_K;      ///< of each object, in the experiment's order
 };
 
+/// How a predicted run ends.
+enum class PredictedEnd : std::uint8_t {
+    Settled,
+    Limit, ///< not settled by the latest end of a run
+    Cut,   ///< the computation was stopped: how it goes on is not known
+    Fault  ///< a fault or an alarm ends it
+};
+
 struct PredictedRun {
     static constexpr std::size_t kMaxSamples = 500;
 
     std::vector<PredictedSample>
         samples;                      ///< in time order, with the first and the last; empty: no prediction
     std::optional<double> settling_s; ///< when all objects have settled; empty: they do not, or not known
+    PredictedEnd end = PredictedEnd::Settled;
 
     double end_s() const { return samples.empty() ? 0.0 : samples.back().time_s; }
 };

@@ -72,13 +72,23 @@ private:
 };
 static_assert(PredictedRun::kMaxSamples % 2 == 0);
 
-/// The experiment as far as it is known before a run.
+/// The experiment as far as it is known before a run: what only the simulated rig knows is as it is assumed,
+/// so that a run which differs by that is seen to.
 Experiment asPredicted(const Experiment& experiment) {
     Experiment seen = experiment;
-    seen.simulation.faults.clear();
-    if (experiment.air.isKnown()) {
-        seen.simulation.naturalConvection = experiment.air.isNatural;
-        seen.simulation.convection_W_m2K = experiment.air.convection_W_m2K.value_or(0.0);
+    for (ObjectSpec& object : seen.objects)
+        object.simulatedMaterial.reset();
+    SimulationSpec& rig = seen.simulation;
+    rig.faults.clear();
+    rig.naturalConvection = experiment.air.isNatural;
+    rig.convection_W_m2K = experiment.air.convection_W_m2K.value_or(0.0); // not counted where not known
+    rig.sourceEmittance.reset();
+    rig.sourcePose.reset();
+    rig.sourceUneven.reset();
+    rig.sourceMotion = {};
+    if (rig.thermalCamera) {
+        rig.thermalCamera->gain = rig.thermalCamera->offset_K = 0.0;
+        rig.thermalCamera->calibration = {};
     }
     seen.vision = {}; // a followed source uses its true pose, since pictures take ten times as long
     return seen;
@@ -94,9 +104,14 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     if (options.from)
         drive.use(*options.from);
     const int patience = kFillingWindows * experiment.sampling.window; // readings may be missing
-    for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)
+    const auto isStopped = [&options] { return options.stop.stop_requested(); };
+    for (int i = 0; i < patience && loop.state() != RunState::Ready && !isStopped(); ++i)
         drive.period();
-    if (options.from && !loop.findZero()) // warm objects were zeroed before they were warm
+    if (isStopped() && loop.state() != RunState::Ready)
+        return RunOutcome();
+    const auto isFinite = [](double t_K) { return std::isfinite(t_K); };
+    // Warm objects were zeroed before they were warm; some that are a little warm could be zeroed, wrongly.
+    if (options.from && std::ranges::any_of(options.from->objects_K, isFinite))
         loop.useZeroing({0.0, experiment.environment_K, std::vector<double>(experiment.objects.size())});
     loop.setOperator(options.labels.operatorName);
     if (const auto armed = loop.arm(); !armed)
@@ -145,6 +160,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     }
 
     outcome.fault = loop.state() == RunState::Fault;
+    outcome.isStopped = loop.state() == RunState::Stopped;
     // The record of a fault continues until everything is cold.
     const double recordEnds_s = loop.runTime_s() + kFaultRecord_s;
     while (writer && loop.isCooling() && !options.stop.stop_requested() && loop.runTime_s() < recordEnds_s) {
@@ -191,14 +207,19 @@ Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optio
     const auto outcome = runSimulated(seen, options);
     if (!outcome)
         return outcome.error();
-    PredictedRun predicted{samples.take(), 0.0};
-    for (const ObjectOutcome& object : outcome->objects) {
-        if (!outcome->settled || !object.settlingTime_s || options.stop.stop_requested()) {
-            predicted.settling_s.reset();
-            break;
-        }
-        predicted.settling_s = std::max(*predicted.settling_s, *object.settlingTime_s);
-    }
+    PredictedRun predicted{samples.take(), std::nullopt, PredictedEnd::Settled};
+    if (options.stop.stop_requested())
+        predicted.end = PredictedEnd::Cut;
+    else if (outcome->fault || outcome->isStopped)
+        predicted.end = PredictedEnd::Fault;
+    else if (!outcome->settled)
+        predicted.end = PredictedEnd::Limit;
+    if (predicted.end != PredictedEnd::Settled)
+        return predicted;
+    double settling_s = 0.0;
+    for (const ObjectOutcome& object : outcome->objects)
+        settling_s = std::max(settling_s, object.settlingTime_s.value_or(0.0));
+    predicted.settling_s = settling_s;
     return predicted;
 }
 

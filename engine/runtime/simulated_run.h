@@ -21,8 +21,9 @@ struct SimulatedRunOptions {
     std::string sessionPath; ///< empty: the run is not recorded
     /// called for every sample; may be empty
     std::function<void(double time_s, const TraceSample&)> progress;
-    std::stop_token stop = {}; ///< ends the run at once
-    bool mayReplace = true;    ///< an earlier recording of that name
+    /// ends the run at once; before Start the outcome is empty, and nothing is recorded
+    std::stop_token stop = {};
+    bool mayReplace = true; ///< an earlier recording of that name
     RunLabels labels = {};
     /// where the simulated rig begins; empty: at its start, as cold as the room
     std::optional<RigCondition> from{};
@@ -42,7 +43,8 @@ struct RunOutcome {
     bool settled = false;
     double simulated_s = 0.0;
     std::vector<TraceEvent> events;
-    bool fault = false; ///< the loop ended in a fault; the reasons are in the events
+    bool fault = false;     ///< the loop ended in a fault; the reasons are in the events
+    bool isStopped = false; ///< an alarm ended the run
     /// lateness of the control steps, from Start to Stop; without steps on a simulated rig
     Lateness lateness;
 };
@@ -58,10 +60,11 @@ inline constexpr double kInBandFor_s = 30.0;
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options);
 
 /// Predicts a run of the experiment's controller by a whole run on the simulated rig, without its faults and
-/// with the air that the experiment assumes. `from` is where the rig is now; empty: at its start, as cold as
-/// the room. Objects that are warm cool for the seconds in which the estimators fill. Ends as runSimulated
-/// does; if it was stopped, the samples end there. Takes a few seconds for a thousand simulated seconds;
-/// `progress` is told how many of them have passed. Errors: those of runSimulated.
+/// with materials, air, source and thermal camera as the experiment assumes them. `from` is where the rig is
+/// now; empty: at its start, as cold as the room. Objects that are warm cool for the seconds in which the
+/// estimators fill. Ends as runSimulated does; if it was stopped, the samples end there (none before Start).
+/// Takes a few seconds for a thousand simulated seconds; `progress` is told how many of them have passed.
+/// Errors: those of runSimulated.
 Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optional<RigCondition>& from,
                                   std::stop_token stop = {},
                                   const std::function<void(double time_s)>& progress = {});

@@ -36,6 +36,7 @@ TEST(PredictedRun, LeadsFromTheStartToTheTargets) {
     EXPECT_LT((first.coordinates - experiment.start).norm(), 2e-3);
     const PredictedSample& last = run->samples.back();
     EXPECT_GT((last.coordinates - experiment.start).norm(), 2e-2) << "it goes to the source";
+    EXPECT_EQ(run->end, PredictedEnd::Settled);
     ASSERT_TRUE(run->settling_s);
     EXPECT_LT(*run->settling_s, run->end_s());
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
@@ -67,6 +68,54 @@ TEST(PredictedRun, BeginsWhereTheRigIs) {
             << i;
 }
 
+// Catches sensors of objects that are a little warm, which are zeroed as if they were cold: by the true
+// temperatures they would be held beside the targets.
+TEST(PredictedRun, ALittleWarmthIsNotZeroedAway) {
+    const Experiment experiment = predictedExample();
+    RigCondition now;
+    now.objects_K.assign(experiment.objects.size(), std::nan(""));
+    now.objects_K[1] = experiment.environment_K + 2.5;
+    const auto run = predictedRun(experiment, now);
+    ASSERT_TRUE(run) << describe(run.error());
+    ASSERT_EQ(run->end, PredictedEnd::Settled);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+        EXPECT_NEAR(run->samples.back().temperatures_K.at(i), experiment.objects[i].target_K, kSettledBand_K)
+            << i;
+}
+
+// Catches a prediction that knows what only the simulated rig does: the run would not deviate from it, and
+// two pages would tell two times.
+TEST(PredictedRun, KnowsNoMoreThanTheExperimentAssumes) {
+    Experiment experiment = predictedExample();
+    experiment.objects.resize(1);
+    experiment.air = {};
+    experiment.simulation.convection_W_m2K = 0.0;
+    experiment.objects[0].simulatedMaterial.reset();
+    const auto assumed = predictedRun(experiment, std::nullopt);
+    experiment.simulation.convection_W_m2K = 12.0;
+    experiment.simulation.sourceEmittance = 0.5 * experiment.source.emittance;
+    experiment.simulation.sourcePose = experiment.source.pose + 0.01 * Vector6d::Unit(kX);
+    experiment.simulation.sourceMotion = {{0.0, experiment.source.pose},
+                                          {50.0, experiment.source.pose + 0.03 * Vector6d::Unit(kX)}};
+    experiment.objects[0].simulatedMaterial = experiment.objects[0].material;
+    experiment.objects[0].simulatedMaterial->absorptance *= 0.5;
+    const auto run = predictedRun(experiment, std::nullopt);
+    ASSERT_TRUE(assumed && run);
+    EXPECT_TRUE(assumed->settling_s);
+    EXPECT_EQ(run->settling_s, assumed->settling_s);
+    EXPECT_EQ(run->samples.back().temperatures_K, assumed->samples.back().temperatures_K);
+}
+
+// Catches a run that does not settle in its time, and looks as if it ended there.
+TEST(PredictedRun, SaysThatItDoesNotSettle) {
+    Experiment experiment = predictedExample();
+    experiment.simulation.durationLimit_s = 20.0;
+    const auto run = predictedRun(experiment, std::nullopt);
+    ASSERT_TRUE(run) << describe(run.error());
+    EXPECT_EQ(run->end, PredictedEnd::Limit);
+    EXPECT_FALSE(run->settling_s);
+}
+
 // Catches a prediction that goes on when nobody wants it, or tells when it would have settled all the same.
 TEST(PredictedRun, StopsWhenAsked) {
     const Experiment experiment = predictedExample();
@@ -79,9 +128,11 @@ TEST(PredictedRun, StopsWhenAsked) {
     ASSERT_FALSE(run->samples.empty());
     EXPECT_NEAR(run->end_s(), 20.0, 2.0 * experiment.sampling.period_s);
     EXPECT_FALSE(run->settling_s);
+    EXPECT_EQ(run->end, PredictedEnd::Cut);
     const auto none = predictedRun(experiment, std::nullopt, stop.get_token());
     ASSERT_TRUE(none) << describe(none.error());
-    EXPECT_LE(none->end_s(), 2.0 * experiment.sampling.period_s);
+    EXPECT_TRUE(none->samples.empty()) << "the estimators filled all the same";
+    EXPECT_EQ(none->end, PredictedEnd::Cut);
 }
 
 // Catches samples without bound, or a thinned prediction that loses its end.

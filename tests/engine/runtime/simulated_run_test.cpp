@@ -412,7 +412,10 @@ TEST(Air, APredictionHasTheAirThatTheExperimentStates) {
     const auto assumed_s = predictedSettling_s(experiment);
     experiment.simulation.convection_W_m2K = 12.0;
     const auto true_s = predictedSettling_s(experiment);
-    ASSERT_TRUE(still_s && assumed_s && true_s && *assumed_s);
+    experiment.air = {};
+    const auto notCounted_s = predictedSettling_s(experiment);
+    ASSERT_TRUE(still_s && assumed_s && true_s && notCounted_s && *assumed_s);
+    EXPECT_EQ(*notCounted_s, *still_s) << "it would know what the experiment does not";
     EXPECT_EQ(*assumed_s, *true_s);
     EXPECT_NE(*assumed_s, *still_s);
 }
