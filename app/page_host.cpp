@@ -351,7 +351,7 @@ void PageHost::apply(const Snapshot& snapshot) {
     m_countdown->setPending(snapshot.pending);
     m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);
-    m_forecast.apply(snapshot, m_run->isVisible());
+    m_forecast.apply(snapshot, m_run->isPredictionSeen());
     m_reviewDesk.setRecording(QString::fromStdString(snapshot.recordingPath));
     const bool editable = allowsEdits(snapshot.state);
     m_rig->apply(snapshot, editable);

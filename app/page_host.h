@@ -66,6 +66,7 @@ public:
     MessageBar& questionBar() { return *m_question; }
     MessageBar& coachBar() { return *m_coach; }
     const TargetJudge& judge() const { return m_judge; }
+    RunForecast& forecast() { return m_forecast; }
     ObjectsPage* objects() const { return m_objects; }
     RunPage* run() const { return m_run; }
     ReviewPage* review() const { return m_review; }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <utility>
 
@@ -15,93 +16,114 @@ namespace {
 
 // What has changed by less is not predicted anew.
 constexpr double kNear_m = 1e-3, kNear_rad = 0.01, kNear_K = 2.0;
+// A source that cools would begin it again and again: so late may one be by the time that it is there.
+constexpr double kDrift_K = 20.0;
 
 bool isWithin(double a_K, double b_K, double near_K) {
     return std::abs(a_K - b_K) <= near_K;
 }
 
-/// Without what only a simulated rig knows: a run that differs by that is to be seen to.
-Experiment asAssumed(Experiment experiment) {
-    for (ObjectSpec& object : experiment.objects)
-        object.simulatedMaterial.reset();
-    experiment.simulation.sourceEmittance.reset();
-    experiment.simulation.sourcePose.reset();
-    experiment.simulation.sourceUneven.reset();
-    return experiment;
-}
-
-PredictedRun forecast(const Experiment& experiment, const RigCondition& from, const std::stop_token& stop) {
+/// One that cannot run, or is not to be computed, has no prediction.
+PredictedRun forecast(const Experiment& experiment, const RigCondition& from, int longest_ms,
+                      const std::stop_token& stop) {
     std::stop_source over;
     const std::stop_callback unwanted(stop, [&over] { over.request_stop(); });
-    const QDeadlineTimer deadline(RunForecast::kLongest_ms);
-    auto run = predictedRun(experiment, from, over.get_token(), [&](double) {
-        if (deadline.hasExpired())
-            over.request_stop();
-    });
-    return run ? std::move(*run) : PredictedRun(); // one that cannot run has no prediction
+    const QDeadlineTimer deadline(longest_ms);
+    try {
+        auto run = predictedRun(experiment, from, over.get_token(), [&](double) {
+            if (deadline.hasExpired())
+                over.request_stop();
+        });
+        return run ? std::move(*run) : PredictedRun();
+    } catch (const std::exception&) {
+        return {};
+    }
 }
 
 } // namespace
 
 RunForecast::RunForecast() {
     m_pool.setMaxThreadCount(1);
-    m_pool.setThreadPriority(QThread::LowPriority);
+    m_pool.setThreadPriority(QThread::IdlePriority); // lower ones do nothing on Linux
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest_ms);
     connect(&m_rest, &QTimer::timeout, this, &RunForecast::predict);
 }
 
+void RunForecast::setEffort(QThread::Priority priority, int longest_ms) {
+    m_pool.setThreadPriority(priority);
+    m_longest_ms = longest_ms;
+}
+
 void RunForecast::setExperiment(const Experiment& experiment) {
     m_experiment = experiment;
+    m_isOfRun = false;
     drop();
 }
 
 void RunForecast::apply(const Snapshot& snapshot, bool isWatched) {
-    const bool isBefore = !isRunOn(snapshot.state) && snapshot.state != RunState::Fault &&
-                          snapshot.runTime_s == 0.0 && snapshot.place != PlaceState::Unknown;
-    if (!isBefore || !isWatched) {
-        m_rest.stop();
-        return m_job.forget();
-    }
+    const bool isOn = isRunOn(snapshot.state) || snapshot.state == RunState::Fault;
+    const bool isNewRun = std::exchange(m_runId, snapshot.runId) != snapshot.runId; // not compared when armed
+    m_isOfRun = isOn || (m_isOfRun && snapshot.runTime_s > 0.0);
+    if (m_isOfRun && !isNewRun)
+        return pause();
     const std::optional<Beginning> now = beginningOf(snapshot);
     if (!now)
-        return; // of another experiment
-    if (!m_from || !isNear(*m_from, *now)) {
+        return drop();
+    if (m_from && !isNear(*m_from, *now, m_job.busy() ? kDrift_K : SourceWarmUp::kWarm_K))
         drop();
+    if (m_isOfRun || !isWatched)
+        return pause();
+    m_newest_K = now->source_K;
+    if (!m_from)
         m_from = now;
-        m_rest.start();
-    } else if (!m_isMade && !m_rest.isActive() && !m_job.busy()) { // nobody looked meanwhile
-        m_rest.start();
-    }
+    else if (m_isMade || m_rest.isActive() || m_job.busy())
+        return;
+    m_rest.start();
 }
 
 std::optional<RunForecast::Beginning> RunForecast::beginningOf(const Snapshot& snapshot) const {
     const std::size_t count = m_experiment.objects.size();
-    if (count == 0 || snapshot.objects.size() != count || snapshot.toldReadings_K.size() != count ||
-        !snapshot.latest.coordinates.allFinite())
+    if (count == 0 || snapshot.objects.size() != count || snapshot.toldReadings_K.size() != count)
+        return std::nullopt; // of another experiment
+    const auto isFinite = [](double value) { return std::isfinite(value); };
+    if (snapshot.place != PlaceState::Sure || !isInside(snapshot.latest.coordinates) ||
+        !std::ranges::all_of(snapshot.toldReadings_K, isFinite))
         return std::nullopt;
     Beginning now;
     now.coordinates = snapshot.latest.coordinates;
     now.environment_K = snapshot.zeroing ? snapshot.zeroing->environment_K : m_experiment.environment_K;
     now.source_K = snapshot.source_K.value_or(sourceSetPoint_K(m_experiment.source, 0.0));
-    now.objects_K.reserve(count);
-    for (const double told_K : snapshot.toldReadings_K)
-        now.objects_K.push_back(std::isfinite(told_K) ? told_K : now.environment_K);
+    now.objects_K = snapshot.toldReadings_K;
     return now;
 }
 
-bool RunForecast::isNear(const Beginning& a, const Beginning& b) {
+/// Of the workspace, but for what a robot tells to its last digit.
+bool RunForecast::isInside(const Vector6d& coordinates) const {
+    Vector6d slack;
+    slack << Eigen::Vector3d::Constant(kNear_m), Eigen::Vector3d::Constant(kNear_rad);
+    const RobotLimits& robot = m_experiment.robot; // NaN is not inside
+    return ((coordinates - robot.lower + slack).array() >= 0.0).all() &&
+           ((robot.upper - coordinates + slack).array() >= 0.0).all();
+}
+
+bool RunForecast::isNear(const Beginning& a, const Beginning& b, double sourceNear_K) {
     const Vector6d way = a.coordinates - b.coordinates;
     return way.head<3>().norm() <= kNear_m && way.tail<3>().norm() <= kNear_rad &&
-           isWithin(a.source_K, b.source_K, SourceWarmUp::kWarm_K) &&
+           isWithin(a.source_K, b.source_K, sourceNear_K) &&
            isWithin(a.environment_K, b.environment_K, kNear_K) &&
            std::ranges::equal(a.objects_K, b.objects_K,
                               [](double x_K, double y_K) { return isWithin(x_K, y_K, kNear_K); });
 }
 
-void RunForecast::drop() {
+/// What is shown stays.
+void RunForecast::pause() {
     m_rest.stop();
     m_job.forget();
+}
+
+void RunForecast::drop() {
+    pause();
     m_from.reset();
     m_isMade = false;
     if (m_predicted.samples.empty())
@@ -111,7 +133,7 @@ void RunForecast::drop() {
 }
 
 void RunForecast::predict() {
-    Experiment experiment = asAssumed(m_experiment);
+    Experiment experiment = m_experiment;
     experiment.environment_K = m_from->environment_K;
     experiment.simulation.durationLimit_s = std::min(experiment.simulation.durationLimit_s, kMaxPredicted_s);
     RigCondition from;
@@ -122,9 +144,11 @@ void RunForecast::predict() {
                                      : object_K);
     if (!isWithin(m_from->source_K, sourceSetPoint_K(experiment.source, 0.0), SourceWarmUp::kWarm_K))
         from.source_K = m_from->source_K;
-    m_job.run([experiment, from](const std::stop_token& stop) { return forecast(experiment, from, stop); },
+    m_job.run([experiment, from, longest_ms = m_longest_ms](
+                  const std::stop_token& stop) { return forecast(experiment, from, longest_ms, stop); },
               [this](const PredictedRun& run) {
                   m_isMade = true;
+                  m_from->source_K = m_newest_K;
                   m_predicted = run;
                   emit changed();
               });

@@ -10,15 +10,16 @@
 #include <QThreadPool>
 #include <QTimer>
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace bask {
 
-/// GUI thread; the run is simulated on a thread of its own, with low priority, from where the rig is and with
-/// objects and source as the experiment assumes them: a moment after the last change of experiment or rig,
-/// only while it is looked at, and before Start only. From Start on the last prediction stays until the next
-/// run or an edit.
+/// GUI thread; the run is simulated on a thread of its own, while nothing else wants the processor, from
+/// where the rig is and with objects and source as the experiment assumes them: a moment after the last
+/// change of experiment or rig, only while it is looked at, and before Start only. From Start on the last
+/// prediction stays until the next Arm or an edit. None where the rig's place or a reading is not known.
 class RunForecast : public QObject {
     Q_OBJECT
 
@@ -29,14 +30,18 @@ public:
 
     RunForecast();
 
+    /// Sets with which priority and for how long at most it computes: tests on a loaded machine need more.
+    void setEffort(QThread::Priority priority, int longest_ms);
     /// Forgets the prediction, which was for another experiment.
     void setExperiment(const Experiment& experiment);
-    /// Takes where the rig is, and whether somebody looks at the prediction.
+    /// Takes where the rig is, and whether somebody looks at the prediction: if nobody does none is computed,
+    /// but one that is of elsewhere goes all the same.
     void apply(const Snapshot& snapshot, bool isWatched);
     /// Without samples: none.
     const PredictedRun& predicted() const { return m_predicted; }
     /// Whether one is about to be computed, or is.
-    bool isPending() const { return m_rest.isActive() || m_job.busy(); }
+    bool isPending() const { return m_rest.isActive() || isComputing(); }
+    bool isComputing() const { return m_job.busy(); }
 
 signals:
     void changed();
@@ -45,18 +50,24 @@ private:
     /// What a prediction begins from.
     struct Beginning {
         Vector6d coordinates = Vector6d::Zero();
-        std::vector<double> objects_K; ///< the room's temperature, if it is not known
+        std::vector<double> objects_K;
         double source_K = 0.0, environment_K = 0.0;
     };
-    std::optional<Beginning> beginningOf(const Snapshot& snapshot) const;
-    static bool isNear(const Beginning& a, const Beginning& b);
+    std::optional<Beginning> beginningOf(const Snapshot& snapshot) const; ///< empty if it is not known
+    bool isInside(const Vector6d& coordinates) const;
+    static bool isNear(const Beginning& a, const Beginning& b, double sourceNear_K);
+    void pause();
     void drop();
     void predict();
 
     Experiment m_experiment;
     std::optional<Beginning> m_from; ///< of the prediction that is there, computed or waited for
     bool m_isMade = false;           ///< that for m_from, though it may be empty
+    bool m_isOfRun = false;          ///< what is shown, or that nothing is, belongs to the run that was or is
+    std::uint64_t m_runId = 0;
+    double m_newest_K = 0.0; ///< of the source
     PredictedRun m_predicted;
+    int m_longest_ms = kLongest_ms;
     QTimer m_rest;
     QThreadPool m_pool;
     LatestJob<PredictedRun> m_job{m_pool};

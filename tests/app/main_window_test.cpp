@@ -13,9 +13,11 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/review_page.h"
 #include "widgets/review/session_list.h"
+#include "widgets/run/run_page.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/reach_map.h"
 #include "widgets/targets/targets_page.h"
@@ -117,7 +119,13 @@ TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
     openWindow();
     auto* plot = find<TracePlot>("plot.measured_K");
     ASSERT_NE(plot, nullptr);
-    EXPECT_TRUE(plot->predictedPoints(0).isEmpty()) << "nobody looks";
+    RunForecast& forecast = window->pages().forecast();
+    forecast.setEffort(QThread::NormalPriority, 100'000);
+    window->pages().show(Page::Rig);
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    EXPECT_FALSE(waitFor([&] { return forecast.isPending() || !plot->predictedPoints(0).isEmpty(); },
+                         2 * RunForecast::kRest_ms))
+        << "nobody looks";
     window->pages().show(Page::Run);
     ASSERT_TRUE(waitFor([&] { return !plot->predictedPoints(0).isEmpty(); }));
     EXPECT_TRUE(find<QCheckBox>("showPrediction")->isVisible());
@@ -129,6 +137,20 @@ TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
     keepPicture(QStringLiteral("run-predicted-run"));
     ASSERT_TRUE(window->document().setTargets(std::vector<double>(3, 312.0)));
     EXPECT_TRUE(plot->predictedPoints(0).isEmpty()) << "it was for other targets";
+}
+
+// Catches a plot on a second screen that loses its prediction with the page, or is never given one.
+TEST_F(MainWindowTest, APlotInItsWindowIsPredictedToo) {
+    openWindow();
+    window->pages().forecast().setEffort(QThread::NormalPriority, 100'000);
+    window->pages().show(Page::Rig);
+    auto* plot = find<TracePlot>("plot.measured_K");
+    ASSERT_NE(plot, nullptr);
+    for (PlotPlace* place : window->findChildren<PlotPlace*>())
+        if (place->plot() == plot)
+            place->takeOut();
+    EXPECT_TRUE(waitFor([&] { return !plot->predictedPoints(0).isEmpty(); }));
+    EXPECT_FALSE(window->pages().run()->isVisible());
 }
 
 TEST_F(MainWindowTest, HoldBecomesResume) {

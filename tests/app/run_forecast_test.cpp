@@ -20,6 +20,7 @@ struct RunForecastTest : testing::Test {
 
     RunForecastTest() {
         QObject::connect(&forecast, &RunForecast::changed, [this] { ++changes; });
+        forecast.setEffort(QThread::NormalPriority, 100'000);
         aimAt(45.0);
     }
     void aimAt(double target_degC) {
@@ -94,6 +95,15 @@ TEST_F(RunForecastTest, IsNotMadeUnlessItIsOfUse) {
     other = ready();
     other.objects.emplace_back("one more");
     EXPECT_FALSE(isMovedBy(other)) << "the engine has another experiment yet";
+    other = ready();
+    other.place = PlaceState::Unsure;
+    EXPECT_FALSE(isMovedBy(other));
+    other = ready();
+    other.toldReadings_K[0] = std::nan("");
+    EXPECT_FALSE(isMovedBy(other));
+    other = ready();
+    other.latest.coordinates[kX] = experiment.robot.upper[kX] + 0.05;
+    EXPECT_FALSE(isMovedBy(other)) << "no run begins there";
     EXPECT_TRUE(isMovedBy(ready()));
     EXPECT_FALSE(isMovedBy(ready(), false)) << "nobody looks any more";
 }
@@ -118,6 +128,79 @@ TEST_F(RunForecastTest, StaysFromStartUntilTheNextRun) {
     ASSERT_TRUE(predictsFor(run));
     EXPECT_LT((forecast.predicted().samples.front().coordinates - run.latest.coordinates).norm(), 2e-3);
     EXPECT_GT(forecast.predicted().samples.front().temperatures_K.at(0), experiment.environment_K + 5.0);
+}
+
+// Catches a prediction that stays behind a run that began elsewhere, since nobody looked at the page then.
+TEST_F(RunForecastTest, ARunFromElsewhereHasNone) {
+    for (const bool isArmedSeen : {true, false}) {
+        ASSERT_TRUE(predictsFor(ready()));
+        Snapshot run = ready();
+        run.runId = isArmedSeen ? 1 : 2;
+        run.latest.coordinates[kX] += 0.02; // moved on the page of the rig
+        run.state = isArmedSeen ? RunState::Armed : RunState::Running;
+        forecast.apply(run, false);
+        EXPECT_FALSE(isPredicted()) << isArmedSeen;
+        EXPECT_FALSE(forecast.isPending()) << "nobody looks";
+        run.state = RunState::Running;
+        EXPECT_FALSE(isMovedBy(run)) << "a run is on";
+        forecast.setExperiment(experiment);
+    }
+}
+
+// Catches a prediction that goes though its run begins where it does, unseen.
+TEST_F(RunForecastTest, ItsRunKeepsItUnseen) {
+    ASSERT_TRUE(predictsFor(ready()));
+    Snapshot run = ready();
+    run.runId = 1;
+    for (const RunState state : {RunState::Armed, RunState::Running}) {
+        run.state = state;
+        EXPECT_FALSE(isMovedBy(run, false));
+    }
+    run.runTime_s = 30.0;
+    run.latest.coordinates[kZ] -= 0.03;
+    EXPECT_FALSE(isMovedBy(run));
+    EXPECT_TRUE(isPredicted());
+}
+
+// Catches a next run that is predicted unasked behind the traces of the last one, and one that is not though
+// it was edited.
+TEST_F(RunForecastTest, AfterARunAnEditAsksForTheNext) {
+    ASSERT_TRUE(predictsFor(ready()));
+    Snapshot run = ready();
+    run.runTime_s = 90.0;
+    run.state = RunState::Running;
+    forecast.apply(run, true);
+    aimAt(44.0);
+    EXPECT_FALSE(isMovedBy(run)) << "a run is on";
+    run.state = RunState::Stopped;
+    EXPECT_FALSE(isMovedBy(run)) << "its traces stand there";
+    aimAt(43.0);
+    ASSERT_TRUE(predictsFor(run));
+    EXPECT_NEAR(forecast.predicted().samples.back().temperatures_K.at(0), kelvinFromCelsius(43.0),
+                kSettledBand_K);
+}
+
+// Catches a source that cools and so keeps a prediction from ever being there.
+TEST_F(RunForecastTest, ASourceThatCoolsDoesNotBeginItAgain) {
+    Snapshot cooling = ready();
+    *cooling.source_K -= 40.0;
+    forecast.apply(cooling, true);
+    ASSERT_TRUE(waitFor([&] { return forecast.isComputing(); }));
+    *cooling.source_K -= 8.0;
+    forecast.apply(cooling, true);
+    EXPECT_TRUE(forecast.isComputing());
+    ASSERT_TRUE(waitFor([&] { return isPredicted(); })) << "it was begun again";
+    EXPECT_FALSE(isMovedBy(cooling));
+    *cooling.source_K -= 8.0;
+    EXPECT_TRUE(isMovedBy(cooling)) << "it is another one by now";
+}
+
+// Catches a prediction that is cut by the time and looks as if it had ended so.
+TEST_F(RunForecastTest, OneThatTakesTooLongSaysSo) {
+    forecast.setEffort(QThread::NormalPriority, 0);
+    ASSERT_TRUE(predictsFor(ready()));
+    EXPECT_EQ(forecast.predicted().end, PredictedEnd::Cut);
+    EXPECT_FALSE(forecast.predicted().settling_s);
 }
 
 // Catches a prediction that outlives an edit, or the target of before.

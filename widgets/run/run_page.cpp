@@ -139,6 +139,13 @@ void RunPage::showScene(const Snapshot& snapshot) {
     m_scene->setTemperatures(temperatures_K);
 }
 
+void RunPage::setAnswering(bool answering) {
+    if (answering)
+        return; // the next snapshot tells
+    m_scene->setSourceTemperature_K(std::numeric_limits<double>::quiet_NaN());
+    m_scene->setSourceHeat(HeatState::Unknown);
+}
+
 void RunPage::showTiles(const Snapshot& snapshot) {
     if (snapshot.targets_K.size() == m_targets_K.size())
         m_targets_K = snapshot.targets_K;
@@ -192,7 +199,10 @@ void RunPage::setPrediction(const PredictedRun& run) {
         plot->setPrediction(run);
     m_prediction = run;
     showPlan();
-    m_showPrediction->setVisible(!run.samples.empty());
+}
+
+bool RunPage::isPredictionSeen() const {
+    return isVisible() || m_places.front()->isOut();
 }
 
 void RunPage::showPlan() {

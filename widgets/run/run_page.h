@@ -52,6 +52,10 @@ public:
     /// Shows the predicted run behind the traces and in the scene; one without samples removes it, as
     /// setExperiment() does.
     void setPrediction(const PredictedRun& run);
+    /// Whether its place is on screen: in the page, or in the window of a plot that was taken out.
+    bool isPredictionSeen() const;
+    /// Says whether the engine answers: while it does not nobody knows how hot the source is.
+    void setAnswering(bool answering);
     void setTemperatureUnit(TemperatureUnit unit);
     TemperatureUnit temperatureUnit() const { return m_unit; }
     /// Returns what the tiles show now.
@@ -118,7 +122,7 @@ private:
     QCheckBox* m_follow = nullptr;
     QLabel* m_windowLabel = nullptr;
     QComboBox* m_window = nullptr;
-    QCheckBox* m_showPrediction = nullptr; ///< there while there is a prediction
+    QCheckBox* m_showPrediction = nullptr;
     QPushButton* m_jump = nullptr;
     SceneView* m_scene = nullptr;
     QLabel* m_sceneLabel = nullptr;

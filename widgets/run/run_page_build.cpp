@@ -104,7 +104,6 @@ QWidget* RunPage::makePlots() {
     m_showPrediction = new QCheckBox(side);
     m_showPrediction->setObjectName(QStringLiteral("showPrediction"));
     m_showPrediction->setChecked(true);
-    m_showPrediction->hide();
     m_jump = new QPushButton(side);
     m_jump->setObjectName(QStringLiteral("jumpToLive"));
     auto* bar = new QHBoxLayout;

@@ -2,13 +2,16 @@
 #include "widgets/run/run_page.h"
 
 #include "tests/support/thread_time.h"
+#include "tests/support/wait_for.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
+#include "widgets/scene/scene_view.h"
 
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QOpenGLWidget>
@@ -212,7 +215,7 @@ TEST(RunPage, ThePredictedRunIsShownAndHidden) {
     auto* error = shown.child<TracePlot>("plot.error_K");
     auto* shows = shown.child<QCheckBox>("showPrediction");
     ASSERT_NE(shows, nullptr);
-    EXPECT_FALSE(shows->isVisible()) << "there is none";
+    EXPECT_TRUE(shows->isVisible()) << "what comes and goes moves the others";
     PredictedRun run;
     for (const TraceSample& sample : likeARun(150)) {
         run.samples.push_back({sample.time_s, sample.coordinates, {}});
@@ -221,7 +224,6 @@ TEST(RunPage, ThePredictedRunIsShownAndHidden) {
     }
     run.settling_s = 90.0;
     shown.page.setPrediction(run);
-    EXPECT_TRUE(shows->isVisible());
     EXPECT_TRUE(shows->isChecked());
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(plot->predictedPoints(i).size(), 150) << i;
@@ -235,9 +237,36 @@ TEST(RunPage, ThePredictedRunIsShownAndHidden) {
     EXPECT_DOUBLE_EQ(plot->visibleTo_s(), error->visibleTo_s());
     QTest::mouseClick(shows, Qt::LeftButton, Qt::NoModifier, {8, shows->height() / 2});
     EXPECT_EQ(plot->predictedPoints(0).size(), 150);
+    shows->setFocus();
     shown.page.setExperiment(threeObjects());
     EXPECT_TRUE(plot->predictedPoints(0).isEmpty());
-    EXPECT_FALSE(shows->isVisible());
+    EXPECT_TRUE(shows->isVisible());
+    EXPECT_EQ(shown.page.focusWidget(), shows) << "the keys are somebody else's";
+}
+
+// Catches a source that looks cold and off although nobody is told of it any more.
+TEST(RunPage, ASilentEngineLeavesNoColdSource) {
+    Shown shown;
+    auto* scene = shown.child<SceneView>("runScene");
+    if (!scene->hasPicture())
+        GTEST_SKIP() << "no OpenGL here";
+    Snapshot snapshot = snapshotOf(likeARun(5));
+    snapshot.source_K = threeObjects().environment_K;
+    snapshot.heat = HeatState::Off;
+    shown.page.apply(snapshot);
+    const auto violet = [scene] {
+        const QImage image = scene->grab().toImage();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x)
+                count += image.pixelColor(x, y) == unknownColor(isDark(scene)) ? 1 : 0;
+        return count;
+    };
+    const int before = violet();
+    shown.page.setAnswering(false);
+    EXPECT_TRUE(test::waitFor([&] { return violet() > before + 10; }));
+    shown.page.apply(snapshot);
+    EXPECT_TRUE(test::waitFor([&] { return violet() <= before; }));
 }
 
 TEST(RunPage, KeyNThenTextThenEnterAddsANote) {
