@@ -23,6 +23,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/words.h"
 #include "engine/experiment/rig_file.h"
+#include "engine/model/hand_warm.h"
 #include "engine/recipe/recipe.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/device_words.h"
@@ -54,13 +55,12 @@
 namespace bask {
 namespace {
 
-constexpr double kHot_K = 30.0; ///< over the room: more than a hand likes
-constexpr double kNear = 0.02;  ///< view factor: further away a source of 300 degC does little
+constexpr double kNear = 0.02; ///< view factor: further away a source of 300 degC does little
 
 /// No run is on, and a hot source warms the objects all the same.
 bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
     const bool isHot =
-        std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHot_K;
+        std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHandWarm_K;
     return isHot && !isRunOn(snapshot.state) &&
            std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
                return object.viewFactor > kNear; // NaN where the robot's place is not sure

@@ -18,6 +18,7 @@
 #include "app/undo_actions.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/run/run_page.h"
 
 #include <QApplication>
 #include <QMenuBar>
@@ -161,6 +162,7 @@ void MainWindow::connectParts() {
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, &m_horn, &Horn::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
+    connect(&m_engine, &EngineClient::answeringChanged, m_pages->run(), &RunPage::setAnswering);
     connect(&m_silence, &QTimer::timeout, this, &MainWindow::showSilence);
     connect(&m_engine, &EngineClient::answeringChanged, this, [this](bool answering) {
         if (answering)

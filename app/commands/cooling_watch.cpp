@@ -1,6 +1,7 @@
 #include "app/commands/cooling_watch.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/hand_warm.h"
 
 #include <algorithm>
 
@@ -9,7 +10,6 @@ namespace {
 
 constexpr double kCooled_K = 2.0; // for kCooled_s: no scatter, nor a controller's swing
 constexpr double kCooled_s = 3.0;
-constexpr double kHandWarm_K = 30.0; // over the room: it need not be seen to cool, only not to heat
 constexpr double kRisen_K = 1.0;
 constexpr double kStill_s = 10.0;
 constexpr double kSilent_s = 10.0; // nothing more is learnt from a source that tells nothing
@@ -32,6 +32,7 @@ bool CoolingWatch::isOver(const Snapshot& snapshot) {
         return !(snapshot.sourceAge_s < kSilent_s);
     m_hottest_K = std::max(m_hottest_K, *snapshot.source_K);
     m_coolest_K = std::min(m_coolest_K, *snapshot.source_K);
+    // What a hand bears need not be seen to cool, only not to heat.
     const bool isHot = *snapshot.source_K > m_room_K + kHandWarm_K;
     if (m_rose_s < 0.0 || isHot || *snapshot.source_K >= m_coolest_K + kRisen_K) {
         m_rose_s = snapshot.clock_s;

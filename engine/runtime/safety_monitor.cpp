@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/hand_warm.h"
 #include "engine/model/uneven_source.h"
 #include "engine/rig/rig_setup.h"
 
@@ -24,7 +25,6 @@ constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a
 constexpr double kSameScale = 0.01;       ///< of a set point read back as a multiple of the one written
 constexpr double kReadBack_s = 3.0;       ///< until a controller has taken a new set point
 constexpr double kColder_K = 5.0;         ///< below room temperature
-constexpr double kHandWarm_K = 30.0;      ///< above room temperature: a source that needs a warning
 constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;

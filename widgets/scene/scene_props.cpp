@@ -518,9 +518,10 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     data.Modified();
 }
 
-void SceneProps::setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R) {
+void SceneProps::setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R, bool arrives) {
     vtkPolyData& data = *m->objects.at(index).plan.data;
-    setSegments(data, plannedPath(path_R, kDash * m->frame.diagonal().norm()));
+    const double dash_m = kDash * m->frame.diagonal().norm();
+    setSegments(data, arrives ? plannedPath(path_R, dash_m) : dashedLine(path_R, dash_m));
     data.Modified();
 }
 

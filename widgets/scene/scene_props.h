@@ -59,8 +59,9 @@ public:
     void setObjectOpacity(double opacity);
     /// Uploads one trail of at most Trail::kMaxPoints points. What is old of a long one fades.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
-    /// Sets the planned path of an object's centre, R, m; dashed, with a cross at its end. Empty: none.
-    void setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R);
+    /// Sets the planned path of an object's centre, R, m; dashed, with a cross at its end if it arrives there
+    /// to stay. Empty: none.
+    void setPlan(std::size_t index, const std::vector<Eigen::Vector3d>& path_R, bool arrives);
     /// Sets whether planned paths are dimmer, beside trails.
     void setPlansDim(bool dim);
 

@@ -1,5 +1,6 @@
 #include "widgets/scene/scene_view.h"
 
+#include "engine/model/hand_warm.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/scene_frame.h"
@@ -28,6 +29,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kBarSteps = 5;
 constexpr double kSmallestHeat_K = 10.0; ///< from the room to a source that glows
+constexpr double kHotLook = 0.5;         ///< of the glow, at least, of what is too hot for a hand
 constexpr double kLift_px = 8.0;         ///< of lines towards the viewer: enough at 80 degrees of tilt
 
 /// What the controller holds for true, else the reading, else the plant's own.
@@ -52,6 +54,7 @@ struct SceneView::Impl {
     std::vector<std::vector<Eigen::Vector3d>> outlines_O;
     std::vector<Trail> trails;
     std::vector<Vector6d> plan; ///< coordinates of the end-effector on the way
+    bool planArrives = false;   ///< its end is where the run settles
     std::vector<double> temperatures_K;
     std::vector<double> targets_K;
     double source_K = kUnknown;
@@ -91,8 +94,9 @@ void SceneView::Impl::resetTrace() {
     trailsGrew = true;
 }
 
-/// Of what is drawn in its colours now: a wrong reading that is gone does not keep it wide. It holds the room
-/// and the targets from the start, so that colours stay as the objects warm up. The source has colours of its
+/// Of the objects as they are now: a wrong reading that is gone, though it is still in the trail, does not
+/// keep it wide; a trail's colours end at its ends. It holds the room and the targets from the start, so that
+/// colours stay as the objects warm up. The source has colours of its
 /// own: with it the objects would be alike.
 NiceRange SceneView::Impl::range() const {
     double coldest_K = experiment.environment_K, hottest_K = coldest_K;
@@ -102,19 +106,18 @@ NiceRange SceneView::Impl::range() const {
     };
     std::ranges::for_each(targets_K, see);
     std::ranges::for_each(temperatures_K, see);
-    for (const Trail& trail : trails)
-        for (const Trail::Point& point : trail.kept())
-            see(point.temperature_K);
     return niceRange(displayTemperature(coldest_K, unit), displayTemperature(hottest_K, unit), kBarSteps);
 }
 
-/// Share of the way from the room to the set point.
+/// Share of the way from the room to the highest set point of a run, and never a little of it for what is too
+/// hot for a hand.
 double SceneView::Impl::warmth() const {
     if (!std::isfinite(source_K))
         return 1.0;
     const double room_K = experiment.environment_K;
-    const double hot_K = std::max(experiment.source.temperature_K, room_K + kSmallestHeat_K);
-    return std::clamp((source_K - room_K) / (hot_K - room_K), 0.0, 1.0);
+    const double hot_K = std::max(highestSetPoint_K(experiment.source), room_K + kSmallestHeat_K);
+    const double share = std::clamp((source_K - room_K) / (hot_K - room_K), 0.0, 1.0);
+    return source_K > room_K + kHandWarm_K ? std::max(share, kHotLook) : share;
 }
 
 QColor SceneView::Impl::colourOf(double t_K, bool dark) const {
@@ -291,6 +294,7 @@ void SceneView::setPlan(const PredictedRun& run) {
     for (const PredictedSample& sample : run.samples)
         if (sample.coordinates.allFinite())
             m->plan.push_back(sample.coordinates);
+    m->planArrives = run.end == PredictedEnd::Settled;
     m->isPlanNew = true;
     requestFrame();
 }
@@ -408,7 +412,7 @@ void SceneView::prepareFrame() {
         m->trailsGrew = false;
         if (m->rebuild || m->isPlanNew)
             for (std::size_t i = 0; i < m->X_EO.size(); ++i)
-                m->props->setPlan(i, m->plannedPathOf(i));
+                m->props->setPlan(i, m->plannedPathOf(i), m->planArrives);
         m->isPlanNew = false;
         m->props->setPlansDim(std::ranges::any_of(m->trails, [](const Trail& t) { return !t.empty(); }));
     }

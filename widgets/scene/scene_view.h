@@ -33,17 +33,20 @@ public:
     void appendSamples(const std::vector<TraceSample>& samples);
     /// Sets the whole trace at once.
     void setSamples(const std::vector<TraceSample>& samples);
-    /// Shows the paths that the objects' centres are predicted to take, dashed, and dimmer beside a trace.
-    /// One without samples removes them, as setExperiment() does; clearTrace() does not.
+    /// Shows the paths that the objects' centres are predicted to take, dashed, and dimmer beside a trace,
+    /// with a cross where the run settles. One without samples removes them, as setExperiment() does;
+    /// clearTrace() does not.
     void setPlan(const PredictedRun& run);
     /// Moves the objects only (readings outside of a run, replay).
     void setPose(const Vector6d& coordinates);
     /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.
     void setSourcePose(const Vector6d& coordinates);
     /// Sets the temperature shown beside the source, K; a trace's samples set it too. NaN if not known. It is
-    /// drawn from grey in the cold to incandescent at its set point; what is not known to be cold looks hot.
+    /// drawn from grey in the cold to incandescent at its highest set point, at least half as bright when it
+    /// is too hot for a hand; what is not known to be cold looks hot.
     void setSourceTemperature_K(double source_K);
-    /// Sets whether the source is heated; none if that is not told, as of a recorded run.
+    /// Sets whether the source is heated; none if that is not told, as of a recorded run or of a source that
+    /// a person heats: its rim looks hot.
     void setSourceHeat(std::optional<HeatState> heat);
     /// Colours the objects only, K in the experiment's order; NaN or missing if not known.
     void setTemperatures(const std::vector<double>& temperatures_K);

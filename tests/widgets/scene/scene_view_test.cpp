@@ -100,6 +100,11 @@ TEST_F(SceneViewTest, ThePlannedPathIsDrawnAndRemoved) {
     const int drawn = test::differentPixels(before, planned);
     EXPECT_GT(drawn, 300);
     EXPECT_LT(drawn, 20000) << "a thin line";
+    plan.end = PredictedEnd::Cut;
+    view.setPlan(plan);
+    EXPECT_GT(test::differentPixels(planned, grab(view)), 10) << "a cross where nothing settles";
+    plan.end = PredictedEnd::Settled;
+    view.setPlan(plan);
     view.clearTrace();
     EXPECT_LT(test::differentPixels(planned, grab(view)), 100) << "Arm leaves it";
 
@@ -379,6 +384,39 @@ TEST_F(SceneViewTest, TheBarFollowsWhatIsShown) {
     }
     view.appendSamples({sample});
     EXPECT_GT(shownIn(90.0), 500);
+    TraceSample wrong = sampleAt(0.0, 0.1);
+    for (ObjectSample& object : wrong.objects)
+        object = sample.objects.front();
+    wrong.objects[0].estimated_K = wrong.objects[0].measured_K = kelvinFromCelsius(600.0);
+    view.appendSamples({wrong});
+    EXPECT_LT(shownIn(90.0), 250);
+    view.appendSamples({sample});
+    EXPECT_GT(shownIn(90.0), 500) << "it is in the trail alone by now";
+}
+
+// Catches a plate that burns a hand and looks nearly as grey as a cold one, since its set point is far above.
+TEST_F(SceneViewTest, ASourceTooHotForAHandLooksHot) {
+    SceneView view;
+    view.resize(1000, 700);
+    Experiment experiment = test::threeObjects();
+    experiment.objects.clear();
+    for (const bool isProfile : {false, true}) {
+        experiment.source.temperature_K = kelvinFromCelsius(isProfile ? 100.0 : 600.0);
+        if (isProfile)
+            experiment.source.temperatureProfile = {{0.0, kelvinFromCelsius(600.0)}};
+        view.setExperiment(experiment);
+        view.viewAlongMinusZ();
+        show(view);
+        const int glowing = test::pixelsOf(grab(view), kSource);
+        const QColor half(181, 140, 92); // between grey and glow, in the middle of the source
+        view.setSourceHeat(HeatState::Off);
+        view.setSourceTemperature_K(experiment.environment_K + 35.0);
+        const QImage hot = grab(view);
+        keepScreenshot(hot, QStringLiteral("scene-source-hand-hot"));
+        EXPECT_GT(test::pixelsOf(hot, half), glowing / 2) << isProfile;
+        view.setSourceTemperature_K(experiment.environment_K + 3.0);
+        EXPECT_LT(test::pixelsOf(grab(view), half), glowing / 20) << isProfile;
+    }
 }
 
 // Catches a cold plate that looks as hot as a glowing one, one that nobody knows of that looks cold, and a
