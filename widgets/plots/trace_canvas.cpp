@@ -50,6 +50,9 @@ TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
     m_empty->setLayer(QStringLiteral("labels"));
     m_empty->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_empty->position->setCoords(0.5, 0.5);
+    m_predictionText = new QCPItemText(this);
+    m_predictionText->setLayer(QStringLiteral("labels"));
+    m_predictionText->position->setType(QCPItemPosition::ptAbsolute);
     for (QCPItemLine** line : {&m_position, &m_pinned, &m_cursor}) {
         *line = new QCPItemLine(this);
         (*line)->setLayer(QStringLiteral("cursor"));
@@ -97,6 +100,8 @@ void TracePlot::Canvas::setLimits(const SpeedLimits& wanted) {
 
 void TracePlot::Canvas::clearData() {
     traces->reset(static_cast<std::size_t>(names.size()));
+    isPredictionOfNext = false;
+    m_predictionText->setText(predictionWords());
     clearMarkers();
     pinCursor(std::nullopt);
     hideCursor();
@@ -124,6 +129,16 @@ bool TracePlot::Canvas::isOfRun() const {
 
 double TracePlot::Canvas::displayed(double value) const {
     return displayedQuantity(value, quantity, unit);
+}
+
+QList<QPointF> TracePlot::Canvas::allPoints(Quantity of, int series) const {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    int reads = std::numeric_limits<int>::max();
+    QList<QPointF> points;
+    for (const QCPGraphData& point :
+         pointsOf(*traces, of, series, {-kEver, kEver}, std::numeric_limits<std::size_t>::max(), reads))
+        points.append({point.key, point.value});
+    return points;
 }
 
 void TracePlot::Canvas::rebuild() {
@@ -155,20 +170,15 @@ void TracePlot::Canvas::rebuild() {
         graph->setAdaptiveSampling(true);
         graph->setName(seriesName(i));
         m_series << graph;
-        auto* label = new QCPItemText(this);
-        label->setLayer(QStringLiteral("labels"));
-        label->setClipToAxisRect(false);
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-        label->position->setType(QCPItemPosition::ptAbsolute);
-        m_labels << label;
+        m_labels << makeLineLabel();
     }
     m_pointsAreOld = true;
     retranslate();
     restyle(dark);
 }
 
-double TracePlot::Canvas::factor(int series) const {
-    if (quantity != Quantity::Speed)
+double TracePlot::Canvas::factor(Quantity of, int series) const {
+    if (of != Quantity::Speed)
         return 1.0;
     return 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
 }
@@ -186,25 +196,34 @@ void TracePlot::Canvas::updatePoints() {
     m_pointsRange = range;
     m_pointsWidth = width;
     for (int i = 0; i < m_series.size(); ++i)
-        fillGraph(m_series[i], *traces, i, reads);
+        fillGraph(m_series[i], *traces, quantity, i, reads);
     for (const Overlay& overlay : overlays)
         for (int i = 0; i < overlay.graphs.size(); ++i)
-            fillGraph(overlay.graphs[i], overlay.traces, i, reads);
-    fillRight(range.lower, range.upper, static_cast<std::size_t>(width), reads);
+            fillGraph(overlay.graphs[i], overlay.traces, quantity, i, reads);
+    for (int i = 0; i < rightAxis.graphs.size(); ++i)
+        fillGraph(rightAxis.graphs[i], *traces, *rightAxis.quantity, i, reads);
     m_pointsAreOld = false;
     m_isUnread = reads < 0;
     if (m_isUnread)
         schedule();
 }
 
-void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceStore& from, int series, int& reads) const {
-    const auto line = from.line(quantity, static_cast<std::size_t>(series), m_pointsRange.lower,
-                                m_pointsRange.upper, static_cast<std::size_t>(m_pointsWidth), reads);
+QVector<QCPGraphData> TracePlot::Canvas::pointsOf(const TraceStore& from, Quantity of, int series,
+                                                  const QCPRange& time, std::size_t pixels,
+                                                  int& reads) const {
+    const auto line = from.line(of, static_cast<std::size_t>(series), time.lower, time.upper, pixels, reads);
     QVector<QCPGraphData> points(static_cast<qsizetype>(line.values.size()));
-    const double scale = factor(series);
+    const double scale = factor(of, series);
     for (std::size_t k = 0; k < line.values.size(); ++k)
-        points[static_cast<qsizetype>(k)] = {line.times_s[k], displayed(line.values[k]) * scale};
-    graph->data()->set(points, true);
+        points[static_cast<qsizetype>(k)] = {line.times_s[k],
+                                             displayedQuantity(line.values[k], of, unit) * scale};
+    return points;
+}
+
+void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceStore& from, Quantity of, int series,
+                                  int& reads) const {
+    const auto pixels = static_cast<std::size_t>(m_pointsWidth);
+    graph->data()->set(pointsOf(from, of, series, m_pointsRange, pixels, reads), true);
 }
 
 void TracePlot::Canvas::readAll() {
@@ -317,7 +336,7 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
 }
 
-QString TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) const {
+QStringList TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) const {
     const std::size_t row = traces->nearestRow(time_s);
     if (row >= traces->rows())
         return {};
@@ -346,7 +365,7 @@ QString TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) 
         add(seriesName(i), quantity, i);
     for (int i = 0; i < rightAxis.graphs.size(); ++i)
         add(rightName(i), *rightAxis.quantity, i);
-    return parts.join(QStringLiteral("   "));
+    return parts;
 }
 
 } // namespace bask

@@ -32,15 +32,17 @@ public:
     double displayed(double value) const;
     bool isOfRun() const; ///< whether the quantity belongs to the run: its lines are not the objects'
     QString seriesName(int series) const;
-    QString readout(double time_s, std::optional<double> from_s) const;
-    double factor(int series) const; ///< factor of displayed() values
-    void readAll();                  ///< reads everything in the picture, even if it takes a while
+    QStringList readout(double time_s, std::optional<double> from_s) const; ///< time, then each line
+    double factor(Quantity of, int series) const;                           ///< of displayed values
+    QList<QPointF> allPoints(Quantity of, int series) const; ///< of the whole run, as displayed
+    void readAll(); ///< reads everything in the picture, even if it takes a while
 
     // Looks (trace_canvas_look.cpp)
     void restyle(bool dark);
     void retranslate();
     QString axisText() const;
     QPen penOfSeries(int series) const;
+    QCPItemText* makeLineLabel(); ///< at the end of a line, right of the picture
     void placeLabels();
     enum class Density { Loose, Close, Dense }; ///< density of samples compared with pixels
     void fitPensToDensity();
@@ -61,6 +63,8 @@ public:
     void showPrediction(bool visible);
     void rebuildPrediction();
     void stylePrediction();
+    QString predictionWords() const; ///< empty if none is drawn
+    void placePredictionWords();
     double wholeEnd_s() const; ///< end of the whole run as it is shown: the last time, or what is predicted
     QList<QPointF> predictedPoints(int series) const;
 
@@ -82,8 +86,6 @@ public:
     // A second quantity (trace_canvas_right.cpp)
     void setRight(std::optional<Quantity> wanted);
     void rebuildRight();
-    void fillRight(double from_s, double to_s, std::size_t pixels, int& reads);
-    QList<QPointF> rightLine(int series, double from_s, double to_s, std::size_t pixels, int& reads) const;
     void styleRight(Density density);
     QString rightName(int series) const;
     QString rightAxisText() const; ///< empty without one
@@ -128,7 +130,8 @@ public:
     };
     std::vector<Overlay> overlays;
 
-    PredictedRun prediction; ///< without samples: none
+    PredictedRun prediction;         ///< without samples: none
+    bool isPredictionOfNext = false; ///< it came after the run that is shown
     bool isPredictionShown = true;
 
 protected:
@@ -138,7 +141,9 @@ protected:
 private:
     void updatePoints();
     void removeOverlayItems();
-    void fillGraph(QCPGraph* graph, const TraceStore& from, int series, int& reads) const;
+    QVector<QCPGraphData> pointsOf(const TraceStore& from, Quantity of, int series, const QCPRange& time,
+                                   std::size_t pixels, int& reads) const;
+    void fillGraph(QCPGraph* graph, const TraceStore& from, Quantity of, int series, int& reads) const;
     void updateTargets();
     void updateEmptyText();
     void fitMargins();
@@ -153,6 +158,7 @@ private:
     QCPItemRect* m_errorBand = nullptr;
     QCPItemStraightLine* m_reference = nullptr; ///< zero of errors and rates, 100 % of speeds
     QCPItemText* m_empty = nullptr;
+    QCPItemText* m_predictionText = nullptr; ///< says what the pale lines are
     QCPItemLine* m_cursor = nullptr;
     QCPItemLine* m_pinned = nullptr;
     QCPItemLine* m_position = nullptr;

@@ -33,6 +33,7 @@ void TracePlot::Canvas::connectInteraction() {
     connect(this, &QCustomPlot::beforeReplot, this, [this] { updatePoints(); }); // dragging draws by itself
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         placeLabels();
+        placePredictionWords();
         placeMarkerTexts();
     });
     connect(xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), this,
@@ -232,7 +233,7 @@ void TracePlot::Canvas::showCursor(double time_s) {
     m_cursor->setVisible(true);
     layer(QStringLiteral("cursor"))->replot();
 
-    const QStringList parts = readout(*m_cursor_s, pinned_s).split(QStringLiteral("   "));
+    const QStringList parts = readout(*m_cursor_s, pinned_s);
     QString rich = QStringLiteral("<b>%1</b>").arg(parts.value(0).toHtmlEscaped());
     const auto left = static_cast<int>(m_series.size());
     for (int i = 1; i < parts.size(); ++i)

@@ -97,6 +97,10 @@ void TracePlot::Canvas::restyle(bool darkGround) {
     m_empty->setBrush(colors.color(QPalette::Base)); // the line of zero runs behind it
     m_empty->setPadding(QMargins(6, 2, 6, 2));
     m_empty->setFont(font());
+    m_predictionText->setColor(quiet);
+    m_predictionText->setFont(font());
+    m_predictionText->setPadding(QMargins(3, 0, 3, 0));
+    m_predictionText->setBrush(withAlpha(colors.color(QPalette::Base), 215)); // measured lines cross it
     m_cursor->setPen(QPen(quiet, 1));
     m_pinned->setPen(QPen(accentColor(dark), 1, Qt::DashLine));
     m_position->setPen(QPen(accentColor(dark), 2));
@@ -130,6 +134,7 @@ void TracePlot::Canvas::retranslate() {
     owner->setAccessibleDescription(TracePlot::tr(
         "Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live."));
     owner->setToolTip(QString());
+    m_predictionText->setText(predictionWords());
     fitMargins();
     schedule();
 }
@@ -196,6 +201,15 @@ void TracePlot::Canvas::updateEmptyText() {
     const ShownAs shown = quantityShownAs(quantity);
     m_reference->setVisible(shown == ShownAs::Difference || shown == ShownAs::RatePerMinute ||
                             quantity == Quantity::Speed);
+}
+
+QCPItemText* TracePlot::Canvas::makeLineLabel() {
+    auto* label = new QCPItemText(this);
+    label->setLayer(QStringLiteral("labels"));
+    label->setClipToAxisRect(false);
+    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    label->position->setType(QCPItemPosition::ptAbsolute);
+    return label;
 }
 
 /// Names stand at the right, at the height of each line's last visible point, pushed apart where they would

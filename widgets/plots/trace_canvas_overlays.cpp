@@ -56,12 +56,7 @@ void TracePlot::Canvas::rebuildOverlays() {
         for (int i = 0; i < count; ++i) {
             overlay.graphs << addGraph();
             overlay.graphs.back()->setAdaptiveSampling(true);
-            auto* label = new QCPItemText(this);
-            label->setLayer(QStringLiteral("labels"));
-            label->setClipToAxisRect(false);
-            label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-            label->position->setType(QCPItemPosition::ptAbsolute);
-            overlay.labels << label;
+            overlay.labels << makeLineLabel();
         }
     }
     styleOverlays(Density::Loose);

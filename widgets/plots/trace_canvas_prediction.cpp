@@ -4,13 +4,17 @@
 #include "widgets/plots/trace_canvas.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr double kAfterSettling_s = 30.0; // shown of what is predicted
 constexpr double kPredictedWeight = 0.75; // of the object's colour
+constexpr double kFromLines = 4.0;        // px, of the words
 
 } // namespace
 
@@ -18,7 +22,7 @@ void TracePlot::Canvas::setPrediction(const PredictedRun& run) {
     if (prediction.samples.empty() && run.samples.empty())
         return;
     prediction = run;
-    m_valueAuto = true;
+    isPredictionOfNext = traces->rows() > 0;
     rebuild();
 }
 
@@ -54,6 +58,58 @@ void TracePlot::Canvas::stylePrediction() {
         pen.setDashPattern({1.5, 4.0}); // sparser than those of any object's measured line
         m_predicted[i]->setPen(pen);
     }
+}
+
+QString TracePlot::Canvas::predictionWords() const {
+    if (m_predicted.isEmpty())
+        return {};
+    QString words;
+    switch (prediction.end) {
+    case PredictedEnd::Settled:
+        words = TracePlot::tr("predicted");
+        break;
+    case PredictedEnd::Limit:
+        words = TracePlot::tr("predicted, not settled by then");
+        break;
+    case PredictedEnd::Cut:
+        words = TracePlot::tr("predicted, not computed further");
+        break;
+    case PredictedEnd::Fault:
+        words = TracePlot::tr("predicted to end in a fault");
+        break;
+    }
+    return isPredictionOfNext ? TracePlot::tr("next run: %1", "%1 is \"predicted\"").arg(words) : words;
+}
+
+/// At the end of the lines, under the lowest: what is heated comes from there on the left. Above the highest
+/// where there is no room.
+void TracePlot::Canvas::placePredictionWords() {
+    const QRect area = axisRect()->rect();
+    const QFontMetrics metrics(m_predictionText->font());
+    const double width = metrics.horizontalAdvance(m_predictionText->text()) + 2.0 * kFromLines;
+    double right = area.left(), highest = area.bottom(), lowest = area.top();
+    bool isSeen = false;
+    for (const QCPGraph* graph : std::as_const(m_predicted)) {
+        const auto points = graph->data();
+        const auto end = points->findEnd(xAxis->range().upper, false);
+        if (end == points->findBegin(xAxis->range().lower, false))
+            continue;
+        const QCPGraphData& last = *std::prev(end);
+        const double y = yAxis->coordToPixel(last.value);
+        if (!std::isfinite(y))
+            continue;
+        isSeen = true;
+        right = std::max(right, xAxis->coordToPixel(last.key));
+        highest = std::min(highest, y);
+        lowest = std::max(lowest, y);
+    }
+    m_predictionText->setVisible(isSeen);
+    const bool isUnder = lowest + kFromLines + metrics.height() <= area.bottom();
+    m_predictionText->setPositionAlignment(Qt::AlignRight | (isUnder ? Qt::AlignTop : Qt::AlignBottom));
+    const double y = isUnder ? lowest + kFromLines : highest - kFromLines;
+    m_predictionText->position->setPixelPosition(
+        {std::clamp(right, area.left() + std::min(width, area.width() - 1.0), double(area.right())),
+         std::clamp(y, double(area.top()), double(area.bottom()))});
 }
 
 double TracePlot::Canvas::wholeEnd_s() const {

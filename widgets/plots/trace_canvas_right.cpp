@@ -45,37 +45,7 @@ void TracePlot::Canvas::rebuildRight() {
     for (int i = 0; i < count; ++i) {
         rightAxis.graphs << addGraph(xAxis, yAxis2);
         rightAxis.graphs.back()->setAdaptiveSampling(true);
-        auto* label = new QCPItemText(this);
-        label->setLayer(QStringLiteral("labels"));
-        label->setClipToAxisRect(false);
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-        label->position->setType(QCPItemPosition::ptAbsolute);
-        rightAxis.labels << label;
-    }
-}
-
-QList<QPointF> TracePlot::Canvas::rightLine(int series, double from_s, double to_s, std::size_t pixels,
-                                            int& reads) const {
-    QList<QPointF> points;
-    if (!rightAxis.quantity)
-        return points;
-    const auto line =
-        traces->line(*rightAxis.quantity, static_cast<std::size_t>(series), from_s, to_s, pixels, reads);
-    const bool isSpeed = *rightAxis.quantity == Quantity::Speed;
-    const double ofLimit = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
-    for (std::size_t k = 0; k < line.values.size(); ++k)
-        points.append({line.times_s[k], displayedQuantity(line.values[k], *rightAxis.quantity, unit) *
-                                            (isSpeed ? ofLimit : 1.0)});
-    return points;
-}
-
-void TracePlot::Canvas::fillRight(double from_s, double to_s, std::size_t pixels, int& reads) {
-    for (int i = 0; i < rightAxis.graphs.size(); ++i) {
-        const QList<QPointF> line = rightLine(i, from_s, to_s, pixels, reads);
-        QVector<QCPGraphData> points(line.size());
-        std::ranges::transform(line, points.begin(),
-                               [](const QPointF& point) { return QCPGraphData(point.x(), point.y()); });
-        rightAxis.graphs[i]->data()->set(points, true);
+        rightAxis.labels << makeLineLabel();
     }
 }
 

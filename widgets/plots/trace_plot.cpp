@@ -9,7 +9,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <limits>
 
 namespace bask {
 
@@ -162,18 +161,15 @@ QString TracePlot::seriesName(int series) const {
 }
 
 QList<QPointF> TracePlot::seriesPoints(int series) const {
-    constexpr double kEver = std::numeric_limits<double>::infinity();
-    int reads = std::numeric_limits<int>::max();
-    const auto line = m_canvas->traces->line(m_canvas->quantity, static_cast<std::size_t>(series), -kEver,
-                                             kEver, std::numeric_limits<std::size_t>::max(), reads);
-    QList<QPointF> points;
-    for (std::size_t k = 0; k < line.values.size(); ++k)
-        points.append({line.times_s[k], m_canvas->displayed(line.values[k]) * m_canvas->factor(series)});
-    return points;
+    return m_canvas->allPoints(m_canvas->quantity, series);
 }
 
 QList<QPointF> TracePlot::predictedPoints(int series) const {
     return m_canvas->predictedPoints(series);
+}
+
+QString TracePlot::predictionLabel() const {
+    return m_canvas->predictionWords();
 }
 
 QString TracePlot::valueAxisLabel() const {
@@ -181,9 +177,8 @@ QString TracePlot::valueAxisLabel() const {
 }
 
 QList<QPointF> TracePlot::rightPoints(int series) const {
-    constexpr double kEver = std::numeric_limits<double>::infinity();
-    int reads = std::numeric_limits<int>::max();
-    return m_canvas->rightLine(series, -kEver, kEver, std::numeric_limits<std::size_t>::max(), reads);
+    const auto right = m_canvas->rightAxis.quantity;
+    return right ? m_canvas->allPoints(*right, series) : QList<QPointF>();
 }
 
 double TracePlot::rightLowest() const {
@@ -224,7 +219,7 @@ std::optional<double> TracePlot::cursor_s() const {
 }
 
 QString TracePlot::readout(double time_s, std::optional<double> pinned_s) const {
-    return m_canvas->readout(time_s, pinned_s);
+    return m_canvas->readout(time_s, pinned_s).join(QStringLiteral("   "));
 }
 
 void TracePlot::takeCursorAway() {

@@ -67,7 +67,7 @@ public:
     /// Draws a predicted run behind the measured one, from its Start: pale dotted lines in a plot of
     /// temperatures, which stand alone until the first sample. Plots of other quantities only show the whole
     /// run as long as it is predicted, so that plots above each other line up. One without samples removes
-    /// it, as setObjects() does; clear() does not.
+    /// it, as setObjects() does; clear() does not. One that comes behind a measured run is of the next.
     void setPrediction(const PredictedRun& run);
     void setPredictionVisible(bool visible);
 
@@ -93,7 +93,9 @@ public:
     QString seriesName(int series) const;
     QList<QPointF> seriesPoints(int series) const;    ///< (s, display unit); y is NaN in a gap
     QList<QPointF> predictedPoints(int series) const; ///< as drawn (s, display unit); empty if none is
-    double visibleLowest() const;                     ///< lower end of the value axis, display unit
+    /// Returns the words at the predicted lines, which also say how they end; empty if there are none.
+    QString predictionLabel() const;
+    double visibleLowest() const; ///< lower end of the value axis, display unit
     double visibleHighest() const;
     QString valueAxisLabel() const;
     QList<QPointF> rightPoints(int series) const;

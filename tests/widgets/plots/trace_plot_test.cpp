@@ -3,10 +3,13 @@
 #include "engine/recording/recorded_session.h"
 
 #include "tests/support/thread_time.h"
+#include "tests/support/wait_for.h"
 
 #include "widgets/common/language.h"
 #include "widgets/common/theme.h"
 
+#include <QImage>
+#include <QLabel>
 #include <QPen>
 #include <QRegularExpression>
 #include <QSignalSpy>
@@ -484,4 +487,82 @@ TEST(TracePlot, APredictionThatDoesNotSettleLeavesTheAxisToTheRun) {
     EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 320.0);
     shown.plot.append(warmUp(100));
     EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 100.0);
+}
+
+// Catches pale lines that nothing names in a run, and a prediction that looks complete though it is not, or
+// is of the run that is shown though it is of the next.
+TEST(TracePlot, WordsSayWhatIsPredictedAndHowItEnds) {
+    ShownPlot shown;
+    PredictedRun run = predictedWarmUp();
+    EXPECT_TRUE(shown.plot.predictionLabel().isEmpty());
+    shown.plot.setPrediction(run);
+    EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("predicted"));
+    shown.plot.append(warmUp(50));
+    EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("predicted"));
+    shown.plot.setPredictionVisible(false);
+    EXPECT_TRUE(shown.plot.predictionLabel().isEmpty());
+    shown.plot.setPredictionVisible(true);
+    shown.plot.setPrediction(run);
+    EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("next run: predicted"));
+    shown.plot.clear(); // Arm
+    EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("predicted"));
+    run.settling_s.reset();
+    QStringList words;
+    for (const PredictedEnd end : {PredictedEnd::Limit, PredictedEnd::Cut, PredictedEnd::Fault}) {
+        run.end = end;
+        shown.plot.setPrediction(run);
+        EXPECT_FALSE(words.contains(shown.plot.predictionLabel()));
+        EXPECT_TRUE(shown.plot.predictionLabel().startsWith(QStringLiteral("predicted")));
+        words << shown.plot.predictionLabel();
+        shown.plot.redraw();
+    }
+}
+
+// Catches words that are not drawn, in a run or before, or are drawn without the lines.
+TEST(TracePlot, TheWordsOfAPredictionAreDrawn) {
+    ShownPlot shown;
+    const auto drawn = [&] { // by the other words, the same lines
+        PredictedRun run = predictedWarmUp();
+        shown.plot.setPrediction(run);
+        shown.plot.redraw();
+        const QImage settled = shown.plot.grab().toImage();
+        run.end = PredictedEnd::Fault;
+        shown.plot.setPrediction(run);
+        shown.plot.redraw();
+        return shown.plot.grab().toImage() != settled;
+    };
+    EXPECT_TRUE(drawn());
+    shown.plot.append(warmUp(100));
+    EXPECT_TRUE(drawn());
+    shown.plot.setTimeRange(400.0, 500.0);
+    shown.plot.append(warmUp(1, 1.0, 450.0));
+    shown.plot.setPredictionVisible(false);
+    EXPECT_FALSE(drawn());
+}
+
+// Catches a person's zoom of the values that a prediction which comes or goes takes away.
+TEST(TracePlot, APredictionLeavesTheZoomOfValues) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(50));
+    wheel(canvasOf(shown.plot), 120, Qt::ControlModifier);
+    const double lowest = shown.plot.visibleLowest(), highest = shown.plot.visibleHighest();
+    shown.plot.setPrediction(predictedWarmUp());
+    EXPECT_DOUBLE_EQ(shown.plot.visibleLowest(), lowest);
+    shown.plot.setPrediction({});
+    EXPECT_DOUBLE_EQ(shown.plot.visibleLowest(), lowest);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleHighest(), highest);
+}
+
+// Catches undefined behaviour where a name holds what once stood between the values.
+TEST(TracePlot, PointingReadsNamesWithSeveralSpaces) {
+    ShownPlot shown;
+    shown.plot.setObjects({QStringLiteral("left   hand"), QStringLiteral("a   b   c"), QStringLiteral("x")});
+    shown.plot.append(warmUp(50));
+    shown.plot.redraw();
+    QWidget* canvas = canvasOf(shown.plot);
+    QTest::mouseMove(canvas, canvas->rect().center());
+    const auto* told = canvas->findChild<QLabel*>(QStringLiteral("tracePlotReadout"));
+    ASSERT_TRUE(test::waitFor([told] { return !told->text().isEmpty(); }));
+    EXPECT_EQ(told->text().count(QStringLiteral("<br>")), 3) << told->text().toStdString();
+    EXPECT_TRUE(shown.plot.readout(10.0).contains(QStringLiteral("a   b   c")));
 }
