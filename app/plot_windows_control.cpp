@@ -19,6 +19,7 @@ PlotWindowsControl::PlotWindowsControl(QWidget* window)
     for (const PlotPlace* place : std::as_const(m_places))
         connect(place, &PlotPlace::takenOut, this, [this, place](PlotWindow* plotWindow) {
             plotWindow->restoreGeometry(m_settings.plotWindowGeometry(place->plot()->objectName()));
+            plotWindow->setWindowState(plotWindow->windowState() & ~Qt::WindowFullScreen);
             plotWindow->installEventFilter(this);
         });
 }

@@ -15,6 +15,8 @@
 namespace bask::test {
 namespace {
 
+constexpr int kOutWindow_ms = 120'000; // on a loaded machine
+
 class PlotWindowsTest : public WindowTest {
 protected:
     PlotPlace* place(const char* plot) {
@@ -26,7 +28,7 @@ protected:
     QWidget* takeOut(const char* plot) {
         place(plot)->takeOut();
         QWidget* out = place(plot)->plot()->window();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(out));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(out, kOutWindow_ms));
         return out;
     }
 };
@@ -89,6 +91,17 @@ TEST_F(PlotWindowsTest, CloseWithTheMainWindowAndComeWhereTheyWere) {
     ASSERT_NO_FATAL_FAILURE(openWindow());
     EXPECT_EQ(takeOut("plot.measured_K")->size(), size) << "at the next start";
     EXPECT_NE(takeOut("plot.error_K")->size(), size);
+}
+
+// Catches: a window that comes without a frame, since it filled the screen when it was closed.
+TEST_F(PlotWindowsTest, FullScreenIsNotRemembered) {
+    ASSERT_NO_FATAL_FAILURE(openWindow());
+    QWidget* out = takeOut("plot.measured_K");
+    out->resize(610, 430);
+    QTest::keyClick(out, Qt::Key_F11);
+    ASSERT_TRUE(out->isFullScreen());
+    out->close();
+    EXPECT_FALSE(takeOut("plot.measured_K")->isFullScreen());
 }
 
 // Catches: a plot of Review that stays empty in its window, or with the run that was opened before.

@@ -33,6 +33,7 @@ PlotPlace::PlotPlace(TracePlot* plot, QWidget* parent)
     m_ownWindow->setObjectName(QStringLiteral("plotOwnWindow"));
     m_ownWindow->setShortcut(Qt::Key_W);
     m_ownWindow->setShortcutContext(Qt::WidgetShortcut); // in a field W is a letter
+    m_ownWindow->setAutoRepeat(false);                   // a key that is held would take it out and back
     m_plot->addAction(m_ownWindow);
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_ownWindow, &QAction::triggered, this, [this] { isOut() ? putBack() : takeOut(); });
@@ -65,13 +66,15 @@ void PlotPlace::putBack() {
 void PlotPlace::takeBack() {
     if (!isOut())
         return;
-    const bool hadFocus = m_putBack->hasFocus();
+    const bool hadFocus = m_putBack->hasFocus() || m_plotWindow->isActiveWindow();
     m_layout->addWidget(m_plot);
     m_plot->show();
     m_note->hide();
     setTabOrder(m_putBack, m_plot); // it came to the end of the page's
-    if (hadFocus)
+    if (hadFocus) {
+        window()->activateWindow();
         m_plot->setFocus();
+    }
     m_plotWindow.release()->deleteLater(); // it is closing
     retranslate();
 }

@@ -2,12 +2,14 @@
 
 #include "widgets/plots/plot_place.h"
 
+#include "tests/support/wait_for.h"
 #include "widgets/plots/plot_window.h"
 #include "widgets/plots/trace_plot.h"
 
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -21,6 +23,8 @@
 using namespace bask;
 
 namespace {
+
+constexpr int kWindow_ms = 120'000; // on a loaded machine
 
 std::vector<TraceSample> rising(int first, int last) {
     std::vector<TraceSample> out;
@@ -47,7 +51,7 @@ struct ShownPage {
     ShownPage() {
         page.resize(700, 500);
         page.show();
-        EXPECT_TRUE(QTest::qWaitForWindowExposed(&page));
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&page, kWindow_ms));
     }
     PlotPlace* add(Quantity quantity, const char* name) {
         if (page.layout() == nullptr)
@@ -96,7 +100,7 @@ TEST(PlotPlace, ThePlotGoesOutGoesOnAndComesBack) {
     ASSERT_TRUE(shown.temperature->isOut());
     QWidget* window = plot->window();
     ASSERT_NE(qobject_cast<PlotWindow*>(window), nullptr);
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window, kWindow_ms));
     EXPECT_EQ(window->parentWidget(), nullptr) << "it would stay above the main window";
     EXPECT_TRUE(plot->isVisible());
     EXPECT_TRUE(shown.temperature->findChild<QPushButton*>(QStringLiteral("plotPutBack"))->isVisible());
@@ -139,12 +143,12 @@ TEST(PlotPlace, KeysTakeOutPutBackAndFillTheScreen) {
     ShownPage shown;
     TracePlot* plot = shown.temperature->plot();
     shown.page.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page, kWindow_ms));
     plot->setFocus();
     QTest::keyClick(plot, Qt::Key_W);
     ASSERT_TRUE(shown.temperature->isOut());
     QWidget* window = plot->window();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(window));
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window, kWindow_ms));
     EXPECT_TRUE(plot->hasFocus());
     auto* title = window->findChild<QLabel*>(QStringLiteral("plotWindowTitle"));
     EXPECT_FALSE(title->isVisible()) << "the frame has it";
@@ -156,9 +160,30 @@ TEST(PlotPlace, KeysTakeOutPutBackAndFillTheScreen) {
     EXPECT_FALSE(window->isFullScreen());
     QTest::keyClick(plot, Qt::Key_W);
     EXPECT_FALSE(shown.temperature->isOut());
+    EXPECT_EQ(shown.page.focusWidget(), plot) << "the keys are nobody's";
     EXPECT_EQ(plot->nextInFocusChain()->window(), &shown.page);
     EXPECT_EQ(shown.temperature->findChild<QPushButton*>(QStringLiteral("plotPutBack"))->nextInFocusChain(),
               plot);
+}
+
+// Catches a key that is held and takes the plot out and back and out.
+TEST(PlotPlace, AHeldKeyTakesOutOnce) {
+    ShownPage shown;
+    EXPECT_FALSE(shown.temperature->findChild<QAction*>(QStringLiteral("plotOwnWindow"))->autoRepeat());
+}
+
+// Catches a plot that takes the keys from a field when its window is closed from elsewhere.
+TEST(PlotPlace, AWindowInTheBackgroundTakesNoKeys) {
+    ShownPage shown;
+    auto* field = new QLineEdit(&shown.page);
+    shown.page.layout()->addWidget(field);
+    shown.temperature->takeOut();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(shown.temperature->plot()->window(), kWindow_ms));
+    shown.page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page, kWindow_ms));
+    field->setFocus();
+    shown.temperature->putBack();
+    EXPECT_EQ(shown.page.focusWidget(), field);
 }
 
 // Catches a title that keeps the run or the state of before.
@@ -204,7 +229,7 @@ TEST(PlotPlace, CursorsWorkInTheWindow) {
     ShownPage shown;
     TracePlot* plot = shown.temperature->plot();
     shown.temperature->takeOut();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(plot->window()));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(plot->window(), kWindow_ms));
     plot->setTimeRange(0.0, 20.0);
     plot->redraw();
     QWidget* canvas = canvasIn(shown.temperature);
@@ -214,7 +239,7 @@ TEST(PlotPlace, CursorsWorkInTheWindow) {
     EXPECT_EQ(*plot->cursor_s(), std::round(*plot->cursor_s())) << "at a sample";
     QTest::mouseMove(canvas, there + QPoint(canvas->width() / 4, 0));
     auto* told = canvas->findChild<QLabel*>(QStringLiteral("tracePlotReadout"));
-    EXPECT_TRUE(QTest::qWaitFor([told] { return told->text().contains(QStringLiteral("\u0394")); }));
+    EXPECT_TRUE(test::waitFor([told] { return told->text().contains(QStringLiteral("\u0394")); }));
 
     choose(shown.temperature, "plotCursorAway");
     EXPECT_FALSE(plot->cursor_s());
