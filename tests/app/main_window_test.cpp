@@ -119,8 +119,7 @@ TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
     openWindow();
     auto* plot = find<TracePlot>("plot.measured_K");
     ASSERT_NE(plot, nullptr);
-    RunForecast& forecast = window->pages().forecast();
-    forecast.setEffort(QThread::NormalPriority, 100'000);
+    const RunForecast& forecast = window->pages().forecast();
     window->pages().show(Page::Rig);
     ASSERT_TRUE(waitForState(RunState::Ready));
     EXPECT_FALSE(waitFor([&] { return forecast.isPending() || !plot->predictedPoints(0).isEmpty(); },
@@ -142,7 +141,6 @@ TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
 // Catches a plot on a second screen that loses its prediction with the page, or is never given one.
 TEST_F(MainWindowTest, APlotInItsWindowIsPredictedToo) {
     openWindow();
-    window->pages().forecast().setEffort(QThread::NormalPriority, 100'000);
     window->pages().show(Page::Rig);
     auto* plot = find<TracePlot>("plot.measured_K");
     ASSERT_NE(plot, nullptr);
