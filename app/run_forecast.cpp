@@ -3,12 +3,13 @@
 #include "engine/runtime/simulated_run.h"
 
 #include <QDeadlineTimer>
-#include <QThread>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace bask {
@@ -26,6 +27,9 @@ bool isWithin(double a_K, double b_K, double near_K) {
 /// One that cannot run, or is not to be computed, has no prediction.
 PredictedRun forecast(const Experiment& experiment, const RigCondition& from, int longest_ms,
                       const std::stop_token& stop) {
+    // Of Qt's priorities those over idle do nothing on Linux, and an idle thread is waited for at the end.
+    constexpr int kNice = 10;
+    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
     std::stop_source over;
     const std::stop_callback unwanted(stop, [&over] { over.request_stop(); });
     const QDeadlineTimer deadline(longest_ms);
@@ -44,14 +48,12 @@ PredictedRun forecast(const Experiment& experiment, const RigCondition& from, in
 
 RunForecast::RunForecast() {
     m_pool.setMaxThreadCount(1);
-    m_pool.setThreadPriority(QThread::IdlePriority); // lower ones do nothing on Linux
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest_ms);
     connect(&m_rest, &QTimer::timeout, this, &RunForecast::predict);
 }
 
-void RunForecast::setEffort(QThread::Priority priority, int longest_ms) {
-    m_pool.setThreadPriority(priority);
+void RunForecast::setLongest_ms(int longest_ms) {
     m_longest_ms = longest_ms;
 }
 

@@ -30,8 +30,8 @@ public:
 
     RunForecast();
 
-    /// Sets with which priority and for how long at most it computes: tests on a loaded machine need more.
-    void setEffort(QThread::Priority priority, int longest_ms);
+    /// Sets for how long at most it computes: tests on a loaded machine need longer.
+    void setLongest_ms(int longest_ms);
     /// Forgets the prediction, which was for another experiment.
     void setExperiment(const Experiment& experiment);
     /// Takes where the rig is, and whether somebody looks at the prediction: if nobody does none is computed,

@@ -20,7 +20,7 @@ struct RunForecastTest : testing::Test {
 
     RunForecastTest() {
         QObject::connect(&forecast, &RunForecast::changed, [this] { ++changes; });
-        forecast.setEffort(QThread::NormalPriority, 100'000);
+        forecast.setLongest_ms(100'000);
         aimAt(45.0);
     }
     void aimAt(double target_degC) {
@@ -197,7 +197,7 @@ TEST_F(RunForecastTest, ASourceThatCoolsDoesNotBeginItAgain) {
 
 // Catches a prediction that is cut by the time and looks as if it had ended so.
 TEST_F(RunForecastTest, OneThatTakesTooLongSaysSo) {
-    forecast.setEffort(QThread::NormalPriority, 0);
+    forecast.setLongest_ms(0);
     ASSERT_TRUE(predictsFor(ready()));
     EXPECT_EQ(forecast.predicted().end, PredictedEnd::Cut);
     EXPECT_FALSE(forecast.predicted().settling_s);

@@ -26,7 +26,7 @@ void WindowTest::openWindow(QSize size, const QString& file) {
     window = std::make_unique<MainWindow>();
     window->resize(size);
     window->move(0, 0);
-    window->pages().forecast().setEffort(QThread::NormalPriority, 100'000);
+    window->pages().forecast().setLongest_ms(100'000);
     QObject::connect(window.get(), &MainWindow::snapshotApplied, window.get(),
                      [this, runId = std::uint64_t{0}](const Snapshot& snapshot) mutable {
                          if (snapshot.runId != runId)
