@@ -1,6 +1,7 @@
 #include "app/commands/end_signal.h"
 
 #include <csignal>
+#include <initializer_list>
 
 namespace bask {
 namespace {
@@ -11,8 +12,9 @@ volatile std::sig_atomic_t hasCome = 0;
 
 void catchEndSignals() {
     hasCome = 0;
-    for (const int signal : {SIGINT, SIGTERM})
-        std::signal(signal, [](int) { hasCome = 1; });
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        if (std::signal(signal, [](int) { hasCome = 1; }) == SIG_IGN && signal == SIGHUP)
+            std::signal(signal, SIG_IGN); // as under nohup
 }
 
 bool hasEndSignal() {

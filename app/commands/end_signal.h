@@ -1,5 +1,5 @@
 #pragma once
-// For commands that serve until Ctrl+C or SIGTERM.
+// For commands that serve until Ctrl+C, SIGTERM or the end of their terminal.
 
 namespace bask {
 

@@ -198,9 +198,9 @@ int simulateDeviceCommand(const QStringList& arguments) {
     parser.setApplicationDescription(
         QStringLiteral(
             "A simulated device on a pseudo-terminal, which any program opens as a serial port: it "
-            "takes and gives\nthe very bytes of a real one, until Ctrl+C or SIGTERM. The link is "
-            "removed then; one that is there\nis replaced, as if the cable were plugged in anew. "
-            "Drivers and their faults, the first one a role's default:\n%1"
+            "takes and gives\nthe very bytes of a real one, until Ctrl+C, SIGTERM or the end of its "
+            "terminal. The link is removed\nthen; one that is there is replaced, as if the cable were "
+            "plugged in anew. Drivers and their faults, the first one a role's default:\n%1"
             "Exit code: 0 ended, 2 bad input, or no terminal there.")
             .arg(QString::fromStdString(listOfFaults())));
     parser.addOption({{"h", "help"}, "Displays this help."});

@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
 namespace bask::test {
 namespace {
 
@@ -54,6 +56,28 @@ TEST_F(SimulateDeviceTest, theHeaterHeatsAndEndsWithItsSignal) {
     m_process.terminate();
     EXPECT_EQ(ended(), 0);
     EXPECT_FALSE(QFileInfo(m_link).isSymLink());
+}
+
+// Catches a link that stays behind when the terminal is closed: the next shell may get its number.
+TEST_F(SimulateDeviceTest, theLinkGoesWithTheTerminal) {
+    m_process.setChildProcessModifier([] { (void)std::signal(SIGHUP, SIG_DFL); }); // as in a terminal
+    start({QStringLiteral("heater"), QStringLiteral("--link"), m_link});
+    ASSERT_TRUE(waitFor([this] { return m_process.readAllStandardError().contains("Ctrl+C"); }));
+    ASSERT_TRUE(QFileInfo(m_link).isSymLink());
+    ASSERT_EQ(::kill(static_cast<pid_t>(m_process.processId()), SIGHUP), 0);
+    EXPECT_EQ(ended(), 0);
+    EXPECT_FALSE(QFileInfo(m_link).isSymLink());
+}
+
+// Catches a command that nohup does not keep.
+TEST_F(SimulateDeviceTest, anIgnoredHangupStaysIgnored) {
+    m_process.setChildProcessModifier([] { (void)std::signal(SIGHUP, SIG_IGN); });
+    start({QStringLiteral("heater"), QStringLiteral("--link"), m_link});
+    ASSERT_TRUE(waitFor([this] { return m_process.readAllStandardError().contains("Ctrl+C"); }));
+    ASSERT_EQ(::kill(static_cast<pid_t>(m_process.processId()), SIGHUP), 0);
+    EXPECT_FALSE(m_process.waitForFinished(300));
+    m_process.terminate();
+    EXPECT_EQ(ended(), 0);
 }
 
 // Catches a fault that is not raised.
