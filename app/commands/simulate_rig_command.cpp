@@ -11,6 +11,7 @@
 #include "engine/device_simulators/bench.h"
 #include "engine/device_simulators/device_server.h"
 #include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/port_claim.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/rig/rig_setup.h"
 
@@ -18,6 +19,8 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
+#include <functional>
 #include <poll.h>
 #include <unistd.h>
 
@@ -57,6 +60,12 @@ Result<BenchDevices> benchDevices(const Experiment& experiment) {
     return devices;
 }
 
+/// Whatever folder it is started in, and however long the path is.
+std::string claimedName(const std::string& port) {
+    const std::string path = std::filesystem::absolute(port).lexically_normal();
+    return "simulated " + std::to_string(std::hash<std::string>()(path));
+}
+
 /// The bench with its ports, and the faults that are told on standard input.
 class BenchServer {
 public:
@@ -64,10 +73,10 @@ public:
 
     explicit BenchServer(Bench& bench) : m_bench(bench) {}
 
-    /// `areThere`: their terminals, made by others.
-    Result<void> open(const RigSpec& rig, bool areThere) {
+    /// `paths` in the order of the roles. `areThere`: their terminals, made by others.
+    Result<void> open(const std::array<std::string, 3>& paths, bool areThere) {
         m_areThere = areThere;
-        m_paths = {rig.robot->port, rig.thermometer->port, rig.source->port};
+        m_paths = paths;
         for (std::size_t i = 0; i < m_paths.size(); ++i)
             if (const auto opened = plug(i); !opened)
                 return opened;
@@ -169,7 +178,8 @@ int simulateRigCommand(const QStringList& arguments) {
     parser.setApplicationDescription(
         "The devices of the experiment's \"rig\" on pseudo-terminals at their ports' paths, around one "
         "thermal\n"
-        "plant, until Ctrl+C or SIGTERM; without a file those of the example serial-rig, which are in /tmp.\n"
+        "plant, until Ctrl+C, SIGTERM or the end of its terminal; without a file those of the example\n"
+        "serial-rig, which are in /tmp. A second one for the same ports is refused.\n"
         "A line \"robot silent\" on standard input begins a fault, \"robot none\" ends it; \"robot unplug\" "
         "takes\n"
         "its terminal away and \"robot plug\" makes it anew; \"state\" prints what is truly so, \"switched\" "
@@ -187,6 +197,9 @@ int simulateRigCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, kSimulateRig, arguments, isExample ? 0 : 1))
         return *code;
     const std::string path = isExample ? kExample : parser.positionalArguments().first().toStdString();
+    if (const auto code = refuseIdle(parser, kSimulateRig,
+                                     {{"open", !isExample, "is for the terminals of an EXPERIMENT.json"}}))
+        return *code;
     const auto experiment = isExample ? readExample(kExample) : readExperiment(path);
     if (!experiment)
         return refuse(kSimulateRig, experiment.error());
@@ -196,14 +209,20 @@ int simulateRigCommand(const QStringList& arguments) {
     devices->heating_s = parser.value("heating-time").toDouble();
     if (!(devices->heating_s >= 1.0 && devices->heating_s <= 1e5))
         return refuse(kSimulateRig, QStringLiteral("--heating-time is in seconds, 1 to 1e5"));
+    const RigSpec& rig = *experiment->rig;
+    std::array<PortClaim, 3> claims;
+    const std::array<std::string, 3> ports{rig.robot->port, rig.thermometer->port, rig.source->port};
+    for (std::size_t i = 0; i < ports.size(); ++i)
+        if (!claims[i].take(claimedName(ports[i])))
+            return refuse(kSimulateRig, QStringLiteral("another bask simulate-rig serves %1; end that first")
+                                            .arg(QString::fromStdString(ports[i])));
     Bench bench(simulatedRigConfig(*experiment), *devices);
     BenchServer server(bench);
     catchEndSignals();
-    if (const auto opened = server.open(*experiment->rig, parser.isSet("open")); !opened)
+    if (const auto opened = server.open(ports, parser.isSet("open")); !opened)
         return refuse(kSimulateRig, opened.error());
-    const RigSpec& rig = *experiment->rig;
-    std::printf("robot %s\nthermometer %s\nheater %s\n", rig.robot->port.c_str(),
-                rig.thermometer->port.c_str(), rig.source->port.c_str());
+    std::printf("robot %s\nthermometer %s\nheater %s\n", ports[0].c_str(), ports[1].c_str(),
+                ports[2].c_str());
     std::fflush(stdout);
     server.serve();
     return kExitDone;

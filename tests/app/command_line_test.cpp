@@ -119,6 +119,10 @@ TEST(CommandLine, SimulateRigHasARigOfItsOwn) {
     EXPECT_EQ(answer.exitCode, 2);
     EXPECT_TRUE(answer.err.contains(QStringLiteral("--heating-time is in seconds")))
         << answer.err.toStdString();
+    // Its ports would be the far end's own, of one that serves them already.
+    const Answer opened = bask({QStringLiteral("simulate-rig"), QStringLiteral("--open")});
+    EXPECT_EQ(opened.exitCode, 2);
+    EXPECT_TRUE(opened.err.contains(QStringLiteral("--open is for"))) << opened.err.toStdString();
     EXPECT_EQ(bask({QStringLiteral("simulate-rig"), QStringLiteral("one.json"), QStringLiteral("two.json")})
                   .exitCode,
               2);

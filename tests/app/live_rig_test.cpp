@@ -11,6 +11,22 @@ using LiveRigTest = RigProcesses;
 
 } // namespace
 
+// Catches a second bench that takes the links of the first away from under a run, and a refusal that outlives
+// the first, even one that was killed.
+TEST_F(LiveRigTest, aBenchIsAloneAtItsPorts) {
+    startBench();
+    const QString before = QFile::symLinkTarget(portOf("robot"));
+    QProcess second;
+    second.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment()});
+    ASSERT_TRUE(second.waitForFinished(20000));
+    EXPECT_EQ(second.exitCode(), 2);
+    EXPECT_TRUE(second.readAllStandardError().contains("another bask simulate-rig"));
+    EXPECT_EQ(QFile::symLinkTarget(portOf("robot")), before);
+    sendSignal(bench, SIGKILL);
+    ASSERT_TRUE(bench.waitForFinished(5000));
+    startBench();
+}
+
 // Catches heat that stays on, and a robot that goes on, without an engine.
 TEST_F(LiveRigTest, aKilledEngineLeavesNoHeatAndNoMotion) {
     startBench();
