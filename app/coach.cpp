@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 
 namespace bask {
 namespace {
@@ -41,11 +42,24 @@ bool isInRun(Coach::Step step) {
     return step >= Coach::Step::Note && step <= Coach::Step::Resume;
 }
 
-/// Its devices are those of `bask simulate-rig`, or it has none.
+/// One of the example's, if a pseudo-terminal is there or nothing: anybody can put a link to a true port into
+/// /tmp.
+bool isPlayedPort(const std::filesystem::path& port) {
+    constexpr const char* kPseudoTerminals = "/dev/pts";
+    if (!QString::fromStdString(port).startsWith(kPorts))
+        return false;
+    std::error_code failed;
+    if (!std::filesystem::is_symlink(port, failed))
+        return !std::filesystem::exists(port, failed);
+    const auto target = std::filesystem::canonical(port, failed);
+    return (failed ? std::filesystem::read_symlink(port, failed) : target).parent_path() == kPseudoTerminals;
+}
+
+/// Its devices are those of `bask simulate-rig`.
 bool isPlayed(const Snapshot& snapshot) {
-    return std::ranges::all_of(snapshot.devices, [](const RigDeviceState& device) {
-        return QString::fromStdString(device.port).startsWith(kPorts);
-    });
+    return !snapshot.devices.empty() &&
+           std::ranges::all_of(snapshot.devices,
+                               [](const RigDeviceState& device) { return isPlayedPort(device.port); });
 }
 
 bool isLive(const Snapshot& snapshot, DeviceRole role) {
