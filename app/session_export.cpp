@@ -15,8 +15,9 @@ namespace {
 
 Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
                                          const std::string& folder, const std::stop_token& stop) {
-    if (form == SessionForm::Csv)
-        return exportSessionCsv(session, folder);
+    if (form == SessionForm::Csv || form == SessionForm::CsvAllDigits)
+        return exportSessionCsv(session, folder, {},
+                                form == SessionForm::Csv ? CsvDigits::Meaningful : CsvDigits::All);
     const auto record = readSession(session);
     if (!record)
         return record.error();

@@ -171,21 +171,21 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
     return {};
 }
 
-double rounded(double value, double perUnit) {
-    return std::round(value * perUnit) / perUnit + 0.0; // no minus zero
-}
-
 /// Without digits that no sensor tells and no step of the robot has. `value` is in SI or in degC.
 double meaningful(double value, const Unit& unit) {
+    constexpr int kDecimals = 6, kSignificant = 9;
+    if (value == std::trunc(value)) // a count keeps its units
+        return value + 0.0;         // no minus zero
     const std::string_view suffix = unit.suffix;
-    if (unit.edge == EdgeUnit::Temperature || suffix == "K" || suffix == "s")
-        return rounded(value, 1e4);
-    if (unit.edge == EdgeUnit::LengthMm || unit.edge == EdgeUnit::Angle)
-        return rounded(value, 1e6);
-    constexpr int kSignificant = 6;
-    const int magnitude =
-        value == 0.0 || !std::isfinite(value) ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-    return rounded(value, std::pow(10.0, kSignificant - 1 - magnitude));
+    const bool isToMillionths = suffix == "K" || suffix == "s" || unit.edge == EdgeUnit::Temperature ||
+                                unit.edge == EdgeUnit::LengthMm || unit.edge == EdgeUnit::Angle;
+    std::array<char, 32> digits{}; // of a fraction: below 2^53
+    char* const end = digits.data() + digits.size();
+    const auto text =
+        isToMillionths ? std::to_chars(digits.data(), end, value, std::chars_format::fixed, kDecimals)
+                       : std::to_chars(digits.data(), end, value, std::chars_format::general, kSignificant);
+    (void)std::from_chars(digits.data(), text.ptr, value);
+    return value + 0.0;
 }
 
 /// Cells of traces.csv.

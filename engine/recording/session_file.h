@@ -110,7 +110,8 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
 
 /// The digits of the numbers in traces.csv.
 enum class CsvDigits {
-    Meaningful, ///< to 1e-4 K, 1e-4 s, 1e-6 m and 1e-6 rad; of other numbers six significant ones
+    Meaningful, ///< to 1e-6 K, s, m and rad; of other numbers nine significant ones; whole numbers as they
+                ///< are
     All         ///< as many as it takes to read the same double back
 };
 

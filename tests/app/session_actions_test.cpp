@@ -181,6 +181,7 @@ QString recorded(const QTemporaryDir& folder) {
         for (const ObjectSpec& object : experiment.objects) {
             ObjectSample row;
             row.measured_K = row.estimated_K = row.true_K = row.target_K = object.target_K;
+            row.rate_K_s = 1.0 / 3.0;
             sample.objects.push_back(row);
         }
         EXPECT_TRUE((*writer)->add(sample));
@@ -329,6 +330,12 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
     EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("traces.csv"))));
     for (const QString& file : written)
         EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
+
+    folderOfAnswers = folder.filePath(QStringLiteral("all"));
+    files.exportSession(SessionForm::CsvAllDigits);
+    ASSERT_TRUE(waitFor([&] { return told.size() == 7 || !problems.isEmpty(); }));
+    EXPECT_GT(QFileInfo(folder.filePath(QStringLiteral("all/traces.csv"))).size(),
+              QFileInfo(folder.filePath(QStringLiteral("traces.csv"))).size());
 
     folderOfAnswers = QStringLiteral("/proc/no-such-place");
     for (const SessionForm form : kForms)

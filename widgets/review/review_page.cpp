@@ -39,8 +39,9 @@ namespace bask {
 namespace {
 
 // In the order of the export button's menu.
-constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
-                            SessionForm::Csv,       SessionForm::Nexus,      SessionForm::Vtk};
+constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml,   SessionForm::Figures,
+                            SessionForm::Csv,       SessionForm::CsvAllDigits, SessionForm::Nexus,
+                            SessionForm::Vtk};
 
 } // namespace
 
@@ -404,9 +405,13 @@ void ReviewPage::refreshTexts() {
         button->setText(tr("&Open session\u2026"));
     m_export->setText(tr("E&xport"));
     m_export->setToolTip(tr("Write this session as a report, as figures or for other programs"));
-    const std::array<QString, kForms.size()> forms{
-        tr("Report (&PDF)\u2026"), tr("Report (&HTML)\u2026"), tr("&Figures (PNG, SVG, PDF)\u2026"),
-        tr("Tables (&CSV)\u2026"), tr("&NeXus (HDF5)\u2026"),  tr("&VTK, for ParaView\u2026")};
+    const std::array<QString, kForms.size()> forms{tr("Report (&PDF)\u2026"),
+                                                   tr("Report (&HTML)\u2026"),
+                                                   tr("&Figures (PNG, SVG, PDF)\u2026"),
+                                                   tr("Tables (&CSV)\u2026"),
+                                                   tr("Tables with &all digits (CSV)\u2026"),
+                                                   tr("&NeXus (HDF5)\u2026"),
+                                                   tr("&VTK, for ParaView\u2026")};
     for (std::size_t k = 0; k < forms.size(); ++k)
         m_export->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
     const QString details[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),

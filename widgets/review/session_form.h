@@ -3,6 +3,6 @@
 
 namespace bask {
 
-enum class SessionForm { ReportPdf, ReportHtml, Figures, Csv, Nexus, Vtk };
+enum class SessionForm { ReportPdf, ReportHtml, Figures, Csv, CsvAllDigits, Nexus, Vtk };
 
 } // namespace bask

@@ -24,6 +24,7 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <sstream>
@@ -499,11 +500,11 @@ TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
     const std::string path = file("run.bask");
     TraceSample sample = madeUpSample(twoDisks(), 3);
     sample.time_s = 0.1 + 0.2;
-    sample.source_K = 473.15 + 1e-6;
+    sample.source_K = 473.15 + 1e-8;
     sample.coordinates[kX] = -1e-9;
     sample.coordinates[kZ] = 0.15 + 1e-9;
     sample.objects[1].measured_K = 273.15 + 40.123;
-    sample.objects[1].viewFactor = 1.23456789e-5;
+    sample.objects[1].viewFactor = 1.2345678912e-5;
     sample.objects[1].unshadedViewFactor = std::nan("");
     {
         auto writer = SessionWriter::create(path, twoDisks(), true);
@@ -526,11 +527,36 @@ TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
     EXPECT_EQ(at("csv/traces.csv", 2), "0");
     EXPECT_EQ(at("csv/traces.csv", 4), "0.15");
     EXPECT_EQ(at("csv/traces.csv", 17), "40.123");
-    EXPECT_EQ(std::stod(at("csv/traces.csv", 22)), 1.23457e-5);
+    EXPECT_EQ(std::stod(at("csv/traces.csv", 22)), 1.23456789e-5);
     EXPECT_EQ(at("csv/traces.csv", 23), "");
     ASSERT_TRUE(exportSessionCsv(path, file("all"), {}, CsvDigits::All));
     EXPECT_EQ(std::stod(at("all/traces.csv", 0)), 0.1 + 0.2);
-    EXPECT_EQ(std::stod(at("all/traces.csv", 22)), 1.23456789e-5);
+    EXPECT_EQ(std::stod(at("all/traces.csv", 22)), 1.2345678912e-5);
+}
+
+// Catches: a count that loses its units, and numbers at the ends of what a double holds that become empty.
+TEST_F(SessionFile, TracesKeepNumbersOfAnySize) {
+    constexpr double kNumbers[] = {1234567.0, 1e305, -1.5e300, 4e-320, 1234567890123.0, 12345678.26};
+    for (const double number : kNumbers) {
+        const std::string path = file("run.bask");
+        QFile::remove(qfile("run.bask"));
+        TraceSample sample = madeUpSample(twoDisks(), 3);
+        sample.objects[1].viewFactor = number;
+        {
+            auto writer = SessionWriter::create(path, twoDisks(), true);
+            ASSERT_TRUE((*writer)->add(sample));
+        }
+        ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+        std::istringstream traces(contents(qfile("csv/traces.csv")));
+        std::string line, field;
+        std::getline(traces, line);
+        std::getline(traces, line);
+        std::istringstream row(line);
+        for (int column = 0; column <= 22; ++column)
+            std::getline(row, field, ',');
+        ASSERT_FALSE(field.empty()) << number;
+        EXPECT_DOUBLE_EQ(std::strtod(field.c_str(), nullptr), number == 12345678.26 ? 12345678.3 : number);
+    }
 }
 
 TEST_F(SessionFile, ExportsOneCsvPerTable) {

@@ -363,16 +363,16 @@ TEST_F(ReviewPageTest, EmptyRunAndButtons) {
     QSignalSpy save(&page, &ReviewPage::exportRequested);
     QTest::mouseClick(child<QPushButton>("openSession"), Qt::LeftButton);
     const QList<QAction*> forms = child<QPushButton>("exportSession")->menu()->actions();
-    ASSERT_EQ(forms.size(), 6);
+    ASSERT_EQ(forms.size(), 7);
     for (QAction* form : forms)
         form->trigger();
     EXPECT_EQ(open.count(), 1);
     QList<SessionForm> asked;
     for (const QList<QVariant>& call : save)
         asked << call.first().value<SessionForm>();
-    EXPECT_EQ(asked,
-              (QList<SessionForm>{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
-                                  SessionForm::Csv, SessionForm::Nexus, SessionForm::Vtk}));
+    EXPECT_EQ(asked, (QList<SessionForm>{SessionForm::ReportPdf, SessionForm::ReportHtml,
+                                         SessionForm::Figures, SessionForm::Csv, SessionForm::CsvAllDigits,
+                                         SessionForm::Nexus, SessionForm::Vtk}));
     page.clear();
     EXPECT_TRUE(child<QPushButton>("openSessionEmpty")->isVisible());
 }
