@@ -67,7 +67,7 @@ QString plainValue(const QJsonValue& value) {
     if (value.isArray()) {
         for (const QJsonValue& item : value.toArray())
             parts << plainValue(item);
-        return parts.join(QStringLiteral(", "));
+        return parts.join(listSeparator());
     }
     if (value.isDouble())
         return QLocale().toString(value.toDouble(), 'g', 10);
@@ -78,7 +78,7 @@ QString listed(const QJsonValue& values, const std::function<QString(double)>& w
     QStringList parts;
     for (const QJsonValue& value : values.toArray())
         parts << words(value.toDouble());
-    return parts.join(QStringLiteral(", "));
+    return parts.join(listSeparator());
 }
 
 bool isGains(const QString& key) {

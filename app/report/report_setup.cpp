@@ -50,7 +50,7 @@ QString poseWords(const Vector6d& pose) {
     for (int k = 0; k < 6; ++k)
         if (k < 3 || std::abs(pose[k]) > 1e-6)
             parts << coordinate(k, pose[k]);
-    return parts.join(QStringLiteral(", "));
+    return parts.join(listSeparator());
 }
 
 QString shapeWords(const Shape& shape) {
@@ -153,7 +153,7 @@ Facts controllerFacts(const Experiment& e) {
         gains << name + number(gain.get(c)) + QChar(0x00a0) + QString::fromUtf8(gain.facts->unit.symbol);
     }
     return {{SetupText::tr("Controller"), controllerWord(c.kind)},
-            {SetupText::tr("Gains at the start"), gains.join(QStringLiteral(", "))},
+            {SetupText::tr("Gains at the start"), gains.join(listSeparator())},
             {SetupText::tr("Sampling"), SetupText::tr("every %1 s").arg(number(e.sampling.period_s))}};
 }
 

@@ -108,6 +108,10 @@ QString formatLength_mm(double length_m, int decimals) {
                                    : kNoValue;
 }
 
+QString listSeparator() {
+    return QLocale().decimalPoint() == u',' ? QStringLiteral("; ") : QStringLiteral(", ");
+}
+
 QString temperatureUnitSymbol(TemperatureUnit unit) {
     return QString::fromUtf8(temperatureSymbol(unit));
 }
@@ -240,15 +244,17 @@ private:
         const std::vector<ObjectKelvin> all = arg.objects(kind);
         const bool isTemperature = kind == ArgKind::Temperatures;
         if (!m_unit || all.empty() || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit)) {
-            static const QRegularExpression kPoint(QStringLiteral("(?<=\\d)\\.(?=\\d)"));
-            return QString(text).replace(kPoint, QLocale().decimalPoint());
+            // The values alone: a name may have a point, too.
+            static const QRegularExpression kPoint(QStringLiteral("(?<=\\d)\\.(?=\\d+ (K|°C)(, |$))"));
+            static const QRegularExpression kBetween(QStringLiteral("(?<= K|°C), "));
+            return QString(text).replace(kPoint, QLocale().decimalPoint()).replace(kBetween, listSeparator());
         }
         QStringList words;
         for (const ObjectKelvin& each : all)
             words << QString::fromStdString(each.object) + u' ' +
                          (isTemperature ? formatTemperature(each.value_K, *m_unit)
                                         : formatDifference(each.value_K, *m_unit));
-        return words.join(QStringLiteral(", "));
+        return words.join(listSeparator());
     }
 
     QString sentences(const MessageArg& arg, const QString& text) const {

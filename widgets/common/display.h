@@ -44,6 +44,9 @@ QString formatLength_mm(double length_m, int decimals = 1);
 /// Signed number in the locale's notation with a true minus sign; zero has no sign.
 QString formatSigned(double value, int decimals);
 
+/// Returns what stands between values of a list, ", "; "; " where a comma is the decimal mark.
+QString listSeparator();
+
 QString temperatureUnitSymbol(TemperatureUnit unit); ///< "°C"
 QString differenceUnitSymbol(TemperatureUnit unit);  ///< "K"
 

@@ -111,7 +111,7 @@ QString poseText(const Vector6d& pose, const RobotLimits& robot) {
     for (int k = 0; k < 6; ++k)
         if (robot.free[static_cast<std::size_t>(k)] || std::abs(pose[k]) >= minShown[k])
             parts << coordinateText(k, pose[k]);
-    return parts.join(QStringLiteral(", "));
+    return parts.join(listSeparator());
 }
 
 QString marginText(const PoseMargin& margin) {

@@ -1,6 +1,7 @@
 #include "widgets/objects/material_presets.h"
 
 #include "engine/model/experiment_parameters.h"
+#include "widgets/common/display.h"
 #include "widgets/common/parameter_form.h"
 
 #include <QCoreApplication>
@@ -161,7 +162,7 @@ QString uncertaintyText(const LibraryMaterial& material) {
     }
     return parts.isEmpty() ? QString()
                            : QCoreApplication::translate("MaterialPreset", "Standard uncertainty: %1")
-                                 .arg(parts.join(QStringLiteral(", ")));
+                                 .arg(parts.join(listSeparator()));
 }
 
 } // namespace bask

@@ -81,7 +81,7 @@ private:
             if (facts.hasTargets &&
                 std::ranges::find(run.objects, name, &ListedObject::name) == run.objects.end())
                 targets << QString::fromStdString(name) + u' ' + kNoValue;
-        return targets.join(QStringLiteral(", "));
+        return targets.join(listSeparator());
     }
 
     QString materialOf(const ListedObject& object) const {
@@ -91,9 +91,8 @@ private:
             words << QString::fromStdString(object.material);
         if (facts.hasEmittances && std::isfinite(object.emittance))
             words << QStringLiteral("\u03b5 ") + QLocale().toString(object.emittance, 'g', 3);
-        return words.isEmpty()
-                   ? QString()
-                   : QString::fromStdString(object.name) + u' ' + words.join(QStringLiteral(", "));
+        return words.isEmpty() ? QString()
+                               : QString::fromStdString(object.name) + u' ' + words.join(listSeparator());
     }
 
     std::vector<const SessionHeader*> m_runs;

@@ -502,7 +502,7 @@ QString DeviceDialog::triedText(const TriedDevice& tried) const {
         for (const AxisSpec& axis : m_axes->axes())
             at << coordinateWord(axis.coordinate) + u' ' +
                       coordinateReadout(axis.coordinate, (*tried.coordinates)[axis.coordinate]);
-        lines << at.join(QStringLiteral(", "));
+        lines << at.join(listSeparator());
     }
     if (status.problem.code != MessageCode::None)
         lines << sentenceText(status.problem);

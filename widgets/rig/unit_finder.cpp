@@ -105,7 +105,7 @@ void UnitFinder::list() {
             auto* item = new QListWidgetItem(
                 tr("Unit %1: %2 (%3)")
                     .arg(found.unit)
-                    .arg(QString::fromStdString(known->second), temperatures.join(QStringLiteral(", "))),
+                    .arg(QString::fromStdString(known->second), temperatures.join(listSeparator())),
                 m_found);
             item->setData(kUnit, found.unit);
             item->setData(kProfile, QString::fromStdString(fit.profile));

@@ -81,7 +81,7 @@ QString ZeroPanel::offsetsText() const {
         if (std::abs(m_zeroing->offsets_K[i]) > kLarge_K)
             large << name;
     }
-    QString text = tr("Offsets: %1.").arg(all.join(QStringLiteral(", ")));
+    QString text = tr("Offsets: %1.").arg(all.join(listSeparator()));
     if (!large.isEmpty())
         text += u' ' + tr("That of %1 is large: check the sensor and its wiring.").arg(large.join(", "));
     return text;
