@@ -1,14 +1,26 @@
 #include "widgets/common/number_field.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 #include <QSignalBlocker>
 
 #include <algorithm>
 
 namespace bask {
 
+namespace {
+
+/// Without the spaces that group thousands in a number from elsewhere, and with a plain minus sign.
+QString ungrouped(QString text) {
+    static const QRegularExpression kGroup(
+        QStringLiteral("(?<=\\d)[ \\x{a0}\\x{2009}\\x{202f}](?=\\d{3}(?!\\d))"));
+    return text.remove(kGroup).replace(QChar(0x2212), u'-');
+}
+
+} // namespace
+
 std::optional<double> typedNumber(QString text) {
-    text = text.trimmed().replace(u',', u'.').replace(QChar(0x2212), u'-');
+    text = ungrouped(text.trimmed()).replace(u',', u'.');
     const bool isPlain = std::all_of(
         text.begin(), text.end(), [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); });
     bool ok = false;
@@ -20,7 +32,8 @@ QValidator::State NumberField::validate(QString& text, int& position) const {
     const QString unit = text.endsWith(suffix()) ? suffix() : QString();
     text.chop(unit.size());
     const QString mark = locale().decimalPoint();
-    text = text.replace(u'.', mark).replace(u',', mark) + unit;
+    text = ungrouped(text).replace(u'.', mark).replace(u',', mark) + unit;
+    position = std::min(position, static_cast<int>(text.size()));
     return QDoubleSpinBox::validate(text, position);
 }
 

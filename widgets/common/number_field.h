@@ -7,11 +7,11 @@
 
 namespace bask {
 
-/// Reads a number as a person types it, with a point or a comma and with either minus sign; empty if it is
-/// none.
+/// Reads a number as a person types or pastes it, with a point or a comma, with either minus sign, and with
+/// spaces between thousands; empty if it is none.
 std::optional<double> typedNumber(QString text);
 
-/// A point or a comma that is typed becomes the decimal mark of its locale.
+/// A point or a comma that is typed becomes the decimal mark of its locale; spaces between thousands go.
 class NumberField : public QDoubleSpinBox {
 public:
     using QDoubleSpinBox::QDoubleSpinBox;

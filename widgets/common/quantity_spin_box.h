@@ -11,8 +11,8 @@
 namespace bask {
 
 /// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is
-/// also accepted as a decimal point; Escape restores the value before typing. What is typed is the value,
-/// also where one with more digits is shown so already.
+/// also accepted as a decimal point; Escape restores the value before typing. What is typed is the value
+/// to a tenth of the display unit, also where one with more digits is shown so already.
 class QuantitySpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:

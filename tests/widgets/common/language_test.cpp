@@ -4,6 +4,7 @@
 #include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 
+#include <QLineEdit>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -85,9 +86,25 @@ TEST(LanguageNotation, FieldsTakePointAndComma) {
             EXPECT_DOUBLE_EQ(length->value(), 1.25) << code.toStdString() << ' ' << typed;
             EXPECT_DOUBLE_EQ(gain.value(), 1.25) << code.toStdString() << ' ' << typed;
         }
-        for (const char* typed : {"1,250.5", "1.250,5", "1,2,5"}) {
+        for (const char* typed : {"1,250.5", "1.250,5", "1,2,5"}) { // the second mark is not taken
+            length->setValue(7.0);
             type(*length, typed);
-            EXPECT_NE(length->value(), 1250.5) << "digits are not grouped: " << typed;
+            EXPECT_DOUBLE_EQ(length->value(), 1.25)
+                << "not grouped by marks: " << code.toStdString() << ' ' << typed;
+        }
+        QuantitySpinBox temperature(&window);
+        temperature.setRange_K(0.0, 3000.0);
+        for (const char* pasted : {"1 500,2", "1\u00a0500.2", "1\u202f500,2"}) {
+            const QString text = QString::fromUtf8(pasted);
+            for (QDoubleSpinBox* field :
+                 std::initializer_list<QDoubleSpinBox*>{length, &temperature, &gain}) {
+                auto* line = field->findChild<QLineEdit*>();
+                field->setFocus();
+                line->selectAll();
+                line->insert(text);
+                QTest::keyClick(field, Qt::Key_Return);
+                EXPECT_NEAR(field->value(), 1500.2, 1e-9) << code.toStdString() << ' ' << pasted;
+            }
         }
     }
     language.set(QStringLiteral("en"));
@@ -96,7 +113,8 @@ TEST(LanguageNotation, FieldsTakePointAndComma) {
 TEST(TypedNumber, IsWholeOrNone) {
     EXPECT_EQ(typedNumber(QStringLiteral(" 2,5 ")), 2.5);
     EXPECT_EQ(typedNumber(QStringLiteral("\u22122.5e-3")), -2.5e-3);
-    for (const char* none : {"", "2,5,1", "nan", "inf", "2 mm", "1,250.5"})
+    EXPECT_EQ(typedNumber(QStringLiteral("1 234\u202f500,25")), 1234500.25);
+    for (const char* none : {"", "2,5,1", "nan", "inf", "2 mm", "1,250.5", "1 5", "1 2345"})
         EXPECT_FALSE(typedNumber(QString::fromUtf8(none)).has_value()) << none;
 }
 
@@ -111,6 +129,11 @@ TEST(LanguageNotation, SentencesOfTheEngineHaveIt) {
     EXPECT_TRUE(text({MessageCode::SafetySensorJump, {"a", "12.5", "5"}}).contains(QStringLiteral("12,5")));
     EXPECT_EQ(text({MessageCode::EventNotSettled, {"a.1 +1.5 K"}}),
               QStringLiteral("Not settled: a.1 +1,5 K"));
+    EXPECT_EQ(text({MessageCode::EventNotSettled, {"disk 1.2 +1.5 K, b -2.25 K"}}),
+              QStringLiteral("Not settled: disk 1.2 +1,5 K; b -2,25 K"));
+    EXPECT_EQ(messageText({MessageCode::EventNotSettled, {"disk 1.2 +1.5 K, b -2.5 K"}},
+                          TemperatureUnit::Fahrenheit),
+              QStringLiteral("Not settled: disk 1.2 +2,7\u00a0°F; b \u22124,5\u00a0°F"));
     EXPECT_TRUE(text({MessageCode::DuplicateName, {"1.5"}}).contains(QStringLiteral("\"1.5\"")));
     EXPECT_TRUE(text({MessageCode::MonitorNoBroker, {"10.0.0.2", "OpenSSL 3.0.2 says no"}})
                     .contains(QStringLiteral("10.0.0.2")));
