@@ -3799,38 +3799,38 @@
     </message>
     <message>
         <source>That was all. “Simulated rig” on the Rig page leads back to the simulated one; F1 opens the manual, which has the rest.</source>
-        <translation>C’est tout. « Banc simulé », page Banc, ramène au banc simulé ; F1 ouvre le manuel, où se trouve le reste.</translation>
+        <translation>C’est tout. «&#xa0;Banc simulé&#xa0;», page Banc, ramène au banc simulé&#xa0;; F1 ouvre le manuel, où se trouve le reste.</translation>
     </message>
     <message>
         <source>New here? %1 small steps on simulated rigs show what Bask does. Nothing can burn.</source>
         <extracomment>how many</extracomment>
-        <translation>Première fois ? %1 petites étapes sur des bancs simulés montrent ce que fait Bask. Rien ne peut brûler.</translation>
+        <translation>Première fois&#xa0;? %1 petites étapes sur des bancs simulés montrent ce que fait Bask. Rien ne peut brûler.</translation>
     </message>
     <message>
         <source>Tools &gt; Simulate fault &gt; %1: choose an object. The run holds, and an alarm says what to do.</source>
         <extracomment>a simulated fault, as the menu has it</extracomment>
-        <translation>Outils &gt; Simuler un défaut &gt; %1 : choisissez un objet. L’essai se met en pause et une alarme dit que faire.</translation>
+        <translation>Outils &gt; Simuler un défaut &gt; %1&#xa0;: choisissez un objet. L’essai se met en pause et une alarme dit que faire.</translation>
     </message>
     <message>
         <source>Remove its cause: choose the fault again in the same menu, which ends it. The sensor tells its temperature again.</source>
-        <translation>Supprimez sa cause : choisissez de nouveau le défaut dans le même menu, ce qui y met fin. Le capteur redonne sa température.</translation>
+        <translation>Supprimez sa cause&#xa0;: choisissez de nouveau le défaut dans le même menu, ce qui y met fin. Le capteur redonne sa température.</translation>
     </message>
     <message>
         <source>Resume (Shift+F7): the run goes on where it was held.</source>
-        <translation>Reprendre (Maj+F7) : l’essai continue là où il était en pause.</translation>
+        <translation>Reprendre (Maj+F7)&#xa0;: l’essai continue là où il était en pause.</translation>
     </message>
     <message>
         <source>File &gt; Examples &gt; serial-rig: a rig with devices of its own, as a real one has. They are at serial ports, where nothing answers yet.</source>
-        <translation>Fichier &gt; Exemples &gt; serial-rig : un banc qui a ses propres appareils, comme un banc réel. Ils sont sur des ports série, où rien ne répond encore.</translation>
+        <translation>Fichier &gt; Exemples &gt; serial-rig&#xa0;: un banc qui a ses propres appareils, comme un banc réel. Ils sont sur des ports série, où rien ne répond encore.</translation>
     </message>
     <message>
         <source>Type “bask simulate-rig” in a terminal: it plays robot, thermometer and heat source at these ports. On the Rig page all three become live.</source>
-        <translation>Tapez « bask simulate-rig » dans un terminal : il joue le robot, le thermomètre et la source de chaleur sur ces ports. Page Banc, tous trois deviennent actifs.</translation>
+        <translation>Tapez «&#xa0;bask simulate-rig&#xa0;» dans un terminal&#xa0;: il joue le robot, le thermomètre et la source de chaleur sur ces ports. Page Banc, tous trois deviennent actifs.</translation>
     </message>
     <message>
         <source>Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” lists what answers there; choose it and press “Use”.</source>
         <extracomment>the path of a serial port</extracomment>
-        <translation>Trouvez un appareil : « Retirer » le thermomètre, puis « Régler… » avec le port %1. « Chercher les appareils » liste ce qui y répond ; choisissez-le et pressez « Utiliser ».</translation>
+        <translation>Trouvez un appareil&#xa0;: «&#xa0;Retirer&#xa0;» le thermomètre, puis «&#xa0;Régler…&#xa0;» avec le port %1. «&#xa0;Chercher les appareils&#xa0;» liste ce qui y répond&#xa0;; choisissez-le et pressez «&#xa0;Utiliser&#xa0;».</translation>
     </message>
 </context>
 <context>
@@ -7996,6 +7996,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
         <translation>Ouvre ce qui a été exécuté ici, objets, source, consignes et limites tels qu’ils sont dans l’enregistrement, comme une nouvelle expérience sans fichier.</translation>
     </message>
+    <message>
+        <source>Tables with &amp;all digits (CSV)…</source>
+        <translation>T&amp;ableaux avec tous les chiffres (CSV)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -10696,6 +10700,27 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Dotted: predicted. Traces begin with Start.</source>
         <translation>En pointillé&#xa0;: la prédiction. Les courbes commencent au démarrage.</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prédit</translation>
+    </message>
+    <message>
+        <source>predicted, not settled by then</source>
+        <translation>prédit, pas encore stabilisé</translation>
+    </message>
+    <message>
+        <source>predicted, not computed further</source>
+        <translation>prédit, non calculé au-delà</translation>
+    </message>
+    <message>
+        <source>predicted to end in a fault</source>
+        <translation>prédit : finit par un défaut</translation>
+    </message>
+    <message>
+        <source>next run: %1</source>
+        <comment>%1 is &quot;predicted&quot;</comment>
+        <translation>essai suivant : %1</translation>
     </message>
 </context>
 <context>

@@ -7985,6 +7985,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
         <translation>将此处所运行的内容（物体、热源、目标和限值，均按记录中的）作为没有文件的新实验打开。</translation>
     </message>
+    <message>
+        <source>Tables with &amp;all digits (CSV)…</source>
+        <translation>全部位数的表格 (CSV)(&amp;A)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -10672,6 +10676,27 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Dotted: predicted. Traces begin with Start.</source>
         <translation>点线：预测。曲线从“开始”时起绘制。</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>预测</translation>
+    </message>
+    <message>
+        <source>predicted, not settled by then</source>
+        <translation>预测，届时未稳定</translation>
+    </message>
+    <message>
+        <source>predicted, not computed further</source>
+        <translation>预测，未继续计算</translation>
+    </message>
+    <message>
+        <source>predicted to end in a fault</source>
+        <translation>预测以故障结束</translation>
+    </message>
+    <message>
+        <source>next run: %1</source>
+        <comment>%1 is &quot;predicted&quot;</comment>
+        <translation>下一次运行：%1</translation>
     </message>
 </context>
 <context>

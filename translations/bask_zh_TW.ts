@@ -7985,6 +7985,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Opens what was run here, objects, source, targets and limits as the recording has them, as a new experiment without a file.</source>
         <translation>將此處所運轉的內容（物體、熱源、目標和限值，均按記錄中的）作為沒有檔案的新實驗開啟。</translation>
     </message>
+    <message>
+        <source>Tables with &amp;all digits (CSV)…</source>
+        <translation>全部位數的表格 (CSV)(&amp;A)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -10672,6 +10676,27 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Dotted: predicted. Traces begin with Start.</source>
         <translation>點線：預測。曲線從「開始」時起繪製。</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>預測</translation>
+    </message>
+    <message>
+        <source>predicted, not settled by then</source>
+        <translation>預測，屆時未穩定</translation>
+    </message>
+    <message>
+        <source>predicted, not computed further</source>
+        <translation>預測，未繼續計算</translation>
+    </message>
+    <message>
+        <source>predicted to end in a fault</source>
+        <translation>預測以故障結束</translation>
+    </message>
+    <message>
+        <source>next run: %1</source>
+        <comment>%1 is &quot;predicted&quot;</comment>
+        <translation>下一次運轉：%1</translation>
     </message>
 </context>
 <context>
