@@ -121,6 +121,7 @@ TEST(PlotPlace, ThePlotGoesOutGoesOnAndComesBack) {
 // Catches a window that can be opened once, and one that takes the other's plot.
 TEST(PlotPlace, SeveralAtOnceAndAgain) {
     ShownPage shown;
+    qRegisterMetaType<PlotWindow*>();
     QSignalSpy made(shown.error, &PlotPlace::takenOut);
     for (int round = 1; round <= 2; ++round) {
         shown.temperature->takeOut();

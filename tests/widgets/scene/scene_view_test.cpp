@@ -86,6 +86,7 @@ TEST_F(SceneViewTest, ATraceColoursObjectsAndTrail) {
 // Catches a planned path that is not drawn before Start, covers the trail, stays when there is no prediction
 // any more, or keeps the colours of the other theme.
 TEST_F(SceneViewTest, ThePlannedPathIsDrawnAndRemoved) {
+    QApplication::setPalette(themePalette(false)); // as after the dark one
     SceneView view;
     view.resize(1000, 700);
     view.setExperiment(test::threeObjects());
@@ -440,7 +441,7 @@ TEST_F(SceneViewTest, TheSourceLooksAsWarmAsItIs) {
     view.setSourceTemperature_K(0.5 * (experiment.environment_K + experiment.source.temperature_K));
     image = grab(view);
     EXPECT_LT(test::pixelsOf(image, kSource), glowing / 20);
-    EXPECT_LT(test::pixelsOf(image, cold), glowing / 20);
+    EXPECT_LT(test::pixelsOf(image, cold), glowing / 6) << "shaded parts";
     view.setSourceTemperature_K(experiment.source.temperature_K + 20.0);
     EXPECT_GT(test::pixelsOf(grab(view), kSource), glowing / 2);
 
