@@ -6,6 +6,7 @@
 #include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
+#include "engine/recording/alarm_history.h"
 #include "engine/recording/session_header.h"
 #include "widgets/common/alarm_words.h"
 #include "widgets/common/display.h"
@@ -206,8 +207,7 @@ std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
 }
 
 int alarmCount(const SessionRecord& session) {
-    return static_cast<int>(std::ranges::count_if(
-        session.events, [](const TraceEvent& event) { return alarmPriority(event.message.code) > 0; }));
+    return static_cast<int>(alarmSpells(session.events, 0.0).size());
 }
 
 } // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <map>
 #include <numeric>
@@ -16,9 +15,12 @@
 namespace bask {
 namespace {
 
-// As in a list of runs: no more of whatever lies in the folder than fits the memory.
-constexpr const char* kSelectAlarmEvents =
-    "SELECT time_s, code, substr(args, 1, 65536) FROM event ORDER BY rowid LIMIT 100000";
+// As in a list of runs: no more of whatever lies in the folder than fits the memory, and a moment.
+constexpr const char* kSelectEvents =
+    "SELECT time_s, code, substr(args, 1, 8192) FROM event WHERE rowid BETWEEN 1 AND 100000 AND code IN (";
+constexpr const char* kUpToEvents = ") ORDER BY rowid LIMIT 10000";
+constexpr std::size_t kMaxArgs = 10; ///< the name of another sentence, and the nine of that one
+constexpr const char* kSelectLastEvent = "SELECT time_s FROM event ORDER BY rowid DESC LIMIT 1";
 constexpr const char* kSelectEnd = "SELECT time_s FROM step ORDER BY number DESC LIMIT 1";
 constexpr const char* kSelectFirstVersionEnd = "SELECT time_s FROM pose ORDER BY rowid DESC LIMIT 1";
 
@@ -62,32 +64,50 @@ bool endsWhenOver(MessageCode code) {
     return end == nullptr || end->isSeenOver;
 }
 
-bool endsByReset(MessageCode code) {
-    const AlarmEnd* const end = endOf(code);
-    return end == nullptr || end->isLatched;
+bool isEnd(MessageCode code) {
+    return code == MessageCode::EventReset || code == MessageCode::EventSourcePoseBack ||
+           code == MessageCode::EventSensorBack || code == MessageCode::EventAlarmOver;
 }
 
-/// What an alarm is about: sentences have the names of objects, ports and programs in quotes. Another number
-/// of an alarm of the robot is another alarm.
-std::vector<std::string> namesIn(const Message& message) {
+/// Sentences have the names of objects, ports and programs in quotes.
+std::vector<std::string> quotedNames(const Message& message) {
     const std::string_view sentence = messageTemplate(message.code);
     std::vector<std::string> names;
     for (std::size_t k = 0; k < message.args.size(); ++k)
-        if (sentence.find("\"%" + std::to_string(k + 1) + '"') != std::string_view::npos ||
-            (message.code == MessageCode::RobotAlarm && k == 0))
+        if (sentence.find("\"%" + std::to_string(k + 1) + '"') != std::string_view::npos)
             names.push_back(message.args[k].text());
     return names;
 }
 
-bool isSameAlarm(const Message& a, const Message& b) {
-    return a.code == b.code && namesIn(a) == namesIn(b);
+/// What an alarm that is not in the table speaks of, whatever its words; empty for any other alarm.
+std::string deviceOf(const Message& message) {
+    if (endOf(message.code) != nullptr)
+        return {};
+    const std::string_view name = messageName(message.code);
+    if (name.starts_with("Robot") || message.code == MessageCode::ReasonRobotLost)
+        return "robot";
+    if (name.starts_with("HeaterGuard"))
+        return "guard";
+    if (name.starts_with("Device") && !message.args.empty()) // its port, which is not always in quotes
+        return message.args.front().text();
+    const std::vector<std::string> names = quotedNames(message);
+    return names.empty() ? std::string() : names.front();
 }
 
-/// The newest words of a device's alarm, with which it ends, may be others than those it began with.
-bool isOfSameDevice(const Message& a, const Message& b) {
-    const std::vector<std::string> ofA = namesIn(a), ofB = namesIn(b);
-    return endOf(a.code) == nullptr && endOf(b.code) == nullptr && !ofA.empty() && !ofB.empty() &&
-           ofA.front() == ofB.front();
+/// What an alarm is about. What a device says of itself does not count, but another number of an alarm of the
+/// robot is another alarm.
+std::vector<std::string> aboutOf(const Message& message) {
+    if (message.code == MessageCode::RobotAlarm && !message.args.empty())
+        return {message.args.front().text()};
+    if (std::string_view(messageName(message.code)).starts_with("Device"))
+        return {deviceOf(message)};
+    return quotedNames(message);
+}
+
+using AlarmKey = std::pair<MessageCode, std::vector<std::string>>;
+
+AlarmKey keyOf(const Message& message) {
+    return {message.code, aboutOf(message)};
 }
 
 /// Pairs each alarm with its end.
@@ -98,17 +118,15 @@ public:
         if (alarmPriority(told.code) > 0)
             return raise(event);
         if (told.code == MessageCode::EventReset)
-            return end(event.time_s, [](const Message& open) { return endsByReset(open.code); });
+            return reset(event.time_s);
         if (told.code == MessageCode::EventSourcePoseBack)
-            return end(event.time_s, [](const Message& open) {
-                const AlarmEnd* const row = endOf(open.code);
-                return row != nullptr && row->isLoss && !row->isOfObject;
+            return end(event.time_s, [](const Unended& open) {
+                return open.row != nullptr && open.row->isLoss && !open.row->isOfObject;
             });
-        if (told.code == MessageCode::EventSensorBack)
-            return end(event.time_s, [&](const Message& open) {
-                const AlarmEnd* const row = endOf(open.code);
-                return row != nullptr && row->isLoss && row->isOfObject && !open.args.empty() &&
-                       !told.args.empty() && open.args.front() == told.args.front();
+        if (told.code == MessageCode::EventSensorBack && !told.args.empty())
+            return end(event.time_s, [&](const Unended& open) {
+                return open.row != nullptr && open.row->isLoss && open.row->isOfObject &&
+                       open.object == told.args.front().text();
             });
         if (told.code == MessageCode::EventAlarmOver)
             if (const auto over = messageWithin(told); over && endsWhenOver(over->code))
@@ -117,37 +135,90 @@ public:
 
     /// What has no end yet lasts until the recording's.
     std::vector<AlarmSpell> all(double end_s) {
-        end(end_s, [](const Message&) { return true; });
+        end(end_s, [](const Unended&) { return true; });
         return std::move(m_spells);
     }
 
 private:
+    struct Unended {
+        std::size_t spell;
+        const AlarmEnd* row;
+        std::string object, device;
+    };
+    using Unendeds = std::map<AlarmKey, Unended>;
+
+    /// One that is told again before its end goes on: a loss is told when a run holds for it, and when it
+    /// ends for it.
     void raise(const TraceEvent& event) {
-        end(event.time_s, [&](const Message& open) { return isSameAlarm(open, event.message); });
-        if (!isMoment(event.message.code))
-            m_open.push_back(m_spells.size());
-        m_spells.push_back({event.message, event.time_s});
+        const Message& message = event.message;
+        AlarmKey key = keyOf(message);
+        if (m_open.contains(key))
+            return;
+        m_reset.erase(key);
+        if (!isMoment(message.code))
+            m_open.emplace(std::move(key),
+                           Unended{m_spells.size(), endOf(message.code),
+                                   message.args.empty() ? std::string() : message.args.front().text(),
+                                   deviceOf(message)});
+        m_spells.push_back({message, event.time_s});
+    }
+
+    void setEnd(const Unended& open, double time_s) {
+        AlarmSpell& spell = m_spells[open.spell];
+        spell.active_s = std::max(time_s - spell.raised_s, 0.0);
     }
 
     template <class Ends> void end(double time_s, Ends ends) {
-        std::erase_if(m_open, [&](std::size_t k) {
-            const bool isEnded = ends(m_spells[k].message);
+        std::erase_if(m_open, [&](const auto& each) {
+            const bool isEnded = ends(each.second);
             if (isEnded)
-                m_spells[k].active_s = std::max(time_s - m_spells[k].raised_s, 0.0);
+                setEnd(each.second, time_s);
             return isEnded;
         });
     }
 
+    /// A device's alarm may go on after it: whether it halts the robot or is a note, its sentence does not
+    /// tell.
+    void reset(double time_s) {
+        for (const auto& [key, open] : m_open)
+            if (open.row == nullptr)
+                m_reset.insert_or_assign(key, open);
+        end(time_s, [](const Unended& open) { return open.row == nullptr || open.row->isLatched; });
+    }
+
+    /// The newest words of a device's alarm, with which it ends, may be others than those it began with.
     void endOne(double time_s, const Message& over) {
-        const bool isOpen = std::ranges::any_of(
-            m_open, [&](std::size_t k) { return isSameAlarm(m_spells[k].message, over); });
-        end(time_s, [&](const Message& open) {
-            return isOpen ? isSameAlarm(open, over) : isOfSameDevice(open, over);
-        });
+        const AlarmKey key = keyOf(over);
+        if (const auto open = m_open.find(key); open != m_open.end()) {
+            setEnd(open->second, time_s);
+            m_open.erase(open);
+            return;
+        }
+        const std::string device = deviceOf(over);
+        if (device.empty())
+            return endAfterReset(time_s, m_reset.find(key));
+        const std::size_t before = m_open.size();
+        end(time_s, [&](const Unended& open) { return open.device == device; });
+        if (m_open.size() < before)
+            return;
+        auto newest = m_reset.end();
+        for (auto each = m_reset.begin(); each != m_reset.end(); ++each)
+            if (each->second.device == device &&
+                (newest == m_reset.end() || each->second.spell > newest->second.spell))
+                newest = each;
+        endAfterReset(time_s, newest);
+    }
+
+    void endAfterReset(double time_s, Unendeds::iterator goesOn) {
+        if (goesOn == m_reset.end())
+            return;
+        setEnd(goesOn->second, time_s);
+        m_reset.erase(goesOn);
     }
 
     std::vector<AlarmSpell> m_spells;
-    std::vector<std::size_t> m_open; ///< spells without an end
+    Unendeds m_open;  ///< without an end
+    Unendeds m_reset; ///< whose end is a reset
 };
 
 double sumOf(double sum_s, double part_s) {
@@ -156,6 +227,17 @@ double sumOf(double sum_s, double part_s) {
 
 constexpr double kNoEnd = std::numeric_limits<double>::quiet_NaN();
 
+/// Returns the query of the events that tell alarms and their ends.
+std::string selectAlarmEvents() {
+    std::string codes;
+    for (int k = 1; messageCodeFromName(messageName(static_cast<MessageCode>(k))) != MessageCode::None; ++k) {
+        const auto code = static_cast<MessageCode>(k);
+        if (alarmPriority(code) > 0 || isEnd(code))
+            codes += (codes.empty() ? "" : ", ") + sqlText(messageName(code));
+    }
+    return kSelectEvents + codes + kUpToEvents;
+}
+
 Result<std::vector<AlarmSpell>> readSpells(const std::string& path, const std::stop_token& stop) {
     const auto store = SessionStore::open(path);
     if (!store)
@@ -163,25 +245,30 @@ Result<std::vector<AlarmSpell>> readSpells(const std::string& path, const std::s
     std::vector<TraceEvent> events;
     double end_s = 0.0;
     const auto takeEnd = [&](double time_s) {
-        if (time_s > end_s) // not one that is not known
+        if (std::isfinite(time_s) && time_s > end_s)
             end_s = time_s;
     };
     auto done = (*store)->execute("BEGIN"); // all of one moment
     if (done)
         done = (*store)->select(
-            kSelectAlarmEvents,
+            selectAlarmEvents(),
             [&](SessionStore::Row row) {
-                events.push_back(eventOf(row));
-                takeEnd(events.back().time_s);
+                TraceEvent event = eventOf(row);
+                std::vector<MessageArg>& args = event.message.args;
+                if (args.size() > kMaxArgs)
+                    args.erase(args.begin() + kMaxArgs, args.end());
+                if (std::isfinite(event.time_s))
+                    events.push_back(std::move(event));
             },
             stop);
+    if (done)
+        done = (*store)->select(kSelectLastEvent, [&](SessionStore::Row row) { takeEnd(numberOf(row[0])); });
     if (done)
         done = (*store)->select((*store)->version() < 2 ? kSelectFirstVersionEnd : kSelectEnd,
                                 [&](SessionStore::Row row) { takeEnd(numberOf(row[0])); });
     if (!done)
         return done.error();
-    std::erase_if(events, [](const TraceEvent& event) { return !std::isfinite(event.time_s); });
-    return alarmSpells(events, end_s);
+    return alarmSpells(events, end_s, stop);
 }
 
 } // namespace
@@ -207,25 +294,28 @@ double PastAlarm::active_s() const {
     });
 }
 
-std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s) {
+std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s,
+                                    const std::stop_token& stop) {
     SpellCount count;
-    for (const TraceEvent& event : events)
+    for (const TraceEvent& event : events) {
+        if (stop.stop_requested())
+            break;
         count.take(event);
+    }
     return count.all(end_s);
+}
+
+bool isSameAlarm(const Message& a, const Message& b) {
+    return keyOf(a) == keyOf(b);
 }
 
 AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_token& stop,
                               const ShareDone& done) {
     AlarmHistory history;
     history.runs = std::move(runs);
-    std::vector<std::size_t> newestFirst(history.runs.size());
-    std::iota(newestFirst.begin(), newestFirst.end(), std::size_t{0});
-    std::ranges::stable_sort(newestFirst, std::ranges::greater(),
-                             [&](std::size_t k) { return history.runs[k].created; });
-    std::map<std::pair<MessageCode, std::vector<std::string>>, std::size_t> places;
+    std::map<AlarmKey, std::size_t> places;
     const auto add = [&](std::size_t run, const AlarmSpell& spell) {
-        const auto [place, isNew] =
-            places.try_emplace({spell.message.code, namesIn(spell.message)}, history.alarms.size());
+        const auto [place, isNew] = places.try_emplace(keyOf(spell.message), history.alarms.size());
         if (isNew)
             history.alarms.emplace_back();
         std::vector<AlarmInRun>& in = history.alarms[place->second].runs;
@@ -234,12 +324,14 @@ AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_t
         in.back().spells.push_back(spell);
     };
     ShareCount count(done, static_cast<double>(history.runs.size()));
-    for (const std::size_t k : newestFirst) {
+    for (std::size_t k = 0; k < history.runs.size(); ++k) {
         if (stop.stop_requested())
             break;
         SessionHeader& run = history.runs[k];
         const auto spells =
             run.error ? Result<std::vector<AlarmSpell>>(*run.error) : readSpells(run.path, stop);
+        if (stop.stop_requested())
+            break; // it was not read to its end
         if (spells) {
             for (const AlarmSpell& spell : *spells)
                 add(k, spell);

@@ -46,10 +46,16 @@ struct AlarmHistory {
 };
 
 /// Returns the alarms among the events of a run, in their order; the recording ends at `end_s`. What counts
-/// as an alarm is what the report of a run counts: an event that has a priority.
-std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s);
+/// as an alarm is an event that has a priority.
+/// An alarm that is told again before its end is one. Ends early once `stop` is requested.
+std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s,
+                                    const std::stop_token& stop = {});
 
-/// Reads the events of one run after another, no samples: some milliseconds for a run of any length. A file
+/// Returns whether two messages, whatever their values, are of one PastAlarm.
+bool isSameAlarm(const Message& a, const Message& b);
+
+/// Reads the events of one run after another, no samples: some milliseconds for a run of any length. The runs
+/// come the newest first. Of one run no more than the first 10 000 events of alarms are read. A file
 /// that cannot be read, now or when its header was read, is left out and named. Ends early, with the runs
 /// read so far, once `stop` is requested.
 AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_token& stop = {},
