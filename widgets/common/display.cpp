@@ -81,7 +81,8 @@ QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals) {
 QString formatDuration(double time_s) {
     if (!std::isfinite(time_s))
         return kNoValue;
-    const auto total = static_cast<long long>(std::floor(std::abs(time_s)));
+    constexpr double kMax_s = 1e15; // a damaged file may say any number
+    const auto total = static_cast<long long>(std::floor(std::min(std::abs(time_s), kMax_s)));
     const QChar zero(QLatin1Char('0'));
     const QString seconds = QStringLiteral("%1").arg(total % 60, 2, 10, zero);
     const QString text =

@@ -51,6 +51,7 @@ TEST(Display, Durations) {
     EXPECT_EQ(formatDuration(723.0), QStringLiteral("12:03"));
     EXPECT_EQ(formatDuration(3723.0), QStringLiteral("1:02:03"));
     EXPECT_EQ(formatDuration(std::nan("")), kNoValue);
+    EXPECT_EQ(formatDuration(1e300), formatDuration(1e15)) << "more than a whole number can hold";
 }
 
 TEST(Display, EveryStateHasWordAndExplanation) {
