@@ -1,10 +1,13 @@
 #include "app/alarm_history_control.h"
 
 #include "widgets/review/alarm_history_dialog.h"
+#include "widgets/review/run_differences.h"
 #include "widgets/review/session_list.h"
 
 #include <QThread>
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace bask {
@@ -51,8 +54,9 @@ void AlarmHistoryControl::read() {
     m_dialog->setReading(0);
     m_timer.start();
     m_job.run(
-        [runs = m_list.listed(), percent = m_percent](const std::stop_token& stop) {
-            return readAlarmHistory(runs, stop,
+        [runs = m_list.listed(), percent = m_percent](const std::stop_token& stop) mutable {
+            std::ranges::stable_sort(runs, std::ranges::greater(), recordedAt); // as the dialog dates them
+            return readAlarmHistory(std::move(runs), stop,
                                     [&](double share) { *percent = static_cast<int>(100.0 * share); });
         },
         [this](AlarmHistory history) {

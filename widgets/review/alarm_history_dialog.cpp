@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -174,27 +175,45 @@ void AlarmHistoryDialog::setReading(int percent) {
 }
 
 void AlarmHistoryDialog::setHistory(AlarmHistory history) {
+    const Message before = chosen();
     {
         const QSignalBlocker quiet(m_alarms);
         m_alarms->clear(); // its rows are of the history before
     }
     m_history = std::move(history);
     m_isReading = false;
-    showAlarms();
+    showAlarms(before);
     showUnread();
 }
 
-void AlarmHistoryDialog::showAlarms() {
-    const PastAlarm* chosen = selected();
+/// The selected alarm, without one the sentence that is none.
+Message AlarmHistoryDialog::chosen() const {
+    const PastAlarm* alarm = selected();
+    return alarm == nullptr ? Message{} : alarm->message();
+}
+
+/// Places in the history: a damaged file may have any number of names.
+std::vector<std::size_t> AlarmHistoryDialog::shownAlarms() const {
+    std::vector<std::size_t> places(m_history.alarms.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    if (places.size() > kMaxShown) {
+        std::ranges::stable_sort(places, {},
+                                 [&](std::size_t place) { return m_history.alarms[place].priority(); });
+        places.resize(kMaxShown);
+    }
+    return places;
+}
+
+void AlarmHistoryDialog::showAlarms(const Message& chosen) {
     {
         const QSignalBlocker quiet(m_alarms);
         m_alarms->setSortingEnabled(false);
         m_alarms->clear();
         QTreeWidgetItem* current = nullptr;
         QList<QTreeWidgetItem*> rows;
-        for (std::size_t place = 0; place < m_history.alarms.size(); ++place) {
+        for (const std::size_t place : shownAlarms()) {
             rows << alarmRow(place);
-            if (&m_history.alarms[place] == chosen)
+            if (isSameAlarm(m_history.alarms[place].message(), chosen))
                 current = rows.back();
         }
         m_alarms->addTopLevelItems(rows);
@@ -202,7 +221,8 @@ void AlarmHistoryDialog::showAlarms() {
         m_alarms->setCurrentItem(current);
         fitPastColumns(*m_alarms);
     }
-    filter();
+    hideOthers();
+    showRuns();
 }
 
 QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
@@ -224,8 +244,15 @@ QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
     return row;
 }
 
-/// Leaves the alarms that have every word.
 void AlarmHistoryDialog::filter() {
+    const PastAlarm* before = selected();
+    hideOthers();
+    if (selected() != before)
+        showRuns();
+}
+
+/// Leaves the alarms that have every word.
+void AlarmHistoryDialog::hideOthers() {
     const QStringList words = m_filter->text().simplified().toCaseFolded().split(u' ', Qt::SkipEmptyParts);
     QTreeWidgetItem* first = nullptr;
     for (int k = 0; k < m_alarms->topLevelItemCount(); ++k) {
@@ -242,7 +269,6 @@ void AlarmHistoryDialog::filter() {
         m_alarms->setCurrentItem(first);
     }
     m_copy->setEnabled(first != nullptr);
-    showRuns();
     showSummary();
 }
 
@@ -302,7 +328,17 @@ void AlarmHistoryDialog::showSummary() {
     else if (selected() == nullptr)
         m_summary->setText(tr("No alarm matches \"%1\".").arg(m_filter->text().simplified()));
     else
-        m_summary->setText(tr("Alarms in %1 of %n run(s)", nullptr, read).arg(runsWithAlarms(m_history)));
+        m_summary->setText(raisedWords(read));
+}
+
+QString AlarmHistoryDialog::raisedWords(int read) const {
+    const QString raised = tr("Alarms in %1 of %n run(s)", nullptr, read).arg(runsWithAlarms(m_history));
+    return m_history.alarms.size() <= kMaxShown
+               ? raised
+               : tr("%1. Only %2 of %3 alarms are shown, the gravest.", "%1: Alarms in 2 of 5 runs")
+                     .arg(raised)
+                     .arg(kMaxShown)
+                     .arg(m_history.alarms.size());
 }
 
 void AlarmHistoryDialog::showUnread() {
@@ -366,13 +402,14 @@ void AlarmHistoryDialog::retranslate() {
     m_open->setText(tr("Open"));
     m_open->setAccessibleName(tr("Open the selected run"));
     m_close->setText(tr("Close"));
-    showAlarms();
+    showAlarms(chosen());
     showUnread();
 }
 
+/// Another language comes by retranslate(), as another unit does.
 void AlarmHistoryDialog::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
-        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        showAlarms(chosen());
     QDialog::changeEvent(event);
 }
 

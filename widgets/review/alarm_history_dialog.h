@@ -5,6 +5,9 @@
 
 #include <QDialog>
 
+#include <cstddef>
+#include <vector>
+
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -15,12 +18,14 @@ namespace bask {
 
 /// Reading is the receiver's work. Not modal, so that STOP stays reachable. Object names:
 /// "alarmHistoryDialog", "alarmHistoryFilter", "alarmHistorySummary" (also that there is none),
-/// "alarmHistoryAlarms" (a row for each alarm), "alarmHistoryRuns" (a row for each run of the selected
-/// alarm), "alarmHistoryUnread", "alarmHistoryCopy", "alarmHistoryOpen", "alarmHistoryClose".
+/// "alarmHistoryAlarms" (a row for each alarm, up to kMaxShown), "alarmHistoryRuns" (a row for each run of
+/// the selected alarm), "alarmHistoryUnread", "alarmHistoryCopy", "alarmHistoryOpen", "alarmHistoryClose".
 class AlarmHistoryDialog : public QDialog {
     Q_OBJECT
 
 public:
+    static constexpr std::size_t kMaxShown = 1000; ///< alarms; of more, the gravest
+
     explicit AlarmHistoryDialog(QWidget* parent = nullptr);
 
     /// The runs are being read: the shown content may be old.
@@ -38,12 +43,16 @@ protected:
 
 private:
     void build();
-    void showAlarms();
+    void showAlarms(const Message& chosen);
+    Message chosen() const;
     QTreeWidgetItem* alarmRow(std::size_t place) const;
+    std::vector<std::size_t> shownAlarms() const;
     void filter();
+    void hideOthers();
     void showRuns();
     QTreeWidgetItem* runRow(const AlarmInRun& in) const;
     void showSummary();
+    QString raisedWords(int read) const;
     void showUnread();
     void open();
     void copy() const;

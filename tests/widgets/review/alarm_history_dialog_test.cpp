@@ -16,6 +16,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 namespace bask {
 namespace {
 
@@ -232,6 +236,46 @@ TEST_F(AlarmHistoryDialogTest, WhatIsShownIsCopied) {
     EXPECT_EQ(lines[0], "Alarm\tRuns\tTimes\tActive\tLast raised\tLast run");
     EXPECT_EQ(lines[1].section(u'\t', 1, 3), "2\t13\t1:00:02");
     EXPECT_EQ(lines[2].section(u'\t', 0, 0), sentenceText(hot("foot", "96")).replace(space, u' '));
+}
+
+// Catches: a damaged file with thousands of names that keeps the window from answering, and grave alarms left
+// out for others.
+TEST_F(AlarmHistoryDialogTest, OfTooManyTheGravestAreShown) {
+    AlarmHistory past = somePast();
+    constexpr std::size_t kMany = AlarmHistoryDialog::kMaxShown + 100;
+    std::vector<PastAlarm> many(kMany);
+    for (std::size_t k = 0; k < kMany; ++k)
+        many[k].runs = {{0, {{{MessageCode::SafetySensorOpen, {"name" + std::to_string(k)}}, 1.0, 2.0}}}};
+    past.alarms.insert(past.alarms.begin(), many.begin(), many.end());
+    dialog.setHistory(past);
+    EXPECT_EQ(alarms->topLevelItemCount(), static_cast<int>(AlarmHistoryDialog::kMaxShown));
+    EXPECT_NE(alarm("hand\""), nullptr);
+    EXPECT_NE(alarm("foot"), nullptr);
+    EXPECT_TRUE(said("alarmHistorySummary").contains("Only 1000 of 1103 alarms"))
+        << said("alarmHistorySummary").toStdString();
+    dialog.setHistory(somePast());
+    EXPECT_FALSE(said("alarmHistorySummary").contains("Only"));
+}
+
+// Catches: a selected alarm that is lost when the runs are read again.
+TEST_F(AlarmHistoryDialogTest, ReadingAnewKeepsTheSelection) {
+    dialog.setHistory(somePast());
+    alarms->setCurrentItem(alarm("foot"));
+    AlarmHistory later = somePast();
+    std::ranges::reverse(later.alarms);
+    later.alarms.back().runs.front().spells.push_back({hot("foot", "97"), 80.0, 1.0});
+    dialog.setHistory(later);
+    EXPECT_EQ(alarms->currentItem(), alarm("foot")) << "with other values";
+    EXPECT_EQ(cells(runs->topLevelItem(0)).at(2), "3");
+}
+
+// Catches: a run that is not selected any more after a letter in the filter that leaves its alarm.
+TEST_F(AlarmHistoryDialogTest, TheFilterLeavesTheRunsOfTheSameAlarm) {
+    dialog.setHistory(somePast());
+    runs->setCurrentItem(runs->topLevelItem(1));
+    QTest::keyClicks(filter, "hand");
+    EXPECT_EQ(alarms->currentItem(), alarm("hand\""));
+    EXPECT_EQ(runs->currentItem(), runs->topLevelItem(1));
 }
 
 // Catches: temperatures in a unit that the reader has left, and a selection that is lost with it.
