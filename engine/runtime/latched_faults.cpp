@@ -4,6 +4,7 @@
 #include "engine/runtime/alarm_causes.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -34,10 +35,20 @@ LatchedFaults::LatchedFaults(const Experiment& experiment, const SafetyMonitor& 
     : m_experiment(experiment), m_safety(safety) {}
 
 bool LatchedFaults::add(LatchedFault fault) {
-    if (std::ranges::find(m_faults, fault.key, &LatchedFault::key) != m_faults.end())
-        return false;
+    const auto latched = std::ranges::find(m_faults, fault.key, &LatchedFault::key);
+    if (latched != m_faults.end())
+        return std::exchange(latched->wasOver, false);
     m_faults.push_back(std::move(fault));
     return true;
+}
+
+void LatchedFaults::noteOver(const SafetyFinding& finding) {
+    const AlarmEntry& row = alarmEntry(finding.condition);
+    if (row.reaction < SafetyReaction::Stop || !row.isSeenOver) // others are recorded each time, or once
+        return;
+    const auto latched = std::ranges::find(m_faults, keyOf(finding), &LatchedFault::key);
+    if (latched != m_faults.end())
+        latched->wasOver = true;
 }
 
 void LatchedFaults::use(std::vector<LatchedFault> faults) {

@@ -15,6 +15,7 @@ struct LatchedFault {
     Message message;
     std::string key; ///< key of its alarm
     std::optional<SafetyFinding> finding;
+    bool wasOver = false; ///< its end was recorded since its last event
 };
 
 LatchedFault latchedFault(Message reason);
@@ -25,8 +26,11 @@ class LatchedFaults {
 public:
     LatchedFaults(const Experiment& experiment, const SafetyMonitor& safety);
 
-    /// Adds a fault. Returns false, and changes nothing, if its alarm is already latched.
+    /// Adds a fault. Returns false, and changes nothing, if its alarm is already latched; true also for one
+    /// that was over and is back.
     bool add(LatchedFault fault);
+    /// Call when the end of a finding was recorded: its fault stays latched.
+    void noteOver(const SafetyFinding& finding);
     void clear() { m_faults.clear(); }
     bool isEmpty() const { return m_faults.empty(); }
     const std::vector<LatchedFault>& all() const { return m_faults; }

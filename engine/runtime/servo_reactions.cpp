@@ -161,6 +161,7 @@ void ServoLoop::tellEnd(const SafetyFinding& finding) {
         event(MessageCode::EventSourcePoseBack);
     else
         event(messageAbout(MessageCode::EventAlarmOver, finding.message));
+    m_faults.noteOver(finding);
 }
 
 void ServoLoop::refusedByRobot(const Message& reason) {

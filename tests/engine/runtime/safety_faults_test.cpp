@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/notice.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/recording/alarm_history.h"
 #include "engine/rig/missing_devices.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/simulated_run.h"
@@ -575,6 +576,59 @@ TEST(Safety, TheCauseStandsInTheEventAndTheRemedyFitsTheState) {
     setFault(rig.rig, SimulatedFault::RobotLost, 0, true);
     rig.periods(2);
     EXPECT_EQ(rig.loop.remedy().code, MessageCode::RemedyWait);
+}
+
+// Catches a loss that a run, or the heat, first waits for and then ends for, counted as two alarms.
+TEST(Safety, ALossThatLastsIsOneAlarm) {
+    for (const bool isRun : {true, false}) {
+        Rig rig;
+        if (isRun) {
+            rig.run(20.0);
+        } else {
+            rig.periods(40);
+            ASSERT_TRUE(rig.loop.setHeat(kelvinFromCelsius(60.0)));
+        }
+        setFault(rig.rig, SimulatedFault::SensorOpen, 1, true);
+        ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 90.0), 90.0) << isRun;
+        EXPECT_EQ(std::ranges::count(rig.events, MessageCode::SafetySensorOpen, &Message::code), 2)
+            << "noted, then latched";
+        std::vector<TraceEvent> events;
+        for (const Message& message : rig.events)
+            events.push_back({static_cast<double>(events.size()), message});
+        EXPECT_EQ(std::ranges::count_if(alarmSpells(events, 1e3),
+                                        [](const AlarmSpell& spell) {
+                                            return spell.message.code == MessageCode::SafetySensorOpen;
+                                        }),
+                  1)
+            << isRun;
+    }
+}
+
+// Catches an alarm that was over and is back before a reset, and that the record does not tell again; and one
+// that is told in every period.
+TEST(Safety, AnAlarmThatComesBackInAFaultIsRecordedAgain) {
+    for (const auto& each : {std::pair(SimulatedFault::RobotLost, MessageCode::ReasonRobotLost),
+                             std::pair(SimulatedFault::SourceSilent, MessageCode::SafetySourceSilent),
+                             std::pair(SimulatedFault::ObjectHot, MessageCode::SafetyObjectHot)}) {
+        const MessageCode code = each.second;
+        Rig rig;
+        rig.periods(40);
+        const auto ends = [&] {
+            return std::ranges::count_if(rig.events, [&](const Message& message) {
+                const auto over = messageWithin(message);
+                return message.code == MessageCode::EventAlarmOver && over && over->code == code;
+            });
+        };
+        for (int time = 1; time <= 2; ++time) {
+            setFault(rig.rig, each.first, 0, true);
+            ASSERT_LE(rig.until([&] { return rig.isAlarm(code); }, 100.0), 100.0) << messageName(code);
+            (void)rig.until([] { return false; }, 1.0);
+            setFault(rig.rig, each.first, 0, false);
+            ASSERT_LE(rig.until([&] { return !rig.isAlarm(code); }, 600.0), 600.0) << messageName(code);
+            EXPECT_GE(ends(), time) << messageName(code);
+            EXPECT_EQ(std::ranges::count(rig.events, code, &Message::code), ends()) << messageName(code);
+        }
+    }
 }
 
 // Catches one lost link that is ten alarms, and a fault that is another alarm than the condition it is for.
