@@ -2963,6 +2963,11 @@
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
+    <message>
+        <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>%1. Seules %2 des %3 alarmes sont montrées, les plus graves.</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmList</name>

@@ -2960,6 +2960,11 @@
         <source>Close</source>
         <translation>关闭</translation>
     </message>
+    <message>
+        <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>%1。只显示 %3 个报警中最严重的 %2 个。</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmList</name>

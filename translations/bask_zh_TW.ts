@@ -2960,6 +2960,11 @@
         <source>Close</source>
         <translation>關閉</translation>
     </message>
+    <message>
+        <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>%1。只顯示 %3 個警報中最嚴重的 %2 個。</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmList</name>
