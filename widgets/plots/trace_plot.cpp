@@ -22,9 +22,8 @@ TracePlot::TracePlot(Quantity quantity, QWidget* parent)
     m_canvas->dark = isDark(this);
     m_canvas->setQuantity(quantity);
     m_canvas->setContextMenuPolicy(Qt::CustomContextMenu); // it keeps what the mouse does to itself
-    connect(m_canvas.get(), &QWidget::customContextMenuRequested, this, [this](const QPoint& at) {
-        emit customContextMenuRequested(m_canvas->mapTo(this, at));
-    });
+    connect(m_canvas.get(), &QWidget::customContextMenuRequested, this,
+            [this](const QPoint& at) { emit customContextMenuRequested(m_canvas->mapTo(this, at)); });
 }
 
 TracePlot::TracePlot(QWidget* parent) : TracePlot(Quantity::Temperature, parent) {}
