@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -42,6 +43,7 @@ LabelsDialog::LabelsDialog(const Content& content, QWidget* parent)
                                           : QString());
     }
     auto* form = new QFormLayout;
+    nameChoice(m_operator, tr("Operator"));
     form->addRow(tr("Operator"), m_operator);
     form->addRow(tr("Sample"), m_sample);
     form->addRow(tr("Batch"), m_batch);

@@ -174,7 +174,7 @@ class AtSpi(unittest.TestCase):
         self.press(pyatspi.ROLE_PUSH_BUTTON, "Arm")
         wait_for(lambda: "Armed" in self.state(), "armed")
         self.press(pyatspi.ROLE_PUSH_BUTTON, "Start")
-        wait_for(lambda: "Servoing" in self.state(), "servoing")
+        wait_for(lambda: "Running" in self.state(), "running")
         wait_for(lambda: self.temperature("circle") > 26.0, "the circle is warmer")
         self.press(pyatspi.ROLE_PUSH_BUTTON, "STOP")
         wait_for(lambda: "Stopped" in self.state(), "stopped")

@@ -64,7 +64,7 @@ TEST_F(EndBySignal, leavesNothingHalf) {
     const QStringList field{"field",    examples + "/two-circles.json",
                             "--object", "left",
                             "--shade",  "none",
-                            "--axes",   "x=-0.2:0.2:0.001,y=-0.2:0.2:0.001,z=0.01:0.3:0.001",
+                            "--axes",   "x=-0.2:0.2:0.001,y=-0.2:0.2:0.001,z=0.01:0.3:0.0005",
                             "-o"};
     const QList<QStringList> commands{
         {"study", "closed-loop", "--count", "40", "-o", at("out")},

@@ -8,6 +8,7 @@
 #include "widgets/calibrate/sheet_panel.h"
 #include "widgets/calibrate/thermal_board_watch.h"
 #include "widgets/calibrate/thermal_panel.h"
+#include "widgets/common/labels.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
 #include <QComboBox>
@@ -278,7 +279,7 @@ void CalibratePage::retranslate() {
     m_choice->setToolTip(
         tr("Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or "
            "an address (rtsp://\u2026), and Enter"));
-    m_choice->setAccessibleName(tr("Camera"));
+    nameChoice(m_choice, tr("Camera"));
     m_tabs->setAccessibleName(tr("What is calibrated"));
     setAccessibleName(tr("Calibrate"));
 }

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 
 #include <optional>
 
@@ -64,7 +65,10 @@ void sayWithText(QLabel* label, const QString& what) {
 
 void nameChoice(QComboBox* choice, const QString& what) {
     choice->setAccessibleName(what);
-    choice->setAccessibleDescription(what);
+    if (choice->toolTip().isEmpty()) // which is said, too
+        choice->setAccessibleDescription(what);
+    if (QLineEdit* field = choice->lineEdit())
+        field->setAccessibleName(what);
 }
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #include "widgets/recipe/recipe_step_dialog.h"
 
+#include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/recipe/recipe_words.h"
@@ -77,6 +78,7 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     addRow(tr("Until"), m_until, "until");
     addRow(tr("For"), m_duration, "duration");
     addRow(tr("Object"), m_object, "object");
+    nameChoice(m_object, tr("Object"));
     addRow(tr("Temperature"), m_temperature, "temperature");
     addRow(tr("At most"), m_maxDuration, "atMost");
     addRow(tr("Otherwise"), m_otherwise, "otherwise");

@@ -591,7 +591,7 @@ void DeviceDialog::retranslateParts() {
     m_homing->setItemText(0, driver().link == DriverLink::Program
                                  ? tr("When its program says so")
                                  : tr("Once it is homed, if its controller can; else once it is confirmed"));
-    m_port->setAccessibleName(m_portLabel->text());
+    nameChoice(m_port, m_portLabel->text());
     m_port->lineEdit()->setPlaceholderText(m_port->toolTip());
     m_useStep->setText(m_role == DeviceRole::Robot         ? tr("4. Its axes")
                        : m_role == DeviceRole::Thermometer ? tr("4. The objects' channels")

@@ -1,4 +1,5 @@
 #include "widgets/rig/serial_form.h"
+#include "widgets/common/labels.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -63,7 +64,7 @@ void SerialForm::retranslate() {
         m_parity->setItemText(static_cast<int>(i), parities[i]);
     const auto say = [](QComboBox* field, const QString& text) {
         field->setToolTip(text);
-        field->setAccessibleName(text);
+        nameChoice(field, text);
     };
     say(m_baud, tr("Speed of the line, baud"));
     say(m_dataBits, tr("Data bits"));

@@ -11,6 +11,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -238,9 +239,12 @@ TEST(PlotPlace, CursorsWorkInTheWindow) {
     QTest::mouseClick(canvas, Qt::LeftButton, Qt::NoModifier, there);
     ASSERT_TRUE(plot->cursor_s());
     EXPECT_EQ(*plot->cursor_s(), std::round(*plot->cursor_s())) << "at a sample";
-    QTest::mouseMove(canvas, there + QPoint(canvas->width() / 4, 0));
+    const QPointF aside = there + QPoint(canvas->width() / 4, 0);
+    QMouseEvent move(QEvent::MouseMove, aside, canvas->mapToGlobal(aside), Qt::NoButton, Qt::NoButton,
+                     Qt::NoModifier); // the cursor itself would be over the page's window
+    QCoreApplication::sendEvent(canvas, &move);
     auto* told = canvas->findChild<QLabel*>(QStringLiteral("tracePlotReadout"));
-    EXPECT_TRUE(test::waitFor([told] { return told->text().contains(QStringLiteral("\u0394")); }));
+    EXPECT_TRUE(told->text().contains(QStringLiteral("\u0394"))) << told->text().toStdString();
 
     choose(shown.temperature, "plotCursorAway");
     EXPECT_FALSE(plot->cursor_s());

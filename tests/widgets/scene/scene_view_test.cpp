@@ -86,7 +86,6 @@ TEST_F(SceneViewTest, ATraceColoursObjectsAndTrail) {
 // Catches a planned path that is not drawn before Start, covers the trail, stays when there is no prediction
 // any more, or keeps the colours of the other theme.
 TEST_F(SceneViewTest, ThePlannedPathIsDrawnAndRemoved) {
-    QApplication::setPalette(themePalette(false)); // as after the dark one
     SceneView view;
     view.resize(1000, 700);
     view.setExperiment(test::threeObjects());
@@ -119,14 +118,19 @@ TEST_F(SceneViewTest, ThePlannedPathIsDrawnAndRemoved) {
     QCoreApplication::processEvents();
     view.setPlan({});
     const QImage trailOnly = grab(view);
+    EXPECT_GT(test::differentPixels(withPlan, trailOnly), 100);
     EXPECT_LT(test::differentPixels(withPlan, trailOnly), drawn) << "dimmer, and under the trail";
     view.clearTrace();
     view.setPose(test::threeObjects().start);
-    EXPECT_LT(test::differentPixels(before, grab(view)), 100);
+    const QImage without = grab(view); // where labels are now
+    view.setPlan(plan);
+    EXPECT_GT(test::differentPixels(without, grab(view)), 300);
+    view.setPlan({});
+    EXPECT_LT(test::differentPixels(without, grab(view)), 100);
 
     view.setPlan(plan);
     view.setExperiment(test::threeObjects());
-    EXPECT_LT(test::differentPixels(before, grab(view)), 100) << "it was of another experiment";
+    EXPECT_LT(test::differentPixels(without, grab(view)), 100) << "it was of another experiment";
 }
 
 // Catches a pose that moves numbers but not the picture, or moves it the wrong way.
