@@ -10,6 +10,17 @@ namespace {
 
 constexpr int kMargin_px = 12, kMaxWidth_px = 760;
 
+/// What its parents leave of it: a scrolled page is larger. Its own parts may hide it, as plots do.
+QRect seenOf(const QWidget& page) {
+    QRect seen = page.rect();
+    QPoint offset;
+    for (const QWidget* w = &page; !w->isWindow() && w->parentWidget() != nullptr; w = w->parentWidget()) {
+        offset += w->pos();
+        seen &= w->parentWidget()->rect().translated(-offset);
+    }
+    return seen.isEmpty() ? page.rect() : seen;
+}
+
 } // namespace
 
 FloatingPlace::FloatingPlace(QWidget& bar, QWidget& page) : QObject(&bar), m_bar(bar), m_page(page) {
@@ -28,8 +39,7 @@ bool FloatingPlace::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void FloatingPlace::place() {
-    const QRect visible = m_page.visibleRegion().boundingRect(); // a scrolled page is larger
-    const QRect seen = visible.isEmpty() ? m_page.rect() : visible;
+    const QRect seen = seenOf(m_page);
     const int width = std::min(seen.width() - 2 * kMargin_px, kMaxWidth_px);
     const int height = m_bar.hasHeightForWidth() ? m_bar.heightForWidth(width) : m_bar.sizeHint().height();
     m_bar.setGeometry(seen.center().x() - width / 2, seen.bottom() - kMargin_px - height, width, height);

@@ -65,6 +65,17 @@ TEST_F(FloatingPlaceTest, FollowsThePagesEdge) {
     }
 }
 
+// Catches: a message over the upper edge, since a plot hides the rest of the page.
+TEST_F(FloatingPlaceTest, LiesOverWhatHidesThePage) {
+    QWidget plot(&page);
+    plot.setAttribute(Qt::WA_OpaquePaintEvent);
+    plot.setGeometry(0, 60, 600, 340);
+    plot.show();
+    bar->say(MessageBar::Kind::Note, QStringLiteral("Written."));
+    settle();
+    EXPECT_LT(page.rect().bottom() - bar->geometry().bottom(), 30);
+}
+
 // Catches: a message at the foot of a long page, below what is seen of it.
 TEST(FloatingPlaceInAScrollArea, StaysInSight) {
     QScrollArea area;

@@ -228,9 +228,13 @@ TEST(RunPage, ThePredictedRunIsShownAndHidden) {
     for (int i = 0; i < 3; ++i)
         EXPECT_EQ(plot->predictedPoints(i).size(), 150) << i;
     EXPECT_DOUBLE_EQ(plot->visibleTo_s(), error->visibleTo_s());
+    plot->redraw();
+    error->redraw();
     shown.page.grab().save(QStringLiteral("run_page_predicted.png"));
     shown.page.apply(snapshotOf(likeARun(30)));
     EXPECT_EQ(plot->predictedPoints(2).size(), 150) << "it stays behind the run";
+    plot->redraw();
+    error->redraw();
     shown.page.grab().save(QStringLiteral("run_page_predicted_run.png"));
     QTest::mouseClick(shows, Qt::LeftButton, Qt::NoModifier, {8, shows->height() / 2});
     EXPECT_TRUE(plot->predictedPoints(0).isEmpty());
