@@ -177,7 +177,7 @@ class AtSpi(unittest.TestCase):
         wait_for(lambda: "Running" in self.state(), "running")
         wait_for(lambda: self.temperature("circle") > 26.0, "the circle is warmer")
         self.press(pyatspi.ROLE_PUSH_BUTTON, "STOP")
-        wait_for(lambda: "Stopped" in self.state(), "stopped")
+        wait_for(lambda: "Fault" in self.state(), "a latched stop")
         self.press(pyatspi.ROLE_PAGE_TAB, "Events")
         events = self.node(pyatspi.ROLE_TREE, "Events and notes")
         wait_for(lambda: any("STOP" in said(n) for n in shown(events)), "the event of STOP")
