@@ -22,8 +22,8 @@ void showOld(QLabel* text, bool isOld);
 /// Makes a screen reader say what the label's text is of, and the text: with a name alone it says the name
 /// and not the value. To be called whenever either has changed.
 void sayWithText(QLabel* label, const QString& what);
-/// Makes a screen reader say what is chosen, or typed, here. Where AT-SPI is spoken a choice's name is its value; what
-/// it is for is said by the label whose buddy it is, or by this.
+/// Makes a screen reader say what is chosen, or typed, here. Where AT-SPI is spoken a choice's name is its
+/// value; what it is for is said by the label whose buddy it is, or by this.
 void nameChoice(QComboBox* choice, const QString& what);
 
 } // namespace bask
