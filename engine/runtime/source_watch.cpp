@@ -2,11 +2,14 @@
 
 #include "engine/base/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
 
 void SourceWatch::restart() {
+    if (heatsUnasked()) // no reset makes it cool
+        return;
     SourceWatch anew(m_limits, m_room_K);
     anew.m_wasHeated = m_wasHeated;
     anew.m_restSince_s = m_restSince_s;
@@ -21,12 +24,15 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
     if (isOn != m_wasOn)
         m_turned_s = time_s;
     const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
-    const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K
-                                 : temperature_K <= m_from_K; // cooling is right
+    const bool isAtRest = m_restSince_s && time_s - *m_restSince_s >= kAtRest_s;
+    const bool isCooling =
+        temperature_K <= std::max(m_from_K, m_peak_K - SafetySpec::kSourceGain_K) || isAtRest;
+    const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K : isCooling;
     if (isBegun || isNearEnough || isTurning || isProgress) {
-        m_from_K = temperature_K;
+        m_from_K = m_peak_K = temperature_K;
         m_since_s = time_s;
     }
+    m_peak_K = std::max(m_peak_K, temperature_K);
     if (isBegun || isOn || temperature_K <= m_coolFrom_K - SafetySpec::kSourceGain_K) {
         m_coolFrom_K = temperature_K;
         m_coolSince_s = time_s;

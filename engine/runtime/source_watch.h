@@ -21,7 +21,8 @@ public:
         double gained_K = 0.0;
         double time_s = 0.0;
     };
-    /// The warming since the minimum with the heat off; empty if it is within the limit.
+    /// The warming since the minimum with the heat off; empty if it is within the limit, and once the source
+    /// has become kSourceGain_K cooler than it was, or is at rest.
     std::optional<Warming> heatsUnasked() const;
     /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
     /// if it cools, or if the time is too short to tell.
@@ -31,7 +32,8 @@ public:
     /// temperature.
     bool wasHeated() const { return m_wasHeated; }
     void use(bool wasHeated) { m_wasHeated = wasHeated; }
-    /// Forgets the earlier heating and cooling, but not the temperature at which the source rests.
+    /// Forgets the earlier heating and cooling, but not the temperature at which the source rests, nor that
+    /// it heats unasked.
     void restart();
     /// The reading, degC, if a source that was never heated stays at the number that the room's temperature
     /// has in degrees Fahrenheit; otherwise empty.
@@ -50,6 +52,7 @@ private:
     double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest reading
     double m_since_s = 0.0; ///< time of the last progress; with heat off, of the minimum
     double m_from_K = 0.0;  ///< temperature at m_since_s
+    double m_peak_K = 0.0;  ///< maximum since then
     bool m_wasHeated = false;
     std::optional<double> m_restSince_s{}; ///< since when the temperature is within kAtRest_K of m_restAt_K
     double m_restAt_K = 0.0;

@@ -347,6 +347,32 @@ TEST(SafetyMonitor, ASourceSwitchedOffInFullHeatMayOvershoot) {
     }
 }
 
+// Catches a reset that forgets a plate which heats on, and an alarm that stays when the plate cools or rests.
+TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNoneOnlyOnceItDoesNot) {
+    for (const double then_K_s : {-0.3, 0.0}) {
+        Monitor m;
+        m.seen.source_K = kelvinFromCelsius(150.0);
+        for (int i = 0; i < 15; ++i) {
+            m.seen.source_K = *m.seen.source_K + 1.0;
+            (void)m.after(1.0);
+        }
+        ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+        for (int i = 0; i < 15; ++i) {
+            m.monitor.restart();
+            m.seen.source_K = *m.seen.source_K + 0.2;
+            (void)m.after(1.0);
+            EXPECT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked)) << i;
+        }
+        double for_s = 0.0;
+        for (; for_s < 200.0 && m.isActive(SafetyCondition::SourceHeatsUnasked); for_s += 1.0) {
+            m.seen.source_K = *m.seen.source_K + then_K_s;
+            (void)m.after(1.0);
+        }
+        EXPECT_LE(for_s, then_K_s < 0.0 ? 10.0 : 130.0);
+        EXPECT_GE(for_s, then_K_s < 0.0 ? 6.0 : 100.0);
+    }
+}
+
 // Catches an object that touches the source and is taken for a loose contact.
 TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
     Monitor m;
