@@ -71,8 +71,8 @@ RunReportInput reportInput(SessionRecord session, TemperatureUnit unit) {
         input.sha256 = QString::fromLatin1(hash.result().toHex());
         input.fileBytes = file.size();
     }
-    if (const auto head = chainHead(session.path))
-        input.chainHead = QString::fromStdString(*head);
+    if (auto looked = verifySession(session.path))
+        input.integrity = std::move(*looked);
     input.session = std::move(session);
     input.now = QDateTime::currentDateTimeUtc();
     input.unit = unit;

@@ -206,6 +206,17 @@ std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     return lines;
 }
 
+bool isAltered(const RunReportInput& input) {
+    return input.integrity && input.integrity->hasChain && !input.integrity->isIntact();
+}
+
+QString headWords(const RunReportInput& input) {
+    if (isAltered(input))
+        return RecordText::tr("not told: the recording was altered");
+    return input.integrity && input.integrity->hasChain ? QString::fromStdString(input.integrity->head)
+                                                        : RecordText::tr("not known");
+}
+
 int alarmCount(const SessionRecord& session) {
     return static_cast<int>(alarmSpells(session.events, 0.0).size());
 }
@@ -262,6 +273,11 @@ QString summarySection(const RunReportInput& input) {
         text += paragraph(
             RecordText::tr("No samples were recorded: there are no traces, trajectories and metrics."),
             "warning");
+    if (isAltered(input))
+        text +=
+            paragraph(RecordText::tr("This recording was altered after it had been recorded, so nothing here "
+                                     "is proven; bask verify tells where."),
+                      "warning");
     return text;
 }
 
@@ -434,8 +450,7 @@ QString originSection(const RunReportInput& input) {
                    RecordText::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},
                   {QStringLiteral("SHA-256"),
                    input.sha256.isEmpty() ? RecordText::tr("not known") : input.sha256},
-                  {RecordText::tr("Head of the hash chain (bask verify --head)"),
-                   input.chainHead.isEmpty() ? RecordText::tr("not known") : input.chainHead}}) +
+                  {RecordText::tr("Head of the hash chain (bask verify --head)"), headWords(input)}}) +
            (session.interrupted()
                 ? paragraph(RecordText::tr("The checksum is of the file without the log beside it."), "quiet")
                 : QString());

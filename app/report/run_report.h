@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/recording/session_file.h"
+#include "engine/recording/session_verify.h"
 
 #include <QByteArray>
 #include <QDateTime>
@@ -17,8 +18,9 @@ namespace bask {
 struct RunReportInput {
     SessionRecord session;
     std::optional<JointVerdict> verdict; ///< verdict on lastTargets_K(session); empty if not computed
-    QString chainHead;                   ///< of the session's hash chain, hexadecimal; empty: it has none
-    QString sha256;                      ///< checksum of the session file, hexadecimal
+    /// Whether the session file is as it was recorded; empty if nobody could look.
+    std::optional<SessionVerdict> integrity;
+    QString sha256; ///< checksum of the session file, hexadecimal
     qint64 fileBytes = 0;
     QDateTime now; ///< when the report is created
     TemperatureUnit unit = TemperatureUnit::Celsius;

@@ -109,6 +109,23 @@ TEST_F(RunReport, ListsEverySafetyLimitThatIsSet) {
     EXPECT_TRUE(text.contains("234.5 °C"));
 }
 
+// Catches a report of an altered recording that looks like any other, and one that calls a true one altered.
+TEST_F(RunReport, SaysThatTheRecordingWasAltered) {
+    auto session = readSession(recorded(test::twoDisks(), 240, "settled").toStdString());
+    ASSERT_TRUE(session);
+    RunReportInput input = reportInput(*session, TemperatureUnit::Celsius);
+    ASSERT_TRUE(input.integrity);
+    ASSERT_TRUE(input.integrity->isIntact());
+    const QString head = QString::fromStdString(input.integrity->head);
+    QString text = readable(runReportHtml(input));
+    EXPECT_TRUE(text.contains(head));
+    EXPECT_FALSE(text.contains(QStringLiteral("altered")));
+    input.integrity->allFindings = 1;
+    text = readable(runReportHtml(input));
+    EXPECT_FALSE(text.contains(head));
+    EXPECT_TRUE(text.contains(QStringLiteral("This recording was altered")));
+}
+
 TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     const QString session = recorded(test::twoDisks(), 240, "settled");
     const QByteArray html = report(session);
