@@ -418,7 +418,8 @@ void MainWindow::showNotes() {
     const TemperatureUnit unit = m_settings.temperatureUnit();
     const bool isOverHeat = isOverHotSource(m_last, m_document.experiment().environment_K);
     if (isOverHeat)
-        notes << tr("The objects are over the source, which has %1: they get warm although no run is on. "
+        notes << tr("The objects are over the source, which has %1: its heat reaches them although no run is "
+                    "on. "
                     "Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. "
                     "Retreat takes them away.")
                      .arg(sourceReadingText(m_last, unit));

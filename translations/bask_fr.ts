@@ -5800,8 +5800,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Des défauts simulés sont actifs&#xa0;: %1. Outils &gt; Simuler un défaut y met fin.</translation>
     </message>
     <message>
-        <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation>Les objets sont au-dessus de la source, qui est à %1&#xa0;: ils chauffent bien qu’aucun essai ne soit en cours. Des capteurs chauds ne peuvent pas être ajustés, et un essai commence avec des objets aussi chauds qu’ils le sont alors. Retrait les éloigne.</translation>
+        <source>The objects are over the source, which has %1: its heat reaches them although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
+        <translation>Les objets sont au-dessus de la source, qui est à %1&#xa0;: sa chaleur les atteint bien qu’aucun essai ne soit en cours. Des capteurs chauds ne peuvent pas être ajustés, et un essai commence avec des objets aussi chauds qu’ils le sont alors. Retrait les éloigne.</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
@@ -9195,6 +9195,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Batch</source>
         <translation>Lot</translation>
+    </message>
+    <message>
+        <source>not told: the recording was altered</source>
+        <translation>non indiquée : l’enregistrement a été modifié</translation>
+    </message>
+    <message>
+        <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
+        <translation>Cet enregistrement a été modifié après coup : rien ici n’est donc prouvé ; bask verify dit où.</translation>
     </message>
 </context>
 <context>

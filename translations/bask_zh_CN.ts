@@ -5792,8 +5792,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>有启用的模拟故障：%1。可在“工具 &gt; 模拟故障”中结束。</translation>
     </message>
     <message>
-        <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation>物体在热源上方，热源为 %1：虽然没有运行，物体仍会升温。变热的传感器无法校零，运行将以物体当时的温度开始。“撤离”会将其移开。</translation>
+        <source>The objects are over the source, which has %1: its heat reaches them although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
+        <translation>物体在热源上方，热源为 %1：虽然没有运行，热量仍会到达物体。变热的传感器无法校零，运行将以物体当时的温度开始。“撤离”会将其移开。</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
@@ -9178,6 +9178,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Batch</source>
         <translation>批次</translation>
+    </message>
+    <message>
+        <source>not told: the recording was altered</source>
+        <translation>不予给出：记录被改动过</translation>
+    </message>
+    <message>
+        <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
+        <translation>此记录在记录之后被改动过，因此这里的内容均无法证明；bask verify 会指出位置。</translation>
     </message>
 </context>
 <context>

@@ -5792,8 +5792,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>有啟用的模擬故障：%1。可在「工具 &gt; 模擬故障」中結束。</translation>
     </message>
     <message>
-        <source>The objects are over the source, which has %1: they get warm although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
-        <translation>物體在熱源上方，熱源為 %1：雖然沒有運轉，物體仍會升溫。變熱的感測器無法歸零，運轉將以物體當時的溫度開始。「撤離」會將其移開。</translation>
+        <source>The objects are over the source, which has %1: its heat reaches them although no run is on. Warm sensors cannot be zeroed, and a run begins with objects as warm as they are then. Retreat takes them away.</source>
+        <translation>物體在熱源上方，熱源為 %1：雖然沒有運轉，熱量仍會到達物體。變熱的感測器無法歸零，運轉將以物體當時的溫度開始。「撤離」會將其移開。</translation>
     </message>
     <message>
         <source>source %1 of %2</source>
@@ -9178,6 +9178,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Batch</source>
         <translation>批次</translation>
+    </message>
+    <message>
+        <source>not told: the recording was altered</source>
+        <translation>不予給出：記錄被改動過</translation>
+    </message>
+    <message>
+        <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
+        <translation>此記錄在記錄之後被改動過，因此這裡的內容均無法證明；bask verify 會指出位置。</translation>
     </message>
 </context>
 <context>

@@ -33,7 +33,7 @@ protected:
 
     /// A short run with an alarm.
     QString record(const QString& name) {
-        const QString path = folder.filePath(name);
+        QString path = folder.filePath(name);
         auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
         EXPECT_TRUE(writer);
         const TraceEvent hot{1.0, {MessageCode::SafetyObjectHot, {"hand", "91", "90"}}};

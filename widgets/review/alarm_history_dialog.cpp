@@ -116,9 +116,9 @@ AlarmHistoryDialog::AlarmHistoryDialog(QWidget* parent)
     connect(m_alarms, &QTreeWidget::currentItemChanged, this, &AlarmHistoryDialog::showRuns);
     connect(m_runs, &QTreeWidget::currentItemChanged, this,
             [this](const QTreeWidgetItem* row) { m_open->setEnabled(row != nullptr); });
-    connect(m_runs, &QTreeWidget::itemActivated, this, &AlarmHistoryDialog::open);
+    connect(m_runs, &QTreeWidget::itemActivated, this, &AlarmHistoryDialog::openRun);
     connect(m_copy, &QPushButton::clicked, this, &AlarmHistoryDialog::copy);
-    connect(m_open, &QPushButton::clicked, this, &AlarmHistoryDialog::open);
+    connect(m_open, &QPushButton::clicked, this, &AlarmHistoryDialog::openRun);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
 }
@@ -358,7 +358,7 @@ void AlarmHistoryDialog::showUnread() {
     m_unread->setToolTip(reasons.join(u'\n'));
 }
 
-void AlarmHistoryDialog::open() {
+void AlarmHistoryDialog::openRun() {
     if (const QTreeWidgetItem* row = m_runs->currentItem())
         emit runChosen(row->data(kInDate, kInPathRole).toString());
 }

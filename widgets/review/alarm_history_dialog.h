@@ -54,7 +54,7 @@ private:
     void showSummary();
     QString raisedWords(int read) const;
     void showUnread();
-    void open();
+    void openRun();
     void copy() const;
     const PastAlarm* selected() const;
 

@@ -68,7 +68,6 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
 
     connectPlots();
     auto* noteKey = new QShortcut(QKeySequence(Qt::Key_N), this);
-    noteKey->setContext(Qt::WidgetWithChildrenShortcut);
     connect(noteKey, &QShortcut::activated, m_note, [this] { m_note->setFocus(Qt::ShortcutFocusReason); });
     retranslateUi();
     restyle();

@@ -166,6 +166,7 @@ TEST(AlarmSpells, OneThatComesAgainIsAnother) {
                                                         overAt(75.0, link)},
                                                        100.0);
     std::vector<double> active_s;
+    active_s.reserve(spells.size());
     for (const AlarmSpell& spell : spells)
         active_s.push_back(spell.active_s);
     EXPECT_EQ(active_s, (std::vector<double>{30.0, 39.0, 5.0, 40.0, 5.0}));

@@ -475,7 +475,7 @@ TEST_F(SceneViewTest, ALongTrailFades) {
     for (int k = 0; k < 4 * kRow; ++k) { // four rows to and fro, from the lower to the upper end
         TraceSample sample = sampleAt(0.0, 0.1);
         const int row = k / kRow, place = k % kRow;
-        sample.coordinates[kX] = 2.6e-4 * ((row % 2 == 0 ? place : kRow - place) - kRow / 2);
+        sample.coordinates[kX] = 2.6e-4 * ((row % 2 == 0 ? place : kRow - place) - 0.5 * kRow);
         sample.coordinates[kY] = 0.05 * row - 0.075;
         sample.objects.resize(1);
         sample.objects[0].estimated_K = kelvinFromCelsius(37.0);
