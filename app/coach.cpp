@@ -291,8 +291,7 @@ QString Coach::words() const {
     case Step::Find:
         //: the path of a serial port
         return tr("Find a device: “Remove” the thermometer, then “Set up…” with port %1. “Find devices” "
-                  "lists "
-                  "what answers there; choose it and press “Use”.")
+                  "lists what answers there; choose it and press “Use”.")
             .arg(kPorts + QStringLiteral("thermometer"));
     }
     return {};

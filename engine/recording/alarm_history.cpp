@@ -228,14 +228,18 @@ double sumOf(double sum_s, double part_s) {
 constexpr double kNoEnd = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns the query of the events that tell alarms and their ends.
-std::string selectAlarmEvents() {
-    std::string codes;
-    for (int k = 1; messageCodeFromName(messageName(static_cast<MessageCode>(k))) != MessageCode::None; ++k) {
-        const auto code = static_cast<MessageCode>(k);
-        if (alarmPriority(code) > 0 || isEnd(code))
-            codes += (codes.empty() ? "" : ", ") + sqlText(messageName(code));
-    }
-    return kSelectEvents + codes + kUpToEvents;
+const std::string& selectAlarmEvents() {
+    static const std::string kQuery = [] {
+        std::string codes;
+        for (int k = 1; messageCodeFromName(messageName(static_cast<MessageCode>(k))) != MessageCode::None;
+             ++k) {
+            const auto code = static_cast<MessageCode>(k);
+            if (alarmPriority(code) > 0 || isEnd(code))
+                codes += (codes.empty() ? "" : ", ") + sqlText(messageName(code));
+        }
+        return kSelectEvents + codes + kUpToEvents;
+    }();
+    return kQuery;
 }
 
 Result<std::vector<AlarmSpell>> readSpells(const std::string& path, const std::stop_token& stop) {

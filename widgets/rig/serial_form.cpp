@@ -1,4 +1,5 @@
 #include "widgets/rig/serial_form.h"
+
 #include "widgets/common/labels.h"
 
 #include <QComboBox>

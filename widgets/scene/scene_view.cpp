@@ -96,8 +96,8 @@ void SceneView::Impl::resetTrace() {
 
 /// Of the objects as they are now: a wrong reading that is gone, though it is still in the trail, does not
 /// keep it wide; a trail's colours end at its ends. It holds the room and the targets from the start, so that
-/// colours stay as the objects warm up. The source has colours of its
-/// own: with it the objects would be alike.
+/// colours stay as the objects warm up. The source has colours of its own: with it the objects would be
+/// alike.
 NiceRange SceneView::Impl::range() const {
     double coldest_K = experiment.environment_K, hottest_K = coldest_K;
     const auto see = [&](double t_K) {

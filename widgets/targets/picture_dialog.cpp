@@ -1,4 +1,5 @@
 #include "widgets/targets/picture_dialog.h"
+
 #include "widgets/common/file_folders.h"
 
 #include <QComboBox>
