@@ -1,7 +1,9 @@
 // Kills a recording at random moments: each sample that was told to be safe is in the file, and the file
-// opens. Thirty times in CI, a thousand times by hand (`ctest -L soak -R kills`).
+// opens and verifies as far as it goes. Thirty times in CI, a thousand times by hand (`ctest -L soak -R
+// kills`).
 
 #include "engine/recording/recorded_session.h"
+#include "engine/recording/session_verify.h"
 #include "tests/engine/recording/recording.h"
 
 #include <QCoreApplication>
@@ -55,6 +57,11 @@ protected:
             const long safe = recordAndKill(path, i, life_ms(random));
             ASSERT_GE(safe, 0) << i << ": it did not record";
             withLog += QFile::exists(path + QStringLiteral("-wal")) ? 1 : 0;
+            const auto verdict = verifySession(path.toStdString());
+            ASSERT_TRUE(verdict) << i << ": " << describe(verdict.error());
+            EXPECT_TRUE(verdict->isIntact())
+                << i << ": " << verdict->allFindings << " rows are not as they were";
+            EXPECT_FALSE(verdict->isClosed) << i;
             const auto session = readSession(path.toStdString());
             const auto opened = RecordedSession::open(path.toStdString());
             EXPECT_TRUE(session) << i << ": " << describe(session.error());
