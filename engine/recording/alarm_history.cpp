@@ -1,11 +1,11 @@
 #include "engine/recording/alarm_history.h"
 
+#include "engine/base/alarm_entry.h"
 #include "engine/base/message_code.h"
 #include "engine/recording/session_facts.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
 #include <numeric>
 #include <string>
@@ -24,34 +24,16 @@ constexpr const char* kSelectLastEvent = "SELECT time_s FROM event ORDER BY rowi
 constexpr const char* kSelectEnd = "SELECT time_s FROM step ORDER BY number DESC LIMIT 1";
 constexpr const char* kSelectFirstVersionEnd = "SELECT time_s FROM pose ORDER BY rowid DESC LIMIT 1";
 
-/// How the alarm table says that an alarm ends.
-struct AlarmEnd {
-    MessageCode code;
-    bool isOfObject, isLoss;
-    bool isLatched;  ///< until reset
-    bool isSeenOver; ///< or until its condition is over
-};
-
-constexpr AlarmEnd alarmEnd(MessageCode code, unsigned traits, std::string_view reaction) {
-    const bool isLatched = reaction != "Note" && reaction != "Hold";
-    return {code, (traits & 1U) != 0, (traits & 2U) != 0, isLatched, !isLatched || (traits & 4U) != 0};
+/// Null for an alarm that is not in the table: of a device, or of the engine itself.
+const AlarmEntry* entryOf(MessageCode code) {
+    const auto entries = alarmEntries();
+    const auto found = std::ranges::find(entries, code, &AlarmEntry::code);
+    return code == MessageCode::None || found == entries.end() ? nullptr : &*found;
 }
 
-/// Null for an alarm that is not in the table: of a device, or of the engine itself.
-const AlarmEnd* endOf(MessageCode code) {
-    // NOLINTNEXTLINE(readability-identifier-naming): as the table writes them
-    enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
-    // clang-format off
-    static constexpr AlarmEnd kEnds[]{
-#define ALARM(condition, name, priority, reaction, traits, ...) alarmEnd(MessageCode::name, traits, #reaction),
-#define DEVICE_ALARM(...)
-#include "engine/base/alarm_table.inc"
-#undef ALARM
-#undef DEVICE_ALARM
-    };
-    // clang-format on
-    const auto* const found = std::ranges::find(kEnds, code, &AlarmEnd::code);
-    return found == std::end(kEnds) ? nullptr : &*found;
+/// Whether it stays until reset.
+bool isLatched(const AlarmEntry& entry) {
+    return entry.reaction != SafetyReaction::Note && entry.reaction != SafetyReaction::Hold;
 }
 
 /// They are told at one moment, and nothing tells their end.
@@ -60,8 +42,8 @@ bool isMoment(MessageCode code) {
 }
 
 bool endsWhenOver(MessageCode code) {
-    const AlarmEnd* const end = endOf(code);
-    return end == nullptr || end->isSeenOver;
+    const AlarmEntry* const entry = entryOf(code);
+    return entry == nullptr || !isLatched(*entry) || entry->isSeenOver;
 }
 
 bool isEnd(MessageCode code) {
@@ -81,7 +63,7 @@ std::vector<std::string> quotedNames(const Message& message) {
 
 /// What an alarm that is not in the table speaks of, whatever its words; empty for any other alarm.
 std::string deviceOf(const Message& message) {
-    if (endOf(message.code) != nullptr)
+    if (entryOf(message.code) != nullptr)
         return {};
     const std::string_view name = messageName(message.code);
     if (name.starts_with("Robot") || message.code == MessageCode::ReasonRobotLost)
@@ -142,7 +124,7 @@ public:
 private:
     struct Unended {
         std::size_t spell;
-        const AlarmEnd* row;
+        const AlarmEntry* row;
         std::string object, device;
     };
     using Unendeds = std::map<AlarmKey, Unended>;
@@ -157,7 +139,7 @@ private:
         m_reset.erase(key);
         if (!isMoment(message.code))
             m_open.emplace(std::move(key),
-                           Unended{m_spells.size(), endOf(message.code),
+                           Unended{m_spells.size(), entryOf(message.code),
                                    message.args.empty() ? std::string() : message.args.front().text(),
                                    deviceOf(message)});
         m_spells.push_back({message, event.time_s});
@@ -183,7 +165,7 @@ private:
         for (const auto& [key, open] : m_open)
             if (open.row == nullptr)
                 m_reset.insert_or_assign(key, open);
-        end(time_s, [](const Unended& open) { return open.row == nullptr || open.row->isLatched; });
+        end(time_s, [](const Unended& open) { return open.row == nullptr || isLatched(*open.row); });
     }
 
     /// The newest words of a device's alarm, with which it ends, may be others than those it began with.

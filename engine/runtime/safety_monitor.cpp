@@ -7,7 +7,6 @@
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
@@ -29,34 +28,6 @@ constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
 constexpr double kOpinionSigmas = 2.0;
-
-// NOLINTNEXTLINE(readability-identifier-naming): as the table writes them
-enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
-
-constexpr AlarmEntry row(Condition condition, const char* key, int priority, Reaction reaction,
-                         unsigned traits, double on_s, double off_s) {
-    return {condition,
-            key,
-            priority,
-            reaction,
-            (traits & OfObject) != 0,
-            (traits & Loss) != 0,
-            (traits & SeenOver) != 0,
-            on_s,
-            off_s};
-}
-
-// clang-format off
-constexpr std::array kAlarmTable{
-#define ALARM(condition, name, priority, reaction, traits, on_s, off_s, key, ...)                            \
-    row(Condition::condition, *key != '\0' ? key : #name, priority, Reaction::reaction, traits, on_s, off_s),
-#define DEVICE_ALARM(condition, priority, reaction, traits, on_s, off_s, key)                                \
-    row(Condition::condition, key, priority, Reaction::reaction, traits, on_s, off_s),
-#include "engine/base/alarm_table.inc"
-#undef ALARM
-#undef DEVICE_ALARM
-};
-// clang-format on
 
 /// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
@@ -80,10 +51,6 @@ void sortByGravity(std::vector<SafetyFinding>& findings) {
 }
 
 } // namespace
-
-const AlarmEntry& alarmEntry(SafetyCondition condition) {
-    return kAlarmTable.at(static_cast<std::size_t>(condition)); // both are made from the same lines
-}
 
 SensorLimits sensorLimits(const Experiment& experiment) {
     constexpr double kTimes = 3.0;

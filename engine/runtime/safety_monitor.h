@@ -1,6 +1,7 @@
 #pragma once
-// What the engine watches in every state: the alarm table, and the monitor that detects its conditions.
+// What the engine watches in every state: the monitor that detects the conditions of the alarm table.
 
+#include "engine/base/alarm_entry.h"
 #include "engine/base/message.h"
 #include "engine/devices/robot.h"
 #include "engine/devices/thermometer.h"
@@ -19,35 +20,6 @@
 #include <vector>
 
 namespace bask {
-
-/// The reaction to a condition, the most serious last. Retreats and halts end in a fault that is latched
-/// until reset.
-enum class SafetyReaction {
-    Note,    ///< reported only
-    Hold,    ///< zero velocity; the heat of a run stays on
-    Stop,    ///< heat off; a run retreats first, otherwise the robot is halted where it is
-    Retreat, ///< heat off; the robot moves the objects away, even if no run is on
-    Halt     ///< heat off, zero velocity: the robot cannot be trusted
-};
-
-/// The conditions that are detected: the lines of the alarm table.
-enum class SafetyCondition {
-#include "engine/base/condition_names.inc" // made by the build: "RobotLost," ...
-};
-
-/// A row of the alarm table, whose columns are explained in engine/base/alarm_table.inc.
-struct AlarmEntry {
-    SafetyCondition condition;
-    const char* key; ///< conditions with the same key share one alarm
-    int priority;    ///< priority of the alarm, 1 is the highest
-    SafetyReaction reaction;
-    bool isOfObject;
-    bool isLoss;     ///< a measured value is lost
-    bool isSeenOver; ///< its end can be observed
-    double on_s;     ///< it must be present for this time
-    double off_s;    ///< and absent for this time
-};
-const AlarmEntry& alarmEntry(SafetyCondition condition);
 
 /// Returns the limits for an experiment's sensors.
 SensorLimits sensorLimits(const Experiment& experiment);
