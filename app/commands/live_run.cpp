@@ -32,6 +32,7 @@ public:
           m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
         m_monitor.use(start.monitor);
         m_engine->worker.setWatch(m_monitor.inlet());
+        m_engine->worker.setRecordEnd(RecordEnd::ObjectsCold);
         QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
         QObject::connect(&m_engine->worker, &EngineWorker::stepped, &m_here, [this](double lateness_s) {
@@ -155,7 +156,7 @@ private:
     void watch(const Snapshot& snapshot) {
         if (m_wish != Wish::Watch)
             return;
-        // The record of a fault goes on until all is cold.
+        // The record of a fault goes on until the objects are cold.
         m_over_s = m_over_s.value_or(m_clock.now_s());
         const bool isRecording =
             !snapshot.recordingPath.empty() && m_clock.now_s() - *m_over_s < kFaultRecord_s;

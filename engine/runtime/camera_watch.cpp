@@ -21,7 +21,8 @@ namespace {
 
 /// After a run the objects are hot, and are looked at until they have cooled.
 bool mayShowBoard(const EngineSession& session) {
-    return !session.loop.isArmedOrOn() && !session.loop.isCooling();
+    const ServoLoop& loop = session.loop;
+    return !loop.isArmedOrOn() && (!loop.isCooling() || loop.haveObjectsCooled());
 }
 
 } // namespace

@@ -270,6 +270,7 @@ Result<void> EngineWorker::load(const Experiment& experiment, bool isEdit) {
     kept.condition = condition;
     m_session = std::make_unique<EngineSession>(experiment, m_steady, std::move(kept));
     m_session->loop.setOperator(m_labels.operatorName);
+    m_session->loop.setRecordEnd(m_recordEnd);
     m_alarms.use(m_session->real != nullptr);
     ++m_loadId;
     if (isRecordEnded)

@@ -53,6 +53,9 @@ public:
     /// Call it before start().
     void setWatch(EngineWatch watch) { m_watch = std::move(watch); }
 
+    /// Sets what the record of a fault waits for. Call it before start().
+    void setRecordEnd(RecordEnd end) { m_recordEnd = end; }
+
     /// Returns whether a real source was not seen to go off. Call it after shutdown(), on the engine's
     /// thread.
     bool isHeatLeft() const { return m_isHeatLeft; }
@@ -185,6 +188,7 @@ private:
     double m_loopRate_Hz = 0.0;
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
+    RecordEnd m_recordEnd = RecordEnd::AllCold;
     EngineWatch m_watch;
     std::vector<TraceEvent> m_unwatched; ///< since the watch was told last
     RunState m_watchedState = RunState::Idle;

@@ -308,7 +308,10 @@ void ServoLoop::endRun(const std::string& outcome) {
     m_control.end();
     const bool isHeatUnsure = m_devices.isReal && m_heat.state() != HeatState::Off;
     const bool isAsMeant = (outcome == "settled" || outcome == "stopped") && !isHeatUnsure;
-    m_isCooling = m_isCooling || (m_runOn && !isAsMeant);
+    if (m_runOn && !isAsMeant) {
+        m_isCooling = true;
+        m_haveObjectsCooled = false;
+    }
     m_runOn = false;
 }
 

@@ -31,6 +31,12 @@ struct RigKnowledge {
     bool wasSourceHeated = false;
 };
 
+/// What the record waits for after a run that was ended by a fault or STOP.
+enum class RecordEnd {
+    AllCold,    ///< the objects, and a source that is no hotter than a hand bears
+    ObjectsCold ///< the objects alone, where somebody waits for the record's end
+};
+
 /// One experiment on one rig. The owner calls tick() once in every sampling period of the clock. A verb that
 /// does not fit the state is refused with a message. No exception leaves tick(): it becomes a fault with the
 /// heat off and the robot at a standstill. One thread.
@@ -130,9 +136,13 @@ public:
     bool running() const;
     bool isArmedOrOn() const; ///< running(), or a run is armed
     /// A run has ended by a fault or STOP, or its heat is not confirmed off. Record and time continue until
-    /// the objects are cold and the heat is off, or a person ends the recording.
+    /// the heat is off and the objects are cold, after a fault or STOP the source as well (unless
+    /// setRecordEnd() says otherwise), or a person ends the recording. What is not known is not cold.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
+    /// Whether the objects were cold once while isCooling(), whatever the source is.
+    bool haveObjectsCooled() const { return m_haveObjectsCooled; }
+    void setRecordEnd(RecordEnd end) { m_recordEnd = end; }
     double runTime_s() const;
     /// Outcome of the last run: "settled", "stopped", "emergency-stop" or "fault".
     const std::string& outcome() const { return m_outcome; }
@@ -165,7 +175,9 @@ private:
     void noteSettling();
     void trace();
     void traceFrame();
-    bool isCold() const;
+    void watchCooling();
+    bool areObjectsCold() const; ///< and nothing heats them
+    bool isSourceCold() const;
     void updateReadiness();
 
     // servo_reactions.cpp
@@ -215,6 +227,8 @@ private:
     RunState m_state = RunState::NotReady;
     bool m_runOn = false; ///< true from Start to the end of the retreat
     bool m_isCooling = false;
+    bool m_haveObjectsCooled = false;
+    RecordEnd m_recordEnd = RecordEnd::AllCold;
     bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
     std::optional<double> m_tick_s;  ///< time of the previous tick

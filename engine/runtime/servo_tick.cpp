@@ -1,6 +1,7 @@
 // One sampling period of the servo loop: read, watch, control, record.
 
 #include "engine/base/message_code.h"
+#include "engine/model/hand_warm.h"
 #include "engine/runtime/servo_loop.h"
 
 #include <algorithm>
@@ -38,10 +39,8 @@ void ServoLoop::tick() {
         else if (m_state != RunState::Running && m_state != RunState::Settled)
             m_heat.keepOff();
         trace();
-        if (m_isCooling && isCold()) {
-            event(MessageCode::EventCold);
-            endCooling();
-        }
+        if (m_isCooling)
+            watchCooling();
         updateReadiness();
     } catch (const std::exception& exception) {
         fault({MessageCode::ReasonInternalFault, {exception.what()}});
@@ -109,7 +108,23 @@ void ServoLoop::retreat() {
         m_state = isOfRun ? RunState::Stopped : RunState::NotReady;
 }
 
-bool ServoLoop::isCold() const {
+void ServoLoop::watchCooling() {
+    const bool areCold = areObjectsCold();
+    m_haveObjectsCooled = m_haveObjectsCooled || areCold;
+    const bool isCutShort = m_outcome != "settled" && m_outcome != "stopped";
+    const bool isSourceAwaited = isCutShort && m_recordEnd == RecordEnd::AllCold;
+    if (!areCold || (isSourceAwaited && !isSourceCold()))
+        return;
+    event(MessageCode::EventCold);
+    endCooling();
+}
+
+bool ServoLoop::isSourceCold() const {
+    const auto& source_K = m_readings.source_K();
+    return source_K && *source_K <= m_readings.environment_K() + kHandWarm_K;
+}
+
+bool ServoLoop::areObjectsCold() const {
     constexpr double kCold_K = 313.15;
     constexpr double kOverRoom_K = 5.0;
     const bool isHeatOff =

@@ -101,6 +101,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         return valid.error();
     SimulatedDrive drive(experiment);
     ServoLoop& loop = drive.loop();
+    loop.setRecordEnd(RecordEnd::ObjectsCold);
     if (options.from)
         drive.use(*options.from);
     const int patience = kFillingWindows * experiment.sampling.window; // readings may be missing
@@ -161,7 +162,7 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
 
     outcome.fault = loop.state() == RunState::Fault;
     outcome.isStopped = loop.state() == RunState::Stopped;
-    // The record of a fault continues until everything is cold.
+    // The record of a fault continues until the objects are cold.
     const double recordEnds_s = loop.runTime_s() + kFaultRecord_s;
     while (writer && loop.isCooling() && !options.stop.stop_requested() && loop.runTime_s() < recordEnds_s) {
         drive.period();

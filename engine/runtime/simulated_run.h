@@ -49,7 +49,7 @@ struct RunOutcome {
     Lateness lateness;
 };
 
-/// longest time that a recorded fault is followed until everything is cold
+/// longest time that a recorded fault is followed until the objects are cold
 inline constexpr double kFaultRecord_s = 3600.0;
 inline constexpr double kSettledFor_s = 120.0; ///< a run without a duration ends after this time in the band
 /// so that only passing through the band at the end is not settled

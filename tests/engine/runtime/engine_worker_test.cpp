@@ -4,6 +4,9 @@
 #include "engine/base/units.h"
 #include "engine/experiment/alarm_file.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/recording/run_metrics.h"
+#include "engine/recording/session_header.h"
+#include "engine/recording/session_verify.h"
 #include "tests/engine/runtime/engine_thread.h"
 #include "tests/engine/runtime/half_size.h"
 
@@ -333,6 +336,7 @@ TEST(EngineWorker, ARecordingGoesOnAfterStopUntilAPersonEndsIt) {
     EXPECT_EQ(session->outcome, "emergency-stop");
     EXPECT_GT(session->samples.back().time_s, stop_s + 4.0);
     EXPECT_LE(session->controlledSamples().back().time_s, stop_s);
+    EXPECT_LE(runMetrics(*session).last.time_s, stop_s);
 }
 
 // Catches an engine that waits for a camera to be let go (a picture that is looked at, a driver that hangs)
@@ -705,6 +709,49 @@ TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
         return std::ranges::any_of(
             rig.last.reasons, [](const Message& m) { return m.code == MessageCode::ReasonEmergencyStop; });
     }));
+}
+
+// Catches a recording that ends with STOP where the objects are still cool and the source is hot, one that
+// delays the next run or is left without an end by it, and rows that a power failure meanwhile would lose.
+TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("stop.bask").toStdString();
+    const std::string copy = folder.filePath("copy.bask").toStdString();
+    const std::string next = folder.filePath("next.bask").toStdString();
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(EmergencyStop{});
+    ASSERT_TRUE(rig.reaches(RunState::Fault));
+    const double stop_s = rig.last.runTime_s;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > stop_s + 20.0; }));
+    rig.send(Reset{});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_EQ(rig.last.recordingPath, path);
+    const std::size_t safe = rig.last.recordedRows;
+    ASSERT_TRUE(copySession(path, copy)) << "what is on the disk at this moment";
+    const auto cut = readSession(copy);
+    ASSERT_TRUE(cut) << describe(cut.error());
+    EXPECT_TRUE(cut->interrupted());
+    EXPECT_GE(cut->samples.size(), safe);
+    EXPECT_LE(runMetrics(*cut).last.time_s, stop_s);
+    EXPECT_TRUE(verifySession(copy)->isIntact());
+    rig.send(Arm{next});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    EXPECT_EQ(rig.last.recordingPath, next);
+    ASSERT_TRUE(rig.waitFor([&] { return readSessionHeader(path).outcome == "emergency-stop"; }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->outcome, "emergency-stop");
+    EXPECT_GT(session->samples.back().time_s, stop_s + 15.0);
+    const auto verdict = verifySession(path);
+    ASSERT_TRUE(verdict) << describe(verdict.error());
+    EXPECT_TRUE(verdict->isIntact());
+    EXPECT_TRUE(verdict->isClosed);
 }
 
 // Catches a zeroing that is lost with the next edit, after which warm objects could not be armed.

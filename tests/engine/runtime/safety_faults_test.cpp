@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/notice.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/model/hand_warm.h"
 #include "engine/recording/alarm_history.h"
 #include "engine/rig/missing_devices.h"
 #include "engine/runtime/fault_script.h"
@@ -686,6 +687,7 @@ TEST(Safety, TheRecordGoesOnThroughAFaultUntilEverythingIsCold) {
         }
         EXPECT_FALSE(rig.loop.isCooling());
         ASSERT_GT(samples.size(), 30U);
+        EXPECT_NEAR(samples.back().source_K, experiment.environment_K + kHandWarm_K, 1.0);
         EXPECT_NEAR(samples.front().time_s, end_s, 0.01) << "its time goes on";
         EXPECT_NEAR(samples.back().time_s, end_s + static_cast<double>(samples.size() - 1), 0.01);
         for (const ObjectSample& object : samples.back().objects)
@@ -720,7 +722,74 @@ TEST(Safety, TheRecordGoesOnWhileObjectsCanStillWarm) {
     EXPECT_TRUE(loop.isCooling());
     ASSERT_TRUE(loop.retreatNow());
     periods(120);
-    EXPECT_FALSE(loop.isCooling()) << "off the source they stay as they are";
+    EXPECT_TRUE(loop.isCooling()) << "off the source they stay as they are, but a hand would not";
+    EXPECT_TRUE(loop.haveObjectsCooled());
+    periods(2400);
+    EXPECT_FALSE(loop.isCooling());
+    EXPECT_LT(loop.latest().source_K, experiment.environment_K + kHandWarm_K);
+}
+
+// Catches a record that ends a second after STOP, a lost robot or its alarm, since the objects are still
+// cool: what the hot source does then is told and not recorded.
+TEST(Safety, TheRecordHasTheAlarmsOfASourceThatIsStillHot) {
+    for (const SimulatedFault fault :
+         {SimulatedFault::None, SimulatedFault::RobotLost, SimulatedFault::RobotAlarm}) {
+        SCOPED_TRACE(simulatedFaultName(fault));
+        Rig rig;
+        rig.run(2.0);
+        if (fault == SimulatedFault::None)
+            rig.loop.emergencyStop();
+        else
+            setFault(rig.rig, fault, 0, true);
+        ASSERT_LT(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 10.0), 10.0);
+        for (const ObjectSample& object : rig.loop.latest().objects)
+            ASSERT_LT(object.estimated_K, kelvinFromCelsius(40.0));
+        (void)rig.until([] { return false; }, 60.0);
+        EXPECT_TRUE(rig.loop.isCooling());
+        setFault(rig.rig, SimulatedFault::SourceHeatsAlone, 0, true);
+        ASSERT_LT(rig.until([&] { return rig.isAlarm(MessageCode::SafetySourceHeatsUnasked); }, 60.0), 60.0);
+        EXPECT_TRUE(rig.isRecorded(MessageCode::SafetySourceHeatsUnasked));
+        EXPECT_FALSE(rig.isRecorded(MessageCode::EventCold));
+        rig.periods(1);
+        EXPECT_EQ(rig.loop.takeRecord().samples.size(), 1U) << "its samples, too";
+    }
+}
+
+// Catches a source that tells nothing taken for a cold one.
+TEST(Safety, TheRecordGoesOnWhileNobodyKnowsTheSource) {
+    Experiment experiment = fastDisks();
+    experiment.sampling = {1.0, 5, 2};
+    Rig rig(experiment);
+    rig.run(2.0);
+    setFault(rig.rig, SimulatedFault::SourceSilent, 0, true);
+    rig.loop.emergencyStop();
+    rig.periods(1800); // by now it is cold
+    EXPECT_TRUE(rig.loop.haveObjectsCooled());
+    EXPECT_TRUE(rig.loop.isCooling());
+    clearFaults(rig.rig);
+    rig.periods(2);
+    EXPECT_FALSE(rig.loop.isCooling());
+}
+
+// Catches a record that delays the next run, or is delayed with nobody there who waits for it.
+TEST(Safety, AHotSourceDelaysNeitherResetNorTheNextRunNorAHeadlessOne) {
+    Rig rig;
+    rig.run(2.0);
+    rig.loop.emergencyStop();
+    EXPECT_EQ(rig.loop.outcome(), "emergency-stop");
+    rig.periods(1);
+    ASSERT_TRUE(rig.loop.reset());
+    rig.periods(60);
+    EXPECT_TRUE(rig.loop.isCooling()) << "a reset cools nothing";
+    ASSERT_TRUE(rig.loop.arm());
+    EXPECT_FALSE(rig.loop.isCooling());
+    ASSERT_TRUE(rig.loop.start(true));
+    rig.periods(10);
+    rig.loop.setRecordEnd(RecordEnd::ObjectsCold);
+    rig.loop.emergencyStop();
+    EXPECT_TRUE(rig.loop.isCooling());
+    rig.periods(2);
+    EXPECT_FALSE(rig.loop.isCooling());
 }
 
 // Catches a disk that fills up unnoticed.
