@@ -7,6 +7,7 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
 #include "engine/recording/alarm_history.h"
+#include "engine/recording/recorded_session.h"
 #include "engine/recording/session_header.h"
 #include "widgets/common/alarm_words.h"
 #include "widgets/common/display.h"
@@ -224,6 +225,11 @@ int alarmCount(const SessionRecord& session) {
 } // namespace
 
 QString outcomeWords(const SessionRecord& session) {
+    const bool isCut = session.interrupted() || session.outcome == kOutcomeInterrupted;
+    if (isCut && std::isfinite(controlledUntil_s(session)))
+        return RecordText::tr(
+            "The run has ended; the recording of what followed is not complete. What had been "
+            "written is reported.");
     if (session.interrupted())
         return RecordText::tr(
             "Interrupted: the recording ended without a Stop. What had been written is reported.");

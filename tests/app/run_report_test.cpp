@@ -205,6 +205,15 @@ TEST_F(RunReport, EveryOutcomeHasItsWords) {
         session.outcome = outcome;
         EXPECT_EQ(outcomeWords(session), QString(words));
     }
+    // Bask goes on recording after STOP, until everything is cold.
+    session.events = {{40.0, {MessageCode::EventEmergencyStop, {}}}};
+    for (const char* outcome : {"", kOutcomeInterrupted}) {
+        session.outcome = outcome;
+        EXPECT_TRUE(outcomeWords(session).startsWith("The run has ended;"))
+            << outcomeWords(session).toStdString();
+    }
+    session.outcome = "emergency-stop";
+    EXPECT_EQ(outcomeWords(session), "Ended by STOP.");
 }
 
 TEST_F(RunReport, SaysWhatAnInterruptedOrEmptyRunLacks) {

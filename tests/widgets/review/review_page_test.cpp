@@ -3,6 +3,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "widgets/review/review_page.h"
 
+#include "engine/recording/session_header.h"
 #include "engine/recording/session_store.h"
 #include "tests/support/first_version.h"
 #include "tests/support/longer_translator.h"
@@ -658,6 +659,21 @@ TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
     page.replay()->seek(199.0);
     EXPECT_EQ(child<QWidget>("reviewTile.0")->findChild<QLabel*>("tileTemperature")->text(),
               formatTemperature(session.samples[199].objects[0].measured_K, TemperatureUnit::Celsius));
+}
+
+// Catches a run that was ended by STOP and is said to have no end, since the power failed while it cooled.
+TEST_F(ReviewPageTest, ARunThatWasCutOffWhileItCooledHasEnded) {
+    SessionRecord session = record();
+    session.events.push_back({200.0, {MessageCode::EventEmergencyStop, {}}});
+    for (const char* outcome : {"", kOutcomeInterrupted}) {
+        session.outcome = outcome;
+        show(session);
+        EXPECT_TRUE(text("factOutcome").startsWith("The run had ended;"))
+            << text("factOutcome").toStdString();
+    }
+    session.outcome = "emergency-stop";
+    show(session);
+    EXPECT_EQ(text("factOutcome"), "Ended by STOP");
 }
 
 // Catches a run that is on and is called interrupted.
