@@ -34,8 +34,8 @@ public:
     void retranslate();
 
 signals:
-    /// A person wants to see a run.
-    void runChosen(const QString& path);
+    /// A person wants to see a run, at this time since Start.
+    void runChosen(const QString& path, double time_s);
 
 private:
     void make();

@@ -37,8 +37,15 @@ void ReviewDesk::open(std::shared_ptr<RecordedSession> session) {
     m_isDamageTold = false;
     emit opening();
     showSession();
+    if (const auto at = std::exchange(m_openAt, std::nullopt); at && isOpen(at->first))
+        m_page.replay()->seek(at->second);
     m_count.start(*m_session);
     emit opened();
+}
+
+void ReviewDesk::openAt(const QString& path, double time_s) {
+    m_openAt.emplace(path, time_s);
+    m_files.open(path);
 }
 
 bool ReviewDesk::isOpen(const QString& path) const {
@@ -67,7 +74,7 @@ void ReviewDesk::retranslate() {
 void ReviewDesk::connectList() {
     SessionList* list = m_page.sessions();
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
-    connect(&m_alarms, &AlarmHistoryControl::runChosen, &m_files, &SessionActions::open);
+    connect(&m_alarms, &AlarmHistoryControl::runChosen, this, &ReviewDesk::openAt);
     connect(list, &SessionList::experimentRequested, &m_files,
             qOverload<const QString&>(&SessionActions::openAsNew));
     list->setSorting(m_files.sessionSorting());

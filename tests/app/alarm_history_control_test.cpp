@@ -28,7 +28,10 @@ protected:
         initResources();
         list.show();
         QObject::connect(&control, &AlarmHistoryControl::runChosen,
-                         [this](const QString& path) { chosen << path; });
+                         [this](const QString& path, double time_s) {
+                             chosen << path;
+                             chosen_s = time_s;
+                         });
     }
 
     /// A short run with an alarm.
@@ -61,7 +64,7 @@ protected:
     bool waitForAlarms(const QString& runs) {
         return waitFor([&] {
             const QTreeWidget* alarms = tree("alarmHistoryAlarms");
-            return alarms->topLevelItemCount() == 1 && alarms->topLevelItem(0)->text(1) == runs;
+            return alarms->topLevelItemCount() == 1 && alarms->topLevelItem(0)->text(2) == runs;
         });
     }
 
@@ -69,6 +72,7 @@ protected:
     SessionList list;
     AlarmHistoryControl control{list};
     QStringList chosen;
+    double chosen_s = 0.0;
 };
 
 // Catches: runs that the list does not show, one that is not opened, a second dialog, numbers that stay when
@@ -85,6 +89,7 @@ TEST_F(AlarmHistoryControlTest, TheListedRunsAreRead) {
     EXPECT_EQ(list.findChildren<QDialog*>("alarmHistoryDialog").size(), 1);
     QTest::mouseClick(dialog()->findChild<QPushButton*>("alarmHistoryOpen"), Qt::LeftButton);
     EXPECT_EQ(chosen, QStringList{evening});
+    EXPECT_EQ(chosen_s, 1.0) << "the moment of the alarm";
 }
 
 // Catches: a dialog that is opened again while the one before is on its way out.
@@ -132,7 +137,7 @@ TEST_F(AlarmHistoryControlTest, TheNewestRunIsTheOneWithTheLastDate) {
     list.setSessions(headers);
     openDialog();
     ASSERT_TRUE(waitForAlarms("2"));
-    EXPECT_EQ(tree("alarmHistoryAlarms")->topLevelItem(0)->text(5), "late");
+    EXPECT_TRUE(tree("alarmHistoryAlarms")->topLevelItem(0)->text(6).startsWith("late, "));
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include "widgets/objects/objects_page.h"
 #include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
+#include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
 #include "widgets/review/session_list.h"
 #include "widgets/run/run_page.h"
@@ -468,6 +469,41 @@ TEST_F(MainWindowTest, ASampleThatIsMissingIsToldWhenTheRunIsOpened) {
     ASSERT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
     EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("holed.bask")); }))
         << message().toStdString();
+}
+
+// Catches: a run that is opened for an alarm and begins at Start, and one that begins where another one was
+// left.
+TEST_F(MainWindowTest, ARunOpenedForAnAlarmBeginsAtIt) {
+    openWindow();
+    const QTemporaryDir folder;
+    const Experiment& experiment = window->document().experiment();
+    const QString path = folder.filePath(QStringLiteral("run.bask"));
+    {
+        auto writer = SessionWriter::create(path.toStdString(), experiment, true);
+        ASSERT_TRUE(writer);
+        TraceSample sample;
+        sample.objects.resize(experiment.objects.size());
+        for (int k = 0; k <= 60; ++k) {
+            sample.time_s = k;
+            ASSERT_TRUE((*writer)->add(sample));
+        }
+        const std::string object = experiment.objects[0].name;
+        ASSERT_TRUE((*writer)->add(TraceEvent{42.0, {MessageCode::SafetyObjectHot, {object, "91", "90"}}}));
+        ASSERT_TRUE((*writer)->finish("fault"));
+    }
+    ReviewPage* review = window->pages().review();
+    window->files().setFileChooser([&](const FileQuestion&) { return folder.path(); });
+    window->pages().show(Page::Review);
+    emit review->sessions()->folderRequested();
+    ASSERT_TRUE(waitFor([&] { return review->sessions()->listed().size() == 1; }));
+    click("sessionAlarms");
+    auto* runs = find<QTreeWidget>("alarmHistoryRuns");
+    ASSERT_TRUE(waitFor([&] { return runs->topLevelItemCount() == 1; }));
+    click("alarmHistoryOpen");
+    ASSERT_TRUE(waitFor([&] { return find<QLabel>("sessionFile")->text() == QStringLiteral("run.bask"); }));
+    EXPECT_NEAR(review->replay()->position_s(), 42.0, 0.01);
+    ASSERT_NO_FATAL_FAILURE(openRecording(path));
+    EXPECT_EQ(review->replay()->position_s(), 0.0) << "not for an alarm";
 }
 
 // Catches: the experiment of a run that is not the open one's, takes its place in a file, or comes in under a

@@ -28,14 +28,43 @@
 namespace bask {
 namespace {
 
-enum PastColumn { kPastAlarm, kPastRuns, kPastTimes, kPastActive, kPastLast, kPastLastRun, kPastColumns };
+enum PastColumn {
+    kPastAlarm,
+    kPastPriority,
+    kPastRuns,
+    kPastTimes,
+    kPastActive,
+    kPastLast,
+    kPastLastRun,
+    kPastColumns
+};
 enum PastRunColumn { kInDate, kInName, kInRig, kInTimes, kInActive, kInAt, kInColumns };
 constexpr int kPastSortRole = Qt::UserRole;
 constexpr int kPastPlaceRole = Qt::UserRole + 1; ///< of an alarm in the history
 constexpr int kInPathRole = Qt::UserRole + 1;
+constexpr int kInRaisedRole = Qt::UserRole + 2;
+constexpr double kLongestRun_s = 1e9; ///< a damaged file may tell any time
 constexpr int kPastMark = 16;
 constexpr int kMaxListed = 30; ///< times of an alarm in a run; who wants more opens the run
 constexpr int kMaxNamed = 5;   ///< files that cannot be read; a tip has all
+
+/// To the second: several runs may begin in a minute.
+QString pastDate(const QDateTime& date) {
+    return date.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
+}
+
+/// When an alarm was raised in a run for the last time, as far as the run's time is that of a clock: a
+/// simulated run may have been faster.
+QDateTime lastRaisedAt(const SessionHeader& run, const AlarmInRun& in) {
+    const double raised_s = std::clamp(in.spells.back().raised_s, -kLongestRun_s, kLongestRun_s);
+    return recordedAt(run).addMSecs(std::llround(1e3 * raised_s));
+}
+
+/// A number by which alarms are sorted: by priority, those of one by when they were raised, the latest first.
+double gravity(int priority, const QDateTime& raised) {
+    constexpr double kApart_ms = 1e15; // more than a date of four digits has
+    return priority * kApart_ms - static_cast<double>(raised.toMSecsSinceEpoch());
+}
 
 /// Sorted by what the texts stand for.
 class PastRow : public QTreeWidgetItem {
@@ -59,9 +88,8 @@ public:
         setData(column, kPastSortRole, text);
         setToolTip(column, text);
     }
-    void setDate(int column, const SessionHeader& run) {
-        const QDateTime date = recordedAt(run);
-        setText(column, formatDate(date));
+    void setDate(int column, const QDateTime& date, const SessionHeader& run) {
+        setText(column, pastDate(date));
         setData(column, kPastSortRole, static_cast<double>(date.toMSecsSinceEpoch()));
         setToolTip(column, QString::fromStdString(run.path));
     }
@@ -71,7 +99,7 @@ public:
     }
 };
 
-QTreeWidget* pastTree(const char* name, int columns, int sortedBy, QWidget* parent) {
+QTreeWidget* pastTree(const char* name, int columns, int sortedBy, Qt::SortOrder order, QWidget* parent) {
     auto* tree = new QTreeWidget(parent);
     tree->setObjectName(QLatin1String(name));
     tree->setColumnCount(columns);
@@ -82,7 +110,7 @@ QTreeWidget* pastTree(const char* name, int columns, int sortedBy, QWidget* pare
     tree->setIconSize({kPastMark, kPastMark});
     tree->setMinimumHeight(80);
     tree->setSortingEnabled(true);
-    tree->sortByColumn(sortedBy, Qt::DescendingOrder);
+    tree->sortByColumn(sortedBy, order);
     return tree;
 }
 
@@ -108,9 +136,10 @@ std::size_t runsWithAlarms(const AlarmHistory& history) {
 
 AlarmHistoryDialog::AlarmHistoryDialog(QWidget* parent)
     : QDialog(parent), m_filter(new QLineEdit(this)), m_summary(new QLabel(this)),
-      m_alarms(pastTree("alarmHistoryAlarms", kPastColumns, kPastTimes, this)),
-      m_runs(pastTree("alarmHistoryRuns", kInColumns, kInDate, this)), m_unread(new QLabel(this)),
-      m_copy(new QPushButton(this)), m_open(new QPushButton(this)), m_close(new QPushButton(this)) {
+      m_alarms(pastTree("alarmHistoryAlarms", kPastColumns, kPastPriority, Qt::AscendingOrder, this)),
+      m_runs(pastTree("alarmHistoryRuns", kInColumns, kInDate, Qt::DescendingOrder, this)),
+      m_unread(new QLabel(this)), m_copy(new QPushButton(this)), m_open(new QPushButton(this)),
+      m_close(new QPushButton(this)) {
     build();
     connect(m_filter, &QLineEdit::textChanged, this, &AlarmHistoryDialog::filter);
     connect(m_alarms, &QTreeWidget::currentItemChanged, this, &AlarmHistoryDialog::showRuns);
@@ -140,7 +169,7 @@ void AlarmHistoryDialog::build() {
         button->setAutoDefault(false); // Enter opens the selected run
     m_alarms->header()->setStretchLastSection(false);
     m_alarms->header()->setSectionResizeMode(kPastAlarm, QHeaderView::Stretch);
-    for (const PastColumn column : {kPastRuns, kPastTimes, kPastActive, kPastLast})
+    for (const PastColumn column : {kPastPriority, kPastRuns, kPastTimes, kPastActive, kPastLast})
         m_alarms->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     for (const PastRunColumn column : {kInDate, kInRig, kInTimes, kInActive})
         m_runs->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
@@ -236,11 +265,14 @@ QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
                  tr("Priority %1: %2").arg(alarm.priority()).arg(sentence));
     row->setIcon(kPastAlarm,
                  QIcon(alarmPixmap(alarm.priority(), isDark(this), kPastMark, devicePixelRatioF())));
+    const QDateTime raised = lastRaisedAt(last, alarm.runs.front());
+    row->set(kPastPriority, QString::number(alarm.priority()), gravity(alarm.priority(), raised));
     row->set(kPastRuns, QString::number(alarm.runs.size()), static_cast<double>(alarm.runs.size()));
     row->set(kPastTimes, QString::number(alarm.times()), static_cast<double>(alarm.times()));
     row->setActive(kPastActive, alarm.active_s());
-    row->setDate(kPastLast, last);
-    row->set(kPastLastRun, listedName(last));
+    row->setDate(kPastLast, raised, last);
+    row->set(kPastLastRun, tr("%1, %2", "a run: its name, and when it was recorded")
+                               .arg(listedName(last), pastDate(recordedAt(last))));
     return row;
 }
 
@@ -305,8 +337,9 @@ QTreeWidgetItem* AlarmHistoryDialog::runRow(const AlarmInRun& in) const {
         times << formatDuration(spell.raised_s);
     }
     auto* row = new PastRow;
-    row->setDate(kInDate, run);
+    row->setDate(kInDate, recordedAt(run), run);
     row->setData(kInDate, kInPathRole, QString::fromStdString(run.path));
+    row->setData(kInDate, kInRaisedRole, in.spells.back().raised_s);
     row->set(kInName, listedName(run));
     row->set(kInRig, run.simulated ? tr("SIMULATED") : tr("LIVE"));
     row->set(kInTimes, QString::number(in.spells.size()), static_cast<double>(in.spells.size()));
@@ -360,7 +393,8 @@ void AlarmHistoryDialog::showUnread() {
 
 void AlarmHistoryDialog::openRun() {
     if (const QTreeWidgetItem* row = m_runs->currentItem())
-        emit runChosen(row->data(kInDate, kInPathRole).toString());
+        emit runChosen(row->data(kInDate, kInPathRole).toString(),
+                       row->data(kInDate, kInRaisedRole).toDouble());
 }
 
 /// The alarms that are shown, for a spreadsheet.
@@ -384,15 +418,17 @@ void AlarmHistoryDialog::retranslate() {
     m_filter->setPlaceholderText(tr("Filter the alarms"));
     m_filter->setToolTip(tr("Shows the alarms that have every word."));
     m_filter->setAccessibleName(m_filter->placeholderText());
-    m_alarms->setHeaderLabels(
-        {tr("Alarm"), tr("Runs"), tr("Times"), tr("Active"), tr("Last raised"), tr("Last run")});
+    m_alarms->setHeaderLabels({tr("Alarm"), tr("Priority"), tr("Runs"), tr("Times"), tr("Active"),
+                               tr("Last raised"), tr("Last run")});
     m_alarms->setAccessibleName(tr("Alarms"));
     m_alarms->headerItem()->setToolTip(kPastAlarm, tr("As it was raised the last time"));
     m_alarms->headerItem()->setToolTip(kPastRuns, tr("Number of runs in which it was raised"));
     m_alarms->headerItem()->setToolTip(kPastTimes, tr("How often it was raised"));
     m_alarms->headerItem()->setToolTip(
         kPastActive, tr("Time for which it was active, until it was over or reset or the recording ended"));
-    m_alarms->headerItem()->setToolTip(kPastLast, tr("When the last run with it was recorded"));
+    m_alarms->headerItem()->setToolTip(kPastPriority, tr("1 is the gravest"));
+    m_alarms->headerItem()->setToolTip(kPastLast,
+                                       tr("Beginning of the last run with it, plus the time in that run"));
     m_runs->setHeaderLabels(
         {tr("Recorded"), tr("Run"), tr("Rig"), tr("Times"), tr("Active"), tr("Raised at")});
     m_runs->setAccessibleName(tr("Runs of the selected alarm"));
@@ -401,6 +437,7 @@ void AlarmHistoryDialog::retranslate() {
     m_copy->setToolTip(tr("Copy the alarms as text, for a spreadsheet"));
     m_open->setText(tr("Open"));
     m_open->setAccessibleName(tr("Open the selected run"));
+    m_open->setToolTip(tr("Opens the run at the moment when the alarm was last raised in it"));
     m_close->setText(tr("Close"));
     showAlarms(chosen());
     showUnread();

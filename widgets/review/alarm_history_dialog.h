@@ -35,8 +35,8 @@ public:
     void retranslate();
 
 signals:
-    /// A person wants to see a run.
-    void runChosen(const QString& path);
+    /// A person wants to see a run, at the time since Start when the selected alarm was last raised in it.
+    void runChosen(const QString& path, double raised_s);
 
 protected:
     void changeEvent(QEvent* event) override;

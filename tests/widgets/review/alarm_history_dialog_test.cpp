@@ -93,8 +93,12 @@ struct AlarmHistoryDialogTest : testing::Test {
         const auto* found = dialog.findChild<QLabel*>(QLatin1String(label));
         return found->isVisible() ? found->text() : QString();
     }
-    static QString date(const char* created) {
-        return formatDate(QDateTime::fromString(QLatin1String(created), Qt::ISODate));
+    /// So many seconds after a recording began, as the reader's clock told it.
+    static QString date(const char* created, int after_s = 0) {
+        return QDateTime::fromString(QLatin1String(created), Qt::ISODate)
+            .addSecs(after_s)
+            .toLocalTime()
+            .toString("yyyy-MM-dd HH:mm:ss");
     }
 };
 
@@ -105,10 +109,13 @@ TEST_F(AlarmHistoryDialogTest, ARowTellsAnAlarm) {
     ASSERT_EQ(alarms->topLevelItemCount(), 3);
     EXPECT_EQ(alarm("hand\"")->text(0), sentenceText(hot("hand", "92")));
     EXPECT_EQ(cells(alarm("hand\"")),
-              (QStringList{"2", "13", "1:00:02", date("2026-03-16T09:26:53Z"), "younger"}));
+              (QStringList{"1", "2", "13", "1:00:02", date("2026-03-16T09:26:53Z", 660),
+                           "younger, " + date("2026-03-16T09:26:53Z")}))
+        << "raised last 11 minutes after Start";
     EXPECT_EQ(alarm("foot")->text(0), sentenceText(hot("foot", "96")));
-    EXPECT_EQ(cells(alarm("foot")), (QStringList{"1", "2", "0:29", date("2026-03-14T09:26:53Z"), "older"}));
-    EXPECT_EQ(alarm("settled")->text(3), kNoValue);
+    EXPECT_EQ(cells(alarm("foot")), (QStringList{"1", "1", "2", "0:29", date("2026-03-14T09:26:53Z", 70),
+                                                 "older, " + date("2026-03-14T09:26:53Z")}));
+    EXPECT_EQ(alarm("settled")->text(4), kNoValue);
     for (int k = 0; k < 3; ++k) {
         EXPECT_FALSE(alarms->topLevelItem(k)->icon(0).isNull());
         EXPECT_EQ(alarms->topLevelItem(k)->toolTip(0), alarms->topLevelItem(k)->text(0));
@@ -120,7 +127,7 @@ TEST_F(AlarmHistoryDialogTest, ARowTellsAnAlarm) {
 // Catches: runs of another alarm, and a row without the times at which it was raised.
 TEST_F(AlarmHistoryDialogTest, TheRunsAreThoseOfTheSelectedAlarm) {
     dialog.setHistory(somePast());
-    EXPECT_EQ(alarms->currentItem(), alarm("hand\"")) << "the one that was raised most often";
+    EXPECT_EQ(alarms->currentItem(), alarm("hand\"")) << "the gravest that was raised last";
     ASSERT_EQ(runs->topLevelItemCount(), 2);
     EXPECT_EQ(runs->topLevelItem(0)->text(0), date("2026-03-16T09:26:53Z")) << "the newest first";
     EXPECT_EQ(cells(runs->topLevelItem(0)).mid(0, 4), (QStringList{"younger", "SIMULATED", "12", "1:00:00"}));
@@ -133,18 +140,37 @@ TEST_F(AlarmHistoryDialogTest, TheRunsAreThoseOfTheSelectedAlarm) {
 // Catches: numbers sorted as words, 2 behind 13, and an alarm without a duration between others.
 TEST_F(AlarmHistoryDialogTest, ColumnsAreSortedByWhatTheySay) {
     dialog.setHistory(somePast());
-    EXPECT_EQ(order(), (QStringList{"\"hand\"", "\"foot\"", "Not"})) << "at first the most frequent";
-    alarms->sortByColumn(2, Qt::AscendingOrder);
-    EXPECT_EQ(order(), (QStringList{"Not", "\"foot\"", "\"hand\""}));
+    EXPECT_EQ(order(), (QStringList{"\"hand\"", "\"foot\"", "Not"})) << "at first the gravest";
     alarms->sortByColumn(3, Qt::AscendingOrder);
     EXPECT_EQ(order(), (QStringList{"Not", "\"foot\"", "\"hand\""}));
     alarms->sortByColumn(4, Qt::AscendingOrder);
+    EXPECT_EQ(order(), (QStringList{"Not", "\"foot\"", "\"hand\""}));
+    alarms->sortByColumn(5, Qt::AscendingOrder);
     EXPECT_EQ(order().first(), "\"foot\"");
     alarms->sortByColumn(0, Qt::DescendingOrder);
     EXPECT_EQ(order().last(), "\"foot\"");
     runs->sortByColumn(3, Qt::AscendingOrder);
     alarms->setCurrentItem(alarm("hand\""));
     EXPECT_EQ(runs->topLevelItem(0)->text(1), "older") << "once before twelve times";
+}
+
+// Catches: a grave alarm below frequent trifles, an order within a priority by what is not told, and a time
+// that is no date.
+TEST_F(AlarmHistoryDialogTest, TheGravestAreFirstThenTheLatest) {
+    AlarmHistory past = somePast();
+    PastAlarm often, early, damaged;
+    const AlarmSpell trifle{{MessageCode::SafetySensorOpen, {"hand"}}, 900.0, 2.0};
+    often.runs = {{1, std::vector<AlarmSpell>(100, trifle)}};
+    early.runs = {{1, {{hot("early", "92"), 3.0, 2.0}}}};
+    damaged.runs = {{0, {{hot("damaged", "92"), 1e300, 2.0}}}};
+    past.alarms.insert(past.alarms.begin(), {often, damaged, early});
+    dialog.setHistory(past);
+    QStringList ranks;
+    for (int k = 0; k < alarms->topLevelItemCount(); ++k)
+        ranks << alarms->topLevelItem(k)->text(1);
+    EXPECT_TRUE(std::ranges::is_sorted(ranks)) << ranks.join(u' ').toStdString();
+    EXPECT_EQ(order().mid(0, 4), (QStringList{"\"damaged\"", "\"hand\"", "\"early\"", "\"foot\""}))
+        << "11 minutes and 3 s into the younger run, 70 s into the older one";
 }
 
 // Catches: a filter for any word instead of all, one that leaves a hidden alarm selected, and one that finds
@@ -173,11 +199,13 @@ TEST_F(AlarmHistoryDialogTest, ARunIsOpened) {
     QTest::keyClick(runs, Qt::Key_Down);
     QTest::keyClick(runs, Qt::Key_Return);
     ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.front().at(1).toDouble(), 5.0) << "when the alarm was raised in it";
     EXPECT_EQ(chosen.takeFirst().at(0).toString(), "/runs/older.bask");
     const QPoint first = runs->visualItemRect(runs->topLevelItem(0)).center();
     QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, first);
     QTest::mouseDClick(runs->viewport(), Qt::LeftButton, {}, first);
     ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.front().at(1).toDouble(), 660.0) << "the last time";
     EXPECT_EQ(chosen.takeFirst().at(0).toString(), "/runs/younger.bask");
     QTest::mouseClick(open, Qt::LeftButton);
     ASSERT_EQ(chosen.count(), 1);
@@ -233,8 +261,8 @@ TEST_F(AlarmHistoryDialogTest, WhatIsShownIsCopied) {
     const QChar space(0x00a0); // which this platform's clipboard does not keep
     const QStringList lines = QApplication::clipboard()->text().replace(space, u' ').split(u'\n');
     ASSERT_EQ(lines.size(), 3);
-    EXPECT_EQ(lines[0], "Alarm\tRuns\tTimes\tActive\tLast raised\tLast run");
-    EXPECT_EQ(lines[1].section(u'\t', 1, 3), "2\t13\t1:00:02");
+    EXPECT_EQ(lines[0], "Alarm\tPriority\tRuns\tTimes\tActive\tLast raised\tLast run");
+    EXPECT_EQ(lines[1].section(u'\t', 1, 4), "1\t2\t13\t1:00:02");
     EXPECT_EQ(lines[2].section(u'\t', 0, 0), sentenceText(hot("foot", "96")).replace(space, u' '));
 }
 
