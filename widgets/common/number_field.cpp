@@ -1,10 +1,18 @@
 #include "widgets/common/number_field.h"
 
+#include "engine/base/typed_unit.h"
+
+#include <QAccessible>
+#include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QSignalBlocker>
+#include <QTimer>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 
 namespace bask {
 
@@ -19,22 +27,106 @@ QString ungrouped(QString text) {
 
 } // namespace
 
-std::optional<double> typedNumber(QString text) {
-    text = ungrouped(text.trimmed()).replace(u',', u'.');
-    const bool isPlain = std::all_of(
-        text.begin(), text.end(), [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); });
+std::optional<TypedValue> typedValue(QString text) {
+    // What follows is no further digit or mark, but for "1/s", nor an exponent without digits.
+    static const QRegularExpression kParts(
+        QStringLiteral("^([+-]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)"
+                       "(?:|\\s*(?![eE][+-]?$)([^0-9.,+\\s-].*)|\\s+(1/.*))$"));
+    const QRegularExpressionMatch parts = kParts.match(ungrouped(text.trimmed()));
     bool ok = false;
-    const double value = QLocale::c().toDouble(text, &ok);
-    return ok && isPlain ? std::optional(value) : std::nullopt;
+    const double value = QLocale::c().toDouble(parts.captured(1).replace(u',', u'.'), &ok);
+    if (!parts.hasMatch() || !ok)
+        return std::nullopt;
+    return TypedValue{value, parts.captured(2) + parts.captured(3)};
 }
 
-QValidator::State NumberField::validate(QString& text, int& position) const {
-    const QString unit = text.endsWith(suffix()) ? suffix() : QString();
-    text.chop(unit.size());
-    const QString mark = locale().decimalPoint();
-    text = ungrouped(text).replace(u'.', mark).replace(u',', mark) + unit;
-    position = std::min(position, static_cast<int>(text.size()));
-    return QDoubleSpinBox::validate(text, position);
+NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
+    connect(this, &NumberField::refused, this, &NumberField::say);
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { delete m_refusal; });
+}
+
+QValidator::State NumberField::validate(QString& text, int&) const {
+    const auto typed = number(text);
+    return typed && isWithinRange(*typed) ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+double NumberField::valueFromText(const QString& text) const {
+    return number(text).value_or(value());
+}
+
+/// The base class would drop the marks that group digits, and take 415 for "4,1,5". It restores the value
+/// where a text is not repaired.
+void NumberField::fixup(QString& text) const {
+    const QString typed = withoutSuffix(text);
+    const bool isShown = text == specialValueText() || typed == textFromValue(value());
+    if (!typed.isEmpty() && !isShown)
+        emit refused(whyNot(typed));
+}
+
+std::optional<double> NumberField::inOwnUnit(const TypedValue& typed) const {
+    return typed.unit.isEmpty()
+               ? std::optional(typed.value)
+               : converted(typed.value, typed.unit.toStdString(), suffix().trimmed().toStdString());
+}
+
+std::optional<double> NumberField::number(const QString& text) const {
+    const auto typed = typedValue(withoutSuffix(text));
+    return typed ? inOwnUnit(*typed) : std::nullopt;
+}
+
+bool NumberField::isWithinRange(double value) const {
+    const double lost = 1e-12 * std::abs(value); // more than a conversion loses
+    return value >= minimum() - lost && value <= maximum() + lost;
+}
+
+/// The suffix stays behind what is typed over a number.
+QString NumberField::withoutSuffix(const QString& text) const {
+    return text.left(text.size() - (text.endsWith(suffix()) ? suffix().size() : 0)).trimmed();
+}
+
+QString NumberField::whyNot(const QString& typed) const {
+    const auto parts = typedValue(typed);
+    const QString own = suffix().trimmed();
+    if (!parts)
+        return tr("\u201c%1\u201d is not a number; the value stays as it was").arg(typed);
+    if (inOwnUnit(*parts))
+        return tr("\u201c%1\u201d is out of range; allowed: %2 to %3")
+            .arg(typed, textFromValue(minimum()) + suffix(), textFromValue(maximum()) + suffix());
+    if (own.isEmpty())
+        return tr("\u201c%1\u201d was not taken: this value has no unit").arg(typed);
+    return tr("\u201c%1\u201d was not taken: %2 is not a unit of this value, which is in %3")
+        .arg(typed, parts->unit, own);
+}
+
+void NumberField::say(const QString& why) {
+    constexpr std::chrono::seconds kShown(10);
+    constexpr int kMargin_px = 4, kMaxWidth_px = 420;
+    const QString name = QStringLiteral("fieldRefusal");
+    QWidget* place = window();
+    qDeleteAll(place->findChildren<QLabel*>(name)); // of another field
+    m_refusal = new QLabel(why, place);
+    m_refusal->setObjectName(name);
+    m_refusal->setTextFormat(Qt::PlainText);
+    m_refusal->setWordWrap(true);
+    m_refusal->setMargin(kMargin_px);
+    m_refusal->setFrameShape(QFrame::Box);
+    m_refusal->setBackgroundRole(QPalette::ToolTipBase);
+    m_refusal->setForegroundRole(QPalette::ToolTipText);
+    m_refusal->setAutoFillBackground(true);
+    m_refusal->setAttribute(Qt::WA_TransparentForMouseEvents); // what is below can be clicked
+    const int wanted = m_refusal->fontMetrics().horizontalAdvance(why) + 4 * kMargin_px;
+    const int width = std::min({wanted, kMaxWidth_px, place->width()});
+    const int height = m_refusal->heightForWidth(width);
+    const QPoint above = mapTo(place, QPoint(0, 0)), below = mapTo(place, QPoint(0, this->height()));
+    const bool fits = below.y() + height <= place->height();
+    m_refusal->setGeometry(std::clamp(below.x(), 0, place->width() - width),
+                           std::max(0, fits ? below.y() : above.y() - height), width, height);
+    m_refusal->show();
+    m_refusal->raise();
+    QAccessibleEvent alert(m_refusal, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+    QTimer::singleShot(kShown, m_refusal, &QObject::deleteLater);
+    connect(this, &QObject::destroyed, m_refusal, &QObject::deleteLater);
 }
 
 QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,

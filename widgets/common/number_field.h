@@ -2,21 +2,55 @@
 // Fields for numbers with units.
 
 #include <QDoubleSpinBox>
+#include <QPointer>
 
 #include <optional>
 
+class QLabel;
+
 namespace bask {
 
-/// Reads a number as a person types or pastes it, with a point or a comma, with either minus sign, and with
-/// spaces between thousands; empty if it is none.
-std::optional<double> typedNumber(QString text);
+/// A number as a person typed it, and what stands after it.
+struct TypedValue {
+    double value = 0.0;
+    QString unit; ///< as it was typed; empty if there is none
+};
 
-/// A point or a comma that is typed becomes the decimal mark of its locale; spaces between thousands go.
+/// Reads a number as a person types or pastes it, with a point or a comma, with either minus sign, with
+/// spaces between thousands, and with a unit after it or none; empty if the number is none.
+std::optional<TypedValue> typedValue(QString text);
+
+/// A number in the unit of its suffix. Anything can be typed: a number with another unit of the same
+/// dimension is converted when it is entered; what is no number, has a unit of something else or lies out of
+/// range is refused with words beside the field, which stays as it was. Object name of these words:
+/// "fieldRefusal".
 class NumberField : public QDoubleSpinBox {
+    Q_OBJECT
+
 public:
-    using QDoubleSpinBox::QDoubleSpinBox;
+    explicit NumberField(QWidget* parent = nullptr);
 
     QValidator::State validate(QString& text, int& position) const override;
+    double valueFromText(const QString& text) const override;
+    void fixup(QString& text) const override;
+
+signals:
+    /// What was typed is not taken.
+    void refused(const QString& why) const;
+
+protected:
+    /// Returns a typed value in the unit of the suffix; empty if that has another dimension.
+    virtual std::optional<double> inOwnUnit(const TypedValue& typed) const;
+    /// Returns the number in the text of the field, with or without its suffix; empty if it cannot be taken.
+    std::optional<double> number(const QString& text) const;
+    bool isWithinRange(double value) const;
+
+private:
+    QString withoutSuffix(const QString& text) const;
+    QString whyNot(const QString& typed) const;
+    void say(const QString& why);
+
+    QPointer<QLabel> m_refusal;
 };
 
 /// Makes a field that takes a number when it is entered, not while it is typed.

@@ -1,7 +1,7 @@
 #include "widgets/common/quantity_spin_box.h"
 
+#include "engine/base/typed_unit.h"
 #include "widgets/common/display.h"
-#include "widgets/common/number_field.h"
 
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -18,7 +18,7 @@ constexpr double kSameTemperature_K = 1e-9; // more than a conversion of units l
 
 } // namespace
 
-QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+QuantitySpinBox::QuantitySpinBox(QWidget* parent) : NumberField(parent) {
     setDecimals(1);
     setSingleStep(0.5);
     setKeyboardTracking(false);
@@ -50,7 +50,7 @@ void QuantitySpinBox::takeTyped(const QString& text) {
         m_typed_K = m_value_K;
     m_typing = true;
     const auto shown = number(text);
-    m_isNumber = shown && *shown >= minimum() && *shown <= maximum();
+    m_isNumber = shown && isWithinRange(*shown);
     if (!m_isNumber)
         return;
     m_typed_K = kelvinFromDisplay(*shown, m_unit);
@@ -74,31 +74,18 @@ void QuantitySpinBox::keyPressEvent(QKeyEvent* event) {
     selectAll();
 }
 
-std::optional<double> QuantitySpinBox::number(const QString& text) const {
-    QString bare = text;
-    for (const QChar c : suffix()) // part of which may have been deleted
-        bare.remove(c);
-    return typedNumber(bare);
+std::optional<double> QuantitySpinBox::inOwnUnit(const TypedValue& typed) const {
+    if (typed.unit.isEmpty())
+        return typed.value;
+    const auto unit = typedTemperatureUnit(typed.unit.toStdString());
+    return unit ? std::optional(displayTemperature(kelvinFromDisplay(typed.value, *unit), m_unit))
+                : std::nullopt;
 }
 
 QString QuantitySpinBox::textFromValue(double value) const {
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
     return plain.toString(value, 'f', decimals());
-}
-
-double QuantitySpinBox::valueFromText(const QString& text) const {
-    return number(text).value_or(value());
-}
-
-QValidator::State QuantitySpinBox::validate(QString& text, int&) const {
-    if (const auto typed = number(text))
-        return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
-    const bool started = std::all_of(text.begin(), text.end(), [this](QChar c) {
-        return c.isDigit() || c.isSpace() || QStringLiteral("+-.,eE\u2212").contains(c) ||
-               suffix().contains(c);
-    });
-    return started ? QValidator::Intermediate : QValidator::Invalid;
 }
 
 void QuantitySpinBox::setValue_K(double value_K) {
@@ -130,11 +117,17 @@ void QuantitySpinBox::show_K() {
     m_showing = false;
 }
 
-GainSpinBox::GainSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+GainSpinBox::GainSpinBox(QWidget* parent) : NumberField(parent) {
     setDecimals(60); // the base class rounds to this; what is shown is textFromValue's business
     setRange(1e-40, 1e9);
     setKeyboardTracking(true);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        if (!m_beforeTyping)
+            m_beforeTyping = value(); // that of the text follows
+    });
+    connect(this, &NumberField::refused, this, [this] { setValue(m_beforeTyping.value_or(value())); });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_beforeTyping.reset(); });
 }
 
 QString GainSpinBox::textFromValue(double value) const {
@@ -143,28 +136,10 @@ QString GainSpinBox::textFromValue(double value) const {
     return plain.toString(value, 'g', 4);
 }
 
-QString GainSpinBox::withoutSuffix(const QString& text) const {
-    QString bare = text;
-    if (!suffix().isEmpty() && bare.endsWith(suffix()))
-        bare.chop(suffix().size());
-    return bare.trimmed();
-}
-
-double GainSpinBox::valueFromText(const QString& text) const {
-    return typedNumber(withoutSuffix(text)).value_or(value());
-}
-
-QValidator::State GainSpinBox::validate(QString& text, int&) const {
-    const QString bare = withoutSuffix(text);
-    if (const auto typed = typedNumber(bare))
-        return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
-    const bool plausible = std::all_of(bare.begin(), bare.end(), [](QChar c) {
-        return c.isDigit() || QStringLiteral("eE+-.,").contains(c);
-    });
-    return plausible ? QValidator::Intermediate : QValidator::Invalid;
-}
-
 void GainSpinBox::stepBy(int steps) {
+    if (m_beforeTyping)
+        interpretText();
+    m_beforeTyping.reset();
     if (value() <= 0.0) // no magnitude to step by
         return;
     for (int i = 0; i < std::abs(steps); ++i) {

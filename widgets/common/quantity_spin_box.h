@@ -3,17 +3,16 @@
 // any magnitude.
 
 #include "engine/base/units.h"
-
-#include <QDoubleSpinBox>
+#include "widgets/common/number_field.h"
 
 #include <optional>
 
 namespace bask {
 
-/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is
-/// also accepted as a decimal point; Escape restores the value before typing. What is typed is the value
-/// to a tenth of the display unit, also where one with more digits is shown so already.
-class QuantitySpinBox : public QDoubleSpinBox {
+/// Temperature: kelvin inside, °C, K or °F on screen, and any of them typed. Changing the unit never changes
+/// the value; Escape restores the value before typing. What is typed is the value to a tenth of the display
+/// unit, also where one with more digits is shown so already.
+class QuantitySpinBox : public NumberField {
     Q_OBJECT
 public:
     explicit QuantitySpinBox(QWidget* parent = nullptr);
@@ -34,8 +33,7 @@ signals:
 
 protected:
     QString textFromValue(double value) const override;
-    double valueFromText(const QString& text) const override;
-    QValidator::State validate(QString& text, int& position) const override;
+    std::optional<double> inOwnUnit(const TypedValue& typed) const override;
     void keyPressEvent(QKeyEvent* event) override;
 
 private:
@@ -43,7 +41,6 @@ private:
     void take(double shown);
     void takeTyped(const QString& text);
     void endTyping();
-    std::optional<double> number(const QString& text) const;
 
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     double m_value_K = 298.15;
@@ -55,20 +52,18 @@ private:
     double m_typed_K = 298.15; ///< value of the last valueTyped_K
 };
 
-/// A number of any magnitude (0, 1e-22 or 60), with four significant digits; a step changes the second digit,
-/// and does nothing at zero.
-class GainSpinBox : public QDoubleSpinBox {
+/// A number of any magnitude (0, 1e-22 or 60), with four significant digits, taken while it is typed; a step
+/// changes the second digit, and does nothing at zero.
+class GainSpinBox : public NumberField {
     Q_OBJECT
 public:
     explicit GainSpinBox(QWidget* parent = nullptr);
 
     QString textFromValue(double value) const override;
-    double valueFromText(const QString& text) const override;
-    QValidator::State validate(QString& text, int& position) const override;
     void stepBy(int steps) override;
 
 private:
-    QString withoutSuffix(const QString& text) const;
+    std::optional<double> m_beforeTyping; ///< the "41,5" of "41,5,5" is taken on the way
 };
 
 } // namespace bask

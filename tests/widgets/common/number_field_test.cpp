@@ -1,0 +1,200 @@
+#include "widgets/common/language.h"
+#include "widgets/common/number_field.h"
+#include "widgets/common/quantity_spin_box.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace bask;
+
+namespace {
+
+class NumberFieldTest : public ::testing::Test {
+protected:
+    NumberFieldTest() {
+        window.resize(600, 300);
+        window.show();
+    }
+
+    NumberField* field(double min, double max, int decimals, const char* suffix) {
+        auto* made =
+            numberField(&window, QStringLiteral("field"), min, max, decimals, QString::fromUtf8(suffix));
+        made->show();
+        return static_cast<NumberField*>(made);
+    }
+
+    /// As a person who selects everything, the unit too, or only the number.
+    static void type(QDoubleSpinBox& field, const char* text, bool isAll = false) {
+        field.setFocus();
+        field.selectAll();
+        if (isAll)
+            field.findChild<QLineEdit*>()->selectAll();
+        QTest::keyClicks(&field, QString::fromUtf8(text));
+        QTest::keyClick(&field, Qt::Key_Return);
+    }
+
+    /// What stands beside the field; empty if nothing.
+    QString refusal() {
+        const auto* label = window.findChild<QLabel*>(QStringLiteral("fieldRefusal"));
+        return label != nullptr && label->isVisible() ? label->text() : QString();
+    }
+
+    QWidget window;
+};
+
+} // namespace
+
+// Catches 15 mm that become 15 cm.
+TEST_F(NumberFieldTest, AUnitThatIsTypedCounts) {
+    Language language;
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        NumberField* length = field(-100.0, 100.0, 2, " cm");
+        for (const bool isAll : {false, true}) {
+            for (const auto& [text, value] :
+                 std::initializer_list<std::pair<const char*, double>>{{"15 mm", 1.5},
+                                                                       {"15mm", 1.5},
+                                                                       {"2.5 cm", 2.5},
+                                                                       {"2,5 cm", 2.5},
+                                                                       {"0.1 m", 10.0},
+                                                                       {"-3 mm", -0.3}}) {
+                length->setValue(7.0);
+                type(*length, text, isAll);
+                EXPECT_DOUBLE_EQ(length->value(), value) << code.toStdString() << ' ' << text;
+                EXPECT_EQ(refusal(), QString()) << text;
+                EXPECT_TRUE(length->text().endsWith(QStringLiteral(" cm"))) << length->text().toStdString();
+            }
+        }
+        delete length;
+    }
+    language.set(QStringLiteral("en"));
+    NumberField* time = field(0.0, 86400.0, 1, " s");
+    type(*time, "2 min");
+    EXPECT_DOUBLE_EQ(time->value(), 120.0);
+    type(*time, "1.5 h");
+    EXPECT_DOUBLE_EQ(time->value(), 5400.0);
+    NumberField* share = field(0.0, 1.0, 3, "");
+    type(*share, "50 %");
+    EXPECT_DOUBLE_EQ(share->value(), 0.5);
+    NumberField* angle = field(-180.0, 180.0, 1, "\u00b0");
+    type(*angle, "1 rad");
+    EXPECT_DOUBLE_EQ(angle->value(), 57.3);
+    type(*angle, "30\u00b0");
+    EXPECT_DOUBLE_EQ(angle->value(), 30.0);
+}
+
+// Catches a number that is taken without its unit, and one that is dropped without a word.
+TEST_F(NumberFieldTest, AUnitOfSomethingElseIsRefusedWithWords) {
+    NumberField* length = field(0.0, 100.0, 2, " cm");
+    QSignalSpy refused(length, &NumberField::refused);
+    for (const char* text : {"15 K", "15 s", "15 mm/s", "15 x", "15 c", "15 %"}) {
+        length->setValue(7.0);
+        type(*length, text);
+        EXPECT_EQ(length->value(), 7.0) << text;
+        EXPECT_EQ(length->text(), QStringLiteral("7.00 cm"));
+        EXPECT_TRUE(refusal().contains(QString::fromUtf8(text))) << refusal().toStdString();
+        EXPECT_TRUE(refusal().endsWith(QStringLiteral("is in cm"))) << refusal().toStdString();
+    }
+    EXPECT_EQ(refused.count(), 6);
+    type(*length, "8 cm");
+    EXPECT_EQ(length->value(), 8.0);
+    EXPECT_EQ(refusal(), QString()) << "gone with the next number";
+    NumberField* bare = field(0.0, 1.0, 3, "");
+    type(*bare, "0.5 mm");
+    EXPECT_EQ(bare->value(), 0.0);
+    EXPECT_TRUE(refusal().contains(QStringLiteral("no unit"))) << refusal().toStdString();
+}
+
+// Catches "41,5,5" that is taken as 41.55 or 415, and "1e" as 1.
+TEST_F(NumberFieldTest, WhatIsNoNumberIsRefusedWithWords) {
+    Language language;
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        NumberField* length = field(0.0, 5000.0, 2, " mm");
+        QuantitySpinBox temperature(&window);
+        temperature.setRange_K(0.0, 3000.0);
+        GainSpinBox gain(&window);
+        for (QDoubleSpinBox* each : std::initializer_list<QDoubleSpinBox*>{length, &temperature, &gain}) {
+            each->show();
+            for (const char* text :
+                 {"41,5,5", "41.5.5", "4,1,5", "4 1", "1e", "--5", "abc", "41,5 5", "1,234.5"}) {
+                if (each == &temperature)
+                    temperature.setValue_K(kelvinFromCelsius(7.0));
+                else
+                    each->setValue(7.0);
+                type(*each, text);
+                EXPECT_NEAR(each->value(), 7.0, 1e-9) << code.toStdString() << ' ' << text;
+                EXPECT_TRUE(refusal().contains(QString::fromUtf8(text))) << refusal().toStdString();
+            }
+        }
+        type(*length, "5001");
+        EXPECT_EQ(length->value(), 7.0);
+        EXPECT_TRUE(refusal().contains(QStringLiteral("5000"))) << "the range: " << refusal().toStdString();
+        type(*length, "");
+        EXPECT_EQ(length->value(), 7.0);
+        delete length;
+    }
+    language.set(QStringLiteral("en"));
+}
+
+// Catches words about a field that nobody has typed into.
+TEST_F(NumberFieldTest, WhatIsShownIsNotRefused) {
+    NumberField* automatic = field(0.0, 10.0, 1, " mm");
+    automatic->setSpecialValueText(QStringLiteral("\u2014"));
+    GainSpinBox gain(&window);
+    gain.setRange(0.0, 0.123456); // shown as 0.1235
+    gain.setValue(0.123456);
+    for (QDoubleSpinBox* each : std::initializer_list<QDoubleSpinBox*>{automatic, &gain}) {
+        const double before = each->value();
+        each->show();
+        each->setFocus();
+        QTest::keyClick(each, Qt::Key_Return);
+        EXPECT_EQ(each->value(), before);
+        EXPECT_EQ(refusal(), QString());
+    }
+}
+
+TEST_F(NumberFieldTest, TemperaturesAreTypedOnAnyScale) {
+    QuantitySpinBox box(&window);
+    box.setRange_K(0.0, 3000.0);
+    box.show();
+    for (const TemperatureUnit unit :
+         {TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit}) {
+        box.setTemperatureUnit(unit);
+        for (const char* text : {"100 \u00b0C", "100 degC", "373.15 K", "212 \u00b0F", "212F"}) {
+            box.setValue_K(300.0);
+            type(box, text);
+            EXPECT_NEAR(box.value_K(), 373.15, 0.06) << text; // a tenth of what is shown
+        }
+        for (const char* text : {"15 mm", "15 \u00b0", "15 K/min"}) {
+            box.setValue_K(300.0);
+            type(box, text);
+            EXPECT_EQ(box.value_K(), 300.0) << text;
+            EXPECT_TRUE(refusal().contains(QString::fromUtf8(text))) << refusal().toStdString();
+        }
+    }
+}
+
+TEST(TypedValue, IsANumberWithAUnitOrWithout) {
+    const auto expect = [](const char* text, double value, const char* unit) {
+        const auto typed = typedValue(QString::fromUtf8(text));
+        ASSERT_TRUE(typed.has_value()) << text;
+        EXPECT_EQ(typed->value, value) << text;
+        EXPECT_EQ(typed->unit, QString::fromUtf8(unit)) << text;
+    };
+    expect(" 2,5 ", 2.5, "");
+    expect("\u22122.5e-3", -2.5e-3, "");
+    expect("1 234\u202f500,25", 1234500.25, "");
+    expect("1 234,5 mm", 1234.5, "mm");
+    expect(".5mm", 0.5, "mm");
+    expect("1e3 1/s", 1000.0, "1/s");
+    expect("2 /min", 2.0, "/min");
+    expect("12 W/(m\u00b2 K)", 12.0, "W/(m\u00b2 K)");
+    for (const char* none :
+         {"", "mm", "2,5,1", "nan", "inf", "1,250.5", "1 5", "1 2345", "1e", "1e+", "1e999", "- 5", "1-2"})
+        EXPECT_FALSE(typedValue(QString::fromUtf8(none)).has_value()) << none;
+}
