@@ -21,8 +21,7 @@ struct DisplayWords {
 };
 
 QString number(double value, int decimals) {
-    const double scale = std::pow(10.0, decimals);
-    const double rounded = std::round(value * scale) / scale;
+    const double rounded = roundedTo(value, decimals);
     QString text = QLocale().toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
     return text.replace(QLatin1Char('-'), QChar(0x2212));
 }
@@ -35,6 +34,27 @@ QString formatSigned(double value, int decimals) {
     const QString text = number(value, decimals);
     const bool zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
     return value > 0.0 && !zero ? QLatin1Char('+') + text : text;
+}
+
+double roundedTo(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    return std::round(value * scale) / scale;
+}
+
+int decimalsWithDifferences(std::span<const double> values, double reference, int decimals) {
+    constexpr int kMoreAtMost = 2;
+    const auto agree = [&](int with) {
+        const double half = 0.5 * std::pow(10.0, -with);
+        return std::ranges::all_of(values, [&](double value) {
+            const double printed = roundedTo(value, with) - roundedTo(reference, with);
+            return !std::isfinite(value - reference) ||
+                   std::abs(printed - roundedTo(value - reference, with)) < half;
+        });
+    };
+    int with = decimals;
+    while (with < decimals + kMoreAtMost && !agree(with))
+        ++with;
+    return with;
 }
 
 QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals) {

@@ -11,6 +11,7 @@
 #include <QString>
 
 #include <optional>
+#include <span>
 
 class QDateTime;
 
@@ -43,6 +44,12 @@ QString formatDate(const QDateTime& time);
 QString formatLength_mm(double length_m, int decimals = 1);
 /// Signed number in the locale's notation with a true minus sign; zero has no sign.
 QString formatSigned(double value, int decimals);
+/// Returns the number as it is printed with so many decimals.
+double roundedTo(double value, int decimals);
+/// Returns the decimals of values that are printed beside their differences from `reference`: `decimals`, or
+/// up to two more where the differences, rounded, would not be those of the rounded values. Print a
+/// difference as that of the rounded values. What is not finite counts for nothing.
+int decimalsWithDifferences(std::span<const double> values, double reference, int decimals);
 
 /// Returns what stands between values of a list, ", "; "; " where a comma is the decimal mark.
 QString listSeparator();

@@ -80,16 +80,23 @@ int decimalsFor(const MetricFacts& facts, double shown) {
     return std::abs(shown) < 1000.0 ? facts.decimals : 0;
 }
 
-QString valueText(const MetricFacts& facts, double value) {
-    const double shown = value * facts.unit.symbolPerSi;
-    return withUnit(QLocale().toString(shown, 'f', decimalsFor(facts, shown)), facts.unit);
+double shownValue(const MetricFacts& facts, double value, TemperatureUnit unit) {
+    if (isIn(facts.unit, unit::kCelsius))
+        return displayTemperature(value, unit);
+    if (isIn(facts.unit, unit::kKelvin))
+        return displayDifference(value, unit);
+    return value * facts.unit.symbolPerSi;
 }
 
-QString differenceText(const MetricFacts& facts, double difference, TemperatureUnit shown) {
-    if (isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin))
-        return formatDifference(difference, shown, facts.decimals);
-    const double number = difference * facts.unit.symbolPerSi;
-    return withUnit(formatSigned(number, decimalsFor(facts, number)), facts.unit);
+QString valueText(const MetricFacts& facts, double value, int decimals) {
+    const double shown = roundedTo(value * facts.unit.symbolPerSi, decimals);
+    return withUnit(QLocale().toString(shown, 'f', decimals), facts.unit);
+}
+
+QString differenceText(const MetricFacts& facts, double shown, TemperatureUnit unit, int decimals) {
+    const QString number = formatSigned(shown, decimals);
+    const bool isTemperature = isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin);
+    return isTemperature ? number + QChar(0x00a0) + differenceUnitSymbol(unit) : withUnit(number, facts.unit);
 }
 
 QString nameInFiles(const MetricFacts& facts, const char* kind = "") {
@@ -108,36 +115,39 @@ bool isSmallStep(const ObjectMetrics& metrics, double band_K) {
     return metrics.step_K && std::abs(*metrics.step_K) < 2.0 * band_K;
 }
 
-QString riseText(const ObjectMetrics& metrics, double band_K) {
+QString riseText(const ObjectMetrics& metrics, double band_K, int decimals) {
     if (metrics.rise_s)
-        return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s);
+        return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s, decimals);
     if (!metrics.step_K)
         return MetricWords::tr("start unknown");
     return isSmallStep(metrics, band_K) ? MetricWords::tr("step too small") : MetricWords::tr("not reached");
 }
 
-QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit) {
+QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit, int decimals) {
     if (!metrics.overshoot_K)
         return metrics.step_K ? MetricWords::tr("step too small") : MetricWords::tr("start unknown");
     if (*metrics.overshoot_K <= 0.0)
         return MetricWords::tr("none");
-    const int decimals = factsOf(ObjectMetric::Overshoot).decimals;
+    const double shown = roundedTo(displayDifference(*metrics.overshoot_K, unit), decimals);
     return QStringLiteral("%1\u00a0%2 (%3)")
-        .arg(QLocale().toString(displayDifference(*metrics.overshoot_K, unit), 'f', decimals),
-             differenceUnitSymbol(unit), share(*metrics.overshootShare()));
+        .arg(QLocale().toString(shown, 'f', decimals), differenceUnitSymbol(unit),
+             share(*metrics.overshootShare()));
 }
 
-QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
+/// Empty for one sample, or a reading that stood still.
+std::optional<int> steadyDecimals(const ObjectMetrics& metrics, TemperatureUnit unit) {
+    return decimalsOf(displayDifference(metrics.steadyDeviation_K.value_or(0.0), unit),
+                      factsOf(ObjectMetric::SteadyError).decimals);
+}
+
+QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit, int decimals) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
-    const double deviation = displayDifference(metrics.steadyDeviation_K.value_or(0.0), unit);
-    const MetricFacts facts = factsOf(ObjectMetric::SteadyError);
-    const auto decimals = decimalsOf(deviation, facts.decimals);
-    if (!decimals) // one sample, or a reading that stood still
-        return differenceText(facts, *metrics.steadyError_K, unit);
+    const QString mean = formatDifference(*metrics.steadyError_K, unit, decimals);
+    if (!steadyDecimals(metrics, unit))
+        return mean;
     return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")
-        .arg(formatDifference(*metrics.steadyError_K, unit, *decimals),
-             QLocale().toString(deviation, 'f', *decimals));
+        .arg(mean, QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', decimals));
 }
 
 } // namespace
@@ -219,7 +229,31 @@ QString metricDefinition(RunMetric metric) {
     return {};
 }
 
-QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit) {
+int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit) {
+    const MetricFacts facts = factsOf(metric.kind);
+    const ObjectMetrics* const counted = countedFor(metric, run, object);
+    if (counted != nullptr && metric.kind == ObjectMetric::SteadyError)
+        return steadyDecimals(*counted, unit).value_or(facts.decimals);
+    if (counted != nullptr && metric.kind == ObjectMetric::PathLength)
+        return decimalsFor(facts, counted->pathLength_m * facts.unit.symbolPerSi);
+    return facts.decimals;
+}
+
+int metricDecimals(RunMetric metric, const RunMetrics& run) {
+    const MetricFacts facts = factsOf(metric);
+    return decimalsFor(facts, metricValue(metric, run).value_or(0.0) * facts.unit.symbolPerSi);
+}
+
+double metricShown(ObjectMetric metric, double value, TemperatureUnit unit) {
+    return shownValue(factsOf(metric.kind), value, unit);
+}
+
+double metricShown(RunMetric metric, double value) {
+    return shownValue(factsOf(metric), value, TemperatureUnit::Kelvin); // none is a temperature
+}
+
+QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit,
+                   std::optional<int> decimals) {
     if (run.samples == 0)
         return MetricWords::tr("no samples");
     const ObjectMetrics* const counted = countedFor(metric, run, object);
@@ -227,31 +261,33 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
         return MetricWords::tr("not known");
     const ObjectMetrics& metrics = *counted;
     const MetricFacts facts = factsOf(metric.kind);
+    const int with = decimals.value_or(metricDecimals(metric, run, object, unit));
     switch (metric.kind) {
     case ObjectMetric::Target:
-        return formatTemperature(metrics.target_K, unit, facts.decimals);
+        return formatTemperature(metrics.target_K, unit, with);
     case ObjectMetric::Final:
-        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, facts.decimals)
+        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, with)
                                : MetricWords::tr("not known");
     case ObjectMetric::Settling:
-        return metrics.settling_s ? valueText(facts, *metrics.settling_s) : MetricWords::tr("not settled");
+        return metrics.settling_s ? valueText(facts, *metrics.settling_s, with)
+                                  : MetricWords::tr("not settled");
     case ObjectMetric::Rise:
-        return riseText(metrics, run.band_K);
+        return riseText(metrics, run.band_K, with);
     case ObjectMetric::Overshoot:
-        return overshootText(metrics, unit);
+        return overshootText(metrics, unit, with);
     case ObjectMetric::SteadyError:
-        return steadyText(metrics, unit);
+        return steadyText(metrics, unit, with);
     case ObjectMetric::PathLength:
-        return valueText(facts, metrics.pathLength_m);
+        return valueText(facts, metrics.pathLength_m, with);
     }
     return {};
 }
 
-QString metricText(RunMetric metric, const RunMetrics& run) {
+QString metricText(RunMetric metric, const RunMetrics& run, std::optional<int> decimals) {
     const std::optional<double> value = metricValue(metric, run);
     if (!value)
         return MetricWords::tr("no samples");
-    const QString text = valueText(factsOf(metric), *value);
+    const QString text = valueText(factsOf(metric), *value, decimals.value_or(metricDecimals(metric, run)));
     const bool isPartOfTime = metric == RunMetric::VelocityLimit || metric == RunMetric::Clamped;
     return isPartOfTime && run.duration_s > 0.0
                ? QStringLiteral("%1 (%2)").arg(text, share(*value / run.duration_s))
@@ -300,12 +336,18 @@ std::optional<double> metricValue(RunMetric metric, const RunMetrics& run) {
     return std::nullopt;
 }
 
-QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit) {
-    return differenceText(factsOf(metric.kind), difference, unit);
+std::optional<double> metricDeviation(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
+    const ObjectMetrics* const counted = countedFor(metric, run, object);
+    return counted != nullptr && metric.kind == ObjectMetric::SteadyError ? counted->steadyDeviation_K
+                                                                          : std::nullopt;
 }
 
-QString metricDifferenceText(RunMetric metric, double difference) {
-    return differenceText(factsOf(metric), difference, TemperatureUnit::Kelvin); // none is a temperature
+QString metricDifferenceText(ObjectMetric metric, double shown, TemperatureUnit unit, int decimals) {
+    return differenceText(factsOf(metric.kind), shown, unit, decimals);
+}
+
+QString metricDifferenceText(RunMetric metric, double shown, int decimals) {
+    return differenceText(factsOf(metric), shown, TemperatureUnit::Kelvin, decimals); // none is a temperature
 }
 
 QString metricNameInFiles(ObjectMetric metric) {

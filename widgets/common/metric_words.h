@@ -41,16 +41,26 @@ QString metricName(RunMetric metric);
 /// Returns the definition in one or two sentences, as in engine/recording/run_metrics.h.
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit);
 QString metricDefinition(RunMetric metric);
-/// Returns "42.0 s", "+0.12 K", or why there is no value: "not settled".
-QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
-QString metricText(RunMetric metric, const RunMetrics& run);
+/// Returns "42.0 s", "+0.12 K", or why there is no value: "not settled"; with metricDecimals() if there are
+/// none.
+QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit,
+                   std::optional<int> decimals = {});
+QString metricText(RunMetric metric, const RunMetrics& run, std::optional<int> decimals = {});
 
 /// Returns the number of metricText() in SI; empty where that says why there is none.
 std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, std::size_t object);
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run);
-/// Returns a difference of two such numbers, "+1.5 s", with the decimals that metricText() has for its size.
-QString metricDifferenceText(ObjectMetric metric, double difference, TemperatureUnit unit);
-QString metricDifferenceText(RunMetric metric, double difference);
+/// Returns the standard deviation of such a number, in SI, where it is known: of a mean of samples.
+std::optional<double> metricDeviation(ObjectMetric metric, const RunMetrics& run, std::size_t object);
+/// Returns how many decimals the number has on a screen.
+int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
+int metricDecimals(RunMetric metric, const RunMetrics& run);
+/// Converts a number of metricValue() to the unit of metricText().
+double metricShown(ObjectMetric metric, double value, TemperatureUnit unit);
+double metricShown(RunMetric metric, double value);
+/// Returns a difference of two such numbers, in that unit: "+1.5 s".
+QString metricDifferenceText(ObjectMetric metric, double shown, TemperatureUnit unit, int decimals);
+QString metricDifferenceText(RunMetric metric, double shown, int decimals);
 
 /// Returns "settling time (s)": the metric in exported tables, in English, with the unit of its numbers
 /// there.

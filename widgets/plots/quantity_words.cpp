@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -37,12 +38,65 @@ std::optional<Shown> shownOf(Quantity quantity) {
     return std::nullopt;
 }
 
-QString numberOf(double si, const Shown& shown) {
-    if (!std::isfinite(si))
+constexpr int kSignificant = 3; // digits of a number without decimals of its own
+
+/// With the usual decimals if `wanted` is negative.
+QString numberOf(double value, int usual, int wanted) {
+    const int decimals = wanted < 0 ? usual : wanted;
+    if (!std::isfinite(value))
         return kNoValue;
-    const double value = si * shown.unit->symbolPerSi;
-    return shown.decimals < 0 ? QLocale().toString(value, 'g', 3)
-                              : QLocale().toString(value, 'f', shown.decimals);
+    return decimals < 0 ? QLocale().toString(value, 'g', kSignificant)
+                        : QLocale().toString(roundedTo(value, decimals), 'f', decimals);
+}
+
+constexpr int kSpeedDecimals = 2;
+
+/// In the unit of quantityText().
+double shownNumber(double si, Quantity quantity, std::size_t series, TemperatureUnit unit) {
+    if (shownOf(quantity))
+        return displayedQuantity(si, quantity, unit);
+    return series == 0 ? si * 100.0 : degFromRad(si);
+}
+
+/// The decimals of quantityText() for numbers up to `max`; -1 if so small ones are shown with an exponent.
+int usualDecimals(Quantity quantity, double max) {
+    constexpr int kMaxDecimals = 6;
+    const auto shown = shownOf(quantity);
+    if (!shown)
+        return kSpeedDecimals;
+    if (shown->as != ShownAs::Number)
+        return 1;
+    if (shown->decimals >= 0)
+        return shown->decimals;
+    if (!(max > 0.0) || !std::isfinite(max))
+        return -1;
+    const int decimals = kSignificant - 1 - static_cast<int>(std::floor(std::log10(max)));
+    return decimals > kMaxDecimals ? -1 : std::max(0, decimals);
+}
+
+/// With the usual decimals if `decimals` is negative.
+QString textWith(int decimals, double si, Quantity quantity, std::size_t series, TemperatureUnit unit) {
+    const auto shown = shownOf(quantity);
+    if (!shown) {
+        if (!std::isfinite(si))
+            return kNoValue;
+        const QString number = numberOf(shownNumber(si, quantity, series, unit), kSpeedDecimals, decimals);
+        return series == 0 ? TracePlot::tr("%1 cm/s").arg(number) : TracePlot::tr("%1 °/s").arg(number);
+    }
+    const int temperatureDecimals = decimals < 0 ? 1 : decimals;
+    switch (shown->as) {
+    case ShownAs::Temperature:
+        return formatTemperature(si, unit, temperatureDecimals);
+    case ShownAs::Difference:
+        return formatDifference(si, unit, temperatureDecimals);
+    case ShownAs::RatePerMinute:
+        return formatRate(si, unit, temperatureDecimals);
+    case ShownAs::Number:
+        break;
+    }
+    const QString symbol = QString::fromUtf8(shown->unit->symbol),
+                  text = numberOf(si * shown->unit->symbolPerSi, shown->decimals, decimals);
+    return symbol.isEmpty() || !std::isfinite(si) ? text : text + QStringLiteral("\u00a0") + symbol;
 }
 
 } // namespace
@@ -122,39 +176,29 @@ double displayedQuantity(double si, Quantity quantity, TemperatureUnit unit) {
 }
 
 QString quantityText(double si, Quantity quantity, std::size_t series, TemperatureUnit unit) {
-    const auto shown = shownOf(quantity);
-    if (!shown) {
-        if (!std::isfinite(si))
-            return kNoValue;
-        return series == 0 ? TracePlot::tr("%1 cm/s").arg(QLocale().toString(si * 100.0, 'f', 2))
-                           : TracePlot::tr("%1 °/s").arg(QLocale().toString(degFromRad(si), 'f', 2));
-    }
-    switch (shown->as) {
-    case ShownAs::Temperature:
-        return formatTemperature(si, unit);
-    case ShownAs::Difference:
-        return formatDifference(si, unit);
-    case ShownAs::RatePerMinute:
-        return formatRate(si, unit);
-    case ShownAs::Number:
-        break;
-    }
-    const QString symbol = QString::fromUtf8(shown->unit->symbol), text = numberOf(si, *shown);
-    return symbol.isEmpty() || !std::isfinite(si) ? text : text + QStringLiteral("\u00a0") + symbol;
+    return textWith(-1, si, quantity, series, unit);
 }
 
-QString quantityChange(double si, Quantity quantity, std::size_t series, TemperatureUnit unit) {
-    switch (quantityShownAs(quantity)) {
-    case ShownAs::Temperature:
-    case ShownAs::Difference:
-        return formatDifference(si, unit);
-    case ShownAs::RatePerMinute:
-        return formatRate(si, unit);
-    case ShownAs::Number:
-        break;
+QuantityChange quantityChange(double first, double then, Quantity quantity, std::size_t series,
+                              TemperatureUnit unit) {
+    const double from = shownNumber(first, quantity, series, unit),
+                 to = shownNumber(then, quantity, series, unit);
+    int decimals = usualDecimals(quantity, std::max(std::abs(from), std::abs(to)));
+    double by = then - first;
+    if (decimals >= 0) {
+        decimals = decimalsWithDifferences({&to, 1}, from, decimals);
+        const double perSi =
+            shownNumber(1.0, quantity, series, unit) - shownNumber(0.0, quantity, series, unit);
+        by = (roundedTo(to, decimals) - roundedTo(from, decimals)) / perSi;
     }
-    const QString text = quantityText(si, quantity, series, unit);
-    return si > 0.0 ? u'+' + text : text;
+    const auto text = [&](double si) { return textWith(decimals, si, quantity, series, unit); };
+    QuantityChange out{text(first), text(then), {}};
+    const ShownAs as = quantityShownAs(quantity);
+    if (as == ShownAs::Temperature || as == ShownAs::Difference)
+        out.by = formatDifference(by, unit, decimals);
+    else
+        out.by = as == ShownAs::Number && by > 0.0 ? u'+' + text(by) : text(by);
+    return out;
 }
 
 } // namespace bask

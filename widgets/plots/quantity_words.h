@@ -26,7 +26,12 @@ ShownAs quantityShownAs(Quantity quantity);
 double displayedQuantity(double si, Quantity quantity, TemperatureUnit unit);
 /// Returns the value with its unit; that of a speed depends on the series.
 QString quantityText(double si, Quantity quantity, std::size_t series, TemperatureUnit unit);
-/// Returns the difference of two values with its sign and unit; that of a speed depends on the series.
-QString quantityChange(double si, Quantity quantity, std::size_t series, TemperatureUnit unit);
+/// Two values and their difference, each with its unit.
+struct QuantityChange {
+    QString first, then, by; ///< `by` has a sign
+};
+/// Returns them with decimals by which the printed difference is that of the printed values.
+QuantityChange quantityChange(double first, double then, Quantity quantity, std::size_t series,
+                              TemperatureUnit unit);
 
 } // namespace bask

@@ -21,6 +21,15 @@ constexpr int kMaxPoints =
 
 constexpr std::size_t kFineStretch = 3; // px
 
+/// "0:04.5", of a time that is rounded to that.
+QString momentToATenth(double time_s) {
+    if (!std::isfinite(time_s))
+        return kNoValue;
+    const double whole_s = std::floor(time_s + 0.05);
+    return formatDuration(whole_s) + QLocale().decimalPoint() +
+           QString::number(std::lround(10.0 * (time_s - whole_s)));
+}
+
 } // namespace
 
 TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
@@ -346,18 +355,19 @@ QStringList TracePlot::Canvas::readout(double time_s, std::optional<double> from
         return QStringLiteral("%1 \u2192 %2 (\u0394 %3)").arg(first, then, change);
     };
     QStringList parts{formatDuration(traces->time_s(row))};
-    if (isPinned)
-        parts[0] = withChange(formatDuration(traces->time_s(from)), parts[0],
-                              formatSigned(traces->time_s(row) - traces->time_s(from), 1) +
-                                  QStringLiteral("\u00a0s"));
+    if (isPinned) {
+        const double first_s = roundedTo(traces->time_s(from), 1), then_s = roundedTo(traces->time_s(row), 1);
+        parts[0] = withChange(momentToATenth(first_s), momentToATenth(then_s),
+                              formatSigned(then_s - first_s, 1) + QStringLiteral("\u00a0s"));
+    }
     const auto add = [&](const QString& name, Quantity of, int index) {
         const auto series = static_cast<std::size_t>(index);
         const double value = traces->value(of, series, row);
         QString text = quantityText(value, of, series, unit);
         if (isPinned) {
-            const double first = traces->value(of, series, from);
-            text = withChange(quantityText(first, of, series, unit), text,
-                              quantityChange(value - first, of, series, unit));
+            const QuantityChange change =
+                quantityChange(traces->value(of, series, from), value, of, series, unit);
+            text = withChange(change.first, change.then, change.by);
         }
         parts << QStringLiteral("%1 %2").arg(name, text);
     };

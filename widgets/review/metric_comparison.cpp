@@ -7,6 +7,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <limits>
+#include <utility>
+
 namespace bask {
 namespace {
 
@@ -16,18 +20,35 @@ struct ComparisonWords {
 
 constexpr int kDigitsInFiles = 10; // significant ones: a difference of doubles has no more to say
 
-/// A number for each run, in SI, where it has one; `text` and `difference` tell how it is shown, `inFiles`
-/// what it is in files.
+/// What a run tells of a metric.
+struct Told {
+    std::optional<double> value{};     ///< in SI
+    std::optional<double> deviation{}; ///< of the value
+    double shown = std::numeric_limits<double>::quiet_NaN();
+    int decimals = 0; ///< of what is shown
+};
+
+/// `text` and `difference` tell how a number is shown with so many decimals, `inFiles` what it is in files.
 template <class Text, class Difference, class InFiles>
-void addCells(ComparedMetric& metric, const std::vector<std::optional<double>>& numbers,
-              std::size_t reference, const Text& text, const Difference& difference, const InFiles& inFiles) {
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-        ComparedMetric::Cell cell{text(k), k == reference ? QString() : kNoValue};
-        if (numbers[k])
-            cell.value = inFiles(*numbers[k]);
-        if (k != reference && numbers[k] && numbers[reference]) {
-            cell.differenceBy = *numbers[k] - *numbers[reference];
-            cell.difference = difference(*cell.differenceBy);
+void addCells(ComparedMetric& metric, const std::vector<Told>& runs, std::size_t reference, const Text& text,
+              const Difference& difference, const InFiles& inFiles) {
+    std::vector<double> shown;
+    shown.reserve(runs.size());
+    int decimals = 0;
+    for (const Told& told : runs) {
+        shown.push_back(told.shown);
+        decimals = std::max(decimals, told.decimals);
+    }
+    decimals = decimalsWithDifferences(shown, shown[reference], decimals);
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        ComparedMetric::Cell cell{text(k, decimals), k == reference ? QString() : kNoValue};
+        if (runs[k].value)
+            cell.value = inFiles(*runs[k].value);
+        cell.deviation = runs[k].deviation;
+        if (k != reference && runs[k].value && runs[reference].value) {
+            cell.differenceBy = *runs[k].value - *runs[reference].value;
+            cell.difference =
+                difference(roundedTo(shown[k], decimals) - roundedTo(shown[reference], decimals), decimals);
         }
         metric.cells.push_back(std::move(cell));
     }
@@ -46,31 +67,58 @@ ComparedMetric compared(ObjectMetric metric, const QString& object, const std::v
                         std::size_t reference, double band_K, TemperatureUnit unit) {
     ComparedMetric out{
         metricName(metric), metricDefinition(metric, band_K, unit), metricNameInFiles(metric), object, {}};
-    QStringList texts;
-    std::vector<std::optional<double>> numbers;
-    numbers.reserve(runs.size());
+    std::vector<Told> all;
+    all.reserve(runs.size());
+    const auto indexIn = [&object](const ComparedRun& run) { // none is beyond all others
+        return static_cast<std::size_t>(run.objects.indexOf(object));
+    };
+    const auto isThere = [&indexIn](const ComparedRun& run) {
+        return run.metrics && indexIn(run) < run.metrics->objects.size();
+    };
     for (const ComparedRun& run : runs) {
-        const auto index = static_cast<std::size_t>(run.objects.indexOf(object)); // none is beyond all others
-        const bool isThere = run.metrics && index < run.metrics->objects.size();
-        texts << (isThere ? metricText(metric, *run.metrics, index, unit) : kNoValue);
-        numbers.push_back(isThere ? metricValue(metric, *run.metrics, index) : std::nullopt);
+        Told told;
+        if (isThere(run)) {
+            const std::size_t index = indexIn(run);
+            told.value = metricValue(metric, *run.metrics, index);
+            told.deviation = metricDeviation(metric, *run.metrics, index);
+            told.decimals = metricDecimals(metric, *run.metrics, index, unit);
+        }
+        if (told.value)
+            told.shown = metricShown(metric, *told.value, unit);
+        all.push_back(told);
     }
     addCells(
-        out, numbers, reference, [&](std::size_t k) { return texts[static_cast<qsizetype>(k)]; },
-        [&](double by) { return metricDifferenceText(metric, by, unit); },
+        out, all, reference,
+        [&](std::size_t k, int decimals) {
+            return isThere(runs[k]) ? metricText(metric, *runs[k].metrics, indexIn(runs[k]), unit, decimals)
+                                    : kNoValue;
+        },
+        [&](double by, int decimals) { return metricDifferenceText(metric, by, unit, decimals); },
         [&](double value) { return metricValueInFiles(metric, value); });
     return out;
 }
 
 ComparedMetric compared(RunMetric metric, const std::vector<ComparedRun>& runs, std::size_t reference) {
     ComparedMetric out{metricName(metric), metricDefinition(metric), metricNameInFiles(metric), {}, {}};
-    std::vector<std::optional<double>> numbers;
-    for (const ComparedRun& run : runs)
-        numbers.push_back(run.metrics ? metricValue(metric, *run.metrics) : std::nullopt);
+    std::vector<Told> all;
+    all.reserve(runs.size());
+    for (const ComparedRun& run : runs) {
+        Told told;
+        if (run.metrics) {
+            told.value = metricValue(metric, *run.metrics);
+            told.decimals = metricDecimals(metric, *run.metrics);
+        }
+        if (told.value)
+            told.shown = metricShown(metric, *told.value);
+        all.push_back(told);
+    }
     addCells(
-        out, numbers, reference,
-        [&](std::size_t k) { return runs[k].metrics ? metricText(metric, *runs[k].metrics) : kNoValue; },
-        [&](double by) { return metricDifferenceText(metric, by); }, [](double value) { return value; });
+        out, all, reference,
+        [&](std::size_t k, int decimals) {
+            return runs[k].metrics ? metricText(metric, *runs[k].metrics, decimals) : kNoValue;
+        },
+        [&](double by, int decimals) { return metricDifferenceText(metric, by, decimals); },
+        [](double value) { return value; });
     return out;
 }
 
@@ -82,6 +130,8 @@ std::string numberInFiles(const std::optional<double>& value) {
 
 std::vector<ComparedMetric> compareMetrics(const std::vector<ComparedRun>& runs, std::size_t reference,
                                            TemperatureUnit unit) {
+    if (runs.empty())
+        return {};
     double band_K = kSettledBand_K;
     bool hasTruth = false;
     for (const ComparedRun& run : runs)
@@ -129,14 +179,15 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
     std::string header = kComparisonMark;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const QString difference = QStringLiteral("%1 - %2").arg(runs[k].mark, runs[reference].mark);
-        header += ',' + csvField(runs[k].name.toStdString());
+        header += ',' + csvField(runs[k].name.toStdString()) + ',' + runs[k].mark.toStdString() + " s.d.";
         header += k == reference ? std::string() : ',' + difference.toStdString();
     }
     std::string text = header + '\n';
     for (const ComparedMetric& metric : metrics) {
         text += csvField(metric.nameInFiles.toStdString()) + ',' + csvField(metric.object.toStdString());
         for (std::size_t k = 0; k < metric.cells.size(); ++k) {
-            text += ',' + numberInFiles(metric.cells[k].value);
+            text +=
+                ',' + numberInFiles(metric.cells[k].value) + ',' + numberInFiles(metric.cells[k].deviation);
             text += k == reference ? std::string() : ',' + numberInFiles(metric.cells[k].differenceBy);
         }
         text += '\n';

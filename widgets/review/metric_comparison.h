@@ -31,7 +31,8 @@ struct ComparedMetric {
         QString text;                         ///< as on the Metrics page; a dash if the run does not have it
         QString difference;                   ///< from the reference, signed; a dash if one has no number
         std::optional<double> value{};        ///< in the unit of nameInFiles
-        std::optional<double> differenceBy{}; ///< in the same unit
+        std::optional<double> deviation{};    ///< standard deviation of the value, in K
+        std::optional<double> differenceBy{}; ///< in the unit of the value
     };
     QString name, definition, nameInFiles;
     QString object;          ///< empty: of the whole run
@@ -49,7 +50,8 @@ QString differenceName(const ComparedRun& run, const ComparedRun& reference);
 /// Returns the table as people see it, tab-separated.
 QString comparisonText(const std::vector<ComparedRun>& runs, std::size_t reference,
                        const std::vector<ComparedMetric>& metrics);
-/// Returns the table with numbers only, as CSV in English; unknown ones are empty.
+/// Returns the table with numbers only, each beside its standard deviation, as CSV in English; unknown ones
+/// are empty.
 std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t reference,
                           const std::vector<ComparedMetric>& metrics);
 

@@ -241,7 +241,7 @@ TEST(TracePlot, TwoCursorsTellBothValuesAndTheDifference) {
     samples[2].objects[1].valid = false;
     shown.plot.setSamples(samples);
     const auto told = [&](double time_s, double pinned_s) { return shown.plot.readout(time_s, pinned_s); };
-    EXPECT_TRUE(told(12.0, 4.0).startsWith(QStringLiteral("0:04 \u2192 0:12 (\u0394 +8.0\u00a0s)")))
+    EXPECT_TRUE(told(12.0, 4.0).startsWith(QStringLiteral("0:04.0 \u2192 0:12.0 (\u0394 +8.0\u00a0s)")))
         << told(12.0, 4.0).toStdString();
     EXPECT_TRUE(told(12.0, 4.0).contains(
         QStringLiteral("circle 24.0\u00a0\u00b0C \u2192 32.0\u00a0\u00b0C (\u0394 +8.0\u00a0K)")))
@@ -253,6 +253,31 @@ TEST(TracePlot, TwoCursorsTellBothValuesAndTheDifference) {
     EXPECT_FALSE(shown.plot.readout(12.0).contains(QStringLiteral("\u0394")));
     shown.plot.setQuantity(Quantity::Strength);
     EXPECT_TRUE(told(12.0, 4.0).contains(QStringLiteral("(\u0394 +0.08"))) << told(12.0, 4.0).toStdString();
+}
+
+// Catches 21.0 and 21.1 whose difference is told as +0.0, and times that are whole seconds beside tenths.
+TEST(TracePlot, TheDifferenceOfTwoCursorsIsThatOfTheirNumbers) {
+    ShownPlot shown;
+    auto samples = warmUp(20);
+    for (TraceSample& sample : samples) {
+        sample.objects[0].measured_K = kelvinFromCelsius(21.04);
+        sample.objects[0].lambda1 = 0.1204;
+    }
+    samples[12].time_s += 0.4;
+    samples[12].objects[0].measured_K = kelvinFromCelsius(21.06);
+    samples[12].objects[0].lambda1 = 0.1206;
+    shown.plot.setSamples(samples);
+    const QString told = shown.plot.readout(samples[12].time_s, samples[4].time_s);
+    EXPECT_TRUE(told.startsWith(QStringLiteral("0:05.0 \u2192 0:13.4 (\u0394 +8.4\u00a0s)")))
+        << told.toStdString();
+    EXPECT_TRUE(told.contains(
+        QStringLiteral("circle 21.04\u00a0\u00b0C \u2192 21.06\u00a0\u00b0C (\u0394 +0.02\u00a0K)")))
+        << told.toStdString();
+    shown.plot.setQuantity(Quantity::Strength);
+    const QString strength = shown.plot.readout(samples[12].time_s, samples[4].time_s);
+    EXPECT_TRUE(
+        strength.contains(QStringLiteral("0.1204\u00a0K/s \u2192 0.1206\u00a0K/s (\u0394 +0.0002\u00a0K/s)")))
+        << strength.toStdString();
 }
 
 // Catches a second quantity that is drawn on the scale or in the unit of the first, and one that is told by

@@ -135,16 +135,47 @@ TEST(MetricComparison, TruthStandsBesideTheReadings) {
 TEST(MetricComparison, IsExportedAsNumbers) {
     auto runs = twoRuns();
     runs[1].name = "B evening, late";
+    runs[0].metrics->objects[1].steadyDeviation_K = 0.0625;
     const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Fahrenheit);
     const QStringList lines = QString::fromStdString(comparisonCsv(runs, 0, metrics)).split('\n');
     ASSERT_EQ(lines.size(), 7 * 4 + 5 + 2) << "with a header, ending in a line break";
-    EXPECT_EQ(lines[0].toStdString(), "metric,object,A run,\"B evening, late\",B - A");
-    EXPECT_TRUE(lines.contains("final (degC),circle,40,40.3,0.3")) << lines.join('\n').toStdString();
-    EXPECT_TRUE(lines.contains("settling time (s),hand,70,,"));
-    EXPECT_TRUE(lines.contains("settling time (s),ring,,55,"));
-    EXPECT_TRUE(lines.contains("path length (m),circle,0.1,0.1,0"));
-    EXPECT_TRUE(lines.contains("rotation of the end-effector (rad),,0,0,0"));
+    EXPECT_EQ(lines[0].toStdString(), "metric,object,A run,A s.d.,\"B evening, late\",B s.d.,B - A");
+    EXPECT_TRUE(lines.contains("final (degC),circle,40,,40.3,,0.3")) << lines.join('\n').toStdString();
+    EXPECT_TRUE(lines.contains("settling time (s),hand,70,,,,"));
+    EXPECT_TRUE(lines.contains("settling time (s),ring,,,55,,"));
+    EXPECT_TRUE(lines.contains("path length (m),circle,0.1,,0.1,,0"));
+    EXPECT_TRUE(lines.contains("rotation of the end-effector (rad),,0,,0,,0"));
+    EXPECT_TRUE(lines.contains("steady-state error (K),hand,0.02,0.0625,0.02,,0"))
+        << lines.join('\n').toStdString();
     EXPECT_TRUE(lines[0].startsWith(QLatin1String(kComparisonMark)));
+}
+
+// Catches a printed difference that is not that of the printed values.
+TEST(MetricComparison, DifferencesAreThoseOfTheNumbersBesideThem) {
+    const auto shown = [](double a_s, double b_s, double c_s) {
+        const std::vector<ComparedRun> runs{comparedRun("A", {{"circle", settled(40.0, a_s)}}),
+                                            comparedRun("B", {{"circle", settled(40.0, b_s)}}),
+                                            comparedRun("C", {{"circle", settled(40.0, c_s)}})};
+        const ComparedMetric metric =
+            row(compareMetrics(runs, 0, TemperatureUnit::Celsius), "Settling time", "circle");
+        return plain(metric.cells[0].text + u'|' + metric.cells[1].text + u'|' + metric.cells[1].difference +
+                     u'|' + metric.cells[2].difference);
+    };
+    EXPECT_EQ(shown(60.04, 60.06, 60.04), "60.04 s|60.06 s|+0.02 s|0.00 s") << "60.0, 60.1 and +0.0";
+    EXPECT_EQ(shown(60.04, 60.06, 60.144), "60.04 s|60.06 s|+0.02 s|+0.10 s");
+    EXPECT_EQ(shown(60.0, 61.5, 60.1), "60.0 s|61.5 s|+1.5 s|+0.1 s") << "no digits without a reason";
+    EXPECT_EQ(shown(60.0449, 60.0551, 60.0), "60.045 s|60.055 s|+0.010 s|\u22120.045 s");
+    const auto path = [](double a_m, double b_m) {
+        ObjectMetrics a = settled(40.0, 60.0), b = a;
+        a.pathLength_m = a_m;
+        b.pathLength_m = b_m;
+        const auto metrics =
+            compareMetrics({comparedRun("A", {{"circle", a}}), comparedRun("B", {{"circle", b}})}, 0,
+                           TemperatureUnit::Celsius);
+        const ComparedMetric metric = row(metrics, "Path length", "circle");
+        return plain(metric.cells[0].text + u'|' + metric.cells[1].text + u'|' + metric.cells[1].difference);
+    };
+    EXPECT_EQ(path(9.7154, 9.7157), "9715.4 mm|9715.7 mm|+0.3 mm");
 }
 
 // Catches "s.d. 0.00", and tenths of a millimetre of a path of metres.

@@ -207,7 +207,7 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     show(session);
     ASSERT_EQ(child<FinalValuesTable>("finalValues")->rowCount(), 3);
     EXPECT_EQ(cell(0, 0), "circle");
-    EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C");
+    EXPECT_EQ(cell(0, 1).toStdString(), "40.00 °C") << "as the others, or the error is not their difference";
     EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
     EXPECT_EQ(cell(0, 4), QString(QChar(0x2212)) + "0.05 K");
     EXPECT_EQ(cell(0, 5), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
