@@ -269,7 +269,8 @@ void Actions::retranslateRun() {
         // A button does without the letter that stands behind a Chinese word in the menu.
         action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&|…"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
+        const QString tip = action->iconText() + u'\n' + meaning; // the button may have its icon alone
+        action->setToolTip(keys.isEmpty() ? tip : tip + QStringLiteral(" (%1)").arg(keys));
     };
     say(Verb::Arm, tr("&Arm"),
         tr("Zero the sensors at ambient and open the recording. Nothing moves or heats yet."));

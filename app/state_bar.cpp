@@ -25,10 +25,19 @@ namespace bask {
 namespace {
 
 constexpr int kMinWidth = 540; // what is left when all is short fits beside the navigation
-constexpr int kShortParts = 5;
+/// What gives way, one after the other, until the bar fits.
+enum ShortPart {
+    kWithoutSample = 1, ///< beside the operator
+    kWithoutCaption,    ///< of the clock, gaps, and all but the initials of the operator
+    kWithoutVerbIcons,  ///< the words are left
+    kWithoutFirstWords, ///< of Arm, Start and Reset: icons again
+    kWithoutVerbWords,  ///< of the others
+    kWithoutTagWord,    ///< SIMULATED
+    kShortParts         ///< the clock
+};
 constexpr int kBarGap = 8;
 constexpr int kOperatorText = 100; // about as wide as the clock with its caption
-constexpr int kAlarmText = 70;     // of the gravest alarm this is worth more than the words on buttons
+constexpr int kAlarmText = 70;     // of the gravest alarm, where the verbs have lost words anyway
 
 } // namespace
 
@@ -164,7 +173,8 @@ int StateBar::roomNeeded(int parts) const {
     int room = layout()->minimumSize().width();
     if (!m_alarm->isHidden())
         room -= m_alarm->minimumSizeHint().width() + layout()->spacing();
-    return room + layout()->spacing() + m_alarm->widthWithoutText() + (parts < kShortParts ? kAlarmText : 0);
+    const bool hasAlarmText = parts >= kWithoutFirstWords && parts < kShortParts;
+    return room + layout()->spacing() + m_alarm->widthWithoutText() + (hasAlarmText ? kAlarmText : 0);
 }
 
 /// Resume has Hold's place and pushes nothing aside.
@@ -179,21 +189,23 @@ void StateBar::reserveHold() {
 }
 
 void StateBar::shorten(int parts) {
-    const auto style = [](bool isShort) {
-        return isShort ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    const auto style = [parts](int withoutWords) {
+        if (parts >= withoutWords)
+            return Qt::ToolButtonIconOnly;
+        return parts >= kWithoutVerbIcons ? Qt::ToolButtonTextOnly : Qt::ToolButtonTextBesideIcon;
     };
     for (QToolButton* button : {m_arm, m_start, m_reset})
-        button->setToolButtonStyle(style(parts >= 2));
+        button->setToolButtonStyle(style(kWithoutFirstWords));
     for (QToolButton* button : {m_hold, m_stop, m_retreat})
-        button->setToolButtonStyle(style(parts >= 3));
+        button->setToolButtonStyle(style(kWithoutVerbWords));
     const int icon = parts < kShortParts ? 20 : 16;
     for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
         button->setIconSize({icon, icon});
     reserveHold();
-    m_tagWord->setVisible(parts < 4);
-    m_faultWord->setVisible(!m_faults.isEmpty() && parts < 4);
-    m_clockCaption->setVisible(parts < 4);
-    const int gap = parts < kShortParts ? kBarGap : kBarGap / 2;
+    m_tagWord->setVisible(parts < kWithoutTagWord);
+    m_faultWord->setVisible(!m_faults.isEmpty() && parts < kWithoutTagWord);
+    m_clockCaption->setVisible(parts < kWithoutCaption);
+    const int gap = parts < kWithoutCaption ? kBarGap : kBarGap / 2;
     layout()->setSpacing(gap);
     layout()->setContentsMargins(gap + 2, 6, gap + 2, 6);
     m_chip->setCompact(parts >= kShortParts);
@@ -257,12 +269,12 @@ void StateBar::showLabels() {
     const QString who = QString::fromStdString(m_labels.operatorName);
     const QString sample = QString::fromStdString(m_labels.sample.empty() ? m_labels.batch : m_labels.sample);
     QString text = who.isEmpty() ? sample : who;
-    if (m_shortParts >= 3) {
+    if (m_shortParts >= kWithoutCaption) {
         QString initials;
         for (const QString& part : text.split(u' ', Qt::SkipEmptyParts))
             initials += part[0];
         text = initials.left(3);
-    } else if (m_shortParts == 0 && !who.isEmpty() && !sample.isEmpty()) {
+    } else if (m_shortParts < kWithoutSample && !who.isEmpty() && !sample.isEmpty()) {
         text += QStringLiteral(" · ") + sample;
     }
     text = m_operator->fontMetrics().elidedText(text, Qt::ElideRight, kOperatorText);
@@ -292,7 +304,7 @@ void StateBar::showTag() {
     m_tag->setToolTip(tip);
     m_faultWord->setToolTip(tip);
     m_faultWord->setText(tr("fault active", "a simulated one; under SIMULATED"));
-    m_faultWord->setVisible(!m_faults.isEmpty() && m_shortParts < 4);
+    m_faultWord->setVisible(!m_faults.isEmpty() && m_shortParts < kWithoutTagWord);
     m_tag->setAccessibleName((QStringList(m_tagWord->text()) + m_faults).join(QStringLiteral(", ")));
 }
 

@@ -18,9 +18,10 @@ class StopButton;
 /// Object names: "rigTag" with "faultWord" (only while a simulated fault is active), "runStateChip",
 /// "armButton", "startButton", "holdButton" (Hold or Resume), "stopRunButton", "retreatButton",
 /// "resetButton", "runClock", "alarmButton" (only with alarms), "operatorButton" (only if operator or sample
-/// are known), "stopButton". In a narrow window first sample and name give way, then buttons and tag lose
-/// their words, then clock and operator disappear: STOP is always complete. The verbs have the same places in
-/// every state and with every alarm.
+/// are known), "stopButton". In a narrow window first the alarm's text, sample and name give way, then the
+/// verbs lose their icons, and from some 1200 px down their words and the tag its own, then clock and
+/// operator disappear: STOP is always complete. The verbs have the same places in every state and with every
+/// alarm.
 class StateBar : public QFrame {
     Q_OBJECT
 

@@ -10,6 +10,7 @@
 #include <QPixmap>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,37 @@ TEST(StateBar, EveryVerbKeepsItsPlaceInEveryStateAndWithAlarms) {
                 }
             }
     }
+}
+
+// Catches: verbs that are icons alone where there is room for their words, or that are cut off; icons that do
+// not say which verb they are.
+TEST(StateBar, VerbsAreWordsFrom1280InEveryLanguage) {
+    initResources();
+    Language language;
+    for (const QString& code : Language::codes())
+        for (const int width : {640, 1280, 1440, 1920}) {
+            language.set(code);
+            Bar bar(width);
+            Snapshot snapshot;
+            snapshot.labels = {"Aleksandra Huang-Baumgartner", "ring 17, painted black", "batch 2026-11"};
+            snapshot.alarms.assign(12, longAlarm());
+            bar.tell(snapshot);
+            for (const char* name : kVerbButtons) {
+                const auto* button = qobject_cast<QToolButton*>(bar.button(name));
+                const auto where = testing::Message()
+                                   << name << ", " << code.toStdString() << ", " << width << " px";
+                EXPECT_GE(button->width(), button->sizeHint().width()) << where;
+                EXPECT_TRUE(bar.bar.rect().contains(button->geometry())) << where;
+                EXPECT_TRUE(button->toolTip().startsWith(button->defaultAction()->iconText())) << where;
+                if (width >= 1280)
+                    EXPECT_NE(button->toolButtonStyle(), Qt::ToolButtonIconOnly) << where;
+                else
+                    EXPECT_EQ(button->toolButtonStyle(), Qt::ToolButtonIconOnly) << where;
+            }
+            const QAbstractButton* alarm = bar.button("alarmButton");
+            EXPECT_TRUE(alarm->toolTip().contains(QStringLiteral("aluminium hand"))) << "its text may be cut";
+        }
+    language.set(QStringLiteral("en"));
 }
 
 // Catches: a fault that is simulated unseen, one that is told when it is over, and a word that is cut off.
