@@ -429,7 +429,7 @@ void MainWindow::showNotes() {
     m_stateBar->chip()->setNotes(notes + m_ages);
     QString caption;
     if (isOverHeat)
-        caption = tr("source below: %1", "a temperature; under the objects")
+        caption = tr("over hot source: %1", "the objects are over it; its temperature")
                       .arg(formatTemperature(m_last.latest.source_K, unit, 0));
     else if (isCold)
         caption = tr("source %1 of %2", "temperatures: that of now, and the set point")

@@ -868,7 +868,7 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     for (ObjectSample& object : told.latest.objects)
         object.viewFactor = 0.2;
     emit window->engine().snapshot(told);
-    EXPECT_EQ(chip->caption(), QStringLiteral("source below: 212\u00a0°C"));
+    EXPECT_EQ(chip->caption(), QStringLiteral("over hot source: 212\u00a0°C")) << "not: too cold, below 212";
     EXPECT_TRUE(chip->reasonsMenu()->actions().at(2)->text().contains(QStringLiteral("Retreat")));
     for (ObjectSample& object : told.latest.objects)
         object.viewFactor = 0.001; // away from it
