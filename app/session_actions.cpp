@@ -9,11 +9,11 @@
 #include "engine/model/limits_widened.h"
 #include "engine/recipe/recipe.h"
 #include "engine/recording/recording_name.h"
+#include "widgets/common/file_folders.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QDateTime>
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
@@ -40,23 +40,19 @@ SessionActions::SessionActions(Document& document, SettingsStore& settings, QWid
 }
 
 QString SessionActions::ask(const FileQuestion& question) {
-    QString path;
-    if (m_chooser) {
-        path = m_chooser(question);
-    } else if (question.kind == FileQuestion::Kind::Folder) {
-        path = QFileDialog::getExistingDirectory(m_window, question.title, question.folder);
-    } else if (question.kind == FileQuestion::Kind::OpenFile) {
-        path = QFileDialog::getOpenFileName(m_window, question.title, question.folder, question.filter);
-    } else {
-        path = QFileDialog::getSaveFileName(m_window, question.title, question.folder, question.filter);
+    if (m_chooser)
+        return remembered(withSuffix(m_chooser(question), question.suffix), question.place);
+    switch (question.kind) {
+    case FileQuestion::Kind::Folder:
+        return askFolder(m_window, question.title, question.place, question.folder);
+    case FileQuestion::Kind::OpenFile:
+        return askFileToOpen(m_window, question.title, question.filter, question.place);
+    case FileQuestion::Kind::SaveFile:
+        break;
     }
-    path = withSuffix(path, question.suffix);
-    if (path.isEmpty())
-        return path;
-    const bool isFolder = question.kind == FileQuestion::Kind::Folder;
-    m_settings.setLastFolder(!isFolder && isSession(path) ? FileFolder::Recordings : question.place,
-                             isFolder ? path : QFileInfo(path).absolutePath());
-    return path;
+    return withSuffix(
+        askFileToSave(m_window, question.title, question.folder, question.filter, question.place),
+        question.suffix);
 }
 
 QString SessionActions::lastFolder(FileFolder kind) const {

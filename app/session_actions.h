@@ -25,7 +25,7 @@ struct FileQuestion {
     enum class Kind { OpenFile, SaveFile, Folder };
     Kind kind = Kind::OpenFile;
     QString title;
-    QString folder; ///< for SaveFile, with the proposed name
+    QString folder; ///< where the dialog begins; for SaveFile, with the proposed name
     QString filter;
     QString suffix;                             ///< added if the typed name has none
     FileFolder place = FileFolder::Experiments; ///< where the answer's folder is remembered

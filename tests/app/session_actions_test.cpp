@@ -27,9 +27,11 @@ class SessionActionsTest : public testing::Test {
 protected:
     void SetUp() override {
         initResources();
+        setFileFolders(&settings);
         QObject::connect(&files, &SessionActions::problem,
                          [this](const QString& sentence) { problems << sentence; });
     }
+    void TearDown() override { setFileFolders(nullptr); }
     Document document;
     SettingsStore settings;
     SessionActions files{document, settings, nullptr};

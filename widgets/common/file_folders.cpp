@@ -15,16 +15,22 @@ QString begin(FileFolder kind) {
     return fileFolders == nullptr ? QString() : fileFolders->lastFolder(kind);
 }
 
-QString remembered(QString path, FileFolder kind) {
-    if (fileFolders != nullptr && !path.isEmpty())
-        fileFolders->setLastFolder(kind, QFileInfo(path).isDir() ? path : QFileInfo(path).absolutePath());
-    return path;
-}
-
 } // namespace
 
 void setFileFolders(FileFolders* folders) {
     fileFolders = folders;
+}
+
+QString remembered(QString path, FileFolder kind) {
+    if (fileFolders == nullptr || path.isEmpty())
+        return path;
+    const QFileInfo file(path);
+    const bool isFolder = file.isDir();
+    const bool isSession =
+        !isFolder && file.suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
+    fileFolders->setLastFolder(isSession ? FileFolder::Recordings : kind,
+                               isFolder ? path : file.absolutePath());
+    return path;
 }
 
 QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind) {
@@ -37,8 +43,9 @@ QString askFileToSave(QWidget* parent, const QString& title, const QString& name
     return remembered(QFileDialog::getSaveFileName(parent, title, proposed, filters, filter), kind);
 }
 
-QString askFolder(QWidget* parent, const QString& title, FileFolder kind) {
-    return remembered(QFileDialog::getExistingDirectory(parent, title, begin(kind)), kind);
+QString askFolder(QWidget* parent, const QString& title, FileFolder kind, const QString& from) {
+    return remembered(QFileDialog::getExistingDirectory(parent, title, from.isEmpty() ? begin(kind) : from),
+                      kind);
 }
 
 } // namespace bask

@@ -79,6 +79,27 @@ TEST(FileFolders, DialogsBeginWhereTheirKindWasLast) {
     EXPECT_EQ(askFolder(nullptr, "Folder", FileFolder::Exports), second.path());
     EXPECT_EQ(begun, first.path());
     EXPECT_EQ(kept.folders.at(FileFolder::Exports), second.path()) << "the folder itself";
+
+    answer([&](QFileDialog& dialog) {
+        begun = dialog.directory().path();
+        dialog.reject();
+    });
+    EXPECT_EQ(askFolder(nullptr, "Folder", FileFolder::Exports, first.path()), QString());
+    EXPECT_EQ(begun, first.path());
+    setFileFolders(nullptr);
+}
+
+// Catches recordings that are looked for among the experiments.
+TEST(FileFolders, ASessionIsKeptWithTheRecordings) {
+    const QTemporaryDir folder;
+    Kept kept;
+    setFileFolders(&kept);
+    for (const char* name : {"run.bask", "RUN.BASK"})
+        EXPECT_EQ(remembered(folder.filePath(name), FileFolder::Experiments), folder.filePath(name));
+    EXPECT_EQ(kept.folders.at(FileFolder::Recordings), folder.path());
+    EXPECT_FALSE(kept.folders.contains(FileFolder::Experiments));
+    remembered({}, FileFolder::Experiments);
+    EXPECT_FALSE(kept.folders.contains(FileFolder::Experiments)) << "cancelled";
     setFileFolders(nullptr);
 }
 
