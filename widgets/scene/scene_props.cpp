@@ -133,16 +133,16 @@ void setFilled(vtkPolyData& data, const std::vector<std::vector<Eigen::Vector2d>
     data.SetPolys(cells);
 }
 
-QRgb mixed(QRgb from, QRgb to, double share) {
-    const auto mix = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
-    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+/// Of the source where it is lit; 1: as in its middle.
+QRgb glowColour(double glow) {
+    return mixed(QColor(kSourceMiddle), QColor(kSourceRim), glow).rgb();
 }
 
 /// From the middle of an even source to its rim.
 std::vector<QRgb> glowColours(const std::vector<Eigen::Vector2d>& outline, int cells) {
     std::vector<QRgb> colours;
     for (const double glow : sourceGlow(outline, boxOf(outline), cells))
-        colours.push_back(mixed(kSourceRim, kSourceMiddle, glow));
+        colours.push_back(glowColour(glow));
     return colours;
 }
 
@@ -156,9 +156,8 @@ std::vector<QRgb> patternColours(const Experiment& experiment, const Eigen::Alig
     std::vector<QRgb> colours;
     colours.reserve(pattern.size());
     for (const double weight : pattern)
-        colours.push_back(
-            weight > 0.0 ? mixed(kSourceRim, kSourceMiddle, max > min ? (weight - min) / (max - min) : 1.0)
-                         : kSourceCold);
+        colours.push_back(weight > 0.0 ? glowColour(max > min ? (weight - min) / (max - min) : 1.0)
+                                       : kSourceCold);
     return colours;
 }
 
@@ -503,7 +502,7 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     const auto add = [&](const Trail::Point& point) {
         const double age = 1.0 - static_cast<double>(points.size()) / std::max(1.0, count);
         points.push_back(point.p_RO);
-        const QRgb rgb = mixed(colour(point.temperature_K).rgb(), m->colours.ground.rgb(), faded * age);
+        const QRgb rgb = mixed(m->colours.ground, colour(point.temperature_K), faded * age).rgb();
         for (const int part : {qRed(rgb), qGreen(rgb), qBlue(rgb)})
             colours->InsertNextValue(static_cast<unsigned char>(part));
     };
