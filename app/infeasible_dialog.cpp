@@ -1,7 +1,8 @@
 #include "app/infeasible_dialog.h"
 
+#include "widgets/common/dialog_frame.h"
+
 #include <QCheckBox>
-#include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -27,25 +28,18 @@ InfeasibleDialog::InfeasibleDialog(const QString& reason, QWidget* parent) : QDi
     text->setMinimumWidth(420);
     auto* tick = new QCheckBox(tr("Start all the same; the recording says so"), this);
     tick->setObjectName(QStringLiteral("acceptInfeasible"));
-    auto* buttons = new QDialogButtonBox(this);
-    QPushButton* start = buttons->addButton(tr("Start"), QDialogButtonBox::AcceptRole);
-    QPushButton* cancel = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    start->setObjectName(QStringLiteral("startAnyway"));
-    cancel->setObjectName(QStringLiteral("cancelStart"));
-    start->setEnabled(false);
-    start->setAutoDefault(false);
-    cancel->setDefault(true);
 
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
+    QVBoxLayout* column = dialogColumn(*this);
     column->addWidget(title);
     column->addWidget(text);
     column->addWidget(tick);
-    column->addWidget(buttons);
-    connect(tick, &QCheckBox::toggled, start, &QPushButton::setEnabled);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    const DialogButtons buttons = addDialogButtons(*this, tr("Start"));
+    buttons.take->setObjectName(QStringLiteral("startAnyway"));
+    buttons.cancel->setObjectName(QStringLiteral("cancelStart"));
+    buttons.take->setEnabled(false);
+    buttons.take->setAutoDefault(false);
+    buttons.cancel->setDefault(true);
+    connect(tick, &QCheckBox::toggled, buttons.take, &QPushButton::setEnabled);
 }
 
 } // namespace bask

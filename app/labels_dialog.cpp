@@ -1,12 +1,12 @@
 #include "app/labels_dialog.h"
 
 #include "app/error_text.h"
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -59,22 +59,13 @@ LabelsDialog::LabelsDialog(const Content& content, QWidget* parent)
     m_problem->setWordWrap(true);
     m_problem->hide();
 
-    auto* buttons = new QDialogButtonBox(this);
-    m_take = buttons->addButton(content.isBeforeArm ? tr("Arm") : tr("OK"), QDialogButtonBox::AcceptRole);
-    m_take->setObjectName(QStringLiteral("takeLabels"));
-    m_take->setDefault(true);
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
+    QVBoxLayout* column = dialogColumn(*this);
     column->addLayout(form);
     column->addWidget(m_ask);
     column->addWidget(meaning);
     column->addWidget(m_problem);
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_take = addDialogButtons(*this, content.isBeforeArm ? tr("Arm") : tr("OK")).take;
+    m_take->setObjectName(QStringLiteral("takeLabels"));
     connect(m_operator, &QComboBox::editTextChanged, this, &LabelsDialog::check);
     connect(m_sample, &QLineEdit::textChanged, this, &LabelsDialog::check);
     connect(m_batch, &QLineEdit::textChanged, this, &LabelsDialog::check);

@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "engine/monitor/monitor.h"
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/display.h"
 
 #include <QCheckBox>
@@ -80,24 +81,17 @@ MonitorDialog::MonitorDialog(const MonitorSettings& settings, Ask ask, QWidget* 
     meaning->setWordWrap(true);
     m_answer->setObjectName(QStringLiteral("monitorAnswer"));
     m_answer->setWordWrap(true);
-    auto* buttons = new QDialogButtonBox(this);
-    m_try = buttons->addButton(tr("Test"), QDialogButtonBox::ActionRole);
-    m_try->setObjectName(QStringLiteral("tryMonitor"));
-    m_take = buttons->addButton(tr("OK"), QDialogButtonBox::AcceptRole);
-    m_take->setObjectName(QStringLiteral("takeMonitor"));
-    m_take->setDefault(true);
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
 
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
+    QVBoxLayout* column = dialogColumn(*this);
     column->addWidget(m_broker);
     column->addWidget(m_files);
     column->addWidget(meaning);
     column->addWidget(m_answer);
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    const DialogButtons buttons = addDialogButtons(*this, tr("OK"));
+    m_take = buttons.take;
+    m_take->setObjectName(QStringLiteral("takeMonitor"));
+    m_try = buttons.box->addButton(tr("Test"), QDialogButtonBox::ActionRole);
+    m_try->setObjectName(QStringLiteral("tryMonitor"));
     connect(m_try, &QPushButton::clicked, this, &MonitorDialog::test);
     connect(&m_test, &QFutureWatcherBase::finished, this, &MonitorDialog::showAnswer);
     for (QGroupBox* group : {m_broker, m_files})

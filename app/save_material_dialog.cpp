@@ -1,12 +1,12 @@
 #include "app/save_material_dialog.h"
 
 #include "app/error_text.h"
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/display.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/parameter_form.h"
 
 #include <QDate>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -45,19 +45,11 @@ SaveMaterialDialog::SaveMaterialDialog(const Material& values, const MaterialLib
     m_problem->setObjectName(QStringLiteral("materialProblem"));
     m_problem->setWordWrap(true);
 
-    auto* buttons = new QDialogButtonBox(this);
-    m_take = buttons->addButton(tr("Save"), QDialogButtonBox::AcceptRole);
-    m_take->setObjectName(QStringLiteral("takeMaterial"));
-    m_take->setDefault(true);
-    buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
+    QVBoxLayout* column = dialogColumn(*this);
     column->addLayout(form);
     column->addWidget(m_problem);
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    m_take = addDialogButtons(*this, tr("Save")).take;
+    m_take->setObjectName(QStringLiteral("takeMaterial"));
     connect(m_name, &QLineEdit::textChanged, this, &SaveMaterialDialog::check);
     connect(m_source, &QLineEdit::textChanged, this, &SaveMaterialDialog::check);
     m_name->setFocus();

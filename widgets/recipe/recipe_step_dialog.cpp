@@ -1,16 +1,17 @@
 #include "widgets/recipe/recipe_step_dialog.h"
 
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/recipe/recipe_words.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -86,19 +87,10 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
         tr("Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a "
            "person's stop always ends the recipe."));
 
-    auto* buttons = new QDialogButtonBox(this);
-    QPushButton* ok = buttons->addButton(tr("OK"), QDialogButtonBox::AcceptRole);
-    QPushButton* cancel = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
-    ok->setObjectName(QStringLiteral("stepOk"));
-    cancel->setObjectName(QStringLiteral("stepCancel"));
-    ok->setDefault(true);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
-    column->setSpacing(12);
-    column->addLayout(m_form);
-    column->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    dialogColumn(*this)->addLayout(m_form);
+    const DialogButtons buttons = addDialogButtons(*this, tr("OK"));
+    buttons.take->setObjectName(QStringLiteral("stepOk"));
+    buttons.cancel->setObjectName(QStringLiteral("stepCancel"));
     connect(m_until, &QComboBox::currentIndexChanged, this, &RecipeStepDialog::showFields);
     showFields();
 }

@@ -1,0 +1,23 @@
+#pragma once
+// What dialogs have around their own parts: margins, and a row of buttons at the end.
+
+#include <QString>
+
+class QDialog;
+class QDialogButtonBox;
+class QPushButton;
+class QVBoxLayout;
+
+namespace bask {
+
+/// Makes the column in which a dialog has its parts.
+QVBoxLayout* dialogColumn(QDialog& dialog);
+
+struct DialogButtons {
+    QDialogButtonBox* box;
+    QPushButton *take, *cancel;
+};
+/// Ends the dialog's column with a button that accepts it, its default, and Cancel.
+DialogButtons addDialogButtons(QDialog& dialog, const QString& take);
+
+} // namespace bask
