@@ -18,11 +18,13 @@ namespace bask {
 
 namespace {
 
-/// Without the spaces that group thousands in a number from elsewhere, and with a plain minus sign.
+/// Without the spaces that group thousands in a number from elsewhere, with plain spaces and a plain minus
+/// sign.
 QString ungrouped(QString text) {
     static const QRegularExpression kGroup(
         QStringLiteral("(?<=\\d)[ \\x{a0}\\x{2009}\\x{202f}](?=\\d{3}(?!\\d))"));
-    return text.remove(kGroup).replace(QChar(0x2212), u'-');
+    static const QRegularExpression kSpace(QStringLiteral("[\\x{a0}\\x{2009}\\x{202f}]"));
+    return text.remove(kGroup).replace(kSpace, QStringLiteral(" ")).replace(QChar(0x2212), u'-');
 }
 
 } // namespace
@@ -41,8 +43,20 @@ std::optional<TypedValue> typedValue(QString text) {
 }
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
-    connect(this, &NumberField::refused, this, &NumberField::say);
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] { delete m_refusal; });
+    connect(this, &NumberField::refused, this, [this](const QString& why) {
+        setValue(m_beforeTyping.value_or(value()));
+        say(why);
+    });
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        delete m_refusal;
+        if (!m_beforeTyping)
+            m_beforeTyping = value(); // that of the text follows
+    });
+    connect(lineEdit(), &QLineEdit::textChanged, this, [this] {
+        if (!lineEdit()->isModified()) // not by a person
+            m_beforeTyping.reset();
+    });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_beforeTyping.reset(); });
 }
 
 QValidator::State NumberField::validate(QString& text, int&) const {

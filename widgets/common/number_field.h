@@ -44,12 +44,14 @@ protected:
     /// Returns the number in the text of the field, with or without its suffix; empty if it cannot be taken.
     std::optional<double> number(const QString& text) const;
     bool isWithinRange(double value) const;
+    bool isTyping() const { return m_beforeTyping.has_value(); }
 
 private:
     QString withoutSuffix(const QString& text) const;
     QString whyNot(const QString& typed) const;
     void say(const QString& why);
 
+    std::optional<double> m_beforeTyping; ///< the "41,5" of "41,5,5" may be taken on the way
     QPointer<QLabel> m_refusal;
 };
 

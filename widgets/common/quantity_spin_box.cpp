@@ -122,12 +122,6 @@ GainSpinBox::GainSpinBox(QWidget* parent) : NumberField(parent) {
     setRange(1e-40, 1e9);
     setKeyboardTracking(true);
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
-        if (!m_beforeTyping)
-            m_beforeTyping = value(); // that of the text follows
-    });
-    connect(this, &NumberField::refused, this, [this] { setValue(m_beforeTyping.value_or(value())); });
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_beforeTyping.reset(); });
 }
 
 QString GainSpinBox::textFromValue(double value) const {
@@ -137,9 +131,8 @@ QString GainSpinBox::textFromValue(double value) const {
 }
 
 void GainSpinBox::stepBy(int steps) {
-    if (m_beforeTyping)
+    if (isTyping())
         interpretText();
-    m_beforeTyping.reset();
     if (value() <= 0.0) // no magnitude to step by
         return;
     for (int i = 0; i < std::abs(steps); ++i) {

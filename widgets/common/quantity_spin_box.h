@@ -61,9 +61,6 @@ public:
 
     QString textFromValue(double value) const override;
     void stepBy(int steps) override;
-
-private:
-    std::optional<double> m_beforeTyping; ///< the "41,5" of "41,5,5" is taken on the way
 };
 
 } // namespace bask

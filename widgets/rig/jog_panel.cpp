@@ -14,7 +14,6 @@
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QToolButton>
 
 #include <algorithm>
@@ -34,11 +33,11 @@ JogPanel::JogPanel(QWidget* parent)
     : QWidget(parent), m_stepLabel(new QLabel(this)), m_speedLabel(new QLabel(this)),
       m_goLabel(new QLabel(this)), m_problem(new QLabel(this)), m_placeMark(new QLabel(this)),
       m_placeLabel(new QLabel(this)), m_stepLength(new QComboBox(this)), m_stepAngle(new QComboBox(this)),
-      m_speed(new QSpinBox(this)), m_go(new QPushButton(this)), m_take(new QPushButton(this)),
-      m_home(new QPushButton(this)), m_clear(new QPushButton(this)) {
+      m_speed(numberField(this, QStringLiteral("jogSpeed"), 1.0, 100.0, 0, QStringLiteral("\u00a0%"))),
+      m_go(new QPushButton(this)), m_take(new QPushButton(this)), m_home(new QPushButton(this)),
+      m_clear(new QPushButton(this)) {
     m_stepLength->setObjectName("stepLength");
     m_stepAngle->setObjectName("stepAngle");
-    m_speed->setObjectName("jogSpeed");
     m_go->setObjectName("goToPose");
     m_take->setObjectName("takePose");
     m_home->setObjectName("homeRobot");
@@ -81,9 +80,7 @@ QWidget* JogPanel::buildSteps() {
     }
     m_stepLength->setCurrentIndex(1);
     m_stepAngle->setCurrentIndex(1);
-    m_speed->setRange(1, 100);
     m_speed->setValue(kUsualSpeed_percent);
-    m_speed->setSuffix(QStringLiteral("\u00a0%"));
     m_stepLabel->setBuddy(m_stepLength);
     m_speedLabel->setBuddy(m_speed);
     auto* row = new QHBoxLayout(part);

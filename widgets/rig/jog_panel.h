@@ -16,7 +16,6 @@ class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 class QToolButton;
 
 namespace bask {
@@ -84,7 +83,7 @@ private:
     std::array<Row, 6> m_rows{};
     QLabel *m_stepLabel, *m_speedLabel, *m_goLabel, *m_problem, *m_placeMark, *m_placeLabel;
     QComboBox *m_stepLength, *m_stepAngle;
-    QSpinBox* m_speed;
+    QDoubleSpinBox* m_speed;
     QPushButton *m_go, *m_take, *m_home, *m_clear;
 };
 

@@ -141,6 +141,26 @@ TEST_F(NumberFieldTest, WhatIsNoNumberIsRefusedWithWords) {
     language.set(QStringLiteral("en"));
 }
 
+// Catches the number of a refused unit that stays where fields take it while it is typed.
+TEST_F(NumberFieldTest, WhatWasTakenOnTheWayIsTakenBack) {
+    NumberField* length = field(0.0, 100.0, 2, " cm");
+    length->setKeyboardTracking(true);
+    GainSpinBox gain(&window);
+    gain.setSuffix(QStringLiteral(" s"));
+    gain.show();
+    for (QDoubleSpinBox* each : std::initializer_list<QDoubleSpinBox*>{length, &gain}) {
+        each->setValue(7.0);
+        type(*each, "15 K");
+        EXPECT_EQ(each->value(), 7.0);
+        type(*each, "8");
+        each->stepUp();
+        const double stepped = each->value();
+        EXPECT_GT(stepped, 8.0);
+        type(*each, "3 K");
+        EXPECT_EQ(each->value(), stepped) << "not the one before";
+    }
+}
+
 // Catches words about a field that nobody has typed into.
 TEST_F(NumberFieldTest, WhatIsShownIsNotRefused) {
     NumberField* automatic = field(0.0, 10.0, 1, " mm");
@@ -190,11 +210,12 @@ TEST(TypedValue, IsANumberWithAUnitOrWithout) {
     expect("\u22122.5e-3", -2.5e-3, "");
     expect("1 234\u202f500,25", 1234500.25, "");
     expect("1 234,5 mm", 1234.5, "mm");
+    expect("40.0\u00a0\u00b0C", 40.0, "\u00b0C");
     expect(".5mm", 0.5, "mm");
     expect("1e3 1/s", 1000.0, "1/s");
     expect("2 /min", 2.0, "/min");
     expect("12 W/(m\u00b2 K)", 12.0, "W/(m\u00b2 K)");
-    for (const char* none :
-         {"", "mm", "2,5,1", "nan", "inf", "1,250.5", "1 5", "1 2345", "1e", "1e+", "1e999", "- 5", "1-2"})
+    for (const char* none : {"", "mm", "2,5,1", "nan", "inf", "1,250.5", "1 5", "4\u00a01", "1 2345", "1e",
+                             "1e+", "1e999", "- 5", "1-2"})
         EXPECT_FALSE(typedValue(QString::fromUtf8(none)).has_value()) << none;
 }

@@ -12,7 +12,6 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -103,7 +102,7 @@ TEST_F(JogPanelTest, AHeldTurnIsAboutTheCoordinatesAxis) {
     panel.setLimits(experiment.robot);
     snapshot.latest.coordinates.tail<3>() << 0.1, 0.4, -0.7;
     panel.apply(snapshot, true);
-    child<QSpinBox>("jogSpeed")->setValue(100);
+    child<QDoubleSpinBox>("jogSpeed")->setValue(100);
     QTest::mousePress(child<QToolButton>("holdUp.theta_x"), Qt::LeftButton);
     const Eigen::Vector3d axis = rotationAxes(snapshot.latest.coordinates).col(0);
     EXPECT_TRUE(twist().tail<3>().isApprox(experiment.robot.maxRotation_rad_s * axis, 1e-12));
