@@ -117,8 +117,10 @@ void ReviewDesk::connectList() {
 /// Metrics and heat rates of the open run; damage of its file is told once, whoever finds it.
 void ReviewDesk::connectCount() {
     const auto tellDamage = [this](const Error& error) {
-        if (!std::exchange(m_isDamageTold, true))
-            emit problem(sentence(error));
+        if (std::exchange(m_isDamageTold, true))
+            return;
+        m_library.takeDamage(error);
+        emit problem(sentence(error));
     };
     connect(&m_count, &SessionCount::progressed, &m_page, &ReviewPage::setCounting);
     connect(&m_count, &SessionCount::failed, this, [this, tellDamage](const Error& error) {
@@ -133,8 +135,10 @@ void ReviewDesk::connectCount() {
                 showIdentified();
             });
     connect(m_page.replay(), &ReplayView::readFailed, this, tellDamage);
-    connect(&m_overlayCount, &OverlayCount::failed, this,
-            [this](const Error& error) { emit problem(sentence(error)); });
+    connect(&m_overlayCount, &OverlayCount::failed, this, [this](const Error& error) {
+        m_library.takeDamage(error);
+        emit problem(sentence(error));
+    });
 }
 
 void ReviewDesk::showSession() {

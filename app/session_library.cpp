@@ -1,6 +1,7 @@
 #include "app/session_library.h"
 
 #include "app/error_text.h"
+#include "engine/base/message_code.h"
 #include "widgets/review/session_list.h"
 
 #include <QDateTime>
@@ -9,8 +10,12 @@
 #include <QThread>
 #include <QtConcurrentRun>
 
+#include <utility>
+
 namespace bask {
 namespace {
+
+constexpr qint64 kMaxChecked_bytes = 64 << 20; // a third of a second; a longer run is read when it is opened
 
 /// Differs when a file or its log was written to.
 std::string stampOf(const std::string& path) {
@@ -32,6 +37,7 @@ SessionLibrary::SessionLibrary(SessionList& list) : m_list(list) {
     connect(&m_list, &SessionList::tagsEdited, this, &SessionLibrary::writeTags);
     connect(&m_list, &SessionList::closeRequested, this, &SessionLibrary::close);
     connect(&m_list, &SessionList::compareRequested, this, &SessionLibrary::readOverlay);
+    connect(&m_list, &SessionList::selectionChanged, this, &SessionLibrary::check);
 }
 
 SessionLibrary::~SessionLibrary() {
@@ -73,7 +79,7 @@ std::vector<SessionHeader> SessionLibrary::read(const std::string& folder, Heade
         const auto before = known.find(path);
         const bool isSame = before != known.end() && before->second.stamp == stamp;
         headers.push_back(isSame ? before->second.header : readSessionHeader(path));
-        now[path] = {std::move(stamp), headers.back()};
+        now[path] = {std::move(stamp), headers.back(), isSame && before->second.isChecked};
     }
     known = std::move(now);
     return headers;
@@ -99,6 +105,33 @@ void SessionLibrary::close(const QString& path) {
             if (!done)
                 emit problem(sentence(done.error()));
             refresh();
+        });
+}
+
+void SessionLibrary::takeDamage(const Error& error) {
+    if (error.code() != MessageCode::SessionDamaged)
+        return;
+    run(
+        [error, known = m_known] {
+            if (const auto found = known->find(error.where); found != known->end())
+                found->second.header.damage = error;
+        },
+        [this] { refresh(); });
+}
+
+/// The outcome of a run can be read where its samples cannot.
+void SessionLibrary::check(const QString& path) {
+    run(
+        [path, known = m_known]() -> Result<void> {
+            const auto found = known->find(path.toStdString());
+            if (found == known->end() || found->second.header.outcome.empty() ||
+                QFileInfo(path).size() > kMaxChecked_bytes || std::exchange(found->second.isChecked, true))
+                return {};
+            return checkSession(path.toStdString());
+        },
+        [this](const Result<void>& checked) {
+            if (!checked)
+                takeDamage(checked.error());
         });
 }
 

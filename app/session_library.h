@@ -29,6 +29,8 @@ public:
 
     void setFolder(const QString& folder);
     void refresh();
+    /// Lists the file that an error is about as damaged, until it changes, if that is what the error says.
+    void takeDamage(const Error& error);
 
 signals:
     void problem(const QString& sentence);
@@ -42,12 +44,14 @@ private:
     struct Known {
         std::string stamp; ///< sizes and times of file and log
         SessionHeader header;
+        bool isChecked = false; ///< its structure was looked at
     };
     using Headers = std::map<std::string, Known>;
 
     template <class Work, class Done> void run(Work work, Done done);
     void writeTags(const QString& path, const QStringList& tags);
     void close(const QString& path);
+    void check(const QString& path);
     void readOverlay(const QString& path);
     static std::vector<SessionHeader> read(const std::string& folder, Headers& known,
                                            const std::atomic<bool>& isOver);

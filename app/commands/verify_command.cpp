@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
+#include "engine/base/message_code.h"
 #include "engine/model/experiment.h"
 #include "engine/recording/session_verify.h"
 
@@ -15,6 +16,10 @@ namespace {
 
 constexpr const char* kVerify = "verify";
 constexpr qsizetype kHeadDigits = 64;
+constexpr const char* kSomeReadable =
+    "damaged: the file is cut short, or was written over; tables that are not named above can be read";
+constexpr const char* kAllReadable =
+    "damaged: the file is cut short, or was written over; every row can be read all the same";
 
 void print(const SessionFinding& finding) {
     static constexpr const char* kWords[] = {"changed", "removed", "added"};
@@ -24,6 +29,17 @@ void print(const SessionFinding& finding) {
     if (finding.time_s)
         std::printf(", %s s", formatNumber(*finding.time_s, 6).c_str());
     std::printf(": %s\n", kWords[static_cast<int>(finding.kind)]);
+}
+
+void print(const TableDamage& damage) {
+    std::printf("%s: damaged; ", damage.table.c_str());
+    if (damage.rows == 0)
+        std::printf("none of its rows can be read");
+    else
+        std::printf("its first rows can be read, %lld of them", static_cast<long long>(damage.rows));
+    if (damage.time_s)
+        std::printf(", until %s s", formatNumber(*damage.time_s, 6).c_str());
+    std::puts("");
 }
 
 const char* sealWords(const SessionVerdict& verdict) {
@@ -46,7 +62,9 @@ Result<SessionVerdict> verified(const std::string& path, const std::string& head
 
 /// Whether it is as it was recorded; says so.
 bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
-    if (!verdict.hasChain) {
+    for (const TableDamage& damage : verdict.damages)
+        print(damage);
+    if (!verdict.hasChain && !verdict.isDamaged) {
         std::puts("not verifiable: the session has no hash chain; it was recorded by an older Bask");
         return false;
     }
@@ -55,8 +73,14 @@ bool tell(const SessionVerdict& verdict, const std::string& expectedHead) {
     if (verdict.allFindings > static_cast<std::int64_t>(verdict.findings.size()))
         std::printf("and %lld more\n", static_cast<long long>(verdict.allFindings) -
                                            static_cast<long long>(verdict.findings.size()));
-    std::printf("rows: %lld\nhead: %s\n", static_cast<long long>(verdict.rows), verdict.head.c_str());
-    std::printf("seal: %s\n", sealWords(verdict));
+    std::printf("rows: %lld\n", static_cast<long long>(verdict.rows));
+    if (verdict.isDamaged) {
+        std::puts(verdict.damages.empty() ? kAllReadable : kSomeReadable);
+        std::puts("what to do: take another copy of the file, if there is one; else save what can be read, "
+                  "with sqlite3 and its command .recover");
+        return false;
+    }
+    std::printf("head: %s\nseal: %s\n", verdict.head.c_str(), sealWords(verdict));
     if (!expectedHead.empty() && verdict.expectedLink == 0) {
         std::puts("altered: the head is not the one that is expected, and never was");
         return false;
@@ -87,7 +111,7 @@ int verifyCommand(const QStringList& arguments) {
         "named by table, row and time. Who can write the file can make a new chain: compare the head with "
         "that\n"
         "in the run's report (--head), which is kept elsewhere.\n"
-        "Exit code: 0 intact, 2 not readable as a session, 3 altered or without a chain.");
+        "Exit code: 0 intact, 2 no session, 3 altered, damaged or without a chain.");
     parser.addOptions(
         {{{"h", "help"}, "Displays this help."},
          {"head", "The head that is expected, as the run's report has it: 64 hexadecimal digits.", "HEX"}});
@@ -99,8 +123,10 @@ int verifyCommand(const QStringList& arguments) {
         (head.size() != kHeadDigits || QByteArray::fromHex(head.toLatin1()).toHex() != head.toLatin1()))
         return refuse(kVerify, QStringLiteral("--head has 64 hexadecimal digits"));
     const auto verdict = verified(parser.positionalArguments().front().toStdString(), head.toStdString());
-    if (!verdict)
-        return refuse(kVerify, verdict.error());
+    if (!verdict) {
+        const int refused = refuse(kVerify, verdict.error());
+        return verdict.error().code() == MessageCode::SessionDamaged ? kExitNegative : refused;
+    }
     return tell(*verdict, head.toStdString()) ? kExitDone : kExitNegative;
 }
 

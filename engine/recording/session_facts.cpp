@@ -143,7 +143,7 @@ Result<void> checkIntegrity(const SessionStore& store, const std::string& path) 
     std::string verdict;
     const auto done = store.select("PRAGMA quick_check(1)", [&](Row row) { verdict = textOf(row[0]); });
     if (done && verdict != "ok")
-        return Error(MessageCode::SessionDamaged, path, {verdict});
+        return Error(MessageCode::SessionDamaged, path, {kNotWhole});
     return done;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/base/plain_text.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/row_chain.h"
+#include "engine/recording/session_facts.h"
 #include "engine/recording/session_seal.h"
 #include "engine/recording/session_store.h"
 
@@ -186,6 +187,11 @@ SessionHeader readSessionHeader(const std::string& path) {
         header.error = done.error();
     }
     return header;
+}
+
+Result<void> checkSession(const std::string& path) {
+    const auto store = SessionStore::open(path);
+    return store ? checkIntegrity(**store, path) : store.error();
 }
 
 std::vector<std::string> sessionFiles(const std::string& folder) {

@@ -39,11 +39,17 @@ struct SessionHeader {
     double end_s = 0.0; ///< time of the last sample since Start; 0 without one
     std::vector<std::string> notes;
     std::vector<std::string> tags;
-    std::optional<Error> error; ///< why it cannot be read; all other members except the path are then empty
+    std::optional<Error> error;  ///< why it cannot be read; all other members except the path are then empty
+    std::optional<Error> damage; ///< in what a list does not read: never set by readSessionHeader()
 };
 
-/// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession().
+/// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession()
+/// and checkSession().
 SessionHeader readSessionHeader(const std::string& path);
+
+/// Looks at the structure of the whole file, not at its values; takes a second for some 200 MB. Errors:
+/// SessionDamaged, or it cannot be read.
+Result<void> checkSession(const std::string& path);
 
 /// Returns the *.bask files of a folder, without subfolders, in no particular order. None if the folder does
 /// not exist.

@@ -117,6 +117,7 @@ std::string sqlText(const std::string& text) {
 struct SessionStore::Impl {
     std::string path;
     bool writes = false;
+    bool isDamaged = false;
     int version = kSessionVersion;
     QString connection;
     QSqlDatabase database;
@@ -145,6 +146,8 @@ struct SessionStore::Impl {
         database.setConnectOptions(options + QStringLiteral(";QSQLITE_BUSY_TIMEOUT=%1").arg(kBusyTimeout_ms));
         if (!database.open())
             return failure(database.lastError());
+        if (isDamaged) // SQLite reads what it can of a schema then, and of a file that is cut short
+            QSqlQuery(database).exec(QStringLiteral("PRAGMA writable_schema = ON"));
         return {};
     }
 
@@ -158,7 +161,7 @@ struct SessionStore::Impl {
             return Error(MessageCode::NotASession, path);
         if (code == kCannotOpen || code == kReadOnly)
             return Error(MessageCode::FileUnreadable, path, {words(error)});
-        return Error(MessageCode::SessionDamaged, path, {words(error)});
+        return Error(MessageCode::SessionDamaged, path, {code == kCorrupt ? kNotWhole : words(error)});
     }
 
     Result<std::int64_t> pragma(const char* name) {
@@ -212,7 +215,7 @@ bool isHarmless(const SqlValue& schemaSql, int version) {
 
 /// Says in words that a database without a log beside it is shorter than its own header says. A file that has
 /// a log is not looked at: closing it here would drop the locks of a connection that records into it.
-Result<void> checkHeader(const std::string& path) {
+Result<void> checkHeader(const std::string& path, bool mayBeShort) {
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadOnly))
         return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
@@ -234,7 +237,7 @@ Result<void> checkHeader(const std::string& path) {
     const qint64 pageSize = big(16, 2) == 1 ? 65536 : big(16, 2);
     const qint64 expected = big(28, 4) * pageSize;
     const bool sizeKnown = big(24, 4) == big(92, 4);
-    if (sizeKnown && file.size() < expected)
+    if (sizeKnown && file.size() < expected && !mayBeShort)
         return Error(MessageCode::SessionDamaged, path, {"it is cut short"});
     return {};
 }
@@ -242,6 +245,14 @@ Result<void> checkHeader(const std::string& path) {
 } // namespace
 
 Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path) {
+    return open(path, false);
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::openDamaged(const std::string& path) {
+    return open(path, true);
+}
+
+Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path, bool isDamaged) {
     const QFileInfo info(QString::fromStdString(path));
     const QString file =
         info.canonicalFilePath(); // the log lies beside the file itself, not beside a link to it
@@ -254,12 +265,13 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
 
     auto impl = std::make_unique<Impl>();
     impl->path = path;
+    impl->isDamaged = isDamaged;
     const QString readOnly = QStringLiteral("QSQLITE_OPEN_READONLY");
     const QString log = file + QStringLiteral("-wal");
     const bool hasLog = QFileInfo::exists(log);
     if (!hasLog) {
         // Nobody writes: read without locks, so that nothing is left beside the file and any folder will do.
-        if (auto header = checkHeader(path); !header)
+        if (auto header = checkHeader(path, isDamaged); !header)
             return header.error();
         if (auto done = impl->connect(uriOf(file, "?immutable=1"), readOnly + ";QSQLITE_OPEN_URI"); !done)
             return done.error();
@@ -305,7 +317,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
         foreign = "more than " + std::to_string(kMaxObjects) + " objects";
     if (read && !foreign.empty())
         read = Error(MessageCode::SessionDamaged, path, {"Bask does not make this: " + foreign});
-    if (!read)
+    if (!read && !(isDamaged && foreign.empty()))
         return read.error();
     return store;
 }

@@ -32,6 +32,9 @@ std::string storedText(const std::string& text);
 /// Returns the text of a column; empty if it is not text.
 std::string textOf(const SqlValue& value);
 
+/// What a file says that the database cannot read, as the argument of SessionDamaged.
+inline constexpr const char* kNotWhole = "its database is not whole";
+
 /// Returns a text as an SQL literal.
 std::string sqlText(const std::string& text);
 
@@ -44,6 +47,9 @@ public:
     /// process, or one in a read-only folder. Refuses a file that is not a session, is cut short, is newer
     /// than this program, or computes something when it is read.
     static Result<std::unique_ptr<SessionStore>> open(const std::string& path);
+    /// The same for a file that is damaged, to look for what of it can still be read: also one that is cut
+    /// short.
+    static Result<std::unique_ptr<SessionStore>> openDamaged(const std::string& path);
     ~SessionStore();
 
     Result<void> execute(const std::string& sql);
@@ -70,6 +76,7 @@ public:
 private:
     struct Impl;
     explicit SessionStore(std::unique_ptr<Impl> impl);
+    static Result<std::unique_ptr<SessionStore>> open(const std::string& path, bool isDamaged);
     std::unique_ptr<Impl> m_impl;
 };
 

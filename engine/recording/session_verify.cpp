@@ -36,24 +36,29 @@ constexpr bool isUnordered(ChainTable table) {
 
 class Verifier {
 public:
-    Verifier(const SessionStore& store, const std::string& expectedHead, const ShareDone& done)
-        : m_store(store), m_expectedHead(expectedHead), m_done(done) {}
+    Verifier(const SessionStore& store, bool isDamaged, const std::string& expectedHead,
+             const ShareDone& done)
+        : m_store(store), m_expectedHead(expectedHead), m_done(done) {
+        m_verdict.isDamaged = isDamaged;
+    }
 
     Result<SessionVerdict> verdict() {
         auto done = m_store.select("SELECT name FROM sqlite_master WHERE type = 'table'",
                                    [&](Row row) { m_tables.push_back(textOf(row[0])); });
-        if (!done)
+        if (!done && !isDamage(done))
             return done.error();
         m_verdict.hasChain = has("chain");
-        if (!m_verdict.hasChain)
+        if (!m_verdict.hasChain && !m_verdict.isDamaged)
             return m_verdict;
         for (const auto part : {&Verifier::readRows, &Verifier::readLinks}) {
             if (done = (this->*part)(); !done)
                 return done.error();
         }
-        for (int k = 1; k < kChainTables; ++k)
-            compare(static_cast<ChainTable>(k));
-        if (m_verdict.allFindings == 0)
+        const bool canCompare = m_verdict.hasChain && isReadable("chain");
+        for (int k = 1; k < kChainTables && canCompare; ++k)
+            if (const auto table = static_cast<ChainTable>(k); isReadable(tableName(table)))
+                compare(table);
+        if (m_verdict.allFindings == 0 && m_verdict.damages.empty())
             checkHashes();
         if (!m_links.empty())
             m_verdict.head = hexOf(m_links.back().hash);
@@ -66,6 +71,9 @@ public:
 
 private:
     bool has(const char* table) const { return std::ranges::find(m_tables, table) != m_tables.end(); }
+    bool isReadable(const char* table) const {
+        return std::ranges::find(m_verdict.damages, table, &TableDamage::table) == m_verdict.damages.end();
+    }
     TableRows& rowsOf(ChainTable table) { return m_rows[static_cast<std::size_t>(table)]; }
 
     void tell(Kind kind, const char* table, std::size_t row, double time_s) {
@@ -73,6 +81,15 @@ private:
         if (m_verdict.findings.size() < kMaxFindings)
             m_verdict.findings.push_back({kind, table, static_cast<std::int64_t>(row),
                                           std::isnan(time_s) ? std::nullopt : std::optional(time_s)});
+    }
+
+    static bool isDamage(const Result<void>& read) {
+        return !read && read.error().code() == MessageCode::SessionDamaged;
+    }
+    void tellDamage(const char* table, std::size_t rows, double time_s) {
+        m_verdict.isDamaged = true;
+        m_verdict.damages.push_back({table, static_cast<std::int64_t>(rows),
+                                     std::isnan(time_s) ? std::nullopt : std::optional(time_s)});
     }
 
     double rowsToRead() const {
@@ -103,10 +120,14 @@ private:
                 if (table == ChainTable::Meta && textOf(row[0]) == "finished")
                     m_verdict.isClosed = true;
             });
-            if (done && rows.digests.size() > max)
+            const bool isCut = isDamage(done);
+            if (isCut)
+                tellDamage(tableName(table), rows.digests.size(),
+                           rows.times_s.empty() ? NAN : rows.times_s.back());
+            if ((done || isCut) && rows.digests.size() > max)
                 return Error(MessageCode::SessionDamaged, m_store.path(),
                              {std::string("more rows in ") + tableName(table) + " than Bask makes"});
-            if (!done)
+            if (!done && !isCut)
                 return done;
             m_verdict.rows += static_cast<std::int64_t>(rows.digests.size());
         }
@@ -137,14 +158,22 @@ private:
                                    [&](Row row) { bytes = static_cast<std::int64_t>(numberOf(row[0])); });
         if (done && bytes > std::max(kMinCheckBytes, 20 * m_verdict.rows))
             return Error(MessageCode::SessionDamaged, m_store.path(), {"more checks than rows"});
-        if (!done)
-            return done;
-        done = m_store.select(kSelectLinks, [&](Row row) {
-            auto link = linkOf(row);
-            isWhole = isWhole && link && link->number == static_cast<std::int64_t>(m_links.size()) + 1;
-            if (isWhole)
-                m_links.push_back(std::move(*link));
-        });
+        std::size_t links = 0;
+        if (isDamage(done))
+            (void)m_store.select("SELECT number FROM chain", [&](Row) { ++links; });
+        if (done)
+            done = m_store.select(kSelectLinks, [&](Row row) {
+                ++links;
+                auto link = linkOf(row);
+                isWhole = isWhole && link && link->number == static_cast<std::int64_t>(m_links.size()) + 1;
+                if (isWhole)
+                    m_links.push_back(std::move(*link));
+            });
+        if (isDamage(done)) {
+            tellDamage("chain", links, NAN);
+            m_links.clear();
+            return {};
+        }
         if (done && !isWhole)
             tell(Kind::Changed, "chain", m_links.size() + 1, NAN);
         for (const ChainLink& link : m_links)
@@ -285,21 +314,23 @@ private:
 Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead,
                                      const ShareDone& told) {
     const auto seal = lookAtSeal(path, true, partOf(told, 0.0, kAfterSeal));
-    if (!seal)
+    bool isDamaged = !seal && seal.error().code() == MessageCode::SessionDamaged;
+    if (!seal && !isDamaged)
         return seal.error();
     tellShare(told, kAfterSeal);
-    const auto store = SessionStore::open(path);
+    const auto store = isDamaged ? SessionStore::openDamaged(path) : SessionStore::open(path);
     if (!store)
         return store.error();
     auto done = (*store)->execute("BEGIN"); // all of one moment
-    if (done)
+    if (done && !isDamaged)
         done = checkIntegrity(**store, path);
-    if (!done)
+    isDamaged = isDamaged || (!done && done.error().code() == MessageCode::SessionDamaged);
+    if (!done && !isDamaged)
         return done.error();
     tellShare(told, kAfterStructure);
-    auto verdict = Verifier(**store, expectedHead, told).verdict();
+    auto verdict = Verifier(**store, isDamaged, expectedHead, told).verdict();
     if (verdict)
-        verdict->seal = *seal;
+        verdict->seal = seal ? *seal : Seal::None;
     tellShare(told, 1.0);
     return verdict;
 }

@@ -22,9 +22,18 @@ struct SessionFinding {
     std::optional<double> time_s{}; ///< of the row, or of the next one that is there; empty: it has none
 };
 
+/// A table that cannot be read to its end.
+struct TableDamage {
+    std::string table;
+    std::int64_t rows = 0;        ///< that can be read, from the first
+    std::optional<double> time_s; ///< of the last of these; empty: it has none
+};
+
 struct SessionVerdict {
-    bool hasChain = false; ///< false: recorded before there were chains
-    bool isClosed = false; ///< the recording says when it ended
+    bool hasChain = false;            ///< false: recorded before there were chains
+    bool isDamaged = false;           ///< its database is not whole
+    std::vector<TableDamage> damages; ///< none: every row can be read
+    bool isClosed = false;            ///< the recording says when it ended
     Seal seal = Seal::None;
     std::string head; ///< of the chain, in hex: SHA-256
     std::int64_t rows = 0;
@@ -33,13 +42,14 @@ struct SessionVerdict {
     std::vector<SessionFinding> findings; ///< the first kMaxFindings
     std::int64_t allFindings = 0;
 
-    bool isIntact() const { return hasChain && allFindings == 0 && seal != Seal::Broken; }
+    bool isIntact() const { return hasChain && !isDamaged && allFindings == 0 && seal != Seal::Broken; }
 };
 inline constexpr std::size_t kMaxFindings = 1000;
 
 /// Looks at every row, and at every byte of a sealed file, which nothing else in this process may have open.
 /// `expectedHead` is in hex, or empty: the head at the time of a report, after which an interrupted recording
-/// may have been closed. Errors: it cannot be read as a session.
+/// may have been closed. Of a damaged file, what can be read is looked at. Errors: it is no session;
+/// SessionDamaged for one that holds what Bask does not make.
 Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead = {},
                                      const ShareDone& done = {});
 

@@ -43,6 +43,26 @@ protected:
     QTemporaryDir m_folder;
 };
 
+// Catches a damaged recording that is told in the database's words, or as no session.
+TEST_F(ScriptedCommands, verifyTellsDamage) {
+    const QString run = at("run.bask");
+    bask({"run", example("two-circles.json"), "--duration", "60", "-o", run});
+    const Answer whole = bask({"verify", run});
+    EXPECT_EQ(whole.exitCode, 0) << whole.err.toStdString();
+    QFile file(run);
+    ASSERT_TRUE(file.resize(file.size() / 4 * 3));
+    const Answer cut = bask({"verify", run});
+    EXPECT_EQ(cut.exitCode, 3) << cut.err.toStdString();
+    EXPECT_TRUE(cut.out.contains("step: damaged; its first rows can be read")) << cut.out.toStdString();
+    EXPECT_TRUE(cut.out.contains("what to do: ")) << cut.out.toStdString();
+    EXPECT_FALSE((cut.out + cut.err).contains("malformed"));
+    EXPECT_FALSE(cut.out.contains("intact"));
+    ASSERT_TRUE(file.resize(50));
+    EXPECT_EQ(bask({"verify", run}).exitCode, 3);
+    ASSERT_TRUE(file.resize(0));
+    EXPECT_EQ(bask({"verify", run}).exitCode, 2) << "nothing says that it was a session";
+}
+
 // Catches an option that is passed over in silence: a script believes that it has done something.
 TEST_F(ScriptedCommands, refuseOptionsWithoutAnEffect) {
     const QString two = example("two-circles.json"), list = example("contours/bunny_mm.csv"),

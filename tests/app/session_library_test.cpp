@@ -19,6 +19,8 @@
 namespace bask::test {
 namespace {
 
+constexpr const char* kCommand = "{\"kp\":1.25}"; ///< of each run: on a page that a list does not read
+
 class SessionLibraryTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -39,6 +41,7 @@ protected:
             sample.objects.resize(3);
             EXPECT_TRUE((*writer)->add(sample));
         }
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "gains", kCommand}));
         if (!outcome.empty()) {
             EXPECT_TRUE((*writer)->finish(outcome));
         }
@@ -108,6 +111,25 @@ TEST_F(SessionLibraryTest, ACopyIsListedByItsName) {
         for (int k = 0; k < 2; ++k)
             EXPECT_EQ(tree->topLevelItem(k)->isHidden(), !isFound) << words;
     }
+}
+
+// Catches: a run that was written over where a list does not read, and is listed as settled.
+TEST_F(SessionLibraryTest, ADamagedRunIsListedAsSuchOnceItIsSelected) {
+    const QString a = record("a.bask", "settled"), b = record("b.bask", "settled");
+    QFile file(a);
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    constexpr qsizetype kPage = 16384; // as SessionWriter has it
+    const qsizetype place = file.readAll().indexOf(kCommand);
+    ASSERT_GT(place, kPage);
+    ASSERT_TRUE(file.seek(place / kPage * kPage));
+    ASSERT_EQ(file.write(QByteArray(kPage, '\x55')), kPage);
+    file.close();
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(2));
+    choose(b);
+    choose(a);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
+    EXPECT_EQ(cell(b, 2), "Settled");
 }
 
 // Catches: a refused change that stays on the screen as if it had been written.

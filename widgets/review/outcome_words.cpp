@@ -45,6 +45,8 @@ QString outcomeWord(Outcome outcome) {
         return Words::tr("Interrupted");
     case Outcome::Recording:
         return Words::tr("Recording");
+    case Outcome::Damaged:
+        return Words::tr("Damaged");
     case Outcome::Unreadable:
         return Words::tr("Unreadable");
     case Outcome::Other:
@@ -61,7 +63,8 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isAlarm = outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
+    const bool isAlarm = outcome == Outcome::Damaged || outcome == Outcome::Unreadable ||
+                         outcome == Outcome::EmergencyStop;
     const QColor colour = isAlarm ? alarmColor(1, dark) : secondaryText(dark);
     painter.setPen(QPen(colour, size * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto at = [size](double x, double y) { return QPointF(x * size, y * size); };
@@ -88,6 +91,7 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
         painter.setBrush(colour);
         painter.drawEllipse(QRectF(at(0.24, 0.24), at(0.76, 0.76)));
         break;
+    case Outcome::Damaged:
     case Outcome::Unreadable: // cross
         painter.drawLine(at(0.22, 0.22), at(0.78, 0.78));
         painter.drawLine(at(0.78, 0.22), at(0.22, 0.78));

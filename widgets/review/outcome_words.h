@@ -16,6 +16,7 @@ enum class Outcome {
     Fault,
     Interrupted,
     Recording,
+    Damaged,
     Unreadable,
     Other
 };

@@ -1,5 +1,6 @@
 #include "widgets/review/session_list.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/message_bar.h"
@@ -85,6 +86,11 @@ QString joined(const std::vector<std::string>& texts, const QString& separator) 
     return list.join(separator);
 }
 
+/// Why a run cannot be read, or not all of it; null: nothing is known to be wrong.
+const Error* problemOf(const SessionHeader& session) {
+    return session.error ? &*session.error : session.damage ? &*session.damage : nullptr;
+}
+
 std::vector<std::string> withoutEmpty(std::vector<std::string> texts) {
     std::erase(texts, std::string());
     return texts;
@@ -160,7 +166,11 @@ SessionList::SessionList(QWidget* parent)
 }
 
 void SessionList::connectTree() {
-    connect(m_tree, &QTreeWidget::currentItemChanged, this, &SessionList::showSelected);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, [this] {
+        showSelected();
+        if (const SessionHeader* session = selected())
+            emit selectionChanged(text(session->path));
+    });
     const auto open = [this] {
         if (const SessionHeader* session = selected(); session != nullptr && !session->error)
             emit sessionChosen(text(session->path));
@@ -355,7 +365,10 @@ const QIcon& SessionList::outcomeIcon(Outcome outcome) {
 void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences) {
     const QDateTime date = recordedAt(session);
     const QString file = QFileInfo(text(session.path)).fileName();
-    const Outcome outcome = session.error               ? Outcome::Unreadable
+    const Error* problem = problemOf(session);
+    const bool isDamaged = problem != nullptr && problem->code() == MessageCode::SessionDamaged;
+    const Outcome outcome = isDamaged                   ? Outcome::Damaged
+                            : problem != nullptr        ? Outcome::Unreadable
                             : isRecording(session.path) ? Outcome::Recording
                                                         : outcomeOf(session.outcome);
     const QString given = session.error ? QString() : givenName(session), title = text(session.title);
@@ -405,8 +418,8 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     }
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
     row->setIcon(kOutcome, outcomeIcon(outcome));
-    if (session.error)
-        row->setToolTip(kOutcome, sentenceText(session.error->message));
+    if (problem != nullptr)
+        row->setToolTip(kOutcome, sentenceText(problem->message));
     row->setData(0, kPathRole, text(session.path));
     markOpened(row);
     QStringList all = texts;
@@ -453,7 +466,8 @@ void SessionList::showSelected() {
     const SessionHeader* session = selected();
     const bool isReadable = session != nullptr && !session->error;
     const bool isOn = isReadable && isRecording(session->path);
-    const bool hasEnd = isReadable && !isOn && !session->outcome.empty();
+    const Error* problem = session != nullptr ? problemOf(*session) : nullptr;
+    const bool hasEnd = isReadable && problem == nullptr && !isOn && !session->outcome.empty();
     m_open->setEnabled(isReadable);
     m_compare->setEnabled(isReadable && !m_opened.isEmpty());
     m_tags->setEnabled(hasEnd);
@@ -470,11 +484,11 @@ void SessionList::showSelected() {
                               tr("Show all runs"), false);
     if (session == nullptr)
         return m_message->clear();
-    if (session->error)
+    if (problem != nullptr)
         return m_message->say(
             MessageBar::Kind::Problem,
-            QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), sentenceText(session->error->message)),
-            {}, false);
+            QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), sentenceText(problem->message)), {},
+            false);
     if (isOn)
         return m_message->say(MessageBar::Kind::Note, tr("This run is being recorded now."), {}, false);
     if (!session->outcome.empty())

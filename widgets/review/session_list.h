@@ -62,6 +62,7 @@ signals:
     void tagsEdited(const QString& path, const QStringList& tags);
     /// Closing the interrupted recording was requested.
     void closeRequested(const QString& path);
+    void selectionChanged(const QString& path); ///< a run was selected
     /// The experiment of a run was requested as a new one.
     void experimentRequested(const QString& path);
     /// A person has chosen what the runs are sorted by.

@@ -16,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace bask::test {
@@ -340,6 +341,46 @@ TEST_F(SessionVerify, findsOneByteChangedAnywhere) {
         named += verdict && verdict->allFindings > 0;
     }
     EXPECT_GT(named, 500) << "most bytes are in rows";
+}
+
+// Catches: a file that is cut short told in the database's words, or nothing of it looked at.
+TEST_F(SessionVerify, saysWhatOfACutFileCanBeRead) {
+    record(path());
+    QFile file(QString::fromStdString(path()));
+    ASSERT_TRUE(file.resize(file.size() / 4 * 3));
+    const SessionVerdict verdict = verified(path());
+    EXPECT_TRUE(verdict.isDamaged);
+    EXPECT_FALSE(verdict.isIntact());
+    const auto step = std::ranges::find(verdict.damages, "step", &TableDamage::table);
+    ASSERT_NE(step, verdict.damages.end());
+    EXPECT_GT(step->rows, 0);
+    EXPECT_LT(step->rows, kSamples);
+    EXPECT_EQ(step->time_s, madeUpSample(twoDisks(), static_cast<int>(step->rows) - 1).time_s);
+    EXPECT_FALSE(readSession(path())) << "nobody else takes it for whole";
+}
+
+// Catches: damage in one table that hides what of the others can be read, or that they are as recorded.
+TEST_F(SessionVerify, namesTheTableThatWasWrittenOver) {
+    record(path());
+    QFile file(QString::fromStdString(path()));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    const QByteArray whole = file.readAll();
+    constexpr qsizetype kPage = 16384; // as SessionWriter has it
+    const qsizetype note = whole.indexOf("note \xc3\xa9 350");
+    ASSERT_GT(note, kPage);
+    ASSERT_TRUE(file.seek(note / kPage * kPage));
+    ASSERT_EQ(file.write(QByteArray(kPage, '\x55')), kPage);
+    file.close();
+    const SessionVerdict verdict = verified(path());
+    EXPECT_TRUE(verdict.isDamaged);
+    ASSERT_EQ(verdict.damages.size(), 1U);
+    EXPECT_EQ(verdict.damages[0].table, "note");
+    EXPECT_EQ(verdict.damages[0].rows, 0) << "they were on that page";
+    EXPECT_FALSE(verdict.damages[0].time_s);
+    EXPECT_EQ(verdict.allFindings, 0);
+    const auto checked = checkSession(path());
+    ASSERT_FALSE(checked);
+    EXPECT_EQ(describe(checked.error()), path() + ": the session file is damaged: its database is not whole");
 }
 
 TEST_F(SessionVerify, saysThatAnOlderSessionHasNoChain) {

@@ -127,13 +127,29 @@ TEST_F(SessionListTest, ARowTellsTheRun) {
     EXPECT_EQ(row("b")->text(2), "Fault");
     EXPECT_EQ(row("b")->text(6), "LIVE");
     EXPECT_EQ(row("cut")->text(2), "Interrupted");
-    EXPECT_EQ(row("bad")->text(2), "Unreadable");
+    EXPECT_EQ(row("bad")->text(2), "Damaged");
     for (const char* name : {"a", "b", "cut", "bad"})
         EXPECT_FALSE(row(name)->icon(2).isNull()) << name;
     tree->sortByColumn(0, Qt::DescendingOrder);
     EXPECT_EQ(tree->indexOfTopLevelItem(row("b")) + 1, tree->indexOfTopLevelItem(row("a")));
     EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "4 session(s)")
         << "English plurals are a translation";
+}
+
+// Catches an outcome told of a run whose samples cannot be read, and tags written into such a file.
+TEST_F(SessionListTest, ADamagedRunHasNoOutcome) {
+    SessionHeader hurt = header("hurt", "2026-03-14T09:26:53Z", "settled");
+    hurt.damage = Error(MessageCode::SessionDamaged, hurt.path, {"its database is not whole"});
+    SessionHeader gone;
+    gone.path = "/runs/gone.bask";
+    gone.error = Error(MessageCode::FileNotFound, gone.path);
+    list.setSessions({hurt, gone});
+    EXPECT_EQ(row("hurt")->text(2), "Damaged");
+    EXPECT_EQ(row("gone")->text(2), "Unreadable");
+    tree->setCurrentItem(row("hurt"));
+    EXPECT_TRUE(message().contains("hurt.bask")) << message().toStdString();
+    EXPECT_TRUE(list.findChild<QPushButton*>("sessionOpen")->isEnabled()) << "the rest can be seen";
+    EXPECT_FALSE(tags->isEnabled());
 }
 
 // Catches a search that misses a field, or takes any word for all.
