@@ -1,6 +1,7 @@
 // bask study alarms: whether the engine's alarms are true, over healthy and faulty runs at random.
 
 #include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/paper_experiments.h"
 #include "app/drawing/studies.h"
@@ -122,20 +123,20 @@ int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const 
     static constexpr const char* kStems[] = {"alarm_study_healthy", "alarm_study_faulty",
                                              "alarm_study_paper"};
     const char* stem = kStems[static_cast<int>(request.draw)];
-    const auto files = studyFiles(folder, kAlarmStudyMark, stem, {".csv"});
+    const auto files = studyFiles(way.command(), folder, kAlarmStudyMark, stem, {".csv"});
     if (!files)
         return kExitBadInput;
     auto rigs = alarmRigs(request.draw);
     if (!rigs)
-        return refuseStudy(rigs.error());
+        return refuse(way.command(), rigs.error());
     const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed, request.first};
     if (way.shard.shard)
         return runShardOf(study, QDir(folder).filePath(stem).toStdString(), request, way.shard);
     const auto rows = rowsOf(study, way);
     if (!rows)
-        return refuseStudy(rows.error());
+        return refuse(way.command(), rows.error());
     if (const auto written = writeFiles(*files, {alarmCsv(study, *rows)}); !written)
-        return refuseStudy(written.error());
+        return refuse(way.command(), written.error());
     printSummary(study, *rows);
     return isMet(summarize(*rows)) ? kExitDone : kExitNegative;
 }

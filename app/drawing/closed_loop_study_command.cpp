@@ -1,6 +1,7 @@
 // bask study closed-loop: runs the study on the rig of the three-object examples, its table and figures.
 
 #include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "app/drawing/studies.h"
 #include "app/drawing/study_output.h"
@@ -190,26 +191,26 @@ Result<ClosedLoopRows> rowsOf(const ClosedLoopStudy& study, const StudyWay& way)
 } // namespace
 
 int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request, const StudyWay& way) {
-    const auto files = studyFiles(folder, kClosedLoopStudyMark, kStem,
+    const auto files = studyFiles(way.command(), folder, kClosedLoopStudyMark, kStem,
                                   {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
     if (!files)
         return kExitBadInput;
     auto rig = studyRig(request.mounting);
     if (!rig)
-        return refuseStudy(rig.error());
+        return refuse(way.command(), rig.error());
     const ClosedLoopStudy study = studyOf(std::move(*rig), request);
     if (way.shard.shard)
         return runShardOf(study, QDir(folder).filePath(kStem).toStdString(), request, way.shard);
     const auto rows = rowsOf(study, way);
     if (!rows)
-        return refuseStudy(rows.error());
+        return refuse(way.command(), rows.error());
     const QString note = noteOf(study, request);
     std::vector<std::string> contents{closedLoopCsv(study, *rows)};
     for (const Figure& figure :
          {settlingFigure(*rows, note), ratioFigure(*rows, note), overshootFigure(*rows, note)})
         contents.push_back(figurePng(figure, QString::fromLatin1(kClosedLoopStudyMark)).toStdString());
     if (const auto written = writeFiles(*files, contents); !written)
-        return refuseStudy(written.error());
+        return refuse(way.command(), written.error());
     printSummary(*rows);
     return kExitDone;
 }

@@ -266,12 +266,12 @@ DividedWork fieldWork(const FieldSampler& sampler, bool withGradient, std::strin
             }};
 }
 
-Result<MergedField> mergeFieldInto(const MergedParts& parts, const std::string& path) {
+Result<MergedField> mergeFieldInto(const MergedParts& parts, const nlohmann::json& work,
+                                   const std::string& path) {
     const Error foreign(MessageCode::NotAPart, "the parts");
     MergedField merged;
     FieldFile file{path, {}, false};
     try {
-        const nlohmann::json work = nlohmann::json::parse(parts.work());
         merged.header = headerOf(work.at("field"));
         file.title = work.at("title");
         file.withGradient = work.at("gradient");

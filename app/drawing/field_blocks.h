@@ -4,6 +4,8 @@
 #include "app/drawing/shard_run.h"
 #include "engine/radiation/field_sampler.h"
 
+#include <nlohmann/json_fwd.hpp>
+
 #include <cmath>
 #include <functional>
 #include <string>
@@ -46,9 +48,11 @@ struct MergedField {
     Field header;
     FieldFigures figures;
 };
-/// Puts the parts of a field together. Errors: NotAPart, those of the file.
-Result<MergedField> mergeFieldInto(const MergedParts& parts, const std::string& path);
+/// Puts the parts of a field together; `work` is that of the parts, read. Errors: NotAPart, those of the
+/// file.
+Result<MergedField> mergeFieldInto(const MergedParts& parts, const nlohmann::json& work,
+                                   const std::string& path);
 /// The same with words, as a command: returns an exit code.
-int mergeField(const MergedParts& parts, const QString& path);
+int mergeField(const MergedParts& parts, const nlohmann::json& work, const QString& path);
 
 } // namespace bask

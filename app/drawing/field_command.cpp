@@ -334,11 +334,11 @@ int fieldCommand(const QStringList& arguments) {
     }
 }
 
-int mergeField(const MergedParts& parts, const QString& path) {
+int mergeField(const MergedParts& parts, const nlohmann::json& work, const QString& path) {
     const auto place = checkOutputs({}, {{path.toStdString()}});
     if (!place)
         return refuse("merge", place.error());
-    const auto merged = mergeFieldInto(parts, path.toStdString());
+    const auto merged = mergeFieldInto(parts, work, path.toStdString());
     if (!merged)
         return refuse("merge", merged.error());
     std::size_t count = 1;

@@ -128,9 +128,8 @@ int printStatus(const std::vector<std::string>& paths) {
 }
 
 /// Parts of another version would be written as this one writes them.
-Result<void> checkVersion(const MergedParts& parts) {
+Result<void> checkVersion(const nlohmann::json& work) {
     const std::string own = ownSoftware();
-    const auto work = nlohmann::json::parse(parts.work());
     const auto software = work.find("software");
     const std::string theirs =
         software != work.end() && software->is_string() ? software->get<std::string>() : std::string();
@@ -142,10 +141,10 @@ int mergeInto(const QString& output, const std::vector<std::string>& paths) {
     const auto parts = MergedParts::of(paths);
     if (!parts)
         return refuse(kMerge, parts.error());
-    if (const auto version = checkVersion(*parts); !version)
+    const auto work = nlohmann::json::parse(parts->work());
+    if (const auto version = checkVersion(work); !version)
         return refuse(kMerge, version.error());
-    return nlohmann::json::parse(parts->work()).contains("field") ? mergeField(*parts, output)
-                                                                  : mergeStudy(*parts, output);
+    return work.contains("field") ? mergeField(*parts, work, output) : mergeStudy(*parts, work, output);
 }
 
 } // namespace

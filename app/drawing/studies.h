@@ -7,6 +7,7 @@
 #include "engine/studies/closed_loop_study.h"
 
 #include <QString>
+#include <nlohmann/json_fwd.hpp>
 
 namespace bask {
 
@@ -16,6 +17,8 @@ int viewFactorStudyCommand(const QString& folder, int maxElements);
 struct StudyWay {
     ShardOptions shard;
     const MergedParts* merged = nullptr; ///< null: computed
+
+    const char* command() const { return merged != nullptr ? "merge" : "study"; }
 };
 
 enum class StudyMounting { Triangle, Line, Random, Heights };
@@ -46,7 +49,7 @@ struct AlarmRequest {
 /// Returns kExitNegative if there was a false alarm, or if a fault with effects was not detected.
 int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const StudyWay& way);
 
-/// Writes the files of a study that was divided, and prints its summary.
-int mergeStudy(const MergedParts& parts, const QString& folder);
+/// Writes the files of a study that was divided, and prints its summary. `work` is that of the parts, read.
+int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QString& folder);
 
 } // namespace bask

@@ -129,7 +129,7 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder, const
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     if (!options.complaint().isEmpty())
-        return refuseStudy(options.complaint());
+        return refuse(way.command(), options.complaint());
     request.asked = asked(parser, kClosedLoop, kClosedLoopOptions);
     return closedLoopStudyCommand(folder, request, way);
 }
@@ -143,7 +143,7 @@ int runAlarms(const QCommandLineParser& parser, const QString& folder, const Stu
     request.seed = options.seed();
     request.first = options.wholeNumber("first", 1, kMaxCount);
     if (!options.complaint().isEmpty())
-        return refuseStudy(options.complaint());
+        return refuse(way.command(), options.complaint());
     request.asked = asked(parser, kAlarms, kAlarmOptions);
     return alarmStudyCommand(folder, request, way);
 }
@@ -227,10 +227,9 @@ int studyCommand(const QStringList& arguments) {
     return runDivided(parser, study, folder, {*way, nullptr});
 }
 
-int mergeStudy(const MergedParts& parts, const QString& folder) {
+int mergeStudy(const MergedParts& parts, const nlohmann::json& work, const QString& folder) {
     QStringList arguments{QStringLiteral("bask")};
     QString study;
-    const auto work = nlohmann::json::parse(parts.work());
     const QString unknown = QStringLiteral("the parts are of a study that this Bask does not know");
     for (const auto& [key, value] : work.items())
         if (!value.is_string())

@@ -43,12 +43,13 @@ Result<void> copyStudyFiles(const QString& folder, const QStringList& names) {
     return {};
 }
 
-std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,
+std::optional<std::vector<OutputFile>> studyFiles(const char* command, const QString& folder,
+                                                  const char* mark, const char* stem,
                                                   const QStringList& endings) {
     QStringList names;
     for (const QString& ending : endings)
         names << QLatin1String(stem) + ending;
-    return filesIn(folder, "study", mark, names);
+    return filesIn(folder, command, mark, names);
 }
 
 } // namespace bask

@@ -20,8 +20,9 @@ QStringList studyResources(const QString& below);
 /// Copies files of the studies' own resources, for readers that want a file.
 Result<void> copyStudyFiles(const QString& folder, const QStringList& names);
 
-/// As filesIn() for `bask study`, for each ending: "stem.csv", "stem_time.png".
-std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,
+/// As filesIn() for the subcommand, for each ending: "stem.csv", "stem_time.png".
+std::optional<std::vector<OutputFile>> studyFiles(const char* command, const QString& folder,
+                                                  const char* mark, const char* stem,
                                                   const QStringList& endings);
 
 } // namespace bask

@@ -56,7 +56,7 @@ void printSummary(const ViewFactorStudy& study) {
 } // namespace
 
 int viewFactorStudyCommand(const QString& folder, int maxElements) {
-    const auto files = studyFiles(folder, kViewFactorStudyMark, "view_factor_study",
+    const auto files = studyFiles("study", folder, kViewFactorStudyMark, "view_factor_study",
                                   {".csv", "_elements.png", "_harmonics.png", "_points.png", "_time.png"});
     if (!files)
         return kExitBadInput;

@@ -1,10 +1,13 @@
 #include "engine/studies/row_bytes.h"
 
 #include "engine/base/json_text.h"
+#include "engine/base/message_arg.h"
 
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
+#include <limits>
 
 // How the library is told of types that are not ours.
 template <class T> struct nlohmann::adl_serializer<std::optional<T>> {
@@ -38,14 +41,40 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmStudyRow, drawn, simulated_s, alarms, is
 
 namespace {
 
+/// JSON has no number that is not finite, as the bound of a target that no pose holds: {"not finite": "inf"}.
+constexpr const char* kNotFinite = "not finite";
+
+void wrapNotFinite(nlohmann::json& json) {
+    if (json.is_number_float() && !std::isfinite(json.get<double>()))
+        json = {{kNotFinite, formatNumber(json.get<double>())}};
+    else if (json.is_structured())
+        for (nlohmann::json& each : json)
+            wrapNotFinite(each);
+}
+
+void unwrapNotFinite(nlohmann::json& json) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (json.is_object() && json.contains(kNotFinite)) {
+        const auto word = json[kNotFinite].get<std::string>();
+        json = word == "inf" ? kInfinity : word == "-inf" ? -kInfinity : NAN;
+    } else if (json.is_structured()) {
+        for (nlohmann::json& each : json)
+            unwrapNotFinite(each);
+    }
+}
+
 template <class Row> std::string textOfRow(const Row& row) {
-    return nlohmann::json(row).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    nlohmann::json json(row);
+    wrapNotFinite(json);
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 template <class Row> std::optional<Row> rowOf(const std::string& bytes) {
     std::optional<Row> row;
-    const Failure failed =
-        readJsonTree(bytes, "row", [&](const nlohmann::json& json, Failure&) { row = json.get<Row>(); });
+    const Failure failed = readJsonTree(bytes, "row", [&](nlohmann::json json, Failure&) {
+        unwrapNotFinite(json);
+        row = json.get<Row>();
+    });
     return failed ? std::nullopt : row;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 // Rows of the studies as JSON, for parts: nothing is rounded, so that a table of rows that went through a
-// part is the same to the last digit.
+// part is the same to the last digit, and so are infinite and unknown numbers.
 
 #include "engine/studies/alarm_study.h"
 #include "engine/studies/closed_loop_study.h"

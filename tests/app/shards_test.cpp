@@ -135,6 +135,17 @@ TEST_F(Shards, ofOtherWorkOrWithoutAllCasesAreRefused) {
     EXPECT_FALSE(QDir(at("merged")).exists());
 }
 
+// Catches: a merge that cannot write, told in the name of another command.
+TEST_F(Shards, ofAStudyAreRefusedInTheNameOfTheMerge) {
+    ASSERT_EQ(bask({"study", "closed-loop", "--count", "1", "-o", at("parts"), "--shard", "1/1"}).exitCode,
+              0);
+    QFile file(at("file"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    const Answer refused = bask({"merge", at("parts"), "-o", at("file")});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_TRUE(refused.err.startsWith("bask merge: ")) << refused.err.toStdString();
+}
+
 // Catches: a field whose bytes depend on how it was divided, in the image and in the store.
 TEST_F(Shards, ofAFieldGiveTheBytesOfOneProcess) {
     for (const QStringList& more : {QStringList{"--preset", "paper-translation"},

@@ -279,5 +279,29 @@ TEST(RowBytes, giveTheRowBack) {
     EXPECT_EQ(same->acted_s, 3.5);
 }
 
+// Catches: a study that cannot be merged because one number of one run is not finite.
+TEST(RowBytes, giveNumbersBackThatAreNotFinite) {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    ClosedLoopRow row;
+    row.drawn.mountings = {Vector6d::Zero()};
+    row.drawn.targets_K = {333.1};
+    row.drawn.bound_s = kInfinity;
+    row.overshoot_K = -kInfinity;
+    row.way_m = std::numeric_limits<double>::quiet_NaN();
+    row.settling_s = kInfinity;
+    row.final_K = {kInfinity};
+    row.failure = "inf";
+    const auto back = closedLoopRowOf(bytesOf(row), 1);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->drawn.bound_s, kInfinity);
+    EXPECT_EQ(back->overshoot_K, -kInfinity);
+    EXPECT_TRUE(std::isnan(back->way_m));
+    EXPECT_EQ(back->settling_s, kInfinity);
+    EXPECT_EQ(back->restSpeed_m_s, std::nullopt);
+    EXPECT_EQ(back->final_K, row.final_K);
+    EXPECT_EQ(back->failure, "inf");
+    EXPECT_EQ(back->drawn.targets_K, row.drawn.targets_K);
+}
+
 } // namespace
 } // namespace bask::test
