@@ -2,9 +2,9 @@
 
 #include "app/commands/progress.h"
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/field_store.h"
-#include "engine/studies/parallel.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,13 +22,6 @@ namespace {
 constexpr const char* kImage = ".vti";
 constexpr const char* kStore = ".h5";
 constexpr std::size_t kImageAxes = 4;
-
-std::size_t samplesOf(const Field& header) {
-    std::size_t samples = 1;
-    for (const FieldAxis& axis : header.axes)
-        samples *= static_cast<std::size_t>(axis.count);
-    return samples;
-}
 
 std::size_t blocksOf(std::size_t samples) {
     return (samples + kFieldBlock - 1) / kFieldBlock;
@@ -112,7 +105,7 @@ public:
 class ImageSink : public FieldSink {
 public:
     ImageSink(const Field& header, const FieldFile& file) : m_field(header), m_file(file) {
-        m_field.values.resize(samplesOf(header));
+        m_field.values.resize(sampleCount(header.axes));
         m_field.gradient.resize(file.withGradient ? 6 * m_field.values.size() : 0);
     }
     Result<void> take(const Block& block) override {
@@ -278,7 +271,7 @@ Result<MergedField> mergeFieldInto(const MergedParts& parts, const nlohmann::jso
     } catch (const std::exception&) {
         return foreign;
     }
-    const std::size_t samples = samplesOf(merged.header);
+    const std::size_t samples = sampleCount(merged.header.axes);
     if (static_cast<std::int64_t>(blocksOf(samples)) != parts.cases())
         return foreign;
     const auto sink = sinkOf(file, merged.header);

@@ -341,10 +341,7 @@ int mergeField(const MergedParts& parts, const nlohmann::json& work, const QStri
     const auto merged = mergeFieldInto(parts, work, path.toStdString());
     if (!merged)
         return refuse("merge", merged.error());
-    std::size_t count = 1;
-    for (const FieldAxis& axis : merged->header.axes)
-        count *= static_cast<std::size_t>(axis.count);
-    tellOf("merge", merged->header, count, merged->figures.tally);
+    tellOf("merge", merged->header, sampleCount(merged->header.axes), merged->figures.tally);
     printRange(merged->header, merged->figures);
     return kExitDone;
 }

@@ -1,14 +1,13 @@
 #include "app/drawing/reproduction.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/base/units.h"
 #include "engine/rig/rig_setup.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 namespace bask {
 namespace {
@@ -53,21 +52,11 @@ struct Jobs {
     const std::vector<PaperExperiment>& experiments;
     std::vector<ReproducedExperiment> results;
     std::vector<std::optional<Error>> errors; // one a job
-    std::atomic<int> next = 0, done = 0;
 
     explicit Jobs(const std::vector<PaperExperiment>& all)
         : experiments(all), results(all.size()), errors(2 * all.size()) {}
 
     int count() const { return static_cast<int>(errors.size()); }
-    void work(const std::function<void()>& afterEach) {
-        for (int job = next++; job < count(); job = next++) {
-            run(static_cast<std::size_t>(job));
-            ++done;
-            afterEach();
-        }
-    }
-
-private:
     void run(std::size_t job) {
         const std::size_t by = job < experiments.size() ? kByTheLevelServo : kByThePaper;
         const std::size_t index = job % experiments.size();
@@ -170,13 +159,9 @@ Result<std::vector<ReproducedExperiment>> reproduce(const std::vector<PaperExper
                                                     int threads,
                                                     const std::function<void(int done, int all)>& progress) {
     Jobs jobs(experiments);
-    const int wanted = threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
-    {
-        std::vector<std::jthread> others;
-        for (int i = 1; i < std::min(wanted, jobs.count()); ++i)
-            others.emplace_back([&jobs] { jobs.work([] {}); });
-        jobs.work([&] { progress(jobs.done, jobs.count()); });
-    }
+    runInParallel(
+        jobs.count(), threads, [&](int job) { jobs.run(static_cast<std::size_t>(job)); },
+        [&](int done) { progress(done, jobs.count()); });
     for (const auto& error : jobs.errors)
         if (error)
             return *error;

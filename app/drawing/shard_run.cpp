@@ -6,8 +6,8 @@
 #include "app/drawing/study_output.h"
 #include "app/exact_version.h"
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/radiation/kernels/kernels.h"
-#include "engine/studies/parallel.h"
 
 #include <nlohmann/json.hpp>
 

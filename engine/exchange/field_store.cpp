@@ -29,13 +29,6 @@ constexpr const char* kMark = "Bask field"; ///< in the attribute creator, near 
 constexpr std::size_t kMarkWithin = 1 << 16;
 constexpr double kSkeletonBytes = 64e6; ///< more than the axes and what explains them take
 
-std::size_t samplesOf(const Field& header) {
-    std::size_t samples = 1;
-    for (const FieldAxis& axis : header.axes)
-        samples *= static_cast<std::size_t>(axis.count);
-    return samples;
-}
-
 void addAxes(Hdf5File& file, const Field& header) {
     for (const FieldAxis& axis : header.axes) {
         std::vector<double> values;
@@ -123,7 +116,7 @@ Result<void> checkFieldStore(const std::string& path) {
 }
 
 double fieldStoreBytes(const Field& header, bool withGradient) {
-    return static_cast<double>(samplesOf(header)) * sizeof(double) * (withGradient ? 7.0 : 1.0);
+    return static_cast<double>(sampleCount(header.axes)) * sizeof(double) * (withGradient ? 7.0 : 1.0);
 }
 
 struct FieldStore::Impl {

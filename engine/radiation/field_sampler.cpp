@@ -1,18 +1,15 @@
 #include "engine/radiation/field_sampler.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/radiation/pose_batch.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 namespace bask {
@@ -100,10 +97,10 @@ bool isIdentity(const Pose& X) {
 struct FieldSampler::Grid {
     explicit Grid(FieldRequest asked)
         : request(std::move(asked)), X_SR(request.X_RS.inverse()), isMoved(!isIdentity(request.X_RS)),
-          isMounted(!isIdentity(request.X_EO)), turns(request.axes.size()) {
+          isMounted(!isIdentity(request.X_EO)), turns(request.axes.size()),
+          samples(sampleCount(request.axes)) {
         for (std::size_t a = 0; a < turns.size(); ++a) {
             const FieldAxis& axis = request.axes[a];
-            samples *= static_cast<std::size_t>(axis.count);
             for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
                 turns[a].push_back(turnBy(axis.at(i)));
         }
@@ -131,7 +128,7 @@ struct FieldSampler::Grid {
     Pose X_OE = Pose::Identity();         ///< only where there is shade
     double tolerance = 0.0;               ///< see Field
     std::optional<PoseBatch> batch;       ///< where samples can be taken together
-    std::size_t samples = 1;
+    const std::size_t samples;
 };
 
 /// Iterates over the grid, first axis fastest; the rotation is recomputed only if an angle has changed.
@@ -505,84 +502,12 @@ double FieldSampler::shadedAt(const Cursor& cursor, double* gradient, double& er
     return factor.value;
 }
 
-namespace {
-
-/// The work that the threads share.
-class Sampling {
-public:
-    Sampling(const FieldSampler& sampler, const FieldRun& run, Field& field)
-        : m_sampler(sampler), m_run(run), m_field(field) {}
-
-    /// Takes chunks until there are none; only the thread that `reports` calls progress.
-    void work(bool reports) {
-        try {
-            double reported = 0.0;
-            const std::size_t samples = m_field.values.size();
-            while (!m_halted && !m_run.stop.stop_requested()) {
-                const std::size_t begin = m_next.fetch_add(kChunk, std::memory_order_relaxed);
-                if (begin >= samples)
-                    return;
-                const std::size_t end = std::min(begin + kChunk, samples);
-                book(m_sampler.sample(begin, end, &m_field.values[begin],
-                                      m_field.gradient.empty() ? nullptr : &m_field.gradient[6 * begin]));
-                m_done += end - begin;
-                const double done = static_cast<double>(m_done) / static_cast<double>(samples);
-                if (reports && m_run.progress && done < 1.0 && done >= reported + kProgressStep)
-                    m_run.progress(reported = done);
-            }
-        } catch (...) {
-            const std::lock_guard lock(m_mutex);
-            m_failure = std::current_exception();
-            m_halted = true;
-        }
-    }
-
-    /// Call after all threads have ended: true if every sample was taken.
-    bool finish() {
-        if (m_failure)
-            std::rethrow_exception(m_failure);
-        m_field.undefinedSamples = m_tally.undefined;
-        m_field.unreachedSamples = m_tally.unreached;
-        m_field.largestErrorEstimate = m_tally.largestError;
-        if (m_done < m_field.values.size())
-            return false;
-        if (m_run.progress)
-            m_run.progress(1.0);
-        return true;
-    }
-
-private:
-    void book(const FieldTally& more) {
-        const std::lock_guard lock(m_mutex);
-        m_tally.add(more);
-    }
-
-    const FieldSampler& m_sampler;
-    const FieldRun& m_run;
-    Field& m_field;
-    std::atomic<std::size_t> m_next{0};
-    std::atomic<std::size_t> m_done{0};
-    FieldTally m_tally;
-    std::atomic<bool> m_halted{false};
-    std::mutex m_mutex;
-    std::exception_ptr m_failure;
-};
-
-void workOnThreads(Sampling& sampling, int asked, std::size_t samples) {
-    const auto wanted = static_cast<std::size_t>(
-        asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
-    const std::size_t count = std::min(wanted, (samples + kChunk - 1) / kChunk);
-    std::vector<std::jthread> others;
-    try {
-        for (std::size_t i = 1; i < count; ++i)
-            others.emplace_back([&] { sampling.work(false); });
-    } catch (const std::system_error&) {
-        // The system gives no more threads: the existing ones do the work.
-    }
-    sampling.work(true);
+std::size_t sampleCount(const std::vector<FieldAxis>& axes) {
+    std::size_t samples = 1;
+    for (const FieldAxis& axis : axes)
+        samples *= static_cast<std::size_t>(axis.count);
+    return samples;
 }
-
-} // namespace
 
 const char* coordinateUnit(Coordinate coordinate) {
     return coordinate < kThetaX ? "m" : "rad";
@@ -599,10 +524,39 @@ Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, co
     auto field = std::make_shared<Field>(sampler->header());
     field->values.resize(sampler->samples());
     field->gradient.resize(request.withGradient ? 6 * sampler->samples() : 0);
-    Sampling sampling(*sampler, run, *field);
-    workOnThreads(sampling, run.threads, sampler->samples());
-    if (!sampling.finish())
+    const std::size_t samples = sampler->samples();
+    const auto chunks = static_cast<int>((samples + kChunk - 1) / kChunk);
+    std::mutex mutex;
+    FieldTally tally;
+    std::size_t taken = 0;
+    double reported = 0.0;
+    runInParallel(
+        chunks, run.threads,
+        [&](int index) {
+            if (run.stop.stop_requested())
+                return;
+            const std::size_t begin = static_cast<std::size_t>(index) * kChunk;
+            const std::size_t end = std::min(begin + kChunk, samples);
+            const FieldTally more =
+                sampler->sample(begin, end, &field->values[begin],
+                                field->gradient.empty() ? nullptr : &field->gradient[6 * begin]);
+            const std::lock_guard lock(mutex);
+            tally.add(more);
+            taken += end - begin;
+        },
+        [&](int done) {
+            const double share = static_cast<double>(done) / chunks;
+            if (run.progress && !run.stop.stop_requested() && share < 1.0 &&
+                share >= reported + kProgressStep)
+                run.progress(reported = share);
+        });
+    if (taken < samples)
         return Error(MessageCode::FieldCancelled, "");
+    field->undefinedSamples = tally.undefined;
+    field->unreachedSamples = tally.unreached;
+    field->largestErrorEstimate = tally.largestError;
+    if (run.progress)
+        run.progress(1.0);
     return std::shared_ptr<const Field>(std::move(field));
 }
 

@@ -29,6 +29,9 @@ struct FieldAxis {
     bool operator==(const FieldAxis&) const = default;
 };
 
+/// Returns how many samples a grid of these axes has.
+std::size_t sampleCount(const std::vector<FieldAxis>& axes);
+
 inline constexpr int kMaxAxes = 6;
 inline constexpr int kMaxAxisSamples = 100'000;
 /// A sample has one number, or seven with its gradient: largest count of them in memory, and of a field that

@@ -1,13 +1,13 @@
 #include "engine/studies/alarm_study.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/base/units.h"
 #include "engine/control/feasibility.h"
 #include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
-#include "engine/studies/parallel.h"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "engine/studies/closed_loop_study.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/base/units.h"
 #include "engine/control/pose_lookup.h"
 #include "engine/control/steady_states.h"
@@ -8,7 +9,6 @@
 #include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
-#include "engine/studies/parallel.h"
 #include "engine/studies/study_random.h"
 
 #include <algorithm>

@@ -63,8 +63,8 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isAlarm = outcome == Outcome::Damaged || outcome == Outcome::Unreadable ||
-                         outcome == Outcome::EmergencyStop;
+    const bool isAlarm =
+        outcome == Outcome::Damaged || outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
     const QColor colour = isAlarm ? alarmColor(1, dark) : secondaryText(dark);
     painter.setPen(QPen(colour, size * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto at = [size](double x, double y) { return QPointF(x * size, y * size); };

@@ -1,5 +1,6 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
+#include "engine/base/parallel.h"
 #include "engine/base/pose.h"
 #include "engine/base/program_part.h"
 #include "engine/base/result.h"
@@ -10,12 +11,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace bask {
 
@@ -24,6 +28,30 @@ TEST(Units, TemperaturesGoThereAndBack) {
         EXPECT_NEAR(kelvinFromDisplay(displayTemperature(313.15, unit), unit), 313.15, 1e-9);
     EXPECT_NEAR(displayTemperature(313.15, TemperatureUnit::Fahrenheit), 104.0, 1e-9);
     EXPECT_NEAR(displayDifference(0.5, TemperatureUnit::Fahrenheit), 0.9, 1e-12); // no offset in a difference
+}
+
+// Catches work that is left out or done twice, an exception that ends the program, and the rest of the work
+// done all the same.
+TEST(Parallel, DoesEachPieceOnceAndPassesOnTheFirstException) {
+    for (const int threads : {0, 1, 3, 40}) {
+        std::vector<std::atomic<int>> times(25);
+        int told = 0;
+        runInParallel(
+            25, threads, [&](int index) { ++times[static_cast<std::size_t>(index)]; },
+            [&](int done) {
+                EXPECT_GE(done, told);
+                told = done;
+            });
+        EXPECT_TRUE(std::ranges::all_of(times, [](const std::atomic<int>& each) { return each == 1; }));
+    }
+    std::atomic<int> begun = 0;
+    const auto fail = [&](int) {
+        ++begun;
+        throw std::runtime_error("mine");
+    };
+    EXPECT_THROW(runInParallel(1000, 2, fail, {}), std::runtime_error);
+    EXPECT_LE(begun, 2);
+    runInParallel(0, 2, fail, {});
 }
 
 // Catches a part that is missed where tests have it, and one that is said to be where it is not.

@@ -1,5 +1,5 @@
 #pragma once
-// Runs the cases of a study in parallel.
+// Runs many independent pieces of work on several threads.
 
 #include <functional>
 

@@ -1,4 +1,4 @@
-#include "engine/studies/parallel.h"
+#include "engine/base/parallel.h"
 
 #include <algorithm>
 #include <atomic>
