@@ -1,10 +1,9 @@
 #include "app/alarm_history_control.h"
 
+#include "engine/base/thread_priority.h"
 #include "widgets/review/alarm_history_dialog.h"
 #include "widgets/review/run_differences.h"
 #include "widgets/review/session_list.h"
-
-#include <QThread>
 
 #include <algorithm>
 #include <functional>
@@ -14,7 +13,6 @@ namespace bask {
 
 AlarmHistoryControl::AlarmHistoryControl(SessionList& list) : m_list(list) {
     m_pool.setMaxThreadCount(1);
-    m_pool.setThreadPriority(QThread::LowPriority);
     m_timer.setInterval(kInterval_ms);
     connect(&m_timer, &QTimer::timeout, this, [this] { m_dialog->setReading(*m_percent); });
     connect(&m_list, &SessionList::alarmsRequested, this, &AlarmHistoryControl::open);
@@ -55,6 +53,7 @@ void AlarmHistoryControl::read() {
     m_timer.start();
     m_job.run(
         [runs = m_list.listed(), percent = m_percent](const std::stop_token& stop) mutable {
+            giveWay();
             std::ranges::stable_sort(runs, std::ranges::greater(), recordedAt); // as the dialog dates them
             return readAlarmHistory(std::move(runs), stop,
                                     [&](double share) { *percent = static_cast<int>(100.0 * share); });

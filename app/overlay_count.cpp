@@ -1,14 +1,14 @@
 #include "app/overlay_count.h"
 
+#include "engine/base/thread_priority.h"
 #include "engine/recording/recorded_session.h"
 #include "widgets/review/replay_view.h"
-
-#include <QThread>
 
 namespace bask {
 namespace {
 
 Result<RunMetrics> metricsOf(const SessionRecord& facts, const std::stop_token& stop) {
+    giveWay();
     RunMetricsCount count(facts);
     const auto read = readSamples(
         facts.path, [&](const TraceSample& sample) { count.add(sample); }, stop);
@@ -19,7 +19,6 @@ Result<RunMetrics> metricsOf(const SessionRecord& facts, const std::stop_token& 
 
 OverlayCount::OverlayCount(ReplayView& view) : m_view(view) {
     m_pool.setMaxThreadCount(1);
-    m_pool.setThreadPriority(QThread::LowPriority);
     connect(&m_view, &ReplayView::overlaysChanged, this, &OverlayCount::countNext);
 }
 

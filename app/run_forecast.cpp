@@ -1,5 +1,6 @@
 #include "app/run_forecast.h"
 
+#include "engine/base/thread_priority.h"
 #include "engine/runtime/simulated_run.h"
 
 #include <QDeadlineTimer>
@@ -8,8 +9,6 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <utility>
 
 namespace bask {
@@ -27,9 +26,7 @@ bool isWithin(double a_K, double b_K, double near_K) {
 /// One that cannot run, or is not to be computed, has no prediction.
 PredictedRun forecast(const Experiment& experiment, const RigCondition& from, int longest_ms,
                       const std::stop_token& stop) {
-    // Of Qt's priorities those over idle do nothing on Linux, and an idle thread is waited for at the end.
-    constexpr int kNice = 10;
-    ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
+    giveWay();
     std::stop_source over;
     const std::stop_callback unwanted(stop, [&over] { over.request_stop(); });
     const QDeadlineTimer deadline(longest_ms);

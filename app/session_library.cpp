@@ -2,12 +2,12 @@
 
 #include "app/error_text.h"
 #include "engine/base/message_code.h"
+#include "engine/base/thread_priority.h"
 #include "widgets/review/session_list.h"
 
 #include <QDateTime>
 #include <QFileInfo>
 #include <QFuture>
-#include <QThread>
 #include <QtConcurrentRun>
 
 #include <utility>
@@ -33,7 +33,6 @@ std::string stampOf(const std::string& path) {
 
 SessionLibrary::SessionLibrary(SessionList& list) : m_list(list) {
     m_pool.setMaxThreadCount(1);
-    m_pool.setThreadPriority(QThread::LowPriority);
     connect(&m_list, &SessionList::tagsEdited, this, &SessionLibrary::writeTags);
     connect(&m_list, &SessionList::closeRequested, this, &SessionLibrary::close);
     connect(&m_list, &SessionList::compareRequested, this, &SessionLibrary::readOverlay);
@@ -46,7 +45,11 @@ SessionLibrary::~SessionLibrary() {
 }
 
 template <class Work, class Done> void SessionLibrary::run(Work work, Done done) {
-    QtConcurrent::run(&m_pool, std::move(work)).then(this, std::move(done));
+    const auto nicely = [work = std::move(work)] {
+        giveWay();
+        return work();
+    };
+    QtConcurrent::run(&m_pool, nicely).then(this, std::move(done));
 }
 
 void SessionLibrary::setFolder(const QString& folder) {

@@ -5,6 +5,7 @@
 #include "engine/base/program_part.h"
 #include "engine/base/result.h"
 #include "engine/base/share_done.h"
+#include "engine/base/thread_priority.h"
 #include "engine/base/units.h"
 #include "engine/base/words.h"
 #include "tests/support/told_shares.h"
@@ -19,6 +20,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace bask {
@@ -52,6 +54,19 @@ TEST(Parallel, DoesEachPieceOnceAndPassesOnTheFirstException) {
     EXPECT_THROW(runInParallel(1000, 2, fail, {}), std::runtime_error);
     EXPECT_LE(begun, 2);
     runInParallel(0, 2, fail, {});
+}
+
+// Catches a niceness that the whole program has, or none.
+TEST(ThreadPriority, IsThatOfTheCallingThread) {
+    const auto niceness = [] { return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid())); };
+    const int before = niceness();
+    int nice = 0;
+    std::jthread([&] {
+        giveWay();
+        nice = niceness();
+    }).join();
+    EXPECT_GE(nice, 10);
+    EXPECT_EQ(niceness(), before);
 }
 
 // Catches a part that is missed where tests have it, and one that is said to be where it is not.

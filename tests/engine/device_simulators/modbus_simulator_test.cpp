@@ -4,22 +4,18 @@
 
 #include "engine/base/message_code.h"
 #include "tests/support/modbus_client.h"
+#include "tests/support/shipped_profile.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace bask {
 namespace {
 
 using Registers = std::vector<std::uint16_t>;
 
-const ModbusProfile& shipped(std::string_view name) {
-    const auto& all = shippedProfiles();
-    return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
-}
+using test::shipped;
 
 class ModbusSimulatorTest : public testing::Test {
 protected:

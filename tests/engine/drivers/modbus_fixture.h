@@ -4,18 +4,13 @@
 #include "engine/device_simulators/modbus_simulator.h"
 #include "tests/support/modbus_client.h"
 #include "tests/support/scripted_modbus_link.h"
+#include "tests/support/shipped_profile.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace bask::test {
-
-inline const ModbusProfile& shipped(std::string_view name) {
-    const auto& all = shippedProfiles();
-    return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
-}
 
 class ModbusDriverTest : public testing::Test {
 protected:

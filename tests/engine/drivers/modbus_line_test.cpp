@@ -6,23 +6,19 @@
 #include "engine/drivers/modbus_heater.h"
 #include "engine/drivers/modbus_thermometer.h"
 #include "tests/engine/drivers/modbus_line_fixture.h"
+#include "tests/support/shipped_profile.h"
 
 #include <QEventLoop>
 #include <QTimer>
 
-#include <algorithm>
 #include <ctime>
-#include <string_view>
 
 namespace bask {
 namespace {
 
 using Registers = std::vector<std::uint16_t>;
 
-const ModbusProfile& shipped(std::string_view name) {
-    const auto& all = shippedProfiles();
-    return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
-}
+using test::shipped;
 
 double processorTime_s() {
     timespec time{};

@@ -16,6 +16,7 @@
 #include "engine/protocols/modbus_frame.h"
 #include "tests/support/guard_processes.h"
 #include "tests/support/held_calls.h"
+#include "tests/support/shipped_profile.h"
 #include "tests/support/wait_for.h"
 
 #include <QTemporaryDir>
@@ -40,9 +41,7 @@ namespace {
 
 using State = HeaterGuard::State;
 
-const ModbusProfile& shipped(std::string_view name) {
-    return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
-}
+using test::shipped;
 
 /// A device on a pseudo-terminal that lives by itself.
 class FarEnd {

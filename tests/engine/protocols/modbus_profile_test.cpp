@@ -4,13 +4,12 @@
 #include "engine/base/units.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_values.h"
+#include "tests/support/shipped_profile.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iterator>
-#include <string_view>
 
 namespace bask {
 namespace {
@@ -30,14 +29,7 @@ std::string controller(const std::string& rest) {
     return R"({"name": "c", "process_value": {"address": 1}, "set_point": {"address": 2})" + rest + "}";
 }
 
-const ModbusProfile& shipped(std::string_view name) {
-    const auto& all = shippedProfiles();
-    const auto it =
-        std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
-    if (it == all.end())
-        throw std::out_of_range(std::string(name));
-    return *it;
-}
+using test::shipped;
 
 RegisterValue channel(const std::string& name, int raw) {
     const ModbusProfile& p = shipped(name);
