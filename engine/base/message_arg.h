@@ -16,7 +16,8 @@ struct Message;
 /// The kind of an argument, as the message table declares it. An argument that is only text (read from a
 /// file, or made without a value) is interpreted as this kind when it is shown.
 enum class ArgKind : unsigned char {
-    Text,            ///< shown as it is: a number, a name, words of a device or a library
+    Text,            ///< shown as it is, number or not: a name, words of a device or a library
+    Number,          ///< of the engine, perhaps with a unit: "12.5", "2 mm"; shown in the reader's notation
     Temperature,     ///< in degC in files, "94.8"; shown with its unit
     BareTemperature, ///< a temperature shown without its unit: the first of "88 to 95 °C"
     Difference,      ///< of temperatures; in K in files, "12.4"; shown with its unit

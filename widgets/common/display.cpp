@@ -192,7 +192,7 @@ namespace {
 
 TemperatureUnit g_readersUnit = TemperatureUnit::Celsius;
 
-/// Of the engine's numbers, with or without a unit, which have a point; other words stay as they are.
+/// Of the engine's numbers, with or without a unit, which have a point.
 QString inNotation(QString text) {
     static const QRegularExpression kNumber(
         QStringLiteral("^[+-]?\\d+\\.\\d+(e[+-]?\\d+)?([ \\x{a0}]\\S+)?$"));
@@ -206,14 +206,13 @@ public:
     ArgWords(const Message& message, std::optional<TemperatureUnit> unit)
         : m_message(message), m_unit(unit) {}
 
-    QString at(std::size_t i) const { return isQuoted(i) ? words(i) : inNotation(words(i)); }
-
-private:
-    QString words(std::size_t i) const {
+    QString at(std::size_t i) const {
         const MessageArg& arg = m_message.args[i];
         const ArgKind kind = arg.kind(argKind(m_message.code, i));
         const QString text = QString::fromStdString(arg.text());
         switch (kind) {
+        case ArgKind::Number:
+            return inNotation(text);
         case ArgKind::Temperature:
             return temperature(arg, kind, text) + space() + temperatureUnitSymbol(shownUnit());
         case ArgKind::BareTemperature:
@@ -224,7 +223,8 @@ private:
         case ArgKind::Differences:
             return objects(arg, kind, text);
         case ArgKind::Figure:
-            return isCelsius() && m_unit != TemperatureUnit::Celsius ? temperature(arg, kind, text) : text;
+            return isCelsius() && m_unit != TemperatureUnit::Celsius ? temperature(arg, kind, text)
+                                                                     : inNotation(text);
         case ArgKind::FigureUnit:
             return isCelsius() ? temperatureUnitSymbol(shownUnit()) : text;
         case ArgKind::Sentence:
@@ -234,11 +234,7 @@ private:
         }
     }
 
-    /// A key, a name or what stands in a file.
-    bool isQuoted(std::size_t i) const {
-        return QLatin1String(messageTemplate(m_message.code)).contains(QStringLiteral("\"%%1\"").arg(i + 1));
-    }
-
+private:
     TemperatureUnit shownUnit() const { return m_unit.value_or(TemperatureUnit::Celsius); }
 
     QChar space() const { return m_unit ? kNarrowSpace : QChar(u' '); }
@@ -250,7 +246,8 @@ private:
 
     QString temperature(const MessageArg& arg, ArgKind kind, const QString& text) const {
         const auto t_K = arg.kelvin(kind);
-        return m_unit && t_K && std::isfinite(*t_K) ? formatTemperatureNumber(*t_K, *m_unit) : text;
+        return m_unit && t_K && std::isfinite(*t_K) ? formatTemperatureNumber(*t_K, *m_unit)
+                                                    : inNotation(text);
     }
 
     /// Kelvins have the digits that they are recorded with.
@@ -258,7 +255,7 @@ private:
         const auto d_K = arg.kelvin(kind);
         return m_unit == TemperatureUnit::Fahrenheit && d_K && std::isfinite(*d_K)
                    ? number(displayDifference(*d_K, *m_unit), 1)
-                   : text;
+                   : inNotation(text);
     }
 
     QString objects(const MessageArg& arg, ArgKind kind, const QString& text) const {

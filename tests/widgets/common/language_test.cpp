@@ -127,6 +127,11 @@ TEST(LanguageNotation, SentencesOfTheEngineHaveIt) {
                           TemperatureUnit::Fahrenheit),
               QStringLiteral("Not settled: disk 1.2 +2,7\u00a0°F; b \u22124,5\u00a0°F"));
     EXPECT_TRUE(text({MessageCode::DuplicateName, {"1.5"}}).contains(QStringLiteral("\"1.5\"")));
+    EXPECT_TRUE(text({MessageCode::ShadeAtPose, {"1.5", "12.5", "2.5"}}).contains(QStringLiteral("1.5")));
+    EXPECT_TRUE(text({MessageCode::MountingOverlap, {"1.5", "2.5 b"}}).contains(QStringLiteral("2.5 b")));
+    EXPECT_TRUE(text({MessageCode::VersionTooNew, {"2.1", "2.0"}}).contains(QStringLiteral("2.1")));
+    EXPECT_TRUE(text({MessageCode::FileUnreadable, {"1e5"}}).contains(QStringLiteral("1e5")));
+    EXPECT_TRUE(text({MessageCode::ContourOpen, {"0.5", "1.25"}}).contains(QStringLiteral("1,25")));
     EXPECT_TRUE(text({MessageCode::MonitorNoBroker, {"10.0.0.2", "OpenSSL 3.0.2 says no"}})
                     .contains(QStringLiteral("10.0.0.2")));
 }
