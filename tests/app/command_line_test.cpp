@@ -1,5 +1,6 @@
 
 #include "engine/base/version.h"
+#include "tests/support/program_answer.h"
 // The program as a script sees it: exit codes, help and refusals, with no display and no QT_QPA_PLATFORM.
 
 #include <QDir>
@@ -17,26 +18,15 @@
 namespace bask::test {
 namespace {
 
-struct Answer {
-    int exitCode = -1;
-    QString out, err;
-};
-
 Answer bask(const QStringList& arguments, const QString& display = {}, const QString& output = {}) {
     QProcess process;
     if (!output.isEmpty())
         process.setStandardOutputFile(output);
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        environment.remove(QLatin1String(name));
+    QProcessEnvironment environment = withoutDisplay();
     if (!display.isEmpty())
         environment.insert(QStringLiteral("DISPLAY"), display);
     process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(BASK_PROGRAM), arguments);
-    if (!process.waitForFinished(60000) || process.exitStatus() != QProcess::NormalExit)
-        return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    return answerOf(process, arguments);
 }
 
 /// As `bask --help` lists them.

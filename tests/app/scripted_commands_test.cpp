@@ -1,6 +1,8 @@
 // What a script relies on: options without an effect are refused, summaries are the same again, and on a
 // terminal a long command says how long it takes.
 
+#include "tests/support/program_answer.h"
+
 #include <QFile>
 #include <QProcess>
 #include <QRegularExpression>
@@ -19,20 +21,6 @@
 namespace bask::test {
 namespace {
 
-struct Answer {
-    int exitCode = -1;
-    QString out, err;
-};
-
-Answer bask(const QStringList& arguments) {
-    QProcess process;
-    process.start(QStringLiteral(BASK_PROGRAM), arguments);
-    if (!process.waitForFinished(300000) || process.exitStatus() != QProcess::NormalExit)
-        return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
-}
-
 QString example(const char* name) {
     return QStringLiteral(BASK_EXAMPLES "/") + QLatin1String(name);
 }
@@ -46,21 +34,21 @@ protected:
 // Catches a damaged recording that is told in the database's words, or as no session.
 TEST_F(ScriptedCommands, verifyTellsDamage) {
     const QString run = at("run.bask");
-    bask({"run", example("two-circles.json"), "--duration", "60", "-o", run});
-    const Answer whole = bask({"verify", run});
+    answerOf({"run", example("two-circles.json"), "--duration", "60", "-o", run});
+    const Answer whole = answerOf({"verify", run});
     EXPECT_EQ(whole.exitCode, 0) << whole.err.toStdString();
     QFile file(run);
     ASSERT_TRUE(file.resize(file.size() / 4 * 3));
-    const Answer cut = bask({"verify", run});
+    const Answer cut = answerOf({"verify", run});
     EXPECT_EQ(cut.exitCode, 3) << cut.err.toStdString();
     EXPECT_TRUE(cut.out.contains("step: damaged; its first rows can be read")) << cut.out.toStdString();
     EXPECT_TRUE(cut.out.contains("what to do: ")) << cut.out.toStdString();
     EXPECT_FALSE((cut.out + cut.err).contains("malformed"));
     EXPECT_FALSE(cut.out.contains("intact"));
     ASSERT_TRUE(file.resize(50));
-    EXPECT_EQ(bask({"verify", run}).exitCode, 3);
+    EXPECT_EQ(answerOf({"verify", run}).exitCode, 3);
     ASSERT_TRUE(file.resize(0));
-    EXPECT_EQ(bask({"verify", run}).exitCode, 2) << "nothing says that it was a session";
+    EXPECT_EQ(answerOf({"verify", run}).exitCode, 2) << "nothing says that it was a session";
 }
 
 // Catches an option that is passed over in silence: a script believes that it has done something.
@@ -125,7 +113,7 @@ TEST_F(ScriptedCommands, refuseOptionsWithoutAnEffect) {
          "--open is for terminals"},
     };
     for (const Case& each : cases) {
-        const Answer answer = bask(each.arguments);
+        const Answer answer = answerOf(each.arguments);
         const std::string what = each.arguments.join(' ').toStdString();
         EXPECT_EQ(answer.exitCode, 2) << what;
         EXPECT_TRUE(answer.err.contains(QLatin1String(each.words))) << what << '\n'
@@ -140,9 +128,9 @@ QStringList commandsWith(const QString& option) {
     QStringList names;
     static const QRegularExpression kLine(QStringLiteral("^  ([a-z-]+) {2,}\\S"),
                                           QRegularExpression::MultilineOption);
-    const QString help = bask({QStringLiteral("--help")}).out.section(QStringLiteral("Options:"), 0, 0);
+    const QString help = answerOf({QStringLiteral("--help")}).out.section(QStringLiteral("Options:"), 0, 0);
     for (const QRegularExpressionMatch& line : kLine.globalMatch(help))
-        if (bask({line.captured(1), QStringLiteral("--help")}).out.contains(option))
+        if (answerOf({line.captured(1), QStringLiteral("--help")}).out.contains(option))
             names << line.captured(1);
     return names;
 }
@@ -169,7 +157,7 @@ TEST_F(ScriptedCommands, haveTheSameSummaryAgainButForTheNamedKeys) {
         const std::string what = command.join(' ').toStdString();
         nlohmann::json summaries[2];
         for (nlohmann::json& summary : summaries) {
-            const Answer answer = bask(command + QStringList{"--summary", at("summary.json")});
+            const Answer answer = answerOf(command + QStringList{"--summary", at("summary.json")});
             ASSERT_TRUE(answer.exitCode == 0 || answer.exitCode == 3) << what << answer.err.toStdString();
             summary = jsonIn(at("summary.json"));
             ASSERT_TRUE(QFile::remove(at("summary.json")));

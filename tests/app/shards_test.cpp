@@ -1,6 +1,8 @@
 // Studies and fields in shards, as a script sees them: killed, resumed and merged they give the bytes of one
 // process.
 
+#include "tests/support/program_answer.h"
+
 #include <QDir>
 #include <QElapsedTimer>
 #include <QFile>
@@ -12,19 +14,6 @@
 
 namespace bask::test {
 namespace {
-
-struct Answer {
-    int exitCode = -1;
-    QByteArray out, err;
-};
-
-Answer bask(const QStringList& arguments) {
-    QProcess process;
-    process.start(QStringLiteral(BASK_PROGRAM), arguments);
-    if (!process.waitForFinished(300000) || process.exitStatus() != QProcess::NormalExit)
-        return {-1, {}, process.readAllStandardError()};
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
 
 QByteArray contents(const QString& path) {
     QFile file(path);
@@ -39,11 +28,11 @@ protected:
     Answer divided(const QStringList& what, int of, const QString& parts, const QString& output,
                    const QString& merged) {
         for (int number = 1; number <= of; ++number) {
-            const Answer answer = bask(what + QStringList{"-o", output, "--resume", "--shard",
-                                                          QStringLiteral("%1/%2").arg(number).arg(of)});
+            const Answer answer = answerOf(what + QStringList{"-o", output, "--resume", "--shard",
+                                                              QStringLiteral("%1/%2").arg(number).arg(of)});
             EXPECT_EQ(answer.exitCode, 0) << answer.err.toStdString();
         }
-        return bask({"merge", parts, "-o", merged});
+        return answerOf({"merge", parts, "-o", merged});
     }
 
     QTemporaryDir m_folder;
@@ -53,7 +42,7 @@ const QStringList kStudy{"study", "closed-loop", "--count", "6", "--seed", "7"};
 
 // Catches: a study whose table, figures or summary depend on how it was divided.
 TEST_F(Shards, ofAStudyGiveTheBytesOfOneProcess) {
-    const Answer whole = bask(kStudy + QStringList{"-o", at("whole")});
+    const Answer whole = answerOf(kStudy + QStringList{"-o", at("whole")});
     ASSERT_EQ(whole.exitCode, 0) << whole.err.toStdString();
     for (const int of : {1, 4, 7}) {
         const QString parts = at(QStringLiteral("parts%1").arg(of)),
@@ -72,7 +61,7 @@ TEST_F(Shards, ofAStudyGiveTheBytesOfOneProcess) {
 
 TEST_F(Shards, ofTheAlarmsGiveTheBytesOfOneProcess) {
     const QStringList study{"study", "alarms", "--kind", "faulty", "--count", "4", "--first", "3"};
-    const Answer whole = bask(study + QStringList{"-o", at("whole")});
+    const Answer whole = answerOf(study + QStringList{"-o", at("whole")});
     const Answer answer = divided(study, 3, at("parts"), at("parts"), at("merged"));
     EXPECT_EQ(answer.exitCode, whole.exitCode) << answer.err.toStdString();
     EXPECT_EQ(answer.out, whole.out);
@@ -84,7 +73,7 @@ TEST_F(Shards, ofTheAlarmsGiveTheBytesOfOneProcess) {
 // Catches: a case that is lost or counted twice when its process is killed, and a status that says more than
 // is there.
 TEST_F(Shards, areKilledAtAnyMomentAndGoOn) {
-    const Answer whole = bask(kStudy + QStringList{"-o", at("whole")});
+    const Answer whole = answerOf(kStudy + QStringList{"-o", at("whole")});
     ASSERT_EQ(whole.exitCode, 0);
     const QStringList shard =
         kStudy + QStringList{"-o", at("parts"), "--shard", "1/1", "--resume", "--threads", "1"};
@@ -97,7 +86,7 @@ TEST_F(Shards, areKilledAtAnyMomentAndGoOn) {
             break;
         }
         if (kills == 2) { // while it is alive nobody else may write
-            const Answer second = bask(shard);
+            const Answer second = answerOf(shard);
             const bool isRefused = second.exitCode == 2 && second.err.contains("another process");
             EXPECT_TRUE(isRefused || process.waitForFinished(0)) << second.err.toStdString();
         }
@@ -106,30 +95,30 @@ TEST_F(Shards, areKilledAtAnyMomentAndGoOn) {
         ++kills;
     }
     EXPECT_GE(kills, 1);
-    const Answer status = bask({"merge", "--status", at("parts")});
+    const Answer status = answerOf({"merge", "--status", at("parts")});
     EXPECT_EQ(status.exitCode, 0);
     EXPECT_TRUE(status.out.contains("6 of 6 cases (100.0 %)")) << status.out.toStdString();
-    ASSERT_EQ(bask({"merge", at("parts"), "-o", at("merged")}).exitCode, 0);
+    ASSERT_EQ(answerOf({"merge", at("parts"), "-o", at("merged")}).exitCode, 0);
     EXPECT_EQ(contents(at("merged/closed_loop_study.csv")), contents(at("whole/closed_loop_study.csv")));
 }
 
 TEST_F(Shards, ofOtherWorkOrWithoutAllCasesAreRefused) {
     const QStringList small{"study", "closed-loop", "--count", "2", "-o", at("parts")};
-    ASSERT_EQ(bask(small + QStringList{"--shard", "1/2"}).exitCode, 0);
-    const Answer missing = bask({"merge", at("parts"), "-o", at("merged")});
+    ASSERT_EQ(answerOf(small + QStringList{"--shard", "1/2"}).exitCode, 0);
+    const Answer missing = answerOf({"merge", at("parts"), "-o", at("merged")});
     EXPECT_EQ(missing.exitCode, 2);
     EXPECT_TRUE(missing.err.contains("1 of 2 cases are not there yet (2/2)")) << missing.err.toStdString();
-    const Answer status = bask({"merge", "--status", at("parts")});
+    const Answer status = answerOf({"merge", "--status", at("parts")});
     EXPECT_EQ(status.exitCode, 3);
     EXPECT_TRUE(status.out.contains("1 of 2 shards have not begun")) << status.out.toStdString();
-    const Answer again = bask(small + QStringList{"--shard", "1/2"});
+    const Answer again = answerOf(small + QStringList{"--shard", "1/2"});
     EXPECT_EQ(again.exitCode, 2);
     EXPECT_TRUE(again.err.contains("--resume")) << again.err.toStdString();
     ASSERT_EQ(
-        bask({"study", "closed-loop", "--count", "2", "--seed", "9", "-o", at("parts"), "--shard", "2/2"})
+        answerOf({"study", "closed-loop", "--count", "2", "--seed", "9", "-o", at("parts"), "--shard", "2/2"})
             .exitCode,
         0);
-    const Answer other = bask({"merge", at("parts"), "-o", at("merged")});
+    const Answer other = answerOf({"merge", at("parts"), "-o", at("merged")});
     EXPECT_EQ(other.exitCode, 2);
     EXPECT_TRUE(other.err.contains("seed is 1 here and 9 there")) << other.err.toStdString();
     EXPECT_FALSE(QDir(at("merged")).exists());
@@ -137,11 +126,11 @@ TEST_F(Shards, ofOtherWorkOrWithoutAllCasesAreRefused) {
 
 // Catches: a merge that cannot write, told in the name of another command.
 TEST_F(Shards, ofAStudyAreRefusedInTheNameOfTheMerge) {
-    ASSERT_EQ(bask({"study", "closed-loop", "--count", "1", "-o", at("parts"), "--shard", "1/1"}).exitCode,
-              0);
+    ASSERT_EQ(
+        answerOf({"study", "closed-loop", "--count", "1", "-o", at("parts"), "--shard", "1/1"}).exitCode, 0);
     QFile file(at("file"));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    const Answer refused = bask({"merge", at("parts"), "-o", at("file")});
+    const Answer refused = answerOf({"merge", at("parts"), "-o", at("file")});
     EXPECT_EQ(refused.exitCode, 2);
     EXPECT_TRUE(refused.err.startsWith("bask merge: ")) << refused.err.toStdString();
 }
@@ -155,7 +144,7 @@ TEST_F(Shards, ofAFieldGiveTheBytesOfOneProcess) {
             QDir(at("parts")).removeRecursively();
             QDir().mkpath(at("parts"));
             QFile::remove(at(name));
-            const Answer whole = bask(QStringList{"field", "-o", at(name)} + more);
+            const Answer whole = answerOf(QStringList{"field", "-o", at(name)} + more);
             ASSERT_EQ(whole.exitCode, 0) << whole.err.toStdString();
             const Answer answer = divided(QStringList{"field"} + more, 4, at("parts"), at("parts/") + name,
                                           at("parts/") + name);
@@ -180,7 +169,7 @@ TEST_F(Shards, refuseWrongWords) {
           QStringList{"field", "--preset", "paper-translation", "--shard", "1/2"}, QStringList{"merge", to},
           QStringList{"merge", m_folder.path(), "-o", to},
           QStringList{"merge", QStringLiteral("/etc/hostname"), "-o", to}, QStringList{"merge"}}) {
-        const Answer answer = bask(arguments);
+        const Answer answer = answerOf(arguments);
         EXPECT_EQ(answer.exitCode, 2) << arguments.join(u' ').toStdString();
         EXPECT_FALSE(answer.err.isEmpty()) << arguments.join(u' ').toStdString();
     }

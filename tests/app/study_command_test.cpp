@@ -2,6 +2,7 @@
 
 #include "engine/radiation/view_factor.h"
 #include "engine/shape/contour_import.h"
+#include "tests/support/program_answer.h"
 
 #include <QDir>
 #include <QFile>
@@ -15,22 +16,10 @@
 namespace bask::test {
 namespace {
 
-struct Answer {
-    int exitCode = -1;
-    QString out, err;
-};
-
 Answer study(const QStringList& arguments) {
     QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
-        environment.remove(QLatin1String(name));
-    process.setProcessEnvironment(environment);
-    process.start(QStringLiteral(BASK_PROGRAM), QStringList{"study"} + arguments);
-    if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit)
-        return {};
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
-            QString::fromUtf8(process.readAllStandardError())};
+    process.setProcessEnvironment(withoutDisplay());
+    return answerOf(process, QStringList{"study"} + arguments);
 }
 
 QByteArray contents(const QString& path) {
