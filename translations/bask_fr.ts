@@ -156,10 +156,6 @@
 <context>
     <name>Damage</name>
     <message>
-        <source>database disk image is malformed</source>
-        <translation>la base de données n’est pas lisible</translation>
-    </message>
-    <message>
         <source>it is cut short</source>
         <translation>il est tronqué</translation>
     </message>
@@ -170,6 +166,10 @@
     <message>
         <source>it does not say whether the rig was simulated</source>
         <translation>il ne dit pas si le banc était simulé</translation>
+    </message>
+    <message>
+        <source>its database is not whole</source>
+        <translation>sa base de données n’est pas intacte</translation>
     </message>
 </context>
 <context>
@@ -2916,10 +2916,6 @@
         <translation>Temps pendant lequel elle a été active, jusqu’à ce qu’elle soit finie ou réinitialisée ou que l’enregistrement se termine</translation>
     </message>
     <message>
-        <source>When the last run with it was recorded</source>
-        <translation>Quand le dernier essai qui l’a eue a été enregistré</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>Enregistré</translation>
     </message>
@@ -2967,6 +2963,27 @@
         <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
         <comment>%1: Alarms in 2 of 5 runs</comment>
         <translation>%1. Seules %2 des %3 alarmes sont montrées, les plus graves.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a run: its name, and when it was recorded</comment>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>1 is the gravest</source>
+        <translation>1 est la plus grave</translation>
+    </message>
+    <message>
+        <source>Beginning of the last run with it, plus the time in that run</source>
+        <translation>Début du dernier essai où elle est apparue, plus le temps dans cet essai</translation>
+    </message>
+    <message>
+        <source>Opens the run at the moment when the alarm was last raised in it</source>
+        <translation>Ouvre l’essai au moment où l’alarme y est apparue la dernière fois</translation>
     </message>
 </context>
 <context>
@@ -4560,6 +4577,13 @@
     </message>
 </context>
 <context>
+    <name>bask::DialogFrame</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
     <name>bask::Display</name>
     <message>
         <source>%1/min</source>
@@ -5417,10 +5441,6 @@
         <translation>Démarrer</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Targets out of reach</source>
         <translation>Consignes hors d’atteinte</translation>
     </message>
@@ -5555,10 +5575,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>OK</source>
         <translation>OK</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>Ask at each Arm</source>
@@ -5787,11 +5803,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>C’était l’avertisseur : le signal sonore du bureau. Si vous n’avez rien entendu, il est désactivé dans les réglages du bureau.</translation>
     </message>
     <message>
-        <source>source below: %1</source>
-        <comment>a temperature; under the objects</comment>
-        <translation>source dessous&#xa0;: %1</translation>
-    </message>
-    <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
         <translation>Bask reste ouvert&#xa0;: l’essai s’est terminé par un défaut. Regardez les alarmes.</translation>
     </message>
@@ -5807,6 +5818,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
         <translation>source %1 sur %2</translation>
+    </message>
+    <message>
+        <source>over hot source: %1</source>
+        <comment>the objects are over it; its temperature</comment>
+        <translation>sur source chaude : %1</translation>
     </message>
 </context>
 <context>
@@ -6262,10 +6278,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>OK</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>Choisir…</translation>
     </message>
@@ -6342,6 +6354,25 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Seen against x: y to the right, z up</source>
         <translation>Vu à l’opposé de x : y vers la droite, z vers le haut</translation>
+    </message>
+</context>
+<context>
+    <name>bask::NumberField</name>
+    <message>
+        <source>“%1” is not a number; the value stays as it was</source>
+        <translation>« %1 » n’est pas un nombre ; la valeur reste telle qu’elle était</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range; allowed: %2 to %3</source>
+        <translation>« %1 » est hors limites ; admis : de %2 à %3</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: this value has no unit</source>
+        <translation>« %1 » n’a pas été pris : cette valeur n’a pas d’unité</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
+        <translation>« %1 » n’a pas été pris : %2 n’est pas une unité de cette valeur, qui est en %3</translation>
     </message>
 </context>
 <context>
@@ -6790,6 +6821,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>STOP</source>
         <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>Endommagé</translation>
     </message>
 </context>
 <context>
@@ -7723,10 +7758,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>OK</source>
         <translation>OK</translation>
     </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
 </context>
 <context>
     <name>bask::RecoveryOffer</name>
@@ -8004,6 +8035,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>T&amp;ableaux avec tous les chiffres (CSV)…</translation>
+    </message>
+    <message>
+        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
+        <translation>L’essai était terminé ; l’enregistrement de ce qui a suivi a été interrompu. Ce qui avait été écrit est ici.</translation>
     </message>
 </context>
 <context>
@@ -9198,11 +9233,15 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>not told: the recording was altered</source>
-        <translation>non indiquée : l’enregistrement a été modifié</translation>
+        <translation>non indiquée&#xa0;: l’enregistrement a été modifié</translation>
     </message>
     <message>
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
-        <translation>Cet enregistrement a été modifié après coup : rien ici n’est donc prouvé ; bask verify dit où.</translation>
+        <translation>Cet enregistrement a été modifié après coup&#xa0;: rien ici n’est donc prouvé&#xa0;; bask verify dit où.</translation>
+    </message>
+    <message>
+        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
+        <translation>L’essai est terminé ; l’enregistrement de ce qui a suivi n’est pas complet. Ce qui avait été écrit est rapporté.</translation>
     </message>
 </context>
 <context>
@@ -9261,10 +9300,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Save</source>
         <translation>Enregistrer</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
     </message>
     <message>
         <source>not known</source>

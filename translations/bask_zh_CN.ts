@@ -156,10 +156,6 @@
 <context>
     <name>Damage</name>
     <message>
-        <source>database disk image is malformed</source>
-        <translation>数据库内容已损坏</translation>
-    </message>
-    <message>
         <source>it is cut short</source>
         <translation>文件不完整</translation>
     </message>
@@ -170,6 +166,10 @@
     <message>
         <source>it does not say whether the rig was simulated</source>
         <translation>未说明装置是否为仿真</translation>
+    </message>
+    <message>
+        <source>its database is not whole</source>
+        <translation>其数据库不完整</translation>
     </message>
 </context>
 <context>
@@ -2913,10 +2913,6 @@
         <translation>有效的时间，到它结束、被复位或记录结束为止</translation>
     </message>
     <message>
-        <source>When the last run with it was recorded</source>
-        <translation>最近一次出现该报警的运行的记录时间</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>记录时间</translation>
     </message>
@@ -2964,6 +2960,27 @@
         <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
         <comment>%1: Alarms in 2 of 5 runs</comment>
         <translation>%1。只显示 %3 个报警中最严重的 %2 个。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a run: its name, and when it was recorded</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>优先级</translation>
+    </message>
+    <message>
+        <source>1 is the gravest</source>
+        <translation>1 为最严重</translation>
+    </message>
+    <message>
+        <source>Beginning of the last run with it, plus the time in that run</source>
+        <translation>最近一次出现该报警的运行的开始时刻，加上运行中的时间</translation>
+    </message>
+    <message>
+        <source>Opens the run at the moment when the alarm was last raised in it</source>
+        <translation>打开该运行，停在报警在其中最近一次出现的时刻</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4569,13 @@
     </message>
 </context>
 <context>
+    <name>bask::DialogFrame</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>bask::Display</name>
     <message>
         <source>%1/min</source>
@@ -5409,10 +5433,6 @@
         <translation>开始</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Targets out of reach</source>
         <translation>目标无法达到</translation>
     </message>
@@ -5547,10 +5567,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>OK</source>
         <translation>确定</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>Ask at each Arm</source>
@@ -5779,11 +5795,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>刚才是报警声：桌面的提示音。若没有听到，说明它在桌面设置中已关闭。</translation>
     </message>
     <message>
-        <source>source below: %1</source>
-        <comment>a temperature; under the objects</comment>
-        <translation>下方热源：%1</translation>
-    </message>
-    <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
         <translation>Bask 保持打开：运行因故障结束。请查看报警。</translation>
     </message>
@@ -5799,6 +5810,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
         <translation>热源 %1 / %2</translation>
+    </message>
+    <message>
+        <source>over hot source: %1</source>
+        <comment>the objects are over it; its temperature</comment>
+        <translation>物体下方热源：%1</translation>
     </message>
 </context>
 <context>
@@ -6254,10 +6270,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>确定</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>选择…</translation>
     </message>
@@ -6334,6 +6346,25 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Seen against x: y to the right, z up</source>
         <translation>逆 x 方向看：y 向右，z 向上</translation>
+    </message>
+</context>
+<context>
+    <name>bask::NumberField</name>
+    <message>
+        <source>“%1” is not a number; the value stays as it was</source>
+        <translation>“%1”不是数字；数值保持不变</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range; allowed: %2 to %3</source>
+        <translation>“%1”超出范围；允许：%2 至 %3</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: this value has no unit</source>
+        <translation>未采用“%1”：此值没有单位</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
+        <translation>未采用“%1”：%2 不是此值的单位，此值以 %3 为单位</translation>
     </message>
 </context>
 <context>
@@ -6782,6 +6813,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>STOP</source>
         <translation>软件停止</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>已损坏</translation>
     </message>
 </context>
 <context>
@@ -7713,10 +7748,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>OK</source>
         <translation>确定</translation>
     </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
 </context>
 <context>
     <name>bask::RecoveryOffer</name>
@@ -7993,6 +8024,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位数的表格 (CSV)(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
+        <translation>运行已经结束；其后的记录被中断。此处是已写入的内容。</translation>
     </message>
 </context>
 <context>
@@ -9187,6 +9222,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此记录在记录之后被改动过，因此这里的内容均无法证明；bask verify 会指出位置。</translation>
     </message>
+    <message>
+        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
+        <translation>运行已结束；其后的记录不完整。报告的是已写入的内容。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -9244,10 +9283,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save</source>
         <translation>保存</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>not known</source>

@@ -156,10 +156,6 @@
 <context>
     <name>Damage</name>
     <message>
-        <source>database disk image is malformed</source>
-        <translation>資料庫內容已損壞</translation>
-    </message>
-    <message>
         <source>it is cut short</source>
         <translation>檔案不完整</translation>
     </message>
@@ -170,6 +166,10 @@
     <message>
         <source>it does not say whether the rig was simulated</source>
         <translation>未說明實驗台是否為模擬</translation>
+    </message>
+    <message>
+        <source>its database is not whole</source>
+        <translation>其資料庫不完整</translation>
     </message>
 </context>
 <context>
@@ -2913,10 +2913,6 @@
         <translation>有效的時間，到它結束、被復歸或記錄結束為止</translation>
     </message>
     <message>
-        <source>When the last run with it was recorded</source>
-        <translation>最近一次出現該警報的運轉的記錄時間</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>記錄時間</translation>
     </message>
@@ -2964,6 +2960,27 @@
         <source>%1. Only %2 of %3 alarms are shown, the gravest.</source>
         <comment>%1: Alarms in 2 of 5 runs</comment>
         <translation>%1。只顯示 %3 個警報中最嚴重的 %2 個。</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a run: its name, and when it was recorded</comment>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>優先順序</translation>
+    </message>
+    <message>
+        <source>1 is the gravest</source>
+        <translation>1 為最嚴重</translation>
+    </message>
+    <message>
+        <source>Beginning of the last run with it, plus the time in that run</source>
+        <translation>最近一次出現該警報的運轉的開始時刻，加上運轉中的時間</translation>
+    </message>
+    <message>
+        <source>Opens the run at the moment when the alarm was last raised in it</source>
+        <translation>開啟該次運轉，停在警報在其中最近一次出現的時刻</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4569,13 @@
     </message>
 </context>
 <context>
+    <name>bask::DialogFrame</name>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
     <name>bask::Display</name>
     <message>
         <source>%1/min</source>
@@ -5409,10 +5433,6 @@
         <translation>開始</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Targets out of reach</source>
         <translation>目標無法達到</translation>
     </message>
@@ -5547,10 +5567,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>OK</source>
         <translation>確定</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>Ask at each Arm</source>
@@ -5779,11 +5795,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>剛才是警報聲：桌面的提示音。若沒有聽到，表示它在桌面設定中已關閉。</translation>
     </message>
     <message>
-        <source>source below: %1</source>
-        <comment>a temperature; under the objects</comment>
-        <translation>下方熱源：%1</translation>
-    </message>
-    <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
         <translation>Bask 保持開啟：運轉因故障結束。請查看警報。</translation>
     </message>
@@ -5799,6 +5810,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>source %1 of %2</source>
         <comment>temperatures: that of now, and the set point</comment>
         <translation>熱源 %1 / %2</translation>
+    </message>
+    <message>
+        <source>over hot source: %1</source>
+        <comment>the objects are over it; its temperature</comment>
+        <translation>物體下方熱源：%1</translation>
     </message>
 </context>
 <context>
@@ -6254,10 +6270,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>確定</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Choose…</source>
         <translation>選擇…</translation>
     </message>
@@ -6334,6 +6346,25 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Seen against x: y to the right, z up</source>
         <translation>逆 x 方向看：y 向右，z 向上</translation>
+    </message>
+</context>
+<context>
+    <name>bask::NumberField</name>
+    <message>
+        <source>“%1” is not a number; the value stays as it was</source>
+        <translation>「%1」不是數字；數值保持不變</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range; allowed: %2 to %3</source>
+        <translation>「%1」超出範圍；允許：%2 至 %3</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: this value has no unit</source>
+        <translation>未採用「%1」：此值沒有單位</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
+        <translation>未採用「%1」：%2 不是此值的單位，此值以 %3 為單位</translation>
     </message>
 </context>
 <context>
@@ -6782,6 +6813,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>STOP</source>
         <translation>軟體停止</translation>
+    </message>
+    <message>
+        <source>Damaged</source>
+        <translation>已損壞</translation>
     </message>
 </context>
 <context>
@@ -7713,10 +7748,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>OK</source>
         <translation>確定</translation>
     </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
 </context>
 <context>
     <name>bask::RecoveryOffer</name>
@@ -7993,6 +8024,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位數的表格 (CSV)(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
+        <translation>運轉已經結束；其後的記錄被中斷。此處是已寫入的內容。</translation>
     </message>
 </context>
 <context>
@@ -9187,6 +9222,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此記錄在記錄之後被改動過，因此這裡的內容均無法證明；bask verify 會指出位置。</translation>
     </message>
+    <message>
+        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
+        <translation>運轉已結束；其後的記錄不完整。報告的是已寫入的內容。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -9244,10 +9283,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save</source>
         <translation>儲存</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
     </message>
     <message>
         <source>not known</source>
