@@ -28,6 +28,7 @@ constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
 constexpr double kOpinionSigmas = 2.0;
+constexpr double kSwapped_K = 1.5; ///< noise, offsets and what objects warm in a period
 
 /// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
@@ -81,8 +82,8 @@ SafetyMonitor::SafetyMonitor(const Experiment& experiment)
         // Without the air that is assumed: an object must not count as cold too soon.
         const double timeConstant_s = rates.withoutAir().timeConstant_s(experiment.environment_K);
         const LossRange losses = lossRange(rates, object.material.emittance, experiment.environment_K);
-        m_objects.push_back(
-            {WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K), rates});
+        m_objects.push_back({WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K),
+                             FrozenWatch(losses, experiment.environment_K), rates});
         m_coldAfter_s = std::max(m_coldAfter_s, kCoolingTimes * timeConstant_s);
     }
 }
@@ -98,6 +99,7 @@ SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
     for (const ObservedObject& object : seen.objects)
         opinions.push_back(object.opinion);
     m_opinion.add(seen.now_s, opinions);
+    noteSwaps(seen);
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         addObject(i, seen);
     addRobot(seen);
@@ -156,9 +158,44 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
          warningLimit_K(m_experiment, m_experiment.objects[i]));
 }
 
+// Two sensors that jump at once, each to what the other has read.
+void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
+    for (ObjectWatch& object : m_objects)
+        object.swappedWith.reset();
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        for (std::size_t j = i + 1; j < m_objects.size(); ++j) {
+            const Jump &one = seen.objects[i].jump, &other = seen.objects[j].jump;
+            if (std::min(one.inARow, other.inARow) >= m_experiment.safety.jumps &&
+                std::abs(one.began_s - other.began_s) < 0.5 * m_experiment.sampling.period_s &&
+                std::abs(one.to_K - other.from_K) <= kSwapped_K &&
+                std::abs(other.to_K - one.from_K) <= kSwapped_K) {
+                m_objects[i].swappedWith = j;
+                m_objects[j].swappedWith = i;
+            }
+        }
+}
+
+std::optional<std::size_t> SafetyMonitor::swappedWith(std::size_t object) const {
+    if (const auto& found = m_opinion.finding(object); found && found->verdict == OpinionVerdict::Swapped)
+        return found->other;
+    return m_objects.at(object).swappedWith;
+}
+
 void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     const bool isJumping = object.jump.inARow >= m_experiment.safety.jumps;
+    if (const auto other = m_objects[i].swappedWith) {
+        const Jump& jump = object.jump;
+        const Jump& jumpOfOther = seen.objects[*other].jump;
+        if (i < *other)
+            add(Condition::SensorsSwapped,
+                {MessageCode::SafetySensorsSwapped,
+                 {name(i), name(*other), roundedTemperatureArg(jump.to_K),
+                  roundedTemperatureArg(jumpOfOther.to_K), roundedTemperatureArg(jump.from_K),
+                  roundedTemperatureArg(jumpOfOther.from_K)}},
+                i);
+        return;
+    }
     if (!object.isKnown || !(object.isLost || isJumping))
         return;
     if (object.jump.inARow > 0)
@@ -206,6 +243,7 @@ bool SafetyMonitor::isSensorStill(std::size_t object) const {
 void SafetyMonitor::confirmSensor(std::size_t object) {
     ObjectWatch& watch = m_objects.at(object);
     watch.warming.reset();
+    watch.frozen.reset();
     watch.frozenAt_K.reset();
     watch.quiet.confirm();
     m_opinion.confirm(object);
@@ -215,8 +253,10 @@ void SafetyMonitor::atRest(const SafetyObservation& seen) {
     m_opinion.atRest();
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         m_objects[i].quiet.confirm(); // because their offsets have changed
-        if (seen.objects[i].measured_K)
-            m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
+        if (!seen.objects[i].measured_K)
+            continue;
+        m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
+        m_objects[i].frozen.restAt(*seen.objects[i].measured_K);
     }
 }
 
@@ -261,34 +301,40 @@ void SafetyMonitor::addOpinion(std::size_t i, const SafetyObservation& seen) {
     }
 }
 
+/// Whether the sensor's value stays without its noise, or although its object's heat must have changed it.
+bool SafetyMonitor::isFrozen(std::size_t i) const {
+    const ObjectWatch& watch = m_objects[i];
+    return watch.quiet.quietFor_s() > 0.0 || watch.frozen.missing_K() != 0.0 ||
+           (watch.warming.sameFor_s() >= m_experiment.safety.frozen_s &&
+            watch.warming.unfollowedWhileSame(kWhileSame_K));
+}
+
 void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     ObjectWatch& watch = m_objects[i];
     const bool isNew = object.measured_K && object.age_s < 0.5 * m_experiment.sampling.period_s;
-    watch.warming.add(seen.now_s, isNew ? object.measured_K : std::nullopt, power_K_s(i, seen));
+    const std::optional<double> new_K = isNew ? object.measured_K : std::nullopt;
+    watch.warming.add(seen.now_s, new_K, power_K_s(i, seen));
+    watch.frozen.add(seen.now_s, new_K, power_K_s(i, seen));
+    if (isNew)
+        watch.quiet.add(seen.now_s, *object.measured_K);
     if (watch.frozenAt_K && object.measured_K && *watch.frozenAt_K != *object.measured_K)
         watch.frozenAt_K.reset();
+    if (!watch.frozenAt_K && object.measured_K && isHeated(seen) && isFrozen(i)) {
+        watch.frozenAt_K = object.measured_K;
+        watch.frozenSince_s = seen.now_s - watch.warming.sameFor_s();
+    }
     if (watch.frozenAt_K) // also while readings are missing
-        add(Condition::SensorFrozen,
+        return add(
+            Condition::SensorFrozen,
             {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
             i);
     if (!object.measured_K)
         return;
-    if (isNew)
-        watch.quiet.add(seen.now_s, *object.measured_K);
-    if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0 && !watch.frozenAt_K)
+    if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    if (watch.frozenAt_K || !isHeated(seen))
-        return;
-    const double same_s = watch.warming.sameFor_s();
-    if (same_s >= m_experiment.safety.frozen_s &&
-        watch.warming.unfollowedWhileSame(kWhileSame_K, watch.quiet.quietFor_s() > 0.0)) {
-        watch.frozenAt_K = object.measured_K;
-        watch.frozenSince_s = seen.now_s - same_s;
-        add(Condition::SensorFrozen, {MessageCode::SafetySensorFrozen, {name(i), formatNumber(same_s, 3)}},
-            i);
-    } else if (const auto& found = watch.warming.unfollowed()) {
+    if (const auto& found = watch.warming.unfollowed(); found && isHeated(seen)) {
         const auto words =
             found->isImpossible ? MessageCode::SafetyBeyondHeat : MessageCode::SafetyNotWarming;
         const double change_K = found->isImpossible ? found->gained_K : found->expected_K;

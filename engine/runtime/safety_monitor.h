@@ -7,6 +7,7 @@
 #include "engine/devices/thermometer.h"
 #include "engine/model/experiment.h"
 #include "engine/radiation/neighbours.h"
+#include "engine/runtime/frozen_watch.h"
 #include "engine/runtime/quiet_watch.h"
 #include "engine/runtime/second_opinion.h"
 #include "engine/runtime/sensor_channels.h"
@@ -123,10 +124,9 @@ public:
     bool isSensorStill(std::size_t object) const;
     /// A person confirms that the object's sensor is correct: its earlier readings are forgotten.
     void confirmSensor(std::size_t object);
-    /// Returns what the thermal camera says against the sensor of an object.
-    const std::optional<OpinionFinding>& opinion(std::size_t object) const {
-        return m_opinion.finding(object);
-    }
+    /// Returns the object whose sensor is swapped with that of `object`, by the thermal camera or because
+    /// both jumped to what the other had read; empty: none.
+    std::optional<std::size_t> swappedWith(std::size_t object) const;
     /// Call when the sensors have been zeroed: the objects are at rest at the room's temperature.
     void atRest(const SafetyObservation& seen);
     /// Whether the source's heat was ever on; for the next monitor of the same source.
@@ -146,13 +146,17 @@ private:
     };
     struct ObjectWatch {
         WarmingWatch warming;
+        FrozenWatch frozen;
         HeatRates rates; ///< as estimated
         std::optional<double> frozenAt_K{};
         double frozenSince_s = 0.0;
         QuietWatch quiet{};
+        std::optional<std::size_t> swappedWith{}; ///< as its jump tells
     };
     void addObject(std::size_t i, const SafetyObservation& seen);
+    void noteSwaps(const SafetyObservation& seen);
     void addSensor(std::size_t i, const SafetyObservation& seen);
+    bool isFrozen(std::size_t i) const;
     double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated
     void addWarming(std::size_t i, const SafetyObservation& seen);
     void addOpinion(std::size_t i, const SafetyObservation& seen);

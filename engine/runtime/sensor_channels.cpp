@@ -103,8 +103,12 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     channel.jump.time_s = reading.time_s;
     if (isFine)
         return true;
-    if (channel.jump.inARow == 0)
+    if (channel.jump.inARow == 0) {
         channel.jump.rate_K_s = std::abs(reading.value_K - last.value_K) / (reading.time_s - last.time_s);
+        channel.jump.began_s = reading.time_s;
+        channel.jump.from_K = last.value_K + channel.offset_K;
+        channel.jump.to_K = reading.value_K + channel.offset_K;
+    }
     channel.jumped_K.push_back(reading.value_K + channel.offset_K);
     if (channel.jumped_K.size() > static_cast<std::size_t>(m_limits.jumps))
         channel.jumped_K.erase(channel.jumped_K.begin());

@@ -30,6 +30,9 @@ struct Jump {
     double rate_K_s = 0.0; ///< of the first of them
     double time_s = 0.0;   ///< of the newest
     double min_K = 0.0;    ///< minimum of the newest jumped readings that make a fault
+    double began_s = 0.0;  ///< time of the first
+    double from_K = 0.0;   ///< accepted before it
+    double to_K = 0.0;     ///< the first
 };
 
 /// One sensor for each channel, in the objects' order. A sensor is distrusted if its readings jump, or come

@@ -2,6 +2,7 @@
 
 #include "engine/experiment/controller_json.h"
 #include "engine/rig/rig_setup.h"
+#include "engine/runtime/alarm_causes.h"
 
 #include <algorithm>
 
@@ -503,15 +504,19 @@ std::vector<Message> ServoLoop::reasons() const {
             out.push_back(fit.error().message);
     if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
-    if (Message aim = m_control.compromise(); running() && aim.code != MessageCode::None)
+    if (Message aim = m_control.compromise();
+        running() && aim.code != MessageCode::None && m_safety.lostSensor() == nullptr)
         out.push_back(std::move(aim));
     return out;
 }
 
 std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
     std::vector<AlarmCondition> out = m_faults.alarmConditions();
+    // What no pose holds by a wrong reading follows from that.
+    const SafetyFinding* const lost = m_safety.lostSensor();
     if (Message aim = m_control.compromise(); running() && aim.code != MessageCode::None)
-        out.push_back({messageName(aim.code), std::move(aim), 3, ""});
+        out.push_back(
+            {messageName(aim.code), std::move(aim), 3, lost ? alarmKey(*lost, m_experiment) : std::string()});
     return out;
 }
 

@@ -110,8 +110,9 @@ void ServoLoop::watch() {
         if (finding.condition == Condition::NotWarming || finding.condition == Condition::SensorNotOnObject ||
             finding.condition == Condition::SensorsSwapped)
             m_readings.sensors().doubt(finding.object);
-        if (finding.condition == Condition::SensorsSwapped)
-            m_readings.sensors().doubt(m_safety.opinion(finding.object)->other);
+        if (const auto other = m_safety.swappedWith(finding.object);
+            other && finding.condition == Condition::SensorsSwapped)
+            m_readings.sensors().doubt(*other);
         react(finding);
     }
     watchHeatInFault();

@@ -219,15 +219,14 @@ std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middl
 }
 
 // All readings up to the first of the equal ones were good: they are learnt from.
-std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double min_K, bool isQuiet) const {
-    const double wrong = isQuiet ? 0.0 : kWrongNow;
+std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double min_K) const {
     Fits fits = m_fits;
     for (std::size_t i = m_learnt; i < m_bins.size() && m_bins[i].time_s <= m_same.time_s; ++i)
         learn(fits, i);
-    std::optional<Unfollowed> found = worst(fits, m_same, min_K, wrong);
+    std::optional<Unfollowed> found = worst(fits, m_same, min_K, kWrongNow);
     for (const Mark& from : m_bins)
         if (from.time_s > m_same.time_s)
-            for (const auto& since : {worst(fits, from, min_K, wrong), bent(fits, from, min_K)})
+            for (const auto& since : {worst(fits, from, min_K, kWrongNow), bent(fits, from, min_K)})
                 if (since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
                     found = since;
     return found;

@@ -45,9 +45,8 @@ public:
     const std::optional<Unfollowed>& unfollowed() const { return m_unfollowed; }
     /// How long the readings have been exactly the same, s.
     double sameFor_s() const;
-    /// Returns the worst contradiction of at least min_K since the readings became the same. If `isQuiet`,
-    /// the sensor's noise is gone too, and energy and losses are taken as estimated.
-    std::optional<Unfollowed> unfollowedWhileSame(double min_K, bool isQuiet) const;
+    /// Returns the worst contradiction of at least min_K since the readings became the same.
+    std::optional<Unfollowed> unfollowedWhileSame(double min_K) const;
 
 private:
     static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< lags of sensors

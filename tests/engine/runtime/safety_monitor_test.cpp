@@ -300,6 +300,9 @@ TEST(SensorChannels, AJumpIsNoReading) {
     EXPECT_EQ(channels.measured_K(0), 300.0);
     EXPECT_EQ(channels.jump(0).inARow, 1);
     EXPECT_NEAR(channels.jump(0).rate_K_s, 30.0, 1e-9);
+    EXPECT_EQ(channels.jump(0).began_s, 10.0);
+    EXPECT_EQ(channels.jump(0).from_K, 300.0);
+    EXPECT_EQ(channels.jump(0).to_K, 330.0);
     channels.add({{10.0, 330.0, true}}); // the same reading once more
     EXPECT_EQ(channels.jump(0).inARow, 1);
     channels.add({{11.0, 300.1, true}});
@@ -385,6 +388,34 @@ TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
     (void)m.after(0.1);
     (void)m.after(2.0);
     EXPECT_FALSE(m.isActive(SafetyCondition::ObjectHot));
+}
+
+// Catches two swapped sensors that are told as two loose contacts, and two that jump elsewhere as swapped.
+TEST(SafetyMonitor, TwoThatJumpToEachOthersReadingsAreSwapped) {
+    Monitor m;
+    const int jumps = m.experiment.safety.jumps;
+    for (ObservedObject& object : m.seen.objects) {
+        object.measured_K.reset();
+        object.isInvalid = true;
+    }
+    m.seen.objects[0].jump = {jumps, 12.0, 3.0, 312.4, 1.0, 300.2, 312.5};
+    m.seen.objects[1].jump = {jumps, 12.0, 3.0, 300.1, 1.0, 312.2, 300.6};
+    const SafetyChanges changes = m.after(1.0);
+    ASSERT_EQ(changes.raised.size(), 1U);
+    EXPECT_EQ(changes.raised[0].message.code, MessageCode::SafetySensorsSwapped);
+    EXPECT_EQ(changes.raised[0].message.args.at(0).text(), "left");
+    EXPECT_EQ(changes.raised[0].message.args.at(1).text(), "right");
+    EXPECT_EQ(m.monitor.swappedWith(0), 1U);
+    EXPECT_EQ(m.monitor.swappedWith(1), 0U);
+    for (const bool isLater : {false, true}) {
+        Monitor other;
+        other.seen.objects = m.seen.objects;
+        other.seen.objects[1].jump.to_K += isLater ? 0.0 : 4.0;
+        other.seen.objects[1].jump.began_s += isLater ? 5.0 : 0.0;
+        EXPECT_EQ(other.after(1.0).raised.size(), 2U);
+        EXPECT_TRUE(other.isActive(SafetyCondition::SensorJump));
+        EXPECT_FALSE(other.monitor.swappedWith(0));
+    }
 }
 
 } // namespace bask
