@@ -1908,10 +1908,6 @@
         <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2, mais la caméra thermique voit l’objet à %3, à %4 près&#xa0;; les deux s’accordaient il y a %5 s. Le capteur est décollé de son objet. Le chauffage est coupé. Fixez le capteur, confirmez-le, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>Les capteurs de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont échangés&#xa0;: ils indiquent %3 et %4, la caméra thermique voit %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
-    </message>
-    <message>
         <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
         <translation>La caméra thermique ne peut pas lire «&#xa0;%1&#xa0;»&#xa0;: %2.</translation>
     </message>
@@ -2018,6 +2014,10 @@
     <message>
         <source>two materials are named &quot;%1&quot;; give each its own name</source>
         <translation>deux matériaux se nomment «&#xa0;%1&#xa0;»&#xa0;; donnez à chacun son propre nom</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>Les capteurs de « %1 » et « %2 » sont échangés : ils indiquent %3 et %4, mais leurs objets sont à %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
     </message>
 </context>
 <context>
@@ -5822,7 +5822,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>over hot source: %1</source>
         <comment>the objects are over it; its temperature</comment>
-        <translation>sur source chaude : %1</translation>
+        <translation>sur source chaude&#xa0;: %1</translation>
     </message>
 </context>
 <context>
@@ -6360,19 +6360,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <name>bask::NumberField</name>
     <message>
         <source>“%1” is not a number; the value stays as it was</source>
-        <translation>« %1 » n’est pas un nombre ; la valeur reste telle qu’elle était</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre&#xa0;; la valeur reste telle qu’elle était</translation>
     </message>
     <message>
         <source>“%1” is out of range; allowed: %2 to %3</source>
-        <translation>« %1 » est hors limites ; admis : de %2 à %3</translation>
+        <translation>«&#xa0;%1&#xa0;» est hors limites&#xa0;; admis&#xa0;: de %2 à %3</translation>
     </message>
     <message>
         <source>“%1” was not taken: this value has no unit</source>
-        <translation>« %1 » n’a pas été pris : cette valeur n’a pas d’unité</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas été pris&#xa0;: cette valeur n’a pas d’unité</translation>
     </message>
     <message>
         <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
-        <translation>« %1 » n’a pas été pris : %2 n’est pas une unité de cette valeur, qui est en %3</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas été pris&#xa0;: %2 n’est pas une unité de cette valeur, qui est en %3</translation>
     </message>
 </context>
 <context>
@@ -8038,7 +8038,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
-        <translation>L’essai était terminé ; l’enregistrement de ce qui a suivi a été interrompu. Ce qui avait été écrit est ici.</translation>
+        <translation>L’essai était terminé&#xa0;; l’enregistrement de ce qui a suivi a été interrompu. Ce qui avait été écrit est ici.</translation>
     </message>
 </context>
 <context>
@@ -9241,7 +9241,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
-        <translation>L’essai est terminé ; l’enregistrement de ce qui a suivi n’est pas complet. Ce qui avait été écrit est rapporté.</translation>
+        <translation>L’essai est terminé&#xa0;; l’enregistrement de ce qui a suivi n’est pas complet. Ce qui avait été écrit est rapporté.</translation>
     </message>
 </context>
 <context>

@@ -1908,10 +1908,6 @@
         <translation>“%1”的传感器读数为 %2，而热像仪看到该物体为 %3（误差在 %4 以内）；%5 s 前两者还相符。传感器已从物体上脱落。加热已关闭。请固定传感器并确认，然后复位。</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>“%1”和“%2”的传感器互换了：它们的读数为 %3 和 %4，热像仪看到的是 %5 和 %6。加热已关闭。请换回来，确认两者，然后复位。</translation>
-    </message>
-    <message>
         <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
         <translation>热像仪无法读取“%1”：%2。</translation>
     </message>
@@ -2018,6 +2014,10 @@
     <message>
         <source>two materials are named &quot;%1&quot;; give each its own name</source>
         <translation>两种材料都名为“%1”；请给每种各自的名称</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>“%1”和“%2”的传感器互换了：它们的读数为 %3 和 %4，但其物体为 %5 和 %6。加热已关闭。请换回来，确认两者，然后复位。</translation>
     </message>
 </context>
 <context>

@@ -1908,10 +1908,6 @@
         <translation>「%1」的感測器讀數為 %2，而熱像儀看到該物體為 %3（誤差在 %4 以內）；%5 s 前兩者還相符。感測器已從物體上脫落。加熱已關閉。請固定感測器並確認，然後復歸。</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, the thermal camera sees %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>「%1」和「%2」的感測器互換了：它們的讀數為 %3 和 %4，熱像儀看到的是 %5 和 %6。加熱已關閉。請換回來，確認兩者，然後復歸。</translation>
-    </message>
-    <message>
         <source>The thermal camera cannot read &quot;%1&quot;: %2.</source>
         <translation>熱像儀無法讀取「%1」：%2。</translation>
     </message>
@@ -2018,6 +2014,10 @@
     <message>
         <source>two materials are named &quot;%1&quot;; give each its own name</source>
         <translation>兩種材料都名為「%1」；請給每種各自的名稱</translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
+        <translation>「%1」和「%2」的感測器互換了：它們的讀數為 %3 和 %4，但其物體為 %5 和 %6。加熱已關閉。請換回來，確認兩者，然後復歸。</translation>
     </message>
 </context>
 <context>
