@@ -18,6 +18,7 @@
 #include "app/undo_actions.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/run/run_page.h"
 
 #include <QApplication>
@@ -220,6 +221,9 @@ void MainWindow::connectParts() {
     auto* plotWindows = new PlotWindowsControl(this);
     connect(this, &MainWindow::snapshotApplied, plotWindows, &PlotWindowsControl::apply);
     connect(&m_engine, &EngineClient::answeringChanged, plotWindows, &PlotWindowsControl::setAnswering);
+    for (const PlotPlace* place : findChildren<PlotPlace*>())
+        connect(place, &PlotPlace::exportRequested, &m_files,
+                [this, place](PlotForm form) { m_files.exportPlot(*place, form); });
     connectRecipe();
     connectCoach();
 }

@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "app/examples.h"
+#include "app/report/report_figures.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/rig_file.h"
@@ -10,11 +11,15 @@
 #include "engine/recipe/recipe.h"
 #include "engine/recording/recording_name.h"
 #include "widgets/common/file_folders.h"
+#include "widgets/plots/plot_place.h"
+#include "widgets/plots/quantity_words.h"
+#include "widgets/plots/trace_plot.h"
 #include "widgets/rig/way_up_question.h"
 
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -34,7 +39,7 @@ bool SessionActions::isSession(const QString& path) {
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
-    m_export.setDrawGuard([this] { return !refusedToDraw(); });
+    m_export.setDrawGuard([this] { return !refusedToDrawSession(); });
     connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
     connect(&m_export, &SessionExport::exported, this, &SessionActions::exported);
 }
@@ -322,17 +327,21 @@ void SessionActions::saveSession() {
                });
 }
 
-bool SessionActions::refusedToDraw() {
+bool SessionActions::refusedToDraw(const QString& why) {
     if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
         return false;
-    emit problem(
-        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
-           "STOP, would have to wait for them. Nothing was written."));
+    emit problem(why);
     return true;
 }
 
+bool SessionActions::refusedToDrawSession() {
+    return refusedToDraw(
+        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
+           "STOP, would have to wait for them. Nothing was written."));
+}
+
 void SessionActions::exportSession(SessionForm form) {
-    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDrawSession()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
     const QString folder = m_settings.lastFolder(FileFolder::Exports);
@@ -363,6 +372,31 @@ void SessionActions::exportComparison(const QString& csv) {
              tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});
     if (!to.isEmpty())
         m_export.writeComparison(csv, to);
+}
+
+void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
+    if (refusedToDraw(
+            tr("Plots are exported only while no run and no recipe is on: the window, with its STOP, "
+               "would have to wait for it. Nothing was written.")))
+        return;
+    const bool isTable = form == PlotForm::Csv;
+    const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
+                                : form == PlotForm::Svg ? FigureFormat::Svg
+                                                        : FigureFormat::Png;
+    const QString ending = QLatin1String(isTable ? ".csv" : figureEnding(format)), suffix = ending.mid(1);
+    const QString filter = isTable ? tr("Tables (*.csv)") : tr("Figures (*%1)").arg(ending);
+    const QString name = quantityKey(place.plot()->quantity()) + ending;
+    const QString to =
+        ask({FileQuestion::Kind::SaveFile, isTable ? tr("Save the table") : tr("Save the figure"),
+             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), filter, suffix,
+             FileFolder::Exports});
+    if (to.isEmpty())
+        return;
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const QByteArray bytes =
+        isTable ? place.plot()->table() : place.plot()->figure(place.words(), format, kRunFigureMark);
+    QGuiApplication::restoreOverrideCursor();
+    m_export.writePlot(bytes, to, isTable);
 }
 
 QString SessionActions::nextRecordingPath() {

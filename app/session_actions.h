@@ -20,6 +20,9 @@ class QWidget;
 
 namespace bask {
 
+class PlotPlace;
+enum class PlotForm;
+
 /// A question for a file name, so that a test can answer it.
 struct FileQuestion {
     enum class Kind { OpenFile, SaveFile, Folder };
@@ -77,6 +80,8 @@ public:
     void exportSession(SessionForm form);
     /// Saves a comparison of metrics (CSV) as a file that is asked for.
     void exportComparison(const QString& csv);
+    /// Exports what a plot shows to a file that is asked for. Not while a run or recipe is on.
+    void exportPlot(const PlotPlace& place, PlotForm form);
     static bool isSession(const QString& path);
     /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();
@@ -127,7 +132,8 @@ private:
     void forgetMissing(const QString& path);
     void readRig(const QString& path);
     bool write(const QString& path);
-    bool refusedToDraw();
+    bool refusedToDraw(const QString& why);
+    bool refusedToDrawSession();
 
     Document& m_document;
     SettingsStore& m_settings;

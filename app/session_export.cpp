@@ -1,6 +1,7 @@
 #include "app/session_export.h"
 
 #include "app/error_text.h"
+#include "app/report/report_figures.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recording/nexus_file.h"
 #include "engine/recording/session_vtk.h"
@@ -12,6 +13,8 @@
 
 namespace bask {
 namespace {
+
+constexpr const char* kTableMark = "time (s)"; // a column of every table of a plot
 
 Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
                                          const std::string& folder, const std::stop_token& stop) {
@@ -34,10 +37,12 @@ Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& i
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
 }
 
-Result<std::vector<std::string>> comparisonWritten(const std::string& csv, const std::string& to) {
-    auto done = checkOwn(to, QString::fromLatin1(kComparisonMark), "a comparison written by Bask");
+/// Over nothing but an earlier file with the same mark.
+Result<std::vector<std::string>> fileWritten(const std::string& bytes, const std::string& to,
+                                             const QString& mark, const char* kind) {
+    auto done = checkOwn(to, mark, kind);
     if (done)
-        done = writeTextFile(to, csv);
+        done = writeTextFile(to, bytes);
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
 }
 
@@ -76,7 +81,20 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
 
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
     m_comparison.run(
-        [csv = csv.toStdString(), path = to.toStdString()] { return comparisonWritten(csv, path); },
+        [csv = csv.toStdString(), path = to.toStdString()] {
+            return fileWritten(csv, path, QString::fromLatin1(kComparisonMark),
+                               "a comparison written by Bask");
+        },
+        [this, to](const Files& files) { tell(files, to); });
+}
+
+void SessionExport::writePlot(const QByteArray& bytes, const QString& to, bool isTable) {
+    m_plot.run(
+        [bytes = bytes.toStdString(), path = to.toStdString(), isTable] {
+            return isTable
+                       ? fileWritten(bytes, path, QString::fromLatin1(kTableMark), "a table written by Bask")
+                       : fileWritten(bytes, path, kRunFigureMark, "a figure drawn by Bask");
+        },
         [this, to](const Files& files) { tell(files, to); });
 }
 

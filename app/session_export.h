@@ -5,6 +5,7 @@
 #include "widgets/common/latest_job.h"
 #include "widgets/review/session_form.h"
 
+#include <QByteArray>
 #include <QObject>
 #include <QStringList>
 
@@ -36,6 +37,8 @@ public:
                const QString& language);
     /// Writes a comparison of metrics, as ComparisonView makes it.
     void writeComparison(const QString& csv, const QString& to);
+    /// Writes what a plot shows, as TracePlot makes it, its figure with kRunFigureMark.
+    void writePlot(const QByteArray& bytes, const QString& to, bool isTable);
 
 signals:
     void problem(const QString& sentence);
@@ -48,7 +51,7 @@ private:
 
     std::function<bool()> m_mayDraw;
     std::map<SessionForm, LatestJob<Files>> m_files;
-    LatestJob<Files> m_comparison;
+    LatestJob<Files> m_comparison, m_plot;
     std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };
 

@@ -3,6 +3,8 @@
 #include "app/session_actions.h"
 #include "app/settings_store.h"
 #include "tests/support/wait_for.h"
+#include "widgets/plots/plot_place.h"
+#include "widgets/plots/trace_plot.h"
 
 #include <QApplication>
 #include <QDir>
@@ -379,6 +381,53 @@ TEST_F(SessionActionsTest, AComparisonIsSaved) {
     answer.clear();
     files.exportComparison(csv);
     EXPECT_EQ(told.size(), 2) << "cancelled";
+}
+
+// Catches: a plot that is not written in the chosen form, is written over what Bask has not made, or is drawn
+// under a run.
+TEST_F(SessionActionsTest, APlotIsExported) {
+    const QTemporaryDir folder;
+    PlotPlace place(new TracePlot);
+    place.plot()->setObjects({QStringLiteral("disk")});
+    TraceSample sample;
+    sample.time_s = 1.0;
+    ObjectSample object;
+    object.measured_K = 300.0;
+    object.valid = true;
+    sample.objects = {object};
+    place.plot()->append({sample});
+    QStringList written;
+    bool runIsOn = false;
+    files.setRunGuard([&] { return runIsOn; });
+    QObject::connect(&files, &SessionActions::exported,
+                     [&](const QString&, const QStringList& paths) { written << paths; });
+    QString proposed;
+    files.setFileChooser([&](const FileQuestion& question) {
+        proposed = QFileInfo(question.folder).fileName();
+        return folder.filePath(QStringLiteral("plot")); // without the suffix
+    });
+    for (const auto& [form, ending] : {std::pair{PlotForm::Pdf, "pdf"}, std::pair{PlotForm::Svg, "svg"},
+                                       std::pair{PlotForm::Png, "png"}, std::pair{PlotForm::Csv, "csv"}}) {
+        for (int times = 0; times < 2; ++times) { // an earlier one is replaced
+            written.clear();
+            files.exportPlot(place, form);
+            ASSERT_TRUE(waitFor([&] { return written.size() + problems.size() > 0; }));
+            EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
+            EXPECT_EQ(written, QStringList{folder.filePath(QStringLiteral("plot.") + QLatin1String(ending))});
+            EXPECT_EQ(proposed, QStringLiteral("measured_K.") + QLatin1String(ending));
+        }
+    }
+    QFile foreign(folder.filePath(QStringLiteral("plot.svg")));
+    ASSERT_TRUE(foreign.open(QIODevice::WriteOnly));
+    foreign.write("my own drawing");
+    foreign.close();
+    files.exportPlot(place, PlotForm::Svg);
+    ASSERT_TRUE(waitFor([&] { return problems.size() == 1; }));
+    runIsOn = true;
+    proposed.clear();
+    files.exportPlot(place, PlotForm::Csv);
+    EXPECT_EQ(problems.size(), 2);
+    EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
 }
 
 // Catches: a window that draws for a minute, its STOP dead, under a run or recipe that was on or has begun

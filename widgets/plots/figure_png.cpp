@@ -4,28 +4,12 @@
 #include "widgets/plots/figure_style.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include <qcustomplot.h>
 
 namespace bask {
 namespace {
-
-/// Colour, dashes and marker: any one of them is enough to tell the series apart.
-QPen penOf(int index) {
-    return seriesPen(index, false, 1.6);
-}
-QCPScatterStyle markerOf(int index) {
-    static constexpr std::array kShapes{QCPScatterStyle::ssDisc,        QCPScatterStyle::ssSquare,
-                                        QCPScatterStyle::ssTriangle,    QCPScatterStyle::ssDiamond,
-                                        QCPScatterStyle::ssCircle,      QCPScatterStyle::ssTriangleInverted,
-                                        QCPScatterStyle::ssCrossSquare, QCPScatterStyle::ssPlus};
-    const QColor color = seriesColor(index, false);
-    const bool isFilled = index % static_cast<int>(kShapes.size()) != 4;
-    return {kShapes[static_cast<std::size_t>(index) % kShapes.size()], QPen(color, 1.3),
-            isFilled ? QBrush(color) : QBrush(Qt::white), 6.5};
-}
 
 /// Labels are powers of ten, or plain numbers with another base.
 void makeLogarithmic(QCPAxis* axis, int base) {
@@ -44,8 +28,9 @@ void addSeries(QCustomPlot& plot, const Figure& figure) {
         const FigureSeries& series = figure.series[i];
         QCPGraph* graph = plot.addGraph();
         graph->setName(series.name);
-        graph->setPen(penOf(i));
-        graph->setScatterStyle(series.hasMarkers ? markerOf(i) : QCPScatterStyle::ssNone);
+        graph->setPen(seriesPen(i, false, 1.6));
+        graph->setScatterStyle(series.hasMarkers ? figureMarker(i, seriesColor(i, false))
+                                                 : QCPScatterStyle::ssNone);
         graph->setLineStyle(series.isJoined ? QCPGraph::lsLine : QCPGraph::lsNone);
         for (const QPointF& point : series.points)
             graph->addData(point.x(),

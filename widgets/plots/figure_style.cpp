@@ -6,6 +6,9 @@
 #include <QBuffer>
 #include <QPdfWriter>
 #include <QSvgGenerator>
+#include <QTextLayout>
+
+#include <array>
 
 namespace bask {
 
@@ -47,13 +50,13 @@ void addHead(QCustomPlot& plot, const QString& title, const QString& note) {
         line(note, figureFont(13), secondaryText(false), 8);
 }
 
-void addLegend(QCustomPlot& plot) {
+void addLegend(QCustomPlot& plot, int columns) {
     auto* legend = plot.legend;
     legend->setVisible(true);
     legend->setFont(figureFont(14));
     legend->setBorderPen(Qt::NoPen);
     legend->setIconSize(38, 16);
-    legend->setWrap(3);
+    legend->setWrap(columns);
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     legend->setColumnSpacing(24);
     auto* below = new QCPLayoutGrid;
@@ -62,6 +65,43 @@ void addLegend(QCustomPlot& plot) {
     plot.plotLayout()->addElement(row, 0, below);
     below->addElement(0, 0, legend);
     plot.plotLayout()->setRowStretchFactor(row, 0.001);
+}
+
+void addLegendEntry(QCustomPlot& plot, const QString& name, const QPen& pen, const QBrush& brush) {
+    QCPGraph* graph = plot.addGraph();
+    graph->setName(name);
+    graph->setPen(pen);
+    graph->setBrush(brush);
+}
+
+QCPScatterStyle figureMarker(int index, const QColor& color) {
+    static constexpr std::array kShapes{QCPScatterStyle::ssDisc,        QCPScatterStyle::ssSquare,
+                                        QCPScatterStyle::ssTriangle,    QCPScatterStyle::ssDiamond,
+                                        QCPScatterStyle::ssCircle,      QCPScatterStyle::ssTriangleInverted,
+                                        QCPScatterStyle::ssCrossSquare, QCPScatterStyle::ssPlus};
+    const bool isFilled = index % static_cast<int>(kShapes.size()) != 4;
+    return {kShapes[static_cast<std::size_t>(index) % kShapes.size()], QPen(color, 1.3),
+            isFilled ? QBrush(color) : QBrush(Qt::white), 6.5};
+}
+
+QList<qreal> dotGroups(int index) {
+    QList<qreal> dashes;
+    const int dots = 2 + index % 6;
+    for (int k = 1; k <= dots; ++k)
+        dashes << 1.5 << (k < dots ? 1.5 : 6.0);
+    return dashes;
+}
+
+QString inLines(const QString& text, const QFont& font, double width) {
+    QTextLayout layout(text, font);
+    layout.beginLayout();
+    QStringList lines;
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        lines << text.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines.join(u'\n');
 }
 
 void shadeAboutZero(QCustomPlot& plot, double band) {

@@ -14,6 +14,10 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kLinePixels = 2000; // a line shows least and greatest values within each
+constexpr int kMarkersOfLine = 12;
+constexpr double kBeside = 12.0;     // left and right of the head and the legend
+constexpr double kLegendIcon = 70.0; // with the room around a name
+constexpr FigureRange kNothing{1e300, -1e300};
 
 struct TimeUnit {
     double length_s;
@@ -31,7 +35,8 @@ TimeUnit timeUnit(double end_s) {
 class TraceDrawing {
 public:
     TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceStore& traces)
-        : m_plot(plot), m_figure(figure), m_traces(traces), m_time(timeUnit(traces.lastTime_s())) {}
+        : m_plot(plot), m_figure(figure), m_traces(traces), m_shown_s(shownTime()),
+          m_time(timeUnit(m_shown_s.max)) {}
 
     void draw() {
         m_plot.setBackground(Qt::white);
@@ -41,54 +46,160 @@ public:
         if (m_figure.quantity == Quantity::Temperature)
             for (std::size_t i = 0; i < m_traces.objects(); ++i)
                 addTarget(i);
+        addPrediction();
+        for (qsizetype k = 0; k < m_figure.overlays.size(); ++k)
+            addOverlay(static_cast<int>(k));
+        addRight();
         for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_traces.objects()); ++i)
             addSeries(i);
-        setRanges();
+        setTimeRange();
+        setRange(m_plot.yAxis, m_figure.quantity, m_left, m_figure.yRange);
         if (m_figure.quantity == Quantity::Error)
             shadeAboutZero(m_plot, displayDifference(m_figure.band_K, m_figure.unit));
         for (const FigureMoment& moment : m_figure.moments)
             addMoment(moment);
-        addLegend(m_plot);
-        addHead(m_plot, m_figure.title, m_figure.note);
+        addLegend(m_plot, legendColumns());
+        addHead(m_plot, m_figure.title, inLines(m_figure.note, figureFont(13), width() - 2.0 * kBeside));
     }
 
 private:
-    double displayed(double value, std::size_t series) const {
-        if (m_figure.quantity == Quantity::Speed)
-            return 100.0 * value /
-                   (series == 0 ? m_figure.limits.translation_m_s : m_figure.limits.rotation_rad_s);
-        return displayedQuantity(value, m_figure.quantity, m_figure.unit);
+    FigureRange shownTime() const {
+        if (m_figure.time_s)
+            return *m_figure.time_s;
+        FigureRange shown{m_traces.rows() > 0 ? m_traces.time_s(0) : 0.0, m_traces.lastTime_s()};
+        for (const FigureOverlay& overlay : m_figure.overlays)
+            shown.max = std::max(shown.max, overlay.traces->lastTime_s());
+        return shown;
     }
 
-    bool isOfRun() const { return plottedColumn(m_figure.quantity) == nullptr; }
+    double width() const { return m_figure.size_px.width() / kFigureScale; }
 
-    QPen pen(std::size_t series) const {
-        if (!isOfRun())
-            return seriesPen(static_cast<int>(series), false, 1.6);
-        QPen line(series == 0 ? themePalette(false).color(QPalette::Text) : accentColor(false), 1.4);
+    double displayed(double value, Quantity quantity, std::size_t series) const {
+        if (quantity == Quantity::Speed)
+            return 100.0 * value /
+                   (series == 0 ? m_figure.limits.translation_m_s : m_figure.limits.rotation_rad_s);
+        return displayedQuantity(value, quantity, m_figure.unit);
+    }
+
+    static bool isOfRun(Quantity quantity) { return plottedColumn(quantity) == nullptr; }
+
+    static QColor colorOf(Quantity quantity, int index) {
+        if (!isOfRun(quantity))
+            return seriesColor(index, false);
+        return index == 0 ? themePalette(false).color(QPalette::Text) : accentColor(false);
+    }
+
+    QPen pen(int series) const {
+        if (!m_figure.overlays.isEmpty()) // dashes tell the runs apart then
+            return {colorOf(m_figure.quantity, series), 1.6};
+        if (!isOfRun(m_figure.quantity))
+            return seriesPen(series, false, 1.6);
+        QPen line(colorOf(m_figure.quantity, series), 1.4);
         if (series == 1)
             line.setDashPattern({6, 2.5});
         return line;
     }
 
-    void addSeries(std::size_t series) {
+    /// What the legend calls a line; with the name of its run if there are several.
+    QString nameOf(const QString& run, const QString& line) const {
+        return m_figure.overlays.isEmpty() || run.isEmpty() ? line : run + QStringLiteral(" \u00b7 ") + line;
+    }
+
+    static QString lineName(Quantity quantity, std::size_t series, const QStringList& objects) {
+        return isOfRun(quantity) ? quantitySeries(quantity, series)
+                                 : objects.value(static_cast<qsizetype>(series));
+    }
+
+    QCPGraph* addLine(const TraceStore& traces, Quantity quantity, std::size_t series, QCPAxis* axis) {
         int reads = std::numeric_limits<int>::max();
-        const double from_s = m_traces.rows() > 0 ? m_traces.time_s(0) : 0.0;
         const TraceStore::Line line =
-            m_traces.line(m_figure.quantity, series, from_s, m_traces.lastTime_s(), kLinePixels, reads);
+            traces.line(quantity, series, m_shown_s.min, m_shown_s.max, kLinePixels, reads);
         QVector<QCPGraphData> data;
         data.reserve(static_cast<qsizetype>(line.values.size()));
         for (std::size_t k = 0; k < line.values.size(); ++k) {
-            const double value = displayed(line.values[k], series);
+            const double value = displayed(line.values[k], quantity, series);
             data << QCPGraphData(line.times_s[k] / m_time.length_s, value);
-            take(value);
+            if (line.times_s[k] >= m_shown_s.min && line.times_s[k] <= m_shown_s.max)
+                take(axis == m_plot.yAxis2 ? m_right : m_left, value);
         }
-        QCPGraph* graph = m_plot.addGraph();
+        QCPGraph* graph = m_plot.addGraph(m_plot.xAxis, axis);
         graph->data()->set(data, true);
-        graph->setPen(pen(series));
         graph->setAdaptiveSampling(true);
-        graph->setName(isOfRun() ? quantitySeries(m_figure.quantity, series)
-                                 : m_figure.names.value(static_cast<qsizetype>(series)));
+        return graph;
+    }
+
+    /// A few along the line.
+    void addMarkers(QCPGraph* graph, int object) const {
+        if (m_figure.overlays.isEmpty())
+            return;
+        graph->setScatterStyle(figureMarker(object, graph->pen().color()));
+        graph->setScatterSkip(std::max(0, graph->dataCount() / kMarkersOfLine - 1));
+    }
+
+    void addSeries(std::size_t series) {
+        QCPGraph* graph = addLine(m_traces, m_figure.quantity, series, m_plot.yAxis);
+        graph->setPen(pen(static_cast<int>(series)));
+        graph->setName(nameOf(m_figure.run, lineName(m_figure.quantity, series, m_figure.names)));
+        addMarkers(graph, static_cast<int>(series));
+    }
+
+    void addOverlay(int place) {
+        const FigureOverlay& overlay = m_figure.overlays[place];
+        const auto count = static_cast<int>(seriesCount(m_figure.quantity, overlay.traces->objects()));
+        for (int i = 0; i < count; ++i) {
+            const auto series = static_cast<std::size_t>(i);
+            const QString name = lineName(m_figure.quantity, series, overlay.objects);
+            const auto same = static_cast<int>(m_figure.names.indexOf(name)); // in the run underneath
+            const int object = same >= 0 ? same : i;
+            QPen line(colorOf(m_figure.quantity, object), 1.4);
+            line.setCapStyle(Qt::FlatCap);
+            line.setDashPattern(seriesDashes(place % 5 + 1)); // as on the screen
+            QCPGraph* graph = addLine(*overlay.traces, m_figure.quantity, series, m_plot.yAxis);
+            graph->setPen(line);
+            graph->setName(nameOf(overlay.run, name));
+            addMarkers(graph, object);
+        }
+    }
+
+    void addRight() {
+        if (!m_figure.right)
+            return;
+        styleAxis(m_plot.yAxis2, quantityAxis(*m_figure.right, m_figure.unit));
+        m_plot.yAxis2->setVisible(true);
+        const auto count = static_cast<int>(seriesCount(*m_figure.right, m_traces.objects()));
+        for (int i = 0; i < count; ++i) {
+            QCPGraph* graph = addLine(m_traces, *m_figure.right, static_cast<std::size_t>(i), m_plot.yAxis2);
+            QPen line(colorOf(*m_figure.right, i), 1.5);
+            line.setCapStyle(Qt::FlatCap);
+            line.setDashPattern(dotGroups(i));
+            graph->setPen(line);
+            graph->setName(
+                nameOf(m_figure.run, lineName(*m_figure.right, static_cast<std::size_t>(i), m_figure.names) +
+                                         QStringLiteral(" \u25b8")));
+        }
+        setRange(m_plot.yAxis2, *m_figure.right, m_right, {});
+    }
+
+    void addPrediction() {
+        for (int i = 0; i < m_figure.prediction.lines.size(); ++i) {
+            QCPGraph* graph = m_plot.addGraph();
+            graph->removeFromLegend();
+            for (const QPointF& point : m_figure.prediction.lines[i]) {
+                graph->addData(point.x() / m_time.length_s, point.y());
+                if (point.x() >= m_shown_s.min && point.x() <= m_shown_s.max)
+                    take(m_left, point.y());
+            }
+            graph->setPen(predictionPen(seriesColor(i, false)));
+        }
+        if (!m_figure.prediction.lines.isEmpty())
+            addLegendEntry(m_plot, m_figure.prediction.name, predictionPen(secondaryText(false)));
+    }
+
+    static QPen predictionPen(const QColor& color) {
+        QPen line(mixed(color, Qt::white, 0.75), 1.0);
+        line.setCapStyle(Qt::FlatCap);
+        line.setDashPattern({1.5, 4.0});
+        return line;
     }
 
     QCPGraph* addSteps(const std::vector<std::pair<double, double>>& steps, double shift_K) {
@@ -96,10 +207,10 @@ private:
         graph->setLineStyle(QCPGraph::lsStepLeft);
         graph->removeFromLegend();
         for (const auto& [time_s, target_K] : steps)
-            graph->addData(time_s / m_time.length_s, displayed(target_K + shift_K, 0));
+            graph->addData(time_s / m_time.length_s, displayed(target_K + shift_K, Quantity::Temperature, 0));
         if (!steps.empty())
-            graph->addData(m_traces.lastTime_s() / m_time.length_s,
-                           displayed(steps.back().second + shift_K, 0));
+            graph->addData(std::max(m_shown_s.max, steps.back().first) / m_time.length_s,
+                           displayed(steps.back().second + shift_K, Quantity::Temperature, 0));
         return graph;
     }
 
@@ -122,29 +233,48 @@ private:
         line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_traces.objects()) - 1.0))});
         line.setDashOffset(5.0 * static_cast<double>(object));
         addSteps(steps, 0.0)->setPen(line);
-        for (const auto& step : steps)
-            for (const double shift_K : {-m_figure.band_K, m_figure.band_K})
-                take(displayed(step.second + shift_K, 0));
+        for (std::size_t k = 0; k < steps.size(); ++k) {
+            const bool isOver = k + 1 < steps.size() && steps[k + 1].first < m_shown_s.min;
+            if (!isOver && steps[k].first <= m_shown_s.max)
+                for (const double shift_K : {-m_figure.band_K, m_figure.band_K})
+                    take(m_left, displayed(steps[k].second + shift_K, Quantity::Temperature, 0));
+        }
     }
 
-    void take(double value) {
+    static void take(FigureRange& range, double value) {
         if (!std::isfinite(value))
             return;
-        m_min = std::min(m_min, value);
-        m_max = std::max(m_max, value);
+        range.min = std::min(range.min, value);
+        range.max = std::max(range.max, value);
     }
 
-    void setRanges() {
-        const double end = std::max(m_traces.lastTime_s() / m_time.length_s, 1e-3);
-        m_plot.xAxis->setRange(0.0, 1.01 * end);
-        if (m_traces.rows() > 0 && m_traces.time_s(0) < 0.0)
-            m_plot.xAxis->setRangeLower(m_traces.time_s(0) / m_time.length_s);
-        FigureRange needed = m_min <= m_max ? FigureRange{m_min, m_max} : FigureRange{};
-        if (m_figure.quantity == Quantity::Speed)
-            needed = {0.0, std::max(needed.max, 100.0)};
-        const FigureRange range = m_figure.yRange.value_or(needed);
-        const double margin = 0.06 * std::max(range.max - range.min, 1e-9);
-        m_plot.yAxis->setRange(range.min - margin, range.max + margin);
+    void setTimeRange() {
+        const double from = m_shown_s.min / m_time.length_s, to = m_shown_s.max / m_time.length_s;
+        if (m_figure.time_s)
+            m_plot.xAxis->setRange(from, to);
+        else
+            m_plot.xAxis->setRange(std::min(from, 0.0), 1.01 * std::max(to, 1e-3));
+    }
+
+    static void setRange(QCPAxis* axis, Quantity quantity, const FigureRange& taken,
+                         const std::optional<FigureRange>& wanted) {
+        if (wanted)
+            return axis->setRange(wanted->min, wanted->max);
+        FigureRange range = taken.min <= taken.max ? taken : FigureRange{};
+        if (quantity == Quantity::Speed)
+            range = {0.0, std::max(range.max, 100.0)};
+        const double margin = 0.06 * std::max(range.max - range.min, 1e-3 * std::abs(range.max) + 1e-9);
+        axis->setRange(range.min - margin, range.max + margin);
+    }
+
+    /// As many as the longest name leaves room for.
+    int legendColumns() const {
+        const QFontMetricsF metrics(figureFont(14));
+        double widest = 1.0;
+        for (int i = 0; i < m_plot.legend->itemCount(); ++i)
+            if (auto* item = qobject_cast<QCPPlottableLegendItem*>(m_plot.legend->item(i)))
+                widest = std::max(widest, metrics.horizontalAdvance(item->plottable()->name()));
+        return std::clamp(static_cast<int>((width() - 2.0 * kBeside) / (widest + kLegendIcon)), 1, 3);
     }
 
     void addMoment(const FigureMoment& moment) {
@@ -167,8 +297,9 @@ private:
     QCustomPlot& m_plot;
     const TraceFigure& m_figure;
     const TraceStore& m_traces;
+    FigureRange m_shown_s;
     TimeUnit m_time;
-    double m_min = 1e300, m_max = -1e300;
+    FigureRange m_left = kNothing, m_right = kNothing; ///< of the shown values
 };
 
 } // namespace

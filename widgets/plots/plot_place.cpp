@@ -1,5 +1,6 @@
 #include "widgets/plots/plot_place.h"
 
+#include "widgets/common/display.h"
 #include "widgets/plots/plot_window.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
@@ -91,6 +92,12 @@ void PlotPlace::setState(const QString& words) {
     showTitle();
 }
 
+QString PlotPlace::words() const {
+    QStringList words{m_state, m_run};
+    words.removeAll(QString());
+    return words.join(listSeparator());
+}
+
 /// The state first: a narrow title loses its end.
 void PlotPlace::showTitle() {
     if (!isOut())
@@ -112,6 +119,10 @@ void PlotPlace::openMenu(const QPoint& at) {
     away->setObjectName(QStringLiteral("plotCursorAway"));
     away->setEnabled(m_plot->cursor_s().has_value());
     addRightMenu(*menu);
+    QMenu* exports = menu->addMenu(tr("Export what is shown"));
+    exports->setObjectName(QStringLiteral("plotExportMenu"));
+    exports->setEnabled(!m_plot->isEmpty());
+    addExports(*exports);
     menu->popup(m_plot->mapToGlobal(at));
 }
 
@@ -135,6 +146,17 @@ void PlotPlace::addRightMenu(QMenu& menu) {
     for (const Quantity quantity : quantities)
         if (quantity != m_plot->quantity())
             add(quantityTitle(quantity), quantityKey(quantity), quantity);
+}
+
+void PlotPlace::addExports(QMenu& menu) {
+    const auto add = [&](const QString& text, const char* name, PlotForm form) {
+        menu.addAction(text, this, [this, form] { emit exportRequested(form); })
+            ->setObjectName(QStringLiteral("plotExport.") + QLatin1String(name));
+    };
+    add(tr("Figure (PDF)\u2026"), "pdf", PlotForm::Pdf);
+    add(tr("Figure (SVG)\u2026"), "svg", PlotForm::Svg);
+    add(tr("Figure (PNG)\u2026"), "png", PlotForm::Png);
+    add(tr("Table (CSV)\u2026"), "csv", PlotForm::Csv);
 }
 
 void PlotPlace::retranslate() {

@@ -13,14 +13,18 @@ class QVBoxLayout;
 
 namespace bask {
 
+/// What the shown part of a plot can be written to.
+enum class PlotForm { Pdf, Svg, Png, Csv };
+
 class PlotWindow;
 class TracePlot;
 
 /// Holds a plot, whose menu (right click, menu key) and key W take it out and put it back; closing its window
 /// puts it back, too. It is the same plot in either: with its data, cursor and stretch of time. Meanwhile the
-/// place says where it is. The menu also chooses a second quantity for the right axis. Object names:
-/// "plotOwnWindow" and "plotCursorAway" in its menu "plotMenu", "plotRight." and the key of a quantity or
-/// "none" in that menu's "plotRightMenu"; "plotPutBack".
+/// place says where it is. The menu also chooses a second quantity for the right axis, and exports what
+/// is shown. Object names: "plotOwnWindow" and "plotCursorAway" in its menu "plotMenu", "plotRight." and the
+/// key of a quantity or "none" in that menu's "plotRightMenu", "plotExport.pdf" and so on in its
+/// "plotExportMenu"; "plotPutBack".
 class PlotPlace : public QWidget {
     Q_OBJECT
 public:
@@ -35,8 +39,14 @@ public:
     /// For the window's title: which run the plot shows, and the rig with its state now.
     void setRun(const QString& words);
     void setState(const QString& words);
+    /// Returns these words, the rig's state first.
+    QString words() const;
+
+    /// Adds an action for each form that the plot can be exported to.
+    void addExports(QMenu& menu);
 
 signals:
+    void exportRequested(bask::PlotForm form);
     /// The window is made and not shown yet.
     void takenOut(bask::PlotWindow* window);
 

@@ -6,7 +6,6 @@
 
 #include <QLabel>
 #include <QLocale>
-#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +19,7 @@ constexpr int kMaxPoints =
     1600; ///< stretches in a picture; more would want more blocks than a recorded run keeps
 
 constexpr std::size_t kFineStretch = 3; // px
+constexpr int kReadsPerFrame = 3;       // blocks of a recorded run, 3 ms each
 
 /// "0:04.5", of a time that is rounded to that.
 QString momentToATenth(double time_s) {
@@ -201,7 +201,7 @@ void TracePlot::Canvas::updatePoints() {
     // Where the overview is nearly as fine as the screen, the samples are read when the picture rests.
     const bool isFine = std::cmp_greater(traces->samplesBetween(range.lower, range.upper) * kFineStretch,
                                          width * TraceOverview::kStretch);
-    int reads = isFine && range != m_pointsRange ? 0 : m_readsPerFrame;
+    int reads = isFine && range != m_pointsRange ? 0 : kReadsPerFrame;
     m_pointsRange = range;
     m_pointsWidth = width;
     for (int i = 0; i < m_series.size(); ++i)
@@ -233,12 +233,6 @@ void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceStore& from, Quant
                                   int& reads) const {
     const auto pixels = static_cast<std::size_t>(m_pointsWidth);
     graph->data()->set(pointsOf(from, of, series, m_pointsRange, pixels, reads), true);
-}
-
-void TracePlot::Canvas::readAll() {
-    const QScopedValueRollback<int> guard(m_readsPerFrame, std::numeric_limits<int>::max());
-    m_pointsAreOld = true;
-    updatePoints();
 }
 
 void TracePlot::Canvas::append(const std::vector<TraceSample>& samples) {

@@ -35,7 +35,6 @@ public:
     QStringList readout(double time_s, std::optional<double> from_s) const; ///< time, then each line
     double factor(Quantity of, int series) const;                           ///< of displayed values
     QList<QPointF> allPoints(Quantity of, int series) const; ///< of the whole run, as displayed
-    void readAll(); ///< reads everything in the picture, even if it takes a while
 
     // Looks (trace_canvas_look.cpp)
     void restyle(bool dark);
@@ -57,6 +56,10 @@ public:
     void rebuildOverlays();
     void styleOverlays(Density density);
     double lastTime_s() const; ///< last time of all runs
+
+    // What is shown, for print and as a table (trace_canvas_export.cpp)
+    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment);
+    QByteArray table();
 
     // The predicted run behind it (trace_canvas_prediction.cpp)
     void setPrediction(const PredictedRun& run);
@@ -92,6 +95,8 @@ public:
     QPen penOfRight(int series) const;
     int rightAxisWidth() const; ///< 0 without one
     void fitRightAxis();
+
+    inline static const QString kOwnMark = QStringLiteral("A"); ///< of the run itself, under others
 
     TracePlot* owner;
     Quantity quantity = Quantity::Temperature;
@@ -168,7 +173,6 @@ private:
     QTimer m_rest; ///< active while a person moves the time axis, and a moment longer
     QCPRange m_drawnRange;
     QElapsedTimer m_sinceReplot;
-    int m_readsPerFrame = 3; ///< blocks of a recorded run, 3 ms each
     bool m_pointsAreOld = true;
     bool m_isUnread = false; ///< part of the shown data is not read yet; it is read with the next frame
     QCPRange m_pointsRange;

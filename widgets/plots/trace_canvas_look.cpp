@@ -1,5 +1,6 @@
 // Pens, texts, line-end labels and markers of a trace plot.
 
+#include "widgets/plots/figure_style.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_canvas.h"
 
@@ -7,7 +8,6 @@
 #include "widgets/common/theme.h"
 
 #include <QLabel>
-#include <QTextLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -18,18 +18,6 @@ namespace {
 constexpr int kLongestLabel = 130; // px; longer names are elided
 constexpr int kLongestMarker = 220;
 constexpr double kBelowTheLines = 0.85; // of the height: what is heated goes up
-
-QString inLines(const QString& text, const QFont& font, double width) {
-    QTextLayout layout(text, font);
-    layout.beginLayout();
-    QStringList lines;
-    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-        line.setLineWidth(width);
-        lines << text.mid(line.textStart(), line.textLength()).trimmed();
-    }
-    layout.endLayout();
-    return lines.join(u'\n');
-}
 
 QColor withAlpha(QColor color, int alpha) {
     color.setAlpha(alpha);

@@ -1,6 +1,7 @@
 // A second quantity of the run on the right axis of a trace plot: a scale of its own, colours by object,
 // groups of dots in place of dashes, so that it is told from the left one without colours.
 
+#include "widgets/plots/figure_style.h"
 #include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_canvas.h"
 
@@ -15,15 +16,6 @@ namespace bask {
 namespace {
 
 constexpr int kLongestRightName = 100; // px, in front of its mark
-
-/// Two dots for the first object, three for the second: none of the dashes on the left.
-QList<qreal> dotGroups(int index) {
-    QList<qreal> dashes;
-    const int dots = 2 + index % 6;
-    for (int k = 1; k <= dots; ++k)
-        dashes << 1.5 << (k < dots ? 1.5 : 6.0);
-    return dashes;
-}
 
 } // namespace
 

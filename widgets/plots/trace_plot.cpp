@@ -234,12 +234,16 @@ void TracePlot::redraw() {
     m_canvas->replot(QCustomPlot::rpImmediateRefresh);
 }
 
-bool TracePlot::saveImage(const QString& path) const {
-    m_canvas->redrawNow();
-    m_canvas->readAll();
-    if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
-        return m_canvas->savePdf(path, width(), height());
-    return m_canvas->savePng(path, width(), height(), 2.0);
+bool TracePlot::isEmpty() const {
+    return m_canvas->traces->rows() == 0 && m_canvas->overlays.empty() && predictedPoints(0).isEmpty();
+}
+
+QByteArray TracePlot::figure(const QString& unrecorded, FigureFormat format, const QString& comment) const {
+    return m_canvas->figure(unrecorded, format, comment);
+}
+
+QByteArray TracePlot::table() const {
+    return m_canvas->table();
 }
 
 void TracePlot::changeEvent(QEvent* event) {

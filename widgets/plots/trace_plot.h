@@ -5,8 +5,10 @@
 #include "engine/base/units.h"
 #include "engine/model/predicted_run.h"
 #include "engine/model/trace.h"
+#include "widgets/plots/figure_format.h"
 #include "widgets/plots/trace_store.h"
 
+#include <QByteArray>
 #include <QPointF>
 #include <QStringList>
 #include <QWidget>
@@ -60,7 +62,8 @@ public:
     void setMarkerTextsVisible(bool visible);
 
     /// Draws another run over this one, both from their Start: colours by the objects' names, dashes by the
-    /// run, its mark (a letter) at the ends of its lines. clear() does not remove it.
+    /// run, its mark (a letter from "B" on; the run itself is "A") at the ends of its lines. clear() does not
+    /// remove it.
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
 
@@ -115,8 +118,16 @@ public:
     void redraw();
     /// Takes the pinned cursor away.
     void takeCursorAway();
-    /// Saves the shown picture; the suffix selects PNG or PDF. Returns false if it cannot be written.
-    bool saveImage(const QString& path) const;
+    /// Whether there is nothing to export: no samples, overlays or predicted lines.
+    bool isEmpty() const;
+    /// Returns what is shown as a figure for print, on a light ground: the shown time, all runs over each
+    /// other with their names, the right axis, a legend. `unrecorded` says which run it is if that is no
+    /// recorded one. Reads all samples that are shown, which takes seconds for a long run. `comment` is
+    /// stored in it.
+    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment) const;
+    /// Returns what is shown as CSV, in English: the shown time of each run in columns beside each other,
+    /// with targets and the right axis, temperatures in degC, all else in SI. Reads as much as figure().
+    QByteArray table() const;
 
     QSize sizeHint() const override { return {560, 240}; }
     QSize minimumSizeHint() const override { return {220, 90}; }

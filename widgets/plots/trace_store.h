@@ -38,6 +38,8 @@ public:
     /// Adds samples that are later than the last one. Returns the index of the first added row.
     std::size_t append(const std::vector<TraceSample>& samples);
 
+    /// Returns the recorded run that is shown; null if there is none.
+    const RecordedSession* run() const { return m_run.get(); }
     std::size_t rows() const; ///< number of rows that are kept, or in the file
     std::size_t objects() const { return m_objects; }
     double time_s(std::size_t row) const;

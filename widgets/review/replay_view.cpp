@@ -17,6 +17,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QSplitter>
@@ -390,6 +391,13 @@ void ReplayView::showLegend() {
         connect(button, &QPushButton::clicked, this, [this, path] { removeOverlay(path); });
         m_legendLayout->addWidget(button, static_cast<int>(k) / 2, 1 + static_cast<int>(k) % 2);
     }
+    auto* exports = new QPushButton(tr("Export figure"), m_legend);
+    exports->setObjectName(QStringLiteral("overlayExport"));
+    exports->setToolTip(tr("The temperatures of all runs as they are shown; other plots by their own menus"));
+    auto* forms = new QMenu(exports);
+    m_plots.front().place->addExports(*forms);
+    exports->setMenu(forms);
+    m_legendLayout->addWidget(exports, 0, 4);
 }
 
 void ReplayView::showComparison() {

@@ -30,8 +30,8 @@ class TransportBar;
 
 /// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "review." and the key of their column
 /// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at;
-/// "reviewPicture" of a run with thermal pictures; with overlays those of ComparisonView, and a button to
-/// take each away "overlay.<letter>".
+/// "reviewPicture" of a run with thermal pictures; with overlays those of ComparisonView, a button to
+/// take each away "overlay.<letter>", and "overlayExport".
 class ReplayView : public QWidget {
     Q_OBJECT
 

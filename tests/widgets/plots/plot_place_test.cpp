@@ -82,8 +82,9 @@ QMenu* openMenuOf(PlotPlace* place) {
 void choose(PlotPlace* place, const char* action) {
     QMenu* menu = openMenuOf(place);
     ASSERT_NE(menu, nullptr);
-    for (QAction* each :
-         menu->actions() + menu->findChild<QMenu*>(QStringLiteral("plotRightMenu"))->actions())
+    for (QAction* each : menu->actions() +
+                             menu->findChild<QMenu*>(QStringLiteral("plotRightMenu"))->actions() +
+                             menu->findChild<QMenu*>(QStringLiteral("plotExportMenu"))->actions())
         if (each->objectName() == QLatin1String(action))
             each->trigger();
     menu->close();
@@ -224,6 +225,24 @@ TEST(PlotPlace, TheMenuChoosesASecondQuantity) {
     QCoreApplication::sendPostedEvents(menu, QEvent::DeferredDelete);
     choose(shown.error, "plotRight.none");
     EXPECT_FALSE(shown.error->plot()->rightQuantity());
+}
+
+// Catches a form that cannot be asked for, and an export of nothing.
+TEST(PlotPlace, TheMenuExportsWhatIsShown) {
+    ShownPage shown;
+    std::vector<PlotForm> asked;
+    QObject::connect(shown.error, &PlotPlace::exportRequested, [&](PlotForm form) { asked.push_back(form); });
+    for (const char* form : {"plotExport.pdf", "plotExport.svg", "plotExport.png", "plotExport.csv"})
+        choose(shown.error, form);
+    EXPECT_EQ(asked, (std::vector{PlotForm::Pdf, PlotForm::Svg, PlotForm::Png, PlotForm::Csv}));
+    shown.error->setState(QStringLiteral("Rig LIVE: Stopped"));
+    shown.error->setRun(QStringLiteral("present run"));
+    EXPECT_EQ(shown.error->words(), QStringLiteral("Rig LIVE: Stopped, present run"));
+    shown.error->plot()->clear();
+    QMenu* menu = openMenuOf(shown.error);
+    ASSERT_NE(menu, nullptr);
+    EXPECT_FALSE(menu->findChild<QMenu*>(QStringLiteral("plotExportMenu"))->isEnabled());
+    menu->close();
 }
 
 // Catches cursors that a plot in its own window does not take, and a menu that cannot take them away.

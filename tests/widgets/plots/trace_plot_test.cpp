@@ -348,15 +348,6 @@ TEST(TracePlot, OnlyNotANumber) {
     EXPECT_TRUE(std::isfinite(shown.plot.visibleHighest()));
 }
 
-TEST(TracePlot, SavesPngAndPdf) {
-    ShownPlot shown;
-    shown.plot.append(warmUp(20));
-    QTemporaryDir folder;
-    EXPECT_TRUE(shown.plot.saveImage(folder.filePath(QStringLiteral("a.png"))));
-    EXPECT_TRUE(shown.plot.saveImage(folder.filePath(QStringLiteral("a.pdf"))));
-    EXPECT_FALSE(shown.plot.saveImage(folder.filePath(QStringLiteral("missing/a.png"))));
-}
-
 // Catches a redraw that grows with the run's length: eight hours of three objects, drawn in well under a
 // period.
 TEST(TracePlot, EightHoursAreDrawnQuickly) {

@@ -11,6 +11,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/comparison_view.h"
 #include "widgets/review/final_values.h"
@@ -522,6 +523,12 @@ TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     EXPECT_EQ(child<TracePlot>("review.speed")->overlayLabels().size(), 2);
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(plot->overlayLabels().size(), 3);
+    int asked = 0;
+    QObject::connect(qobject_cast<PlotPlace*>(plot->parentWidget()), &PlotPlace::exportRequested,
+                     [&] { ++asked; });
+    for (QAction* form : child<QPushButton>("overlayExport")->menu()->actions())
+        form->trigger();
+    EXPECT_EQ(asked, 4);
     evening.path = "night.bask";
     ASSERT_TRUE(page.replay()->addOverlay(opened(evening)));
     QTest::qWait(100);

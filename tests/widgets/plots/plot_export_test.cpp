@@ -1,0 +1,183 @@
+// What a plot shows, as a figure for print and as a table.
+
+#include "engine/recording/recorded_session.h"
+#include "widgets/plots/trace_plot.h"
+
+#include <QImage>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace bask;
+
+namespace {
+
+const QStringList kExported{QStringLiteral("circle"), QStringLiteral("bunny")};
+
+/// Warms from 20 degC, the second object by twice as much.
+std::vector<TraceSample> warming(int count, double rate_K_s) {
+    std::vector<TraceSample> out;
+    for (int k = 1; k <= count; ++k) {
+        TraceSample sample;
+        sample.time_s = k;
+        for (int i = 0; i < 2; ++i) {
+            ObjectSample object;
+            object.target_K = 313.15;
+            object.measured_K = 293.15 + rate_K_s * (i + 1) * k;
+            object.viewFactor = 0.25;
+            object.valid = k != 3 || i != 1;
+            sample.objects.push_back(object);
+        }
+        out.push_back(sample);
+    }
+    return out;
+}
+
+class PlotExport : public testing::Test {
+protected:
+    QTemporaryDir folder;
+    TracePlot plot;
+
+    PlotExport() { plot.resize(800, 320); }
+
+    std::shared_ptr<RecordedSession> recorded(const QString& name, const std::vector<TraceSample>& samples) {
+        Experiment experiment;
+        for (const QString& object : kExported) {
+            ObjectSpec spec;
+            spec.name = object.toStdString();
+            spec.shape = Disk{0.01};
+            spec.mounting[kX] = 0.05 * static_cast<double>(experiment.objects.size());
+            experiment.objects.push_back(spec);
+        }
+        const std::string path = folder.filePath(name + QStringLiteral(".bask")).toStdString();
+        {
+            auto writer = SessionWriter::create(path, experiment, true);
+            EXPECT_TRUE(writer);
+            for (const TraceSample& sample : samples)
+                EXPECT_TRUE((*writer)->add(sample));
+        }
+        return RecordedSession::open(path).value();
+    }
+    /// Morning of 20 s, over it evening of 30 s.
+    void showTwoRuns() {
+        plot.setRun(recorded(QStringLiteral("morning"), warming(20, 0.5)));
+        plot.addOverlay(QStringLiteral("B"), recorded(QStringLiteral("evening"), warming(30, 0.25)));
+    }
+    QString svg() const {
+        return QString::fromUtf8(
+            plot.figure(QStringLiteral("of now"), FigureFormat::Svg, QStringLiteral("mark")));
+    }
+    /// Dash patterns of its lines.
+    static QSet<QString> dashesIn(const QString& svg) {
+        static const QRegularExpression kDashes(QStringLiteral("stroke-dasharray=\"([^\"]+)\""));
+        QSet<QString> out;
+        for (auto found = kDashes.globalMatch(svg); found.hasNext();)
+            out << found.next().captured(1);
+        return out;
+    }
+    QList<QStringList> table() const {
+        QList<QStringList> rows;
+        const QString text = QString::fromUtf8(plot.table());
+        EXPECT_TRUE(text.endsWith(u'\n'));
+        for (const QString& row : text.split(u'\n', Qt::SkipEmptyParts))
+            rows << row.split(u',');
+        return rows;
+    }
+};
+
+} // namespace
+
+// Catches a figure that lacks the runs laid over the open one, their names, or dashes to tell them apart.
+TEST_F(PlotExport, AFigureHasAllRunsWithTheirNames) {
+    showTwoRuns();
+    const QString two = svg();
+    for (const char* name : {"A morning \u00b7 circle", "A morning \u00b7 bunny", "B evening \u00b7 circle",
+                             "B evening \u00b7 bunny", "SIMULATED", "Temperature"})
+        EXPECT_TRUE(two.contains(QString::fromUtf8(name))) << name;
+    EXPECT_FALSE(two.contains(QStringLiteral("of now")));
+    plot.addOverlay(QStringLiteral("C"), recorded(QStringLiteral("night"), warming(25, 0.4)));
+    const QString three = svg();
+    EXPECT_TRUE(three.contains(QStringLiteral("C night \u00b7 bunny")));
+    EXPECT_GT(dashesIn(three).size(), dashesIn(two).size()) << "each run has dashes of its own";
+    plot.clearOverlays();
+    EXPECT_FALSE(svg().contains(QStringLiteral("evening")));
+    EXPECT_GT(dashesIn(two).size(), 1);
+}
+
+// Catches a figure without the second quantity, or without its scale.
+TEST_F(PlotExport, AFigureHasTheRightAxis) {
+    plot.setRun(recorded(QStringLiteral("morning"), warming(20, 0.5)));
+    const QString without = svg();
+    EXPECT_FALSE(without.contains(QStringLiteral("View factor")));
+    plot.setRightQuantity(Quantity::ViewFactor);
+    const QString with = svg();
+    EXPECT_GE(with.count(QStringLiteral("View factor")), 2) << "in the title and at the axis";
+    EXPECT_GT(dashesIn(with).size(), dashesIn(without).size()) << "groups of dots";
+}
+
+// Catches marked moments that are lost, or whose words cannot be found from their numbers.
+TEST_F(PlotExport, MomentsAreNumberedAndNamed) {
+    plot.setObjects(kExported);
+    plot.append(warming(100, 0.1));
+    plot.addMarker(20.0, QStringLiteral("lamp moved"));
+    plot.addMarker(70.0, QStringLiteral("door open"));
+    const QString whole = svg();
+    EXPECT_TRUE(whole.contains(QStringLiteral("1 lamp moved")));
+    EXPECT_TRUE(whole.contains(QStringLiteral("2 door open")));
+    EXPECT_TRUE(whole.contains(QStringLiteral("of now"))) << "which run a live one is";
+    plot.setTimeRange(50.0, 100.0);
+    const QString later = svg();
+    EXPECT_FALSE(later.contains(QStringLiteral("lamp moved"))) << "it is not shown";
+    EXPECT_TRUE(later.contains(QStringLiteral("1 door open")));
+}
+
+// Catches a format that cannot be read, and an empty plot that breaks the drawing.
+TEST_F(PlotExport, FiguresAreOfTheirFormats) {
+    EXPECT_TRUE(plot.isEmpty());
+    EXPECT_FALSE(plot.figure({}, FigureFormat::Svg, {}).isEmpty());
+    showTwoRuns();
+    EXPECT_FALSE(plot.isEmpty());
+    const QImage image = QImage::fromData(plot.figure({}, FigureFormat::Png, QStringLiteral("mark")), "PNG");
+    EXPECT_EQ(image.width(), 1800);
+    EXPECT_EQ(image.text(QStringLiteral("Description")), QStringLiteral("mark"));
+    EXPECT_TRUE(plot.figure({}, FigureFormat::Pdf, {}).startsWith("%PDF"));
+}
+
+// Catches a table without the overlaid runs, with times of one beside values of another, or with numbers that
+// are not those of the recording.
+TEST_F(PlotExport, ATableHasAllRunsBesideEachOther) {
+    showTwoRuns();
+    plot.setRightQuantity(Quantity::ViewFactor);
+    const QList<QStringList> rows = table();
+    ASSERT_EQ(rows.size(), 31);
+    EXPECT_EQ(rows[0],
+              QStringList({"A morning: time (s)", "A morning: circle measured (degC)",
+                           "A morning: bunny measured (degC)", "A morning: circle target (degC)",
+                           "A morning: bunny target (degC)", "A morning: circle view factor (1)",
+                           "A morning: bunny view factor (1)", "B evening: time (s)",
+                           "B evening: circle measured (degC)", "B evening: bunny measured (degC)"}));
+    EXPECT_EQ(rows[10].mid(0, 8), QStringList({"10", "25", "30", "40", "40", "0.25", "0.25", "10"}));
+    EXPECT_DOUBLE_EQ(rows[10][8].toDouble(), 22.5);
+    EXPECT_EQ(rows[3][2], QString()) << "an invalid reading";
+    EXPECT_EQ(rows[25].mid(0, 7), QStringList({"", "", "", "", "", "", ""})) << "the shorter run is over";
+    EXPECT_EQ(rows[25][7], QStringLiteral("25"));
+}
+
+// Catches a table of what is not shown, and names of runs where there is but one.
+TEST_F(PlotExport, ATableIsOfTheShownTime) {
+    plot.setObjects(kExported);
+    plot.setQuantity(Quantity::Error);
+    plot.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    plot.append(warming(20, 0.5));
+    plot.setTimeRange(5.0, 10.0);
+    const QList<QStringList> rows = table();
+    ASSERT_EQ(rows.size(), 7);
+    EXPECT_EQ(rows[0], QStringList({"time (s)", "circle error (K)", "bunny error (K)"}));
+    EXPECT_EQ(rows[1][0], QStringLiteral("5"));
+    EXPECT_DOUBLE_EQ(rows[1][1].toDouble(), -17.5) << "kelvin, whatever the screen shows";
+    EXPECT_EQ(rows[6][0], QStringLiteral("10"));
+}
