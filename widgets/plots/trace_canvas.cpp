@@ -20,6 +20,15 @@ constexpr int kMaxPoints =
 
 constexpr std::size_t kFineStretch = 3; // px
 constexpr int kReadsPerFrame = 3;       // blocks of a recorded run, 3 ms each
+constexpr double kAfterEnd_s = 1.0;     // of a run, until it has no values any more
+
+/// The value of a run at its sample nearest to a time; NaN if the run was over by then.
+double valueNear(const TraceStore& traces, Quantity quantity, std::size_t series, double time_s) {
+    const std::size_t row = traces.nearestRow(time_s);
+    return row < traces.rows() && time_s <= traces.lastTime_s() + kAfterEnd_s
+               ? traces.value(quantity, series, row)
+               : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// "0:04.5", of a time that is rounded to that.
 QString momentToATenth(double time_s) {
@@ -339,37 +348,54 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
 }
 
-QStringList TracePlot::Canvas::readout(double time_s, std::optional<double> from_s) const {
-    const std::size_t row = traces->nearestRow(time_s);
-    if (row >= traces->rows())
+std::optional<double> TracePlot::Canvas::momentNear(double time_s) const {
+    const TraceStore* nearest = traces.get();
+    for (const Overlay& overlay : overlays) // one that goes on after the end of those before it
+        if (time_s > nearest->lastTime_s() && overlay.traces.lastTime_s() > nearest->lastTime_s())
+            nearest = &overlay.traces;
+    const std::size_t row = nearest->nearestRow(time_s);
+    if (row >= nearest->rows() || !std::isfinite(nearest->time_s(row))) // not finite: of a damaged file
+        return std::nullopt;
+    return nearest->time_s(row);
+}
+
+QList<TracePlot::Canvas::ReadValue> TracePlot::Canvas::readout(double time_s,
+                                                               std::optional<double> from_s) const {
+    const std::optional<double> then_s = momentNear(time_s);
+    if (!then_s)
         return {};
-    const std::size_t from = from_s ? traces->nearestRow(*from_s) : traces->rows();
-    const bool isPinned = from < traces->rows();
+    const std::optional<double> first_s = from_s ? momentNear(*from_s) : std::nullopt;
     const auto withChange = [](const QString& first, const QString& then, const QString& change) {
         return QStringLiteral("%1 \u2192 %2 (\u0394 %3)").arg(first, then, change);
     };
-    QStringList parts{formatDuration(traces->time_s(row))};
-    if (isPinned) {
-        const double first_s = roundedTo(traces->time_s(from), 1), then_s = roundedTo(traces->time_s(row), 1);
-        parts[0] = withChange(momentToATenth(first_s), momentToATenth(then_s),
-                              formatSigned(then_s - first_s, 1) + QStringLiteral("\u00a0s"));
+    QList<ReadValue> out{{formatDuration(*then_s), {}}};
+    if (first_s) {
+        const double rounded_s = roundedTo(*first_s, 1), thenRounded_s = roundedTo(*then_s, 1);
+        out[0].words = withChange(momentToATenth(rounded_s), momentToATenth(thenRounded_s),
+                                  formatSigned(thenRounded_s - rounded_s, 1) + QStringLiteral("\u00a0s"));
     }
-    const auto add = [&](const QString& name, Quantity of, int index) {
+    const auto add = [&](const QString& name, const QColor& color, const TraceStore& from, Quantity of,
+                         int index) {
         const auto series = static_cast<std::size_t>(index);
-        const double value = traces->value(of, series, row);
+        const double value = valueNear(from, of, series, *then_s);
         QString text = quantityText(value, of, series, unit);
-        if (isPinned) {
+        if (first_s) {
             const QuantityChange change =
-                quantityChange(traces->value(of, series, from), value, of, series, unit);
+                quantityChange(valueNear(from, of, series, *first_s), value, of, series, unit);
             text = withChange(change.first, change.then, change.by);
         }
-        parts << QStringLiteral("%1 %2").arg(name, text);
+        out.append({QStringLiteral("%1 %2").arg(name, text), color});
     };
+    const QString own = overlays.empty() ? QString() : u' ' + kOwnMark;
     for (int i = 0; i < m_series.size(); ++i)
-        add(seriesName(i), quantity, i);
+        add(seriesName(i) + own, penOfSeries(i).color(), *traces, quantity, i);
     for (int i = 0; i < rightAxis.graphs.size(); ++i)
-        add(rightName(i), *rightAxis.quantity, i);
-    return parts;
+        add(rightName(i) + own, penOfRight(i).color(), *traces, *rightAxis.quantity, i);
+    for (const Overlay& overlay : overlays)
+        for (int i = 0; i < overlay.graphs.size(); ++i)
+            add(overlayName(overlay, i) + u' ' + overlay.mark, overlay.graphs[i]->pen().color(),
+                overlay.traces, quantity, i);
+    return out;
 }
 
 } // namespace bask

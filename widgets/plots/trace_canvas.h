@@ -19,6 +19,14 @@ class TracePlot::Canvas : public QCustomPlot {
 public:
     explicit Canvas(TracePlot* owner);
 
+    struct Overlay {
+        QString mark;
+        QStringList objects;
+        TraceStore traces;
+        QList<QCPGraph*> graphs;
+        QList<QCPItemText*> labels;
+    };
+
     // Data and what is shown of it (trace_canvas.cpp)
     void setObjects(const QStringList& names);
     void setQuantity(Quantity quantity);
@@ -32,8 +40,16 @@ public:
     double displayed(double value) const;
     bool isOfRun() const; ///< whether the quantity belongs to the run: its lines are not the objects'
     QString seriesName(int series) const;
-    QStringList readout(double time_s, std::optional<double> from_s) const; ///< time, then each line
-    double factor(Quantity of, int series) const;                           ///< of displayed values
+    /// A line of the read-out, in the colour of the line that it tells of.
+    struct ReadValue {
+        QString words;
+        QColor color;
+    };
+    /// Time, then each line of the run, of the right axis and of the runs over it.
+    QList<ReadValue> readout(double time_s, std::optional<double> from_s) const;
+    /// Returns the nearest moment that has values, of any of the runs; empty if there is none.
+    std::optional<double> momentNear(double time_s) const;
+    double factor(Quantity of, int series) const;            ///< of displayed values
     QList<QPointF> allPoints(Quantity of, int series) const; ///< of the whole run, as displayed
 
     // Looks (trace_canvas_look.cpp)
@@ -55,6 +71,7 @@ public:
     void clearOverlays();
     void rebuildOverlays();
     void styleOverlays(Density density);
+    QString overlayName(const Overlay& overlay, int series) const;
     double lastTime_s() const; ///< last time of all runs
 
     // What is shown, for print and as a table (trace_canvas_export.cpp)
@@ -126,13 +143,6 @@ public:
     };
     RightAxis rightAxis;
 
-    struct Overlay {
-        QString mark;
-        QStringList objects;
-        TraceStore traces;
-        QList<QCPGraph*> graphs;
-        QList<QCPItemText*> labels;
-    };
     std::vector<Overlay> overlays;
 
     PredictedRun prediction;         ///< without samples: none

@@ -60,7 +60,7 @@ void TracePlot::Canvas::connectInteraction() {
         if (event->button() != Qt::LeftButton || traces->rows() == 0)
             return;
         const double clicked_s = xAxis->pixelToCoord(event->pos().x());
-        pinCursor(traces->time_s(traces->nearestRow(clicked_s)));
+        pinCursor(momentNear(clicked_s));
         emit owner->momentClicked(clicked_s);
     });
     connect(this, &QCustomPlot::mouseDoubleClick, this, [this] {
@@ -222,24 +222,19 @@ bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
 }
 
 void TracePlot::Canvas::showCursor(double time_s) {
-    const std::size_t row = traces->nearestRow(time_s);
-    if (row >= traces->rows())
-        return hideCursor();
-    m_cursor_s = traces->time_s(row);
-    if (!std::isfinite(*m_cursor_s)) // of a damaged file
+    m_cursor_s = momentNear(time_s);
+    if (!m_cursor_s)
         return hideCursor();
     m_cursor->start->setCoords(*m_cursor_s, 1.0);
     m_cursor->end->setCoords(*m_cursor_s, 0.0);
     m_cursor->setVisible(true);
     layer(QStringLiteral("cursor"))->replot();
 
-    const QStringList parts = readout(*m_cursor_s, pinned_s);
-    QString rich = QStringLiteral("<b>%1</b>").arg(parts.value(0).toHtmlEscaped());
-    const auto left = static_cast<int>(m_series.size());
+    const QList<ReadValue> parts = readout(*m_cursor_s, pinned_s);
+    QString rich = QStringLiteral("<b>%1</b>").arg(parts.value(0).words.toHtmlEscaped());
     for (int i = 1; i < parts.size(); ++i)
         rich += QStringLiteral("<br><span style='color:%1'>\u25a0</span> %2")
-                    .arg((i <= left ? penOfSeries(i - 1) : penOfRight(i - 1 - left)).color().name(),
-                         parts[i].toHtmlEscaped());
+                    .arg(parts[i].color.name(), parts[i].words.toHtmlEscaped());
     m_readout->setText(rich);
     m_readout->adjustSize();
     // On the side away from the cursor, so that it never hides what is pointed at.
@@ -260,8 +255,6 @@ void TracePlot::Canvas::hideCursor() {
 }
 
 void TracePlot::Canvas::pinCursor(std::optional<double> time_s) {
-    if (time_s && !std::isfinite(*time_s)) // of a damaged file
-        time_s.reset();
     if (!time_s && !pinned_s)
         return;
     pinned_s = time_s;

@@ -62,12 +62,16 @@ void TracePlot::Canvas::rebuildOverlays() {
     styleOverlays(Density::Loose);
 }
 
+QString TracePlot::Canvas::overlayName(const Overlay& overlay, int series) const {
+    return isOfRun() ? seriesName(series) : overlay.objects.value(series);
+}
+
 void TracePlot::Canvas::styleOverlays(Density density) {
     const QFontMetrics metrics(font());
     for (std::size_t k = 0; k < overlays.size(); ++k) {
         const Overlay& overlay = overlays[k];
         for (int i = 0; i < overlay.graphs.size(); ++i) {
-            const QString name = isOfRun() ? seriesName(i) : overlay.objects.value(i);
+            const QString name = overlayName(overlay, i);
             const auto same = static_cast<int>(names.indexOf(name)); // in the run underneath
             QPen pen(seriesColor(same >= 0 ? same : i, dark), 1.4);
             if (isOfRun())

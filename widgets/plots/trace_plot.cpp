@@ -222,7 +222,10 @@ std::optional<double> TracePlot::cursor_s() const {
 }
 
 QString TracePlot::readout(double time_s, std::optional<double> pinned_s) const {
-    return m_canvas->readout(time_s, pinned_s).join(QStringLiteral("   "));
+    QStringList parts;
+    for (const auto& part : m_canvas->readout(time_s, pinned_s))
+        parts << part.words;
+    return parts.join(QStringLiteral("   "));
 }
 
 void TracePlot::takeCursorAway() {

@@ -1,4 +1,4 @@
-// What a plot shows, as a figure for print and as a table.
+// What a plot shows of several runs: under its cursors, as a figure for print, as a table.
 
 #include "engine/recording/recorded_session.h"
 #include "widgets/plots/trace_plot.h"
@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 
 using namespace bask;
 
@@ -180,4 +181,25 @@ TEST_F(PlotExport, ATableIsOfTheShownTime) {
     EXPECT_EQ(rows[1][0], QStringLiteral("5"));
     EXPECT_DOUBLE_EQ(rows[1][1].toDouble(), -17.5) << "kelvin, whatever the screen shows";
     EXPECT_EQ(rows[6][0], QStringLiteral("10"));
+}
+
+// Catches cursors that read the open run only, or values of a run that was over by then.
+TEST_F(PlotExport, CursorsReadEachRun) {
+    showTwoRuns();
+    const auto told = [&](double time_s, std::optional<double> pinned_s) {
+        return plot.readout(time_s, pinned_s).replace(QChar(0x00a0), u' ').split(QStringLiteral("   "));
+    };
+    const QStringList both = told(10.0, 4.0);
+    ASSERT_EQ(both.size(), 5) << both.join('|').toStdString();
+    EXPECT_EQ(both[1], QStringLiteral("circle A 22.0 \u00b0C \u2192 25.0 \u00b0C (\u0394 +3.0 K)"));
+    EXPECT_EQ(both[2], QStringLiteral("bunny A 24.0 \u00b0C \u2192 30.0 \u00b0C (\u0394 +6.0 K)"));
+    EXPECT_EQ(both[3], QStringLiteral("circle B 21.0 \u00b0C \u2192 22.5 \u00b0C (\u0394 +1.5 K)"));
+    EXPECT_EQ(both[4], QStringLiteral("bunny B 22.0 \u00b0C \u2192 25.0 \u00b0C (\u0394 +3.0 K)"));
+    const QStringList later = told(28.0, std::nullopt);
+    ASSERT_EQ(later.size(), 5);
+    EXPECT_EQ(later[0], QStringLiteral("0:28")) << "the longer run has that moment";
+    EXPECT_EQ(later[1], QStringLiteral("circle A \u2014"));
+    EXPECT_EQ(later[3], QStringLiteral("circle B 27.0 \u00b0C"));
+    plot.clearOverlays();
+    EXPECT_EQ(told(10.0, std::nullopt)[1], QStringLiteral("circle 25.0 \u00b0C"));
 }
