@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kLinePixels = 2000; // a line shows least and greatest values within each
 constexpr int kMarkersOfLine = 12;
+constexpr int kLabelStrip = 18;      // above the lines, for the words of moments
 constexpr double kBeside = 12.0;     // left and right of the head and the legend
 constexpr double kLegendIcon = 70.0; // with the room around a name
 constexpr FigureRange kNothing{1e300, -1e300};
@@ -42,7 +43,7 @@ public:
         m_plot.setBackground(Qt::white);
         styleAxis(m_plot.xAxis, m_time.label);
         styleAxis(m_plot.yAxis, quantityAxis(m_figure.quantity, m_figure.unit));
-        m_plot.axisRect()->setMinimumMargins({12, 4, 20, 0});
+        m_plot.axisRect()->setMinimumMargins({12, m_figure.moments.isEmpty() ? 4 : kLabelStrip, 20, 0});
         if (m_figure.quantity == Quantity::Temperature)
             for (std::size_t i = 0; i < m_traces.objects(); ++i)
                 addTarget(i);
@@ -278,6 +279,8 @@ private:
     }
 
     void addMoment(const FigureMoment& moment) {
+        if (!m_plot.xAxis->range().contains(moment.time_s / m_time.length_s))
+            return;
         auto* line = new QCPItemLine(&m_plot);
         auto* label = new QCPItemText(&m_plot);
         int side = 0;
@@ -287,8 +290,9 @@ private:
             end->setCoords(moment.time_s / m_time.length_s, side++ == 0 ? 1.0 : 0.0);
         }
         line->setPen(QPen(secondaryText(false), 1, Qt::DotLine));
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-        label->setPadding({3, 1, 2, 0});
+        label->setClipToAxisRect(false);
+        label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+        label->setPadding({0, 0, 0, 2});
         label->setFont(figureFont(11));
         label->setColor(secondaryText(false));
         label->setText(moment.label);

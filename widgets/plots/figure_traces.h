@@ -11,7 +11,7 @@
 
 namespace bask {
 
-/// A vertical line with a short text at its top.
+/// A vertical line with a short text above it.
 struct FigureMoment {
     double time_s = 0.0;
     QString label;

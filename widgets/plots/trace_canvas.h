@@ -65,6 +65,8 @@ public:
     void addMarker(double time_s, const QString& text);
     void clearMarkers();
     void placeMarkerTexts();
+    void showMarkerTexts(bool visible);
+    int markerStrip() const; ///< height of the strip of their words above the traces, px; 0 without
 
     // Further runs drawn over this one (trace_canvas_overlays.cpp)
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);

@@ -88,7 +88,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
     m_predictionText->setColor(quiet);
     m_predictionText->setFont(font());
     m_predictionText->setPadding(QMargins(3, 0, 3, 0));
-    m_predictionText->setBrush(withAlpha(colors.color(QPalette::Base), 215)); // measured lines cross it
+    m_predictionText->setBrush(withAlpha(colors.color(QPalette::Base), 140)); // measured lines cross it
     m_cursor->setPen(QPen(quiet, 1));
     m_pinned->setPen(QPen(accentColor(dark), 1, Qt::DashLine));
     m_position->setPen(QPen(accentColor(dark), 2));
@@ -96,7 +96,6 @@ void TracePlot::Canvas::restyle(bool darkGround) {
         marker.line->setPen(QPen(withAlpha(quiet, 190), 1, Qt::DotLine));
         marker.label->setColor(quiet);
         marker.label->setFont(font());
-        marker.label->setBrush(withAlpha(colors.color(QPalette::Base), 215));
     }
     styleRight(Density::Loose);
     QPalette readoutColors = colors;
@@ -169,7 +168,7 @@ void TracePlot::Canvas::fitMargins() {
     for (const QString& name : std::as_const(names))
         widest = std::max(widest, std::min(kLongestLabel, boldMetrics.horizontalAdvance(name)));
     const int left = metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20;
-    axisRect()->setMargins(QMargins(left, 10, widest + 14 + rightAxisWidth(), 0));
+    axisRect()->setMargins(QMargins(left, std::max(10, markerStrip()), widest + 14 + rightAxisWidth(), 0));
     axisRect()->setMinimumMargins(QMargins(0, 0, 0, 0));
 }
 
@@ -251,18 +250,18 @@ void TracePlot::Canvas::addMarker(double time_s, const QString& text) {
     if (!std::isfinite(time_s))
         return;
     auto* line = new QCPItemLine(this);
+    line->setClipToAxisRect(false); // it leads to its words
     for (QCPItemPosition* end : {line->start, line->end}) {
         end->setTypeX(QCPItemPosition::ptPlotCoords);
         end->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
     line->start->setCoords(time_s, 1.0);
-    line->end->setCoords(time_s, 0.0);
     auto* label = new QCPItemText(this);
     label->setLayer(QStringLiteral("labels"));
+    label->setClipToAxisRect(false);
     label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     label->position->setCoords(time_s, 0.0);
-    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->setPadding(QMargins(4, 1, 3, 1));
     label->setVisible(false);
     markers.append({time_s, text, line, label});
@@ -276,11 +275,22 @@ void TracePlot::Canvas::clearMarkers() {
         removeItem(marker.label);
     }
     markers.clear();
+    fitMargins();
     schedule();
 }
 
-/// A marker's words stand right of its line, or left of it where there is no room, elided where neither side
-/// has enough.
+void TracePlot::Canvas::showMarkerTexts(bool visible) {
+    markerTexts = visible;
+    fitMargins();
+    schedule();
+}
+
+int TracePlot::Canvas::markerStrip() const {
+    return markerTexts && !markers.isEmpty() ? QFontMetrics(font()).height() + 6 : 0;
+}
+
+/// A marker's words stand above the traces, which they would hide, right of its line or left of it where
+/// there is no room, elided where neither side has enough.
 void TracePlot::Canvas::placeMarkerTexts() {
     const QFontMetrics metrics(font());
     const QRect area = axisRect()->rect();
@@ -299,9 +309,12 @@ void TracePlot::Canvas::placeMarkerTexts() {
         const bool inside = x >= area.left() && x <= area.right();
         const bool shown = markerTexts && inside && room >= std::min(wanted, 40.0);
         marker.label->setVisible(shown);
+        marker.line->setVisible(inside);
+        marker.line->end->setCoords(marker.time_s,
+                                    shown ? -double(markerStrip()) / std::max(1, area.height()) : 0.0);
         if (shown) {
             marker.label->setText(metrics.elidedText(marker.text, Qt::ElideRight, static_cast<int>(room)));
-            marker.label->setPositionAlignment((onLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+            marker.label->setPositionAlignment((onLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         }
         if (inside)
             taken = shown && !onLeft ? x + metrics.horizontalAdvance(marker.label->text()) + kAround : x;

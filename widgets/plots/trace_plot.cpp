@@ -84,8 +84,7 @@ void TracePlot::clearMarkers() {
 }
 
 void TracePlot::setMarkerTextsVisible(bool visible) {
-    m_canvas->markerTexts = visible;
-    m_canvas->schedule();
+    m_canvas->showMarkerTexts(visible);
 }
 
 void TracePlot::addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run) {

@@ -56,7 +56,7 @@ public:
     void setRun(std::shared_ptr<RecordedSession> run);
     void clear(); ///< removes samples and markers
 
-    /// Adds a vertical line with a short text at its top.
+    /// Adds a vertical line with a short text above it, where it hides no trace.
     void addMarker(double time_s, const QString& text);
     void clearMarkers();
     void setMarkerTextsVisible(bool visible);

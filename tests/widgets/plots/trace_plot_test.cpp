@@ -336,6 +336,34 @@ TEST(TracePlot, MarkersAndClear) {
     EXPECT_EQ(shown.plot.seriesPoints(0).size(), 3) << "a new run begins at zero again";
 }
 
+// Catches words of markers that stand over the traces.
+TEST(TracePlot, WordsOfMarkersStandAboveTheTraces) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(100));
+    QWidget* canvas = canvasOf(shown.plot);
+    const auto pictureWith = [&](const QString& words) {
+        shown.plot.clearMarkers();
+        shown.plot.addMarker(30.0, words);
+        shown.plot.redraw();
+        return canvas->grab().toImage();
+    };
+    const QImage one = pictureWith(QStringLiteral("gggg")), other = pictureWith(QStringLiteral("MMMM"));
+    ASSERT_EQ(one.size(), other.size());
+    int lowest = -1;
+    for (int y = 0; y < one.height(); ++y)
+        for (int x = 0; x < one.width(); ++x)
+            if (one.pixel(x, y) != other.pixel(x, y))
+                lowest = y;
+    EXPECT_GE(lowest, 0) << "they are drawn";
+    EXPECT_LT(lowest, canvas->fontMetrics().height() + 6) << "in the strip above the traces";
+    shown.plot.setMarkerTextsVisible(false);
+    EXPECT_EQ(shown.plot.markerTexts(), QStringList{QStringLiteral("MMMM")});
+    for (const QObject* child : canvas->children())
+        if (child->property("text").toString() == QStringLiteral("MMMM")) {
+            EXPECT_FALSE(child->property("clipToAxisRect").toBool());
+        }
+}
+
 // Catches not-a-number and infinite values that spoil scales or crash the drawing.
 TEST(TracePlot, OnlyNotANumber) {
     ShownPlot shown(Quantity::Strength);
