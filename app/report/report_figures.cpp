@@ -20,7 +20,6 @@ struct FigureText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
-constexpr double kErrorsWithin_K = 5.0;      // the errors' axis; the way there is in the temperatures
 constexpr double kLabelRoom = 0.022;         // of the time axis
 constexpr std::size_t kMaxPathPoints = 4000; // of an object in the figure of trajectories
 
@@ -39,6 +38,15 @@ bool isMarked(MessageCode code) {
     default:
         return alarmPriority(code) > 0;
     }
+}
+
+/// Of all readings, at least that of the band.
+double greatestError_K(const SessionRecord& session) {
+    double greatest_K = kSettledBand_K;
+    for (const TraceSample& sample : session.samples)
+        for (std::size_t i = 0; i < sample.objects.size(); ++i)
+            greatest_K = std::fmax(greatest_K, std::abs(plottedValue(sample, Quantity::Error, i)));
+    return greatest_K;
 }
 
 double temperature_K(const ObjectSample& object) {
@@ -89,7 +97,7 @@ QString runFigureCaption(RunFigure figure, const SessionRecord& session, Tempera
     case Quantity::Temperature:
         return quantityCaption(*figure).arg(plusMinus(kSettledBand_K, 1));
     case Quantity::Error:
-        return quantityCaption(*figure).arg(plusMinus(kErrorsWithin_K, 0));
+        return quantityCaption(*figure).arg(plusMinus(greatestError_K(session), 1));
     case Quantity::Speed:
         return FigureText::tr(
                    "Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 \u00b0/s.")
@@ -118,10 +126,6 @@ struct RunFigures::Impl {
         figure.limits = {session.experiment.robot.maxSpeed_m_s, session.experiment.robot.maxRotation_rad_s};
         figure.moments = moments;
         figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 780 : 650);
-        if (quantity == Quantity::Error) {
-            const double max = displayDifference(kErrorsWithin_K, unit);
-            figure.yRange = FigureRange{-max, max};
-        }
         return traceFigure(figure, store, format, kRunFigureMark);
     }
 

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kColours = 48; // steps of the gradient: a path is one curve a step
 
+constexpr int kMarkersOfPath = 6;
+
 constexpr double kNameGap = 7.0; // px, from a start to its name
 constexpr int kNamePadding = 3;
 
@@ -20,14 +22,19 @@ struct View {
     QCPAxisRect* rect;
 };
 
+/// Blue to red, ever lighter: a black-and-white print keeps the order.
 QCPColorGradient coolToWarm() {
     QCPColorGradient gradient;
     gradient.clearColorStops();
     gradient.setColorInterpolation(QCPColorGradient::ciRGB);
-    gradient.setColorStopAt(0.0, QColor(0x2b, 0x5f, 0xc4));
-    gradient.setColorStopAt(0.5, QColor(0xb0, 0x6a, 0xa8));
-    gradient.setColorStopAt(1.0, QColor(0xd0, 0x2b, 0x2b));
+    gradient.setColorStopAt(0.0, QColor(0x12, 0x24, 0xa8));
+    gradient.setColorStopAt(0.5, QColor(0x96, 0x3c, 0x92));
+    gradient.setColorStopAt(1.0, QColor(0xee, 0x4b, 0x3a));
     return gradient;
+}
+
+double distance(const QPointF& a, const QPointF& b) {
+    return std::hypot(b.x() - a.x(), b.y() - a.y());
 }
 
 class Drawing {
@@ -41,8 +48,20 @@ public:
         if (!source.isEmpty())
             source << source.front();
         line(view, source, QPen(themePalette(false).color(QPalette::Text), 2.2));
-        for (const FigurePath& path : m_figure.paths)
-            addPath(view, path);
+        for (int i = 0; i < m_figure.paths.size(); ++i) {
+            addPath(view, m_figure.paths[i]);
+            addMarkers(view, m_figure.paths[i], i);
+        }
+    }
+
+    /// Which marker is which object's.
+    void addMarkerNames(const View& view) {
+        for (int i = 0; i < m_figure.paths.size(); ++i) {
+            QCPGraph* graph = addPoints(view, figureMarker(i, themePalette(false).color(QPalette::Text)));
+            graph->setName(m_figure.paths[i].name);
+            graph->addToLegend();
+        }
+        addLegend(m_plot, 4);
     }
 
     /// A name that would be over another one stands under its start. When the scales are known.
@@ -87,7 +106,6 @@ private:
             data << QCPCurveData(static_cast<double>(data.size()), point.x(), point.y());
         curve->data()->set(data, true);
         curve->setPen(pen);
-        curve->removeFromLegend();
     }
 
     /// One curve as long as the colour stays, so that the ends meet.
@@ -148,12 +166,33 @@ private:
         m_names.push_back({name, view.rect, start});
     }
 
-    void mark(const View& view, const PathPoint& point, const QCPScatterStyle& style) {
+    /// A few at equal ways along the path: without colours they tell whose it is.
+    void addMarkers(const View& view, const FigurePath& path, int index) {
+        if (m_figure.paths.size() < 2)
+            return;
+        double length = 0.0, way = 0.0;
+        for (qsizetype k = 1; k < path.points.size(); ++k)
+            length += distance(view.of(path.points[k - 1]), view.of(path.points[k]));
+        int count = 1;
+        for (qsizetype k = 1; k < path.points.size() && length > 0.0; ++k) {
+            way += distance(view.of(path.points[k - 1]), view.of(path.points[k]));
+            if (count <= kMarkersOfPath && way >= length * count / (kMarkersOfPath + 1)) {
+                mark(view, path.points[k], figureMarker(index, colour(path.points[k].temperature_degC)));
+                ++count;
+            }
+        }
+    }
+
+    QCPGraph* addPoints(const View& view, const QCPScatterStyle& style) {
         auto* graph = m_plot.addGraph(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
         graph->setLineStyle(QCPGraph::lsNone);
         graph->setScatterStyle(style);
+        return graph;
+    }
+
+    void mark(const View& view, const PathPoint& point, const QCPScatterStyle& style) {
         const QPointF place = view.of(point);
-        graph->addData(place.x(), place.y());
+        addPoints(view, style)->addData(place.x(), place.y());
     }
 
     QCustomPlot& m_plot;
@@ -237,6 +276,8 @@ QByteArray pathsPng(const PathsFigure& figure, const QString& comment) {
 QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QString& comment) {
     QCustomPlot plot;
     plot.setBackground(Qt::white);
+    plot.setAutoAddPlottableToLegend(false);
+    plot.axisRect()->insetLayout()->take(plot.legend); // or it would go with the rectangle
     plot.plotLayout()->clear();
     auto* views = new QCPLayoutGrid;
     plot.plotLayout()->addElement(0, 0, views);
@@ -252,6 +293,8 @@ QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QS
     drawing.add(above);
     drawing.add(aside);
     addColours(plot, *views, figure);
+    if (figure.paths.size() > 1)
+        drawing.addMarkerNames(above);
     addHead(plot, figure.title, figure.note);
     const int width = static_cast<int>(figure.size_px.width() / kFigureScale);
     const int height = static_cast<int>(figure.size_px.height() / kFigureScale);

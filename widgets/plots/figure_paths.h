@@ -23,8 +23,9 @@ struct FigurePath {
     QList<PathPoint> points;
 };
 
-/// Two views beside each other: against the source's normal (x to the right, y up; the source's outline is
-/// true) and along its x (y to the left, z up; the source is a line).
+/// Two views beside each other, several paths with a marker for each along it and in the legend: against the
+/// source's normal (x to the right, y up; the source's outline is true) and along its x (y to the left, z up;
+/// the source is a line).
 struct PathsFigure {
     QString title, note;
     QList<FigurePath> paths;

@@ -116,11 +116,14 @@ void shadeAboutZero(QCustomPlot& plot, double band) {
     rectangle->topLeft->setCoords(0.0, band);
     rectangle->bottomRight->setCoords(1.0, -band);
     rectangle->setPen(Qt::NoPen);
-    rectangle->setBrush(QColor(0, 0, 0, 22));
+    rectangle->setBrush(kBandColor);
 }
 
 QByteArray pngOf(QImage image, const QString& comment) {
+    constexpr double kInch_m = 0.0254;
     image.setDevicePixelRatio(1.0);
+    image.setDotsPerMeterX(qRound(kFigureDots / kInch_m));
+    image.setDotsPerMeterY(qRound(kFigureDots / kInch_m));
     markPicture(image, comment);
     QByteArray bytes;
     QBuffer buffer(&bytes);

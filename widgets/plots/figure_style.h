@@ -12,6 +12,8 @@
 namespace bask {
 
 inline constexpr double kFigureScale = 2.0; ///< pixels a unit of letters and lines
+inline constexpr int kFigureDots = 300;     ///< pixels an inch of paper
+inline constexpr QColor kBandColor(0, 0, 0, 22);
 
 QFont figureFont(int size, bool bold = false);
 /// Sets label, text, colours and grid of an axis on a light background.
@@ -32,7 +34,7 @@ QList<qreal> dotGroups(int index);
 QString inLines(const QString& text, const QFont& font, double width);
 /// Shades the linear y-axis from -`band` to `band` in grey over the whole width; nothing for 0.
 void shadeAboutZero(QCustomPlot& plot, double band);
-/// `comment` is stored as the picture's description.
+/// `comment` is stored as the picture's description, and its size on paper by kFigureDots.
 QByteArray pngOf(QImage image, const QString& comment);
 /// Returns the plot drawn at this size (kFigureScale pixels per unit) in any format.
 QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, const QString& comment);

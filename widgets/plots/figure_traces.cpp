@@ -56,9 +56,10 @@ public:
         setTimeRange();
         setRange(m_plot.yAxis, m_figure.quantity, m_left, m_figure.yRange);
         if (m_figure.quantity == Quantity::Error)
-            shadeAboutZero(m_plot, displayDifference(m_figure.band_K, m_figure.unit));
+            addZero();
         for (const FigureMoment& moment : m_figure.moments)
             addMoment(moment);
+        addTargetToLegend();
         addLegend(m_plot, legendColumns());
         addHead(m_plot, m_figure.title, inLines(m_figure.note, figureFont(13), width() - 2.0 * kBeside));
     }
@@ -226,7 +227,7 @@ private:
             QCPGraph* high = addSteps(steps, m_figure.band_K);
             for (QCPGraph* edge : {low, high})
                 edge->setPen(Qt::NoPen);
-            high->setBrush(QColor(0, 0, 0, 22));
+            high->setBrush(kBandColor);
             high->setChannelFillGraph(low);
         }
         QPen line(seriesColor(static_cast<int>(object), false), 1.1);
@@ -240,6 +241,32 @@ private:
                 for (const double shift_K : {-m_figure.band_K, m_figure.band_K})
                     take(m_left, displayed(steps[k].second + shift_K, Quantity::Temperature, 0));
         }
+    }
+
+    /// Where errors have their target, with the band.
+    void addZero() {
+        shadeAboutZero(m_plot, displayDifference(m_figure.band_K, m_figure.unit));
+        auto* line = new QCPItemStraightLine(&m_plot);
+        line->setLayer(QStringLiteral("background"));
+        line->point1->setCoords(0.0, 0.0);
+        line->point2->setCoords(1.0, 0.0);
+        line->setPen(targetPen());
+    }
+
+    static QPen targetPen() {
+        QPen line(secondaryText(false), 1.1);
+        line.setCapStyle(Qt::FlatCap);
+        line.setDashPattern({5.0, 4.0});
+        return line;
+    }
+
+    void addTargetToLegend() {
+        if (m_figure.quantity != Quantity::Temperature && m_figure.quantity != Quantity::Error)
+            return;
+        addLegendEntry(m_plot, TracePlot::tr("target"), targetPen());
+        const QString band = formatDifference(m_figure.band_K, m_figure.unit).mid(1); // without its sign
+        addLegendEntry(m_plot, TracePlot::tr("band of \u00b1%1", "%1 is 0.5 K").arg(band), Qt::NoPen,
+                       kBandColor);
     }
 
     static void take(FigureRange& range, double value) {

@@ -136,6 +136,19 @@ TEST_F(PlotExport, MomentsAreNumberedAndNamed) {
     EXPECT_TRUE(later.contains(QStringLiteral("1 door open")));
 }
 
+// Catches a legend that does not say what the dashed line and the grey band are.
+TEST_F(PlotExport, TheLegendNamesTargetAndBand) {
+    plot.setObjects(kExported);
+    plot.append(warming(20, 0.5));
+    for (const Quantity quantity : {Quantity::Temperature, Quantity::Error}) {
+        plot.setQuantity(quantity);
+        EXPECT_TRUE(svg().contains(QStringLiteral(">target<")));
+        EXPECT_TRUE(svg().contains(QStringLiteral("band of \u00b10.5")));
+    }
+    plot.setQuantity(Quantity::ViewFactor);
+    EXPECT_FALSE(svg().contains(QStringLiteral("target")));
+}
+
 // Catches a format that cannot be read, and an empty plot that breaks the drawing.
 TEST_F(PlotExport, FiguresAreOfTheirFormats) {
     EXPECT_TRUE(plot.isEmpty());

@@ -54,6 +54,8 @@ TEST(PathsPng, GoesFromBlueToRedWhereThePathGoes) {
     const QImage whole = QImage::fromData(pathsPng(figure, "comment"), "PNG");
     ASSERT_EQ(whole.size(), figure.size_px);
     EXPECT_EQ(whole.text("Description"), QString("comment"));
+    EXPECT_NEAR(whole.dotsPerMeterX() * 0.0254, 300.0, 0.1) << "dots per inch";
+    EXPECT_EQ(whole.dotsPerMeterX(), whole.dotsPerMeterY());
     const int half = static_cast<int>(0.46 * whole.width());
     const QImage above = whole.copy(0, 0, half, whole.height());
     const QImage aside = whole.copy(half, 0, static_cast<int>(0.44 * whole.width()), whole.height());
@@ -67,6 +69,38 @@ TEST(PathsPng, GoesFromBlueToRedWhereThePathGoes) {
     ASSERT_GT(hotAside.count, 20);
     EXPECT_GT(coldAside.x, hotAside.x + 0.1) << "y goes to the left, seen along x";
     EXPECT_LT(coldAside.y, hotAside.y - 0.1) << "z goes up";
+}
+
+// Catches colours whose order a black-and-white print loses, and paths that only colours tell apart.
+TEST(PathsPng, IsReadInBlackAndWhite) {
+    PathsFigure figure;
+    figure.title = "title";
+    figure.coldest_degC = 20.0;
+    figure.hottest_degC = 60.0;
+    for (int k = 0; k < 60; ++k)
+        figure.source_cm << QPointF(10.0 * std::cos(M_PI * k / 30.0), 10.0 * std::sin(M_PI * k / 30.0));
+    for (const double y_cm : {-4.0, 4.0}) {
+        FigurePath path{y_cm < 0.0 ? "alpha" : "bravo", {}};
+        for (int k = 0; k <= 40; ++k) // from the left to the right
+            path.points << PathPoint{-8.0 + 0.4 * k, y_cm, 20.0, 20.0 + k};
+        figure.paths << path;
+    }
+    const QImage image = QImage::fromData(pathsPng(figure, "comment"), "PNG");
+    double total[3] = {}, count[3] = {}; // of the paths in the view from above, in thirds of its width
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = image.width() / 10; x < image.width() * 4 / 10; ++x)
+            if (const QColor color = image.pixelColor(x, y); color.hsvSaturation() > 140) {
+                const int third = (x - image.width() / 10) * 10 / image.width();
+                total[third] += qGray(color.rgb());
+                ++count[third];
+            }
+    for (const double each : count)
+        ASSERT_GT(each, 100);
+    EXPECT_LT(total[0] / count[0] + 10.0, total[1] / count[1]);
+    EXPECT_LT(total[1] / count[1] + 10.0, total[2] / count[2]);
+    const QString svg = QString::fromUtf8(pathsPicture(figure, FigureFormat::Svg, "comment"));
+    for (const char* name : {"alpha", "bravo"})
+        EXPECT_EQ(svg.count(name), 2 + 1) << name << " at its start in both views, and in the legend";
 }
 
 /// A flat rectangle across the box at x = const or z = const.
