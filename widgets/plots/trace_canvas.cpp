@@ -118,8 +118,6 @@ void TracePlot::Canvas::setLimits(const SpeedLimits& wanted) {
 
 void TracePlot::Canvas::clearData() {
     traces->reset(static_cast<std::size_t>(names.size()));
-    isPredictionOfNext = false;
-    m_predictionText->setText(predictionWords());
     clearMarkers();
     pinCursor(std::nullopt);
     hideCursor();
@@ -129,6 +127,8 @@ void TracePlot::Canvas::clearData() {
     m_pointsAreOld = true;
     setFollow(true);
     schedule();
+    if (std::exchange(isPredictionOfNext, false))
+        rebuild();
 }
 
 void TracePlot::Canvas::setRun(std::shared_ptr<RecordedSession> run) {

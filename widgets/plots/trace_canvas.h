@@ -83,6 +83,7 @@ public:
     // The predicted run behind it (trace_canvas_prediction.cpp)
     void setPrediction(const PredictedRun& run);
     void showPrediction(bool visible);
+    bool hasPrediction() const; ///< whether it is drawn in a plot of temperatures
     void rebuildPrediction();
     void stylePrediction();
     QString predictionWords() const; ///< empty if none is drawn

@@ -33,10 +33,15 @@ void TracePlot::Canvas::showPrediction(bool visible) {
     rebuild();
 }
 
+/// One of the next run would run through the traces of the last: it waits until they are gone.
+bool TracePlot::Canvas::hasPrediction() const {
+    return isPredictionShown && !isPredictionOfNext && !prediction.samples.empty();
+}
+
 /// The graphs go with clearGraphs().
 void TracePlot::Canvas::rebuildPrediction() {
     m_predicted.clear();
-    if (!isPredictionShown || quantity != Quantity::Temperature || prediction.samples.empty())
+    if (!hasPrediction() || quantity != Quantity::Temperature)
         return;
     for (std::size_t i = 0; i < traces->objects(); ++i) {
         QVector<double> keys, values;
@@ -63,22 +68,17 @@ void TracePlot::Canvas::stylePrediction() {
 QString TracePlot::Canvas::predictionWords() const {
     if (m_predicted.isEmpty())
         return {};
-    QString words;
     switch (prediction.end) {
     case PredictedEnd::Settled:
-        words = TracePlot::tr("predicted");
-        break;
+        return TracePlot::tr("predicted");
     case PredictedEnd::Limit:
-        words = TracePlot::tr("predicted, not settled by then");
-        break;
+        return TracePlot::tr("predicted, not settled by then");
     case PredictedEnd::Cut:
-        words = TracePlot::tr("predicted, not computed further");
-        break;
+        return TracePlot::tr("predicted, not computed further");
     case PredictedEnd::Fault:
-        words = TracePlot::tr("predicted to end in a fault");
-        break;
+        return TracePlot::tr("predicted to end in a fault");
     }
-    return isPredictionOfNext ? TracePlot::tr("next run: %1", "%1 is \"predicted\"").arg(words) : words;
+    return {};
 }
 
 /// At the end of the lines, under the lowest: what is heated comes from there on the left. Above the highest
@@ -114,7 +114,7 @@ void TracePlot::Canvas::placePredictionWords() {
 
 double TracePlot::Canvas::wholeEnd_s() const {
     const double last_s = lastTime_s();
-    if (!isPredictionShown || prediction.samples.empty())
+    if (!hasPrediction())
         return last_s;
     if (prediction.settling_s)
         return std::max(last_s, std::min(*prediction.settling_s + kAfterSettling_s, prediction.end_s()));

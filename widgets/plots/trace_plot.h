@@ -70,7 +70,8 @@ public:
     /// Draws a predicted run behind the measured one, from its Start: pale dotted lines in a plot of
     /// temperatures, which stand alone until the first sample. Plots of other quantities only show the whole
     /// run as long as it is predicted, so that plots above each other line up. One without samples removes
-    /// it, as setObjects() does; clear() does not. One that comes behind a measured run is of the next.
+    /// it, as setObjects() does; clear() does not. One that comes after a measured run is of the next, and is
+    /// drawn once clear() has taken that away.
     void setPrediction(const PredictedRun& run);
     void setPredictionVisible(bool visible);
 
