@@ -155,7 +155,7 @@ private:
             const int object = same >= 0 ? same : i;
             QPen line(colorOf(m_figure.quantity, object), 1.4);
             line.setCapStyle(Qt::FlatCap);
-            line.setDashPattern(seriesDashes(place % 5 + 1)); // as on the screen
+            line.setDashPattern(TracePlot::overlayDashes(place)); // as on the screen
             QCPGraph* graph = addLine(*overlay.traces, m_figure.quantity, series, m_plot.yAxis);
             graph->setPen(line);
             graph->setName(nameOf(overlay.run, name));

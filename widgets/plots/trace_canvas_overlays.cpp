@@ -6,6 +6,7 @@
 #include "widgets/plots/trace_canvas.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace bask {
 namespace {
@@ -13,6 +14,11 @@ namespace {
 constexpr int kLongestName = 100; // px, in front of the run's mark
 
 } // namespace
+
+QList<qreal> TracePlot::overlayDashes(int place) {
+    static const QList<qreal> kDashes[]{{7, 2.5}, {7, 2.5, 1.5, 2.5}, {1.5, 2}, {14, 2.5, 4, 2.5}};
+    return kDashes[static_cast<std::size_t>(place) % std::size(kDashes)];
+}
 
 double TracePlot::Canvas::lastTime_s() const {
     double last_s = traces->lastTime_s();
@@ -78,7 +84,7 @@ void TracePlot::Canvas::styleOverlays(Density density) {
                 pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
             pen.setCapStyle(Qt::FlatCap);
             if (density == Density::Loose)
-                pen.setDashPattern(seriesDashes(static_cast<int>(k % 5) + 1));
+                pen.setDashPattern(overlayDashes(static_cast<int>(k)));
             else
                 pen = plainPen(pen, density);
             overlay.graphs[i]->setPen(pen);

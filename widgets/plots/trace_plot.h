@@ -9,6 +9,7 @@
 #include "widgets/plots/trace_store.h"
 
 #include <QByteArray>
+#include <QList>
 #include <QPointF>
 #include <QStringList>
 #include <QWidget>
@@ -66,6 +67,8 @@ public:
     /// remove it.
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
+    /// Dashes of the overlay at a place, from 0; the first four differ much, also in black and white.
+    static QList<qreal> overlayDashes(int place);
 
     /// Draws a predicted run behind the measured one, from its Start: pale dotted lines in a plot of
     /// temperatures, which stand alone until the first sample. Plots of other quantities only show the whole

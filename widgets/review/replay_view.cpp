@@ -42,7 +42,7 @@ QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {
     QPainter painter(&pixmap);
     QPen pen(ink, 2.0);
     pen.setCapStyle(Qt::FlatCap);
-    pen.setDashPattern(seriesDashes(index % 5 + 1));
+    pen.setDashPattern(TracePlot::overlayDashes(index));
     painter.setPen(pen);
     painter.drawLine(QPointF(0, 6), QPointF(28, 6));
     return QIcon(pixmap);

@@ -109,6 +109,15 @@ TEST_F(PlotExport, AFigureHasAllRunsWithTheirNames) {
     EXPECT_GT(dashesIn(two).size(), 1);
 }
 
+// Catches two of the overlaid runs that have the same dashes, or a continuous line as the open run has.
+TEST(OverlayDashes, TellRunsApart) {
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_FALSE(TracePlot::overlayDashes(i).isEmpty());
+        for (int j = 0; j < i; ++j)
+            EXPECT_NE(TracePlot::overlayDashes(i), TracePlot::overlayDashes(j));
+    }
+}
+
 // Catches a figure without the second quantity, or without its scale.
 TEST_F(PlotExport, AFigureHasTheRightAxis) {
     plot.setRun(recorded(QStringLiteral("morning"), warming(20, 0.5)));
