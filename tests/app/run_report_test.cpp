@@ -160,6 +160,7 @@ TEST_F(RunReport, IsSelfContainedAndEscapesWhatWasTyped) {
     const QByteArray html = report(recorded(test::twoDisks(), 240, "settled"));
     EXPECT_FALSE(html.contains("<script"));
     EXPECT_TRUE(html.contains("&lt;script&gt;"));
+    EXPECT_TRUE(readable(html).contains("within ±15.0 K")) << "the errors' figure is not cut";
     int figures = 0;
     auto sources = QRegularExpression("src=\"([^\"]*)\"").globalMatch(QString::fromUtf8(html));
     while (sources.hasNext()) {
@@ -323,6 +324,12 @@ TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
     EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
     const QImage png(path("figures/temperatures.png"));
     EXPECT_EQ(png.width(), 1800);
+    QFile errors(path("figures/errors.svg"));
+    ASSERT_TRUE(errors.open(QIODevice::ReadOnly));
+    const QString drawn = QString::fromUtf8(errors.readAll());
+    EXPECT_FALSE(drawn.contains("<image")) << "numbers are letters, too";
+    EXPECT_TRUE(drawn.contains(QRegularExpression(QStringLiteral(">[-\\x{2212}]1\\d<"))))
+        << "all errors are shown, from -15 K on";
     EXPECT_EQ(test::captured(exportCommand, {session, "--figures", path("figures")}).code, kExitDone)
         << "its own are replaced";
     QFile mine(path("figures/errors.png"));

@@ -144,6 +144,7 @@ QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, cons
     QCPPainter painter;
     const auto draw = [&] {
         painter.setMode(QCPPainter::pmVectorized);
+        painter.setMode(QCPPainter::pmNoCaching); // else the numbers at the axes are pictures
         plot.toPainter(&painter, width, height);
         painter.end();
     };
