@@ -2017,7 +2017,7 @@
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>Les capteurs de « %1 » et « %2 » sont échangés : ils indiquent %3 et %4, mais leurs objets sont à %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
+        <translation>Les capteurs de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont échangés&#xa0;: ils indiquent %3 et %4, mais leurs objets sont à %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
     </message>
 </context>
 <context>
@@ -7138,6 +7138,26 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Put the plot back: %1</source>
         <translation>Remettre la courbe : %1</translation>
     </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>Exporter ce qui est affiché</translation>
+    </message>
+    <message>
+        <source>Figure (PDF)…</source>
+        <translation>Figure (PDF)…</translation>
+    </message>
+    <message>
+        <source>Figure (SVG)…</source>
+        <translation>Figure (SVG)…</translation>
+    </message>
+    <message>
+        <source>Figure (PNG)…</source>
+        <translation>Figure (PNG)…</translation>
+    </message>
+    <message>
+        <source>Table (CSV)…</source>
+        <translation>Tableau (CSV)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::PlotWindowsControl</name>
@@ -7811,6 +7831,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>no recorded run</source>
         <translation>aucun essai enregistré</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>Exporter la figure</translation>
+    </message>
+    <message>
+        <source>The temperatures of all runs as they are shown; other plots by their own menus</source>
+        <translation>Les températures de tous les essais, telles qu’elles sont affichées ; les autres courbes par leurs propres menus</translation>
     </message>
 </context>
 <context>
@@ -9549,6 +9577,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
         <translation>L’expérience de %1 est ouverte comme une nouvelle, qui n’est pas encore enregistrée.</translation>
     </message>
+    <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>Les courbes ne sont exportées que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait attendre. Rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Figures (*%1)</source>
+        <translation>Figures (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>Enregistrer le tableau</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>Enregistrer la figure</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -10766,9 +10810,13 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>prédit : finit par un défaut</translation>
     </message>
     <message>
-        <source>next run: %1</source>
-        <comment>%1 is &quot;predicted&quot;</comment>
-        <translation>essai suivant : %1</translation>
+        <source>target</source>
+        <translation>consigne</translation>
+    </message>
+    <message>
+        <source>band of ±%1</source>
+        <comment>%1 is 0.5 K</comment>
+        <translation>bande de ±%1</translation>
     </message>
 </context>
 <context>

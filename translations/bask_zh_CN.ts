@@ -7130,6 +7130,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Put the plot back: %1</source>
         <translation>放回曲线图：%1</translation>
     </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>导出所显示的内容</translation>
+    </message>
+    <message>
+        <source>Figure (PDF)…</source>
+        <translation>图 (PDF)…</translation>
+    </message>
+    <message>
+        <source>Figure (SVG)…</source>
+        <translation>图 (SVG)…</translation>
+    </message>
+    <message>
+        <source>Figure (PNG)…</source>
+        <translation>图 (PNG)…</translation>
+    </message>
+    <message>
+        <source>Table (CSV)…</source>
+        <translation>表格 (CSV)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::PlotWindowsControl</name>
@@ -7801,6 +7821,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>no recorded run</source>
         <translation>没有已记录的运行</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>导出图</translation>
+    </message>
+    <message>
+        <source>The temperatures of all runs as they are shown; other plots by their own menus</source>
+        <translation>所有运行的温度，按所显示的样子；其他曲线图用各自的菜单</translation>
     </message>
 </context>
 <context>
@@ -9532,6 +9560,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
         <translation>%1 的实验已作为新实验打开，尚未保存。</translation>
     </message>
+    <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>只有在没有运行、也没有配方进行时才导出曲线图：否则窗口及其“软件停止”都要等待导出完成。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>Figures (*%1)</source>
+        <translation>图 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>保存表格</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>保存图</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -10742,9 +10786,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>预测以故障结束</translation>
     </message>
     <message>
-        <source>next run: %1</source>
-        <comment>%1 is &quot;predicted&quot;</comment>
-        <translation>下一次运行：%1</translation>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>band of ±%1</source>
+        <comment>%1 is 0.5 K</comment>
+        <translation>±%1 的容差带</translation>
     </message>
 </context>
 <context>

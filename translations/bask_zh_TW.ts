@@ -7130,6 +7130,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Put the plot back: %1</source>
         <translation>放回曲線圖：%1</translation>
     </message>
+    <message>
+        <source>Export what is shown</source>
+        <translation>匯出所顯示的內容</translation>
+    </message>
+    <message>
+        <source>Figure (PDF)…</source>
+        <translation>圖 (PDF)…</translation>
+    </message>
+    <message>
+        <source>Figure (SVG)…</source>
+        <translation>圖 (SVG)…</translation>
+    </message>
+    <message>
+        <source>Figure (PNG)…</source>
+        <translation>圖 (PNG)…</translation>
+    </message>
+    <message>
+        <source>Table (CSV)…</source>
+        <translation>表格 (CSV)…</translation>
+    </message>
 </context>
 <context>
     <name>bask::PlotWindowsControl</name>
@@ -7801,6 +7821,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>no recorded run</source>
         <translation>沒有已記錄的運轉</translation>
+    </message>
+    <message>
+        <source>Export figure</source>
+        <translation>匯出圖</translation>
+    </message>
+    <message>
+        <source>The temperatures of all runs as they are shown; other plots by their own menus</source>
+        <translation>所有運轉的溫度，按所顯示的樣子；其他曲線圖用各自的選單</translation>
     </message>
 </context>
 <context>
@@ -9532,6 +9560,22 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The experiment of %1 is open as a new one, which is not saved yet.</source>
         <translation>%1 的實驗已作為新實驗開啟，尚未儲存。</translation>
     </message>
+    <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>只有在沒有運轉、也沒有配方進行時才匯出曲線圖：否則視窗及其「軟體停止」都要等待匯出完成。未寫入任何檔案。</translation>
+    </message>
+    <message>
+        <source>Figures (*%1)</source>
+        <translation>圖 (*%1)</translation>
+    </message>
+    <message>
+        <source>Save the table</source>
+        <translation>儲存表格</translation>
+    </message>
+    <message>
+        <source>Save the figure</source>
+        <translation>儲存圖</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -10742,9 +10786,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>預測以故障結束</translation>
     </message>
     <message>
-        <source>next run: %1</source>
-        <comment>%1 is &quot;predicted&quot;</comment>
-        <translation>下一次運轉：%1</translation>
+        <source>target</source>
+        <translation>目標</translation>
+    </message>
+    <message>
+        <source>band of ±%1</source>
+        <comment>%1 is 0.5 K</comment>
+        <translation>±%1 的容差帶</translation>
     </message>
 </context>
 <context>
