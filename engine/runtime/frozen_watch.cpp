@@ -1,11 +1,10 @@
 #include "engine/runtime/frozen_watch.h"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -13,34 +12,20 @@ namespace {
 constexpr double kMark_s = 3.0;    // between two marks
 constexpr double kAnchor_s = 10.0; // between two anchors
 constexpr std::size_t kAnchors = 6;
-constexpr int kMinEqual = 3;           // readings
-constexpr std::size_t kMinPoints = 5;  // of a fit
-constexpr double kFitSigmas = 5.0;     // of the losses, and of what a fit may miss
-constexpr double kWrong = 0.05;        // of the energy, as source, pose and air change
-constexpr double kTimesAtOnce = 2.0;   // a device that repeats its readings shows their changes at once
-constexpr double kUnknownStep_K = 0.5; // of a sensor that has not changed yet
-constexpr double kBent = 0.1;          // losses are not quite in proportion to the distance from the room
-constexpr double kRoomGuessed_K = 5.0; // how wrong the room's temperature may be before the sensor is zeroed,
-constexpr double kRoomMeasured_K = 0.3;  // and after
+constexpr int kMinEqual = 3;             // readings
+constexpr std::size_t kMinPoints = 5;    // of a fit
+constexpr double kWrong = 0.05;          // of the energy, as source, pose and air change
+constexpr double kTimesAtOnce = 2.0;     // a device that repeats its readings shows their changes at once
+constexpr double kUnknownStep_K = 0.5;   // of a sensor that has not changed yet
+constexpr double kRoomGuessed_K = 2.5;   // standard deviation of the room before the sensor is zeroed,
+constexpr double kRoomMeasured_K = 0.15; // and after
 constexpr double kNewNoise = 0.02;       // weight of one reading
-constexpr int kFactors = 4;              // above 1, and as many below
 constexpr double kSecondOfNoise = 1.954; // mean of |x1 - 2 x2 + x3| over the deviation of normal readings
-
-/// From 1 / kBorneFactor to kBorneFactor, each times sqrt(2) the one before.
-std::vector<double> factors() {
-    const double between = std::numbers::sqrt2;
-    std::vector<double> out;
-    out.reserve(2 * kFactors + 1);
-    for (int i = -kFactors; i <= kFactors; ++i)
-        out.push_back(std::pow(between, i));
-    return out;
-}
-static_assert(kBorneFactor == 4.0); // sqrt(2) to the power of kFactors
 
 } // namespace
 
 FrozenWatch::FrozenWatch(LossRange losses, double environment_K)
-    : m_losses(losses), m_environment_K(environment_K), m_room_K(kRoomGuessed_K) {}
+    : m_losses(losses), m_room{environment_K, kRoomGuessed_K} {}
 
 void FrozenWatch::reset() {
     m_marks.clear();
@@ -52,22 +37,21 @@ void FrozenWatch::reset() {
 }
 
 void FrozenWatch::restAt(double temperature_K) {
+    const double power_K_s = m_count > 0 ? m_power_K_s[0] : 0.0;
     reset();
-    m_environment_K = temperature_K;
-    m_room_K = kRoomMeasured_K;
+    m_room = {temperature_K, kRoomMeasured_K, power_K_s};
     m_wasAtRest = true;
 }
 
-/// What the sensor was zeroed by: a run may begin at once.
+/// What the sensor was zeroed by, as if it had lasted a while: a run may begin at once.
 void FrozenWatch::rememberRest() {
     for (auto i = static_cast<double>(kMinPoints); i > 0.0; i -= 1.0) {
         Mark& mark = m_marks.emplace_back();
         const double ago_s = i * kMark_s;
         mark.time_s = m_now.time_s - ago_s;
-        mark.temperature_K = m_environment_K;
-        mark.integral_K_s = (m_first_K - m_environment_K) * ago_s;
-        for (std::size_t k = 0; k < kLags_s.size(); ++k)
-            mark.energy_K[k] = -m_power_K_s[k] * ago_s;
+        mark.temperature_K = m_room.temperature_K;
+        mark.integral_K_s = (m_first_K - m_room.temperature_K) * ago_s;
+        mark.energy_K.fill(-m_room.rest_K_s * ago_s);
     }
 }
 
@@ -91,7 +75,7 @@ void FrozenWatch::add(double time_s, std::optional<double> temperature_K, double
     if (m_count == 0 && !temperature_K)
         return;
     if (m_count == 0) {
-        m_power_K_s.fill(power_K_s);
+        m_power_K_s.fill(m_wasAtRest ? m_room.rest_K_s : power_K_s);
         m_first_K = *temperature_K;
     } else {
         integrate(time_s - m_now.time_s, power_K_s);
@@ -148,66 +132,35 @@ void FrozenWatch::fit(Anchor& anchor) const {
     for (const Mark& mark : marks)
         anchor.usual_K = std::max(anchor.usual_K, mark.jump_K);
     const auto count = static_cast<Eigen::Index>(marks.size());
-    const double sigma_K = std::max(step_K() / std::sqrt(12.0), m_noise_K);
-    const double over_K = at.temperature_K - m_environment_K;
-    Eigen::MatrixX3d design(count, 3); // of c, b and a
-    Eigen::VectorXd change_K(count), energy_K(count);
+    Eigen::MatrixX3d design(count, 3);
+    Eigen::VectorXd change_K(count);
+    std::vector<Eigen::VectorXd> energies_K(kLags_s.size(), Eigen::VectorXd(count));
     for (Eigen::Index i = 0; i < count; ++i) {
         const Mark& mark = marks[static_cast<std::size_t>(i)];
         const double since_s = mark.time_s - at.time_s;
         design.row(i) << 1.0, -since_s,
             at.integral_K_s - mark.integral_K_s + (at.temperature_K - m_first_K) * since_s;
         change_K[i] = mark.temperature_K - at.temperature_K;
+        for (std::size_t lag = 0; lag < kLags_s.size(); ++lag)
+            energies_K[lag][i] = mark.energy_K[lag] - at.energy_K[lag];
     }
-    Eigen::Matrix3d normal = design.transpose() * design;
-    const double weightOfSlope = std::pow(kFitSigmas * sigma_K / m_losses.max_1_s, 2);
-    normal(0, 0) += 1.0;
-    normal(1, 1) += 1e-9;
-    normal(2, 2) += weightOfSlope;
-    const Eigen::Matrix3d untied = normal.inverse();
-    const Eigen::Vector3d tie(0.0, 1.0, -over_K);
-    const std::vector<double> ks = factors();
-    std::vector<double> misses_K2;
-    double least_K2 = 1e300;
-    for (std::size_t lag = 0; lag < kLags_s.size(); ++lag) {
-        for (Eigen::Index i = 0; i < count; ++i)
-            energy_K[i] = marks[static_cast<std::size_t>(i)].energy_K[lag] - at.energy_K[lag];
-        for (const double k : ks) {
-            const Eigen::VectorXd left_K = change_K - k * energy_K;
-            const Eigen::Vector3d right = design.transpose() * left_K;
-            const Eigen::Vector3d loose = untied * right;
-            const double tied_K_s =
-                kBent * std::abs(loose[1]) + m_room_K * std::max(loose[2], m_losses.min_1_s) + 1e-6;
-            const double weight = std::pow(sigma_K / tied_K_s, 2);
-            const Eigen::Matrix3d inverse = (normal + weight * tie * tie.transpose()).inverse();
-            const Eigen::Vector3d x = inverse * right;
-            misses_K2.push_back((left_K - design * x).squaredNorm() + weight * std::pow(tie.dot(x), 2) +
-                                weightOfSlope * x[2] * x[2]);
-            least_K2 = std::min(least_K2, misses_K2.back());
-            anchor.fits.push_back({lag, k, x[1], std::sqrt(inverse(1, 1))});
-        }
-    }
-    const double variance_K2 = std::max(sigma_K * sigma_K, least_K2 / static_cast<double>(count - 3));
-    std::vector<Fit> kept;
-    for (std::size_t i = 0; i < anchor.fits.size(); ++i) {
-        anchor.fits[i].deviation_K_s *= std::sqrt(variance_K2);
-        if (misses_K2[i] <= least_K2 + kFitSigmas * kFitSigmas * variance_K2)
-            kept.push_back(anchor.fits[i]);
-    }
-    anchor.fits = std::move(kept);
+    const LossFit fit(m_losses, m_room, at.temperature_K, std::move(design), std::move(change_K));
+    anchor.explanations = fit.explain(energies_K, std::max(step_K() / std::sqrt(12.0), m_noise_K));
 }
 
-/// The smallest change since an anchor that a fit demands, with its sign; 0 if the sign is not certain.
+/// The smallest change since an anchor that an explanation demands, with its sign; 0 if the sign is not
+/// certain.
 double FrozenWatch::expected_K(const Anchor& anchor) const {
     double min_K = 1e300, max_K = -1e300;
     const double time_s = m_now.time_s - anchor.mark.time_s;
-    for (const Fit& fit : anchor.fits) {
-        const double energy_K = m_now.energy_K[fit.lag] - anchor.mark.energy_K[fit.lag];
-        const double change_K = fit.k * energy_K - fit.loss_K_s * time_s;
-        const double sure_K = kFitSigmas * fit.deviation_K_s * time_s + kWrong * fit.k * std::abs(energy_K);
-        min_K = std::min(min_K, change_K - sure_K);
-        max_K = std::max(max_K, change_K + sure_K);
-    }
+    for (std::size_t lag = 0; lag < anchor.explanations.size(); ++lag)
+        for (const LossFit::Explanation& each : anchor.explanations[lag]) {
+            const double energy_K = m_now.energy_K[lag] - anchor.mark.energy_K[lag];
+            const double change_K = each.k * energy_K - each.loss_K_s * time_s;
+            const double sure_K = each.unsure_K_s * time_s + kWrong * each.k * std::abs(energy_K);
+            min_K = std::min(min_K, change_K - sure_K);
+            max_K = std::max(max_K, change_K + sure_K);
+        }
     return min_K > 0.0 ? min_K : std::min(max_K, 0.0);
 }
 
@@ -218,7 +171,7 @@ void FrozenWatch::judge() {
     for (Anchor& anchor : m_anchors) {
         if (!anchor.isFitted)
             fit(anchor);
-        if (anchor.fits.empty())
+        if (anchor.explanations.empty())
             continue;
         const double missing_K = expected_K(anchor);
         if (std::abs(missing_K) > std::max(kMin_K, kTimesAtOnce * (anchor.usual_K + step_K())) &&

@@ -2,7 +2,7 @@
 // Detects a frozen sensor by what its object did just before: a temperature that was changing goes on
 // changing.
 
-#include "engine/runtime/heat_bounds.h"
+#include "engine/runtime/loss_fit.h"
 
 #include <array>
 #include <deque>
@@ -13,12 +13,9 @@ namespace bask {
 
 /// While a reading stays the same, the object's temperature does too (within the sensor's step), so its
 /// losses are constant: its rate is then the one before, changed by k times what the absorbed power has
-/// changed. That rate follows from the last readings. For each lag of the sensor and each k within
-/// kBorneFactor a least squares fit of T = c + k E - b t - a Q to kWindow_s before an anchor gives b, the
-/// losses there, with its standard deviation; t, E and Q are time, absorbed energy and the integral of T, all
-/// since the anchor. Losses are zero at the room's temperature, which ties b to a. The reading should have
-/// changed if all fits that explain the window demand that, each with five standard deviations and 5 % of the
-/// energy taken off. Anchors are the first of the equal readings and later ones.
+/// changed. The losses, k and the sensor's lag follow from the last readings (LossFit). The reading should
+/// have changed if all that explain kWindow_s before an anchor demand it, with 5 % of the energy taken off.
+/// Anchors are the first of the equal readings and later ones.
 class FrozenWatch {
 public:
     static constexpr double kMin_K = 0.5; ///< smaller missing changes are ignored
@@ -48,16 +45,9 @@ private:
         double integral_K_s = 0.0;                     ///< of the temperature over m_first_K
         double jump_K = 0.0; ///< largest change between two readings since the mark before
     };
-    /// A lag and a k that explain the readings before an anchor.
-    struct Fit {
-        std::size_t lag = 0;
-        double k = 0.0;
-        double loss_K_s = 0.0;
-        double deviation_K_s = 0.0; ///< standard deviation of the loss
-    };
     struct Anchor {
         Mark mark;
-        std::vector<Fit> fits{};
+        std::vector<std::vector<LossFit::Explanation>> explanations{}; ///< for each lag
         double usual_K = 0.0; ///< change that the sensor shows at once
         bool isFitted = false;
     };
@@ -70,8 +60,7 @@ private:
     double step_K() const;
 
     LossRange m_losses;
-    double m_environment_K;
-    double m_room_K; ///< how wrong the room's temperature may be
+    LossFit::Room m_room;
     std::deque<Mark> m_marks;
     std::deque<Anchor> m_anchors; ///< within the equal readings, the first of them first
     Mark m_now;
