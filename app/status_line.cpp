@@ -77,6 +77,7 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_source.latest.source_K = snapshot.latest.source_K;
     m_source.sourceAge_s = snapshot.sourceAge_s;
     m_source.heat = snapshot.heat;
+    m_source.alarms = snapshot.alarms;
     m_source.isSourceManual = snapshot.isSourceManual;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
@@ -133,15 +134,21 @@ QString StatusLine::sourceText() const {
     return m_source.source_K ? tr("source %1 as typed,").arg(now) : tr("source: no temperature typed,");
 }
 
-/// Unknown is a word, a mark and a colour of its own, and the last temperature is grey.
+/// What is not known, or not as ordered, has a word, a mark and a colour of its own, and the last temperature
+/// is grey.
 void StatusLine::showHeat() {
-    const bool isUnknown = !m_source.isSourceManual && (!m_answering || m_source.heat == HeatState::Unknown);
-    const QString text = heatWord(m_answering ? m_source.heat : HeatState::Unknown, m_source.isSourceManual);
+    const ShownHeat heat = shownHeat(m_source, m_answering);
+    const QString text = heatWord(heat);
     if (text != m_heatLabel->text())
         m_heatLabel->setText(text);
     showOld(m_sourceLabel, !m_answering || !m_source.source_K);
-    showUnknown(m_heatMark, m_heatLabel, isUnknown);
-    m_heatMark->setVisible(m_any && isUnknown);
+    const bool isUnknown = heat == ShownHeat::Unknown;
+    const int priority = heatPriority(heat);
+    if (priority > 0)
+        showAlarmed(m_heatMark, m_heatLabel, priority);
+    else
+        showUnknown(m_heatMark, m_heatLabel, isUnknown);
+    m_heatMark->setVisible(m_any && (isUnknown || priority > 0));
     m_heatLabel->setVisible(m_any);
 }
 
@@ -206,7 +213,7 @@ void StatusLine::retranslate() {
     for (QLabel* label : {m_sourceLabel, m_heatMark, m_heatLabel})
         label->setToolTip(
             tr("Newest temperature of the source, and whether it is heated, as the device has confirmed. "
-               "UNKNOWN: it may be hot, whatever was ordered."));
+               "UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same."));
     m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
                                    "standard deviations of its place"));
     m_unit->setToolTip(tr("Temperature unit"));

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "widgets/common/theme.h"
 
 #include <QLabel>
 #include <QMenu>
@@ -65,6 +66,31 @@ TEST(StatusLineTest, ALostHeaterIsUnknownAndItsTemperatureOld) {
     shown.line.setAnswering(false); // what the engine told last may be long over
     EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat UNKNOWN"));
     EXPECT_NE(shown.ink("sourceState"), fresh);
+}
+
+// Catches: "heat off" in the ink of every day beside a plate that heats all the same, and a warning that
+// stays when it does so no more.
+TEST(StatusLineTest, ASourceThatHeatsUnaskedIsNotSimplyOff) {
+    Line shown;
+    shown.snapshot.heat = HeatState::Off;
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat off"));
+    const QColor calm = shown.ink("heatWord");
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    shown.snapshot.alarms = {alarm};
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heats though off"));
+    EXPECT_EQ(shown.ink("heatWord"), alarmColor(1, isDark(&shown.line)));
+    EXPECT_TRUE(shown.label("heatWord")->font().bold());
+    shown.line.setAnswering(false);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat UNKNOWN"));
+    EXPECT_EQ(shown.ink("heatWord"), unknownColor(isDark(&shown.line)));
+    shown.line.setAnswering(true);
+    shown.snapshot.alarms.front().isActive = false; // over, and not acknowledged yet
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat off"));
+    EXPECT_EQ(shown.ink("heatWord"), calm);
 }
 
 // Catches: monitoring that fails without a word, and its mark when there is none.

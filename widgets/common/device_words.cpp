@@ -1,5 +1,6 @@
 #include "widgets/common/device_words.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 
 #include <QCoreApplication>
@@ -153,18 +154,37 @@ QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit) {
         .arg(formatTemperature(snapshot.latest.source_K, unit), formatAge(snapshot.sourceAge_s));
 }
 
-QString heatWord(HeatState heat, bool isManual) {
-    if (isManual)
-        return DeviceWords::tr("heated by hand");
+ShownHeat shownHeat(const Snapshot& snapshot, bool isAnswering) {
+    if (snapshot.isSourceManual)
+        return ShownHeat::ByHand;
+    if (!isAnswering || snapshot.heat == HeatState::Unknown)
+        return ShownHeat::Unknown;
+    if (snapshot.heat == HeatState::On)
+        return ShownHeat::On;
+    const bool isUnasked = std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
+        return alarm.isActive && alarm.message.code == MessageCode::SafetySourceHeatsUnasked;
+    });
+    return isUnasked ? ShownHeat::Unasked : ShownHeat::Off;
+}
+
+QString heatWord(ShownHeat heat) {
     switch (heat) {
-    case HeatState::Off:
+    case ShownHeat::Off:
         return DeviceWords::tr("heat off");
-    case HeatState::On:
+    case ShownHeat::On:
         return DeviceWords::tr("heat on");
-    case HeatState::Unknown:
+    case ShownHeat::Unasked:
+        return DeviceWords::tr("heats though off");
+    case ShownHeat::ByHand:
+        return DeviceWords::tr("heated by hand");
+    case ShownHeat::Unknown:
         break;
     }
     return DeviceWords::tr("heat UNKNOWN");
+}
+
+int heatPriority(ShownHeat heat) {
+    return heat == ShownHeat::Unasked ? alarmPriority(MessageCode::SafetySourceHeatsUnasked) : 0;
 }
 
 QString rigWord(bool isSimulated) {

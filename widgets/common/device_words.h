@@ -21,8 +21,19 @@ QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit);
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
                                          DeviceRole::Camera, DeviceRole::ThermalCamera};
 
-/// Returns "heat on", or "heated by hand" if a person heats the source and types its temperature.
-QString heatWord(HeatState heat, bool isManual);
+/// What is known of the source's heat.
+enum class ShownHeat {
+    Off,
+    On,
+    Unknown, ///< the device does not confirm it, or the engine does not answer
+    Unasked, ///< the device says that it is off, and the source warms all the same
+    ByHand   ///< a person heats the source and types its temperature
+};
+
+ShownHeat shownHeat(const Snapshot& snapshot, bool isAnswering = true);
+QString heatWord(ShownHeat heat); ///< "heat on", "heats though off"
+/// Returns the priority of the alarm whose mark and colour it has; 0 for none.
+int heatPriority(ShownHeat heat);
 QString rigWord(bool isSimulated); ///< "SIMULATED", "LIVE"
 
 const char* roleName(DeviceRole role); ///< "robot", for object names

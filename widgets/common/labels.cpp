@@ -11,7 +11,8 @@
 namespace bask {
 namespace {
 
-constexpr int kUnknownMark = 14;
+constexpr int kLabelMark = 14;
+constexpr int kNotKnown = 0; ///< in place of an alarm's priority
 
 /// Empty: as what is around it.
 void setInk(QLabel* label, const std::optional<QColor>& ink) {
@@ -20,6 +21,27 @@ void setInk(QLabel* label, const std::optional<QColor>& ink) {
         shown.setColor(QPalette::WindowText, *ink);
     if (label->palette() != shown)
         label->setPalette(shown);
+}
+
+/// An alarm's priority, or kNotKnown; empty: neither mark nor colour.
+void showMarked(QLabel* mark, QLabel* text, std::optional<int> priority) {
+    const bool dark = isDark(mark->parentWidget());
+    const bool isUnknown = priority == kNotKnown;
+    if (const QPoint drawn(priority.value_or(kNotKnown), dark ? 1 : 0);
+        priority && mark->property("drawn") != QVariant(drawn)) {
+        const double ratio = mark->devicePixelRatioF();
+        mark->setPixmap(isUnknown ? unknownPixmap(dark, kLabelMark, ratio)
+                                  : alarmPixmap(*priority, dark, kLabelMark, ratio));
+        mark->setProperty("drawn", drawn);
+    }
+    mark->setVisible(priority.has_value());
+    setInk(text, !priority   ? std::nullopt
+                 : isUnknown ? std::optional(unknownColor(dark))
+                             : std::optional(alarmColor(*priority, dark)));
+    if (QFont font = text->font(); font.bold() != priority.has_value()) {
+        font.setBold(priority.has_value());
+        text->setFont(font);
+    }
 }
 
 } // namespace
@@ -39,18 +61,11 @@ QLabel* boldLabel(QWidget* parent, double scale) {
 }
 
 void showUnknown(QLabel* mark, QLabel* text, bool isUnknown) {
-    const bool dark = isDark(mark->parentWidget());
-    const QVariant drawn = mark->property("drawnDark");
-    if (isUnknown && (!drawn.isValid() || drawn.toBool() != dark)) {
-        mark->setPixmap(unknownPixmap(dark, kUnknownMark, mark->devicePixelRatioF()));
-        mark->setProperty("drawnDark", dark);
-    }
-    mark->setVisible(isUnknown);
-    setInk(text, isUnknown ? std::optional(unknownColor(dark)) : std::nullopt);
-    if (QFont font = text->font(); font.bold() != isUnknown) {
-        font.setBold(isUnknown);
-        text->setFont(font);
-    }
+    showMarked(mark, text, isUnknown ? std::optional(kNotKnown) : std::nullopt);
+}
+
+void showAlarmed(QLabel* mark, QLabel* text, int priority) {
+    showMarked(mark, text, priority);
 }
 
 void showOld(QLabel* text, bool isOld) {

@@ -16,6 +16,8 @@ QLabel* boldLabel(QWidget* parent, double scale = 1.0);
 
 /// Shows a text in the colour of unknown values with its mark, or removes both. Cheap if nothing changes.
 void showUnknown(QLabel* mark, QLabel* text, bool isUnknown);
+/// The same with the colour and the mark of an alarm of this priority.
+void showAlarmed(QLabel* mark, QLabel* text, int priority);
 /// Greys a value that is older than it should be.
 void showOld(QLabel* text, bool isOld);
 

@@ -186,9 +186,13 @@ void CheckList::showSensors() {
 void CheckList::showSource() {
     const double wanted_K = m_last.heatSetPoint_K.value_or(m_setPoint_K);
     const double now_K = sourceTemperature_K(m_last);
-    if (m_last.heat == HeatState::Unknown && !m_last.isSourceManual)
+    const ShownHeat heat = shownHeat(m_last);
+    if (heat == ShownHeat::Unknown)
         return put(m_source, Kind::Unknown,
                    tr("Source: UNKNOWN whether it heats, %1").arg(sourceReadingText(m_last, m_unit)));
+    if (heat == ShownHeat::Unasked)
+        return put(m_source, Kind::Wrong,
+                   tr("Source: it heats though its heat is off, %1").arg(sourceReadingText(m_last, m_unit)));
     if (!std::isfinite(now_K))
         return put(m_source, Kind::Waiting, tr("Source: no temperature"));
     const QString now = formatTemperature(now_K, m_unit), wanted = formatTemperature(wanted_K, m_unit);

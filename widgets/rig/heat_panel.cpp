@@ -105,7 +105,9 @@ void HeatPanel::showState() {
     m_on->setEnabled(m_mayHeat);
     m_setPoint->setEnabled(m_mayHeat);
     const QString now = sourceReadingText(m_last, m_unit);
-    const bool isUnknown = !isManual && m_last.heat == HeatState::Unknown;
+    const ShownHeat heat = shownHeat(m_last);
+    const bool isUnknown = heat == ShownHeat::Unknown;
+    const int priority = heatPriority(heat);
     QString text;
     if (isManual)
         text = tr("A person keeps the source hot: %1 as typed last.").arg(now);
@@ -114,13 +116,18 @@ void HeatPanel::showState() {
                    .arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
     else if (isUnknown)
         text = tr("UNKNOWN whether it heats. Last seen: %1. Take it for hot.").arg(now);
+    else if (heat == ShownHeat::Unasked)
+        text = tr("It heats though its heat is off: %1 now. Switch it off at its mains.").arg(now);
     else if (m_last.heatSetPoint_K)
         text = tr("Heating towards %1: %2 now.").arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
-    else if (m_last.heat == HeatState::On)
+    else if (heat == ShownHeat::On)
         text = tr("The heat is on: %1 now.").arg(now);
     else
         text = tr("The heat is off: %1 now.").arg(now);
-    showUnknown(m_mark, m_state, isUnknown);
+    if (priority > 0)
+        showAlarmed(m_mark, m_state, priority);
+    else
+        showUnknown(m_mark, m_state, isUnknown);
     if (text != m_state->text())
         m_state->setText(text);
 }

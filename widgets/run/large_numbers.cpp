@@ -96,11 +96,13 @@ void LargeNumbers::showState() {
 void LargeNumbers::showSource() {
     if (!m_isTold)
         return;
-    const HeatState heat = m_isAnswering ? m_last.heat : HeatState::Unknown;
+    const ShownHeat heat = shownHeat(m_last, m_isAnswering);
     m_source->setText(tr("Source %1", "%1 is its newest temperature").arg(sourceReadingText(m_last, m_unit)));
     m_source->setLook({.isGrey = !m_isAnswering || !m_last.source_K});
-    m_heat->setText(asSentence(heatWord(heat, m_last.isSourceManual)));
-    m_heat->setLook({.isUnknown = heat == HeatState::Unknown && !m_last.isSourceManual});
+    m_heat->setText(asSentence(heatWord(heat)));
+    const int priority = heatPriority(heat);
+    m_heat->setLook(
+        {.isUnknown = heat == ShownHeat::Unknown, .isAlarmInk = priority > 0, .priority = priority});
 }
 
 /// The gravest that still is so; that the engine is silent comes before it.

@@ -127,9 +127,10 @@ bool LargeText::isShortened() const {
 
 QColor LargeText::ink() const {
     const bool dark = isDark(this);
-    return m_look.isGrey      ? secondaryText(dark)
-           : m_look.isUnknown ? unknownColor(dark)
-                              : palette().color(QPalette::WindowText);
+    return m_look.isGrey       ? secondaryText(dark)
+           : m_look.isUnknown  ? unknownColor(dark)
+           : m_look.isAlarmInk ? alarmColor(m_look.priority, dark)
+                               : palette().color(QPalette::WindowText);
 }
 
 void LargeText::drawMark(QPainter& painter, QPointF corner, int size_px) const {

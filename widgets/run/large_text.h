@@ -10,10 +10,11 @@ namespace bask {
 
 /// How a text is to be taken, in the marks and colours that all windows have for it.
 struct LargeLook {
-    bool isUnknown = false; ///< nobody knows: its mark and colour, in bold
-    bool isGrey = false;    ///< a caption, or what was known last
-    bool isStruck = false;  ///< not believed
-    int priority = 0;       ///< of an alarm: its mark; 0 for none
+    bool isUnknown = false;  ///< nobody knows: its mark and colour, in bold
+    bool isGrey = false;     ///< a caption, or what was known last
+    bool isStruck = false;   ///< not believed
+    bool isAlarmInk = false; ///< in the colour of its priority
+    int priority = 0;        ///< of an alarm: its mark; 0 for none
     bool operator==(const LargeLook&) const = default;
 };
 

@@ -1,5 +1,6 @@
 #include "widgets/run/run_page.h"
 
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/marker_words.h"
@@ -135,7 +136,9 @@ void RunPage::showScene(const Snapshot& snapshot) {
     m_scene->setPose(snapshot.latest.coordinates);
     m_scene->setSourcePose(snapshot.latest.source);
     m_scene->setSourceTemperature_K(snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN()));
-    m_scene->setSourceHeat(snapshot.isSourceManual ? std::nullopt : std::optional(snapshot.heat));
+    const bool isUnasked = shownHeat(snapshot) == ShownHeat::Unasked;
+    m_scene->setSourceHeat(
+        snapshot.isSourceManual ? std::nullopt : std::optional(isUnasked ? HeatState::On : snapshot.heat));
     m_scene->setTemperatures(temperatures_K);
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/run/source_tile.h"
 
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/source_words.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr double kNoTemperature = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNever_s = -1e300;
+constexpr int kAlarmMark = 16;
 constexpr double kSameReading_s = 0.01; ///< one reading is told by several snapshots
 
 } // namespace
@@ -70,6 +72,7 @@ void SourceTile::clear() {
     m_age_s = std::numeric_limits<double>::infinity();
     m_read_s = kNever_s;
     m_activity = ObjectActivity::Waiting;
+    m_heat = ShownHeat::Unknown;
     showValues();
 }
 
@@ -85,6 +88,7 @@ void SourceTile::apply(const Snapshot& snapshot) {
         m_read_s = read_s;
     }
     m_activity = judge();
+    m_heat = shownHeat(snapshot);
     showValues();
 }
 
@@ -114,19 +118,28 @@ void SourceTile::showValues() {
     m_rate->setText(formatRate(m_now_K ? m_trend.slope_K_s() : kNoTemperature, m_unit));
     sayWithText(m_setPoint, m_setPointCaption->text());
     sayWithText(m_rate, m_rateCaption->text());
-    if (const QString word = activityWord(m_activity);
-        word != m_state->text() || m_stateIcon->pixmap().isNull()) {
-        const bool dark = isDark(this);
-        m_state->setText(word);
-        m_stateIcon->setPixmap(activityPixmap(m_activity, dark, secondaryText(dark), devicePixelRatioF()));
-        QPalette ink = palette();
-        if (isNotKnown)
-            ink.setColor(QPalette::WindowText, unknownColor(dark));
-        m_state->setPalette(ink);
-        update();
-    }
+    showState();
     setAccessibleDescription(
         QStringLiteral("%1, %2 %3").arg(m_state->text(), m_temperature->text(), m_age->text()).trimmed());
+}
+
+void SourceTile::showState() {
+    const int priority = heatPriority(m_heat);
+    const QString word = priority > 0 ? heatWord(m_heat) : activityWord(m_activity);
+    if (word == m_state->text() && !m_stateIcon->pixmap().isNull())
+        return;
+    const bool dark = isDark(this);
+    m_state->setText(word);
+    m_stateIcon->setPixmap(priority > 0
+                               ? alarmPixmap(priority, dark, kAlarmMark, devicePixelRatioF())
+                               : activityPixmap(m_activity, dark, secondaryText(dark), devicePixelRatioF()));
+    QPalette ink = palette();
+    if (priority > 0)
+        ink.setColor(QPalette::WindowText, alarmColor(priority, dark));
+    else if (isUnknown(m_activity))
+        ink.setColor(QPalette::WindowText, unknownColor(dark));
+    m_state->setPalette(ink);
+    update();
 }
 
 void SourceTile::retranslateUi() {

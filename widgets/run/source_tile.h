@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/reading_trend.h"
 
@@ -12,8 +13,9 @@ class QLabel;
 
 namespace bask {
 
-/// A temperature that is not known, or no longer, is grey with its age. Object names: "sourceTile"; inside
-/// "sourceTileState", "sourceTileTemperature", "sourceTileAge", "sourceTileSetPoint", "sourceTileRate".
+/// A temperature that is not known, or no longer, is grey with its age; a source that heats unasked says so
+/// in place of its trend. Object names: "sourceTile"; inside "sourceTileState", "sourceTileTemperature",
+/// "sourceTileAge", "sourceTileSetPoint", "sourceTileRate".
 class SourceTile : public QFrame {
     Q_OBJECT
 
@@ -32,6 +34,7 @@ protected:
 
 private:
     ObjectActivity judge() const;
+    void showState();
     void showValues();
     void retranslateUi();
     void restyle();
@@ -41,6 +44,7 @@ private:
     double m_last_K, m_age_s, m_goal_K;
     double m_read_s; ///< time of the newest reading on the rig's clock
     ObjectActivity m_activity = ObjectActivity::Waiting;
+    ShownHeat m_heat = ShownHeat::Unknown;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_name, *m_stateIcon, *m_state, *m_temperature, *m_age;
     QLabel *m_setPointCaption, *m_setPoint, *m_rateCaption, *m_rate;

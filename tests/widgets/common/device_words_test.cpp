@@ -2,6 +2,7 @@
 
 #include "widgets/common/device_words.h"
 
+#include "engine/base/message_code.h"
 #include "tests/widgets/rig/rig_bench.h"
 
 #include <gtest/gtest.h>
@@ -46,6 +47,28 @@ TEST(DeviceWords, AgesHaveAReadableUnit) {
     EXPECT_EQ(ageText(3.21), "3.2 s");
     EXPECT_EQ(ageText(125.0), "2:05");
     EXPECT_EQ(ageText(1e300), "");
+}
+
+// Catches a heat that is told as off while the source heats, and as known where the device does not answer.
+TEST(DeviceWords, HeatIsToldAsItIsKnown) {
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    Snapshot snapshot;
+    snapshot.alarms = {alarm};
+    snapshot.heat = HeatState::Off;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::Unasked);
+    EXPECT_EQ(heatPriority(ShownHeat::Unasked), 1);
+    EXPECT_EQ(shownHeat(snapshot, false), ShownHeat::Unknown) << "the engine does not answer";
+    snapshot.heat = HeatState::Unknown;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::Unknown);
+    snapshot.heat = HeatState::On;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::On);
+    snapshot.heat = HeatState::Off;
+    snapshot.alarms.front().message.code = MessageCode::SafetySourceNotCooling;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::Off);
+    EXPECT_EQ(heatPriority(ShownHeat::Off), 0);
+    snapshot.isSourceManual = true;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::ByHand);
 }
 
 // Catches a device that is taken off together with another one.

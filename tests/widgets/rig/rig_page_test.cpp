@@ -5,6 +5,7 @@
 #include "tests/support/longer_translator.h"
 #include "tests/widgets/rig/rig_page_fixture.h"
 #include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/theme.h"
 #include "widgets/rig/device_dialog.h"
 
 #include <QApplication>
@@ -358,6 +359,24 @@ TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
     EXPECT_EQ(text("measuredSource"), QStringLiteral("\u2014"));
     EXPECT_TRUE(text("heatState").contains(QStringLiteral("\u2014"))) << text("heatState").toStdString();
     EXPECT_TRUE(text("check.source").contains("Source: no temperature"));
+}
+
+// Catches "The heat is off" and a tick beside a plate that heats all the same.
+TEST_F(RigPageTest, ASourceThatHeatsUnaskedIsNotSimplyOff) {
+    useReal();
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("heatState").contains("The heat is off"));
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    snapshot.alarms = {alarm};
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("heatState").contains("heats though its heat is off"))
+        << text("heatState").toStdString();
+    EXPECT_EQ(child<QLabel>("heatState")->palette().color(QPalette::WindowText),
+              alarmColor(1, isDark(&page)));
+    EXPECT_TRUE(text("check.source").contains("heats though its heat is off"));
+    EXPECT_EQ(child<QLabel>("check.source")->accessibleDescription(), "wrong");
 }
 
 // Catches "The heat is off" of a heater that does not answer, and a place, a heat or a temperature that is

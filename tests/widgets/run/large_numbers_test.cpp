@@ -225,6 +225,23 @@ TEST(LargeNumbers, NothingIsCutOffAtAnySize) {
     QApplication::removeTranslator(&longer);
 }
 
+// Catches: "Heat off" across the room beside a plate that heats all the same.
+TEST(LargeNumbers, ASourceThatHeatsUnaskedIsNotSimplyOff) {
+    Large large;
+    Snapshot snapshot = running();
+    snapshot.heat = HeatState::Off;
+    large.tell(snapshot, objects(1));
+    EXPECT_EQ(large.text("largeHeat")->text(), QStringLiteral("Heat off"));
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    snapshot.alarms = {alarm};
+    large.tell(snapshot, objects(1));
+    EXPECT_EQ(large.text("largeHeat")->text(), QStringLiteral("Heats though off"));
+    EXPECT_EQ(large.text("largeHeat")->look().priority, 1);
+    EXPECT_TRUE(large.text("largeHeat")->look().isAlarmInk);
+    ASSERT_NO_FATAL_FAILURE(large.expectWhole("heats though off"));
+}
+
 // Catches: a value that is stale, not believed or lost, and looks as one that is known.
 TEST(LargeNumbers, AStaleValueIsNotShownAsKnown) {
     Large large;

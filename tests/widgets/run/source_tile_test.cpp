@@ -1,5 +1,8 @@
 #include "widgets/run/source_tile.h"
 
+#include "engine/base/message_code.h"
+#include "widgets/common/theme.h"
+
 #include <QLabel>
 
 #include <gtest/gtest.h>
@@ -80,4 +83,23 @@ TEST(SourceTile, WhatIsNotKnownIsGreyWithItsAge) {
     shown.tile.clear();
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::Waiting);
     EXPECT_EQ(shown.text("sourceTileTemperature"), QStringLiteral("\u2014"));
+}
+
+// Catches the word of a trend alone beside a source that heats although its heat is off.
+TEST(SourceTile, ASourceThatHeatsUnaskedSaysSo) {
+    ShownSource shown;
+    shown.snapshot.heat = HeatState::Off;
+    shown.run(25.0, 0.5, 20);
+    EXPECT_EQ(shown.text("sourceTileState"), activityWord(ObjectActivity::Heating));
+    const QColor calm = shown.ink("sourceTileState");
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    shown.snapshot.alarms = {alarm};
+    shown.tile.apply(shown.snapshot);
+    EXPECT_EQ(shown.text("sourceTileState"), QStringLiteral("heats though off"));
+    EXPECT_EQ(shown.ink("sourceTileState"), alarmColor(1, isDark(&shown.tile)));
+    shown.snapshot.alarms.front().isActive = false;
+    shown.tile.apply(shown.snapshot);
+    EXPECT_EQ(shown.text("sourceTileState"), activityWord(ObjectActivity::Heating));
+    EXPECT_EQ(shown.ink("sourceTileState"), calm);
 }
