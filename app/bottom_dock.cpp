@@ -181,10 +181,11 @@ void BottomDock::showParts() {
     if (!m_groups.shelved.empty())
         title += tr(", %1 shelved", "behind the number of alarms").arg(m_groups.shelved.size());
     m_tabs->setTabText(alarmTab, title);
-    m_tabs->setTabIcon(alarmTab, present.empty()
+    const AlarmGroup* const first = gravest(m_groups);
+    m_tabs->setTabIcon(alarmTab, first == nullptr
                                      ? QIcon()
-                                     : QIcon(alarmPixmap(present.front().alarm.priority, isDark(this), 14,
-                                                         devicePixelRatioF(), !present.front().isActive())));
+                                     : QIcon(alarmPixmap(first->alarm.priority, isDark(this), 14,
+                                                         devicePixelRatioF(), !first->isActive())));
     m_tabs->setTabVisible(m_tabs->indexOf(m_eventList), !m_isReviewing);
     setVisible(!m_isReviewing || !m_alarms.empty());
     if (wasHidden && !isHidden() && m_height > 0) // else it has what its lists would like

@@ -25,18 +25,27 @@ AlarmButton::AlarmButton(QWidget* parent) : QAbstractButton(parent) {
     setAttribute(Qt::WA_Hover);
     hide();
     connect(this, &QAbstractButton::clicked, this, [this] {
-        if (!m_alarms.empty())
-            emit alarmChosen(m_alarms.front().alarm.id);
+        if (m_shown != nullptr)
+            emit alarmChosen(m_shown->alarm.id);
     });
 }
 
 void AlarmButton::setAlarms(const std::vector<Alarm>& alarms) {
-    std::vector<AlarmGroup> present = groupAlarms(alarms).present;
-    if (present == m_alarms)
+    AlarmGroups groups = groupAlarms(alarms);
+    if (groups == m_groups)
         return;
-    m_alarms = std::move(present);
+    m_groups = std::move(groups);
+    m_shown = gravest(m_groups);
     retranslateUi();
-    setVisible(!m_alarms.empty());
+    setVisible(m_shown != nullptr);
+}
+
+std::size_t AlarmButton::others() const {
+    return m_groups.present.empty() ? 0 : m_groups.present.size() - 1;
+}
+
+bool AlarmButton::isCalling() const {
+    return std::ranges::any_of(m_groups.present, &AlarmGroup::isCalling);
 }
 
 void AlarmButton::setTemperatureUnit(TemperatureUnit unit) {
@@ -50,14 +59,14 @@ void AlarmButton::setStale(bool isStale) {
 }
 
 void AlarmButton::retranslateUi() {
-    if (m_alarms.empty())
+    if (m_shown == nullptr)
         return;
-    const Alarm& alarm = m_alarms.front().alarm;
+    const Alarm& alarm = m_shown->alarm;
     setText(alarmHeadline(alarm, m_unit));
     QString name = tr("Alarm of priority %1 (%2): %3")
                        .arg(QString::number(alarm.priority), alarmStateWords(alarm), text());
-    if (m_alarms.size() > 1)
-        name += u' ' + tr("%1 more.").arg(m_alarms.size() - 1);
+    if (others() > 0)
+        name += u' ' + tr("%1 more.").arg(others());
     if (m_isStale)
         name += u' ' + tr("This may be old: the engine is not answering.");
     setAccessibleName(name);
@@ -67,12 +76,12 @@ void AlarmButton::retranslateUi() {
 }
 
 QString AlarmButton::othersText() const {
-    return m_alarms.size() > 1 ? QStringLiteral("+%1").arg(m_alarms.size() - 1) : QString();
+    return others() > 0 ? QStringLiteral("+%1").arg(others()) : QString();
 }
 
 QFont AlarmButton::textFont() const {
     QFont shown = font();
-    shown.setBold(!m_alarms.empty() && m_alarms.front().isCalling());
+    shown.setBold(isCalling());
     return shown;
 }
 
@@ -100,12 +109,12 @@ QSize AlarmButton::minimumSizeHint() const {
 }
 
 void AlarmButton::paintEvent(QPaintEvent*) {
-    if (m_alarms.empty())
+    if (m_shown == nullptr)
         return;
-    const Alarm& alarm = m_alarms.front().alarm;
-    const bool isOver = !m_alarms.front().isActive();
+    const Alarm& alarm = m_shown->alarm;
+    const bool isOver = !m_shown->isActive();
     const bool dark = isDark(this);
-    const bool isNew = m_alarms.front().isCalling() && !m_isStale;
+    const bool isNew = isCalling() && !m_isStale;
     const QColor colour = isNew ? alarmColor(alarm.priority, dark) : secondaryText(dark);
 
     QPainter painter(this);

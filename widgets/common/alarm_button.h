@@ -18,7 +18,7 @@ class AlarmButton : public QAbstractButton {
 public:
     explicit AlarmButton(QWidget* parent = nullptr);
 
-    /// Alarms as sorted by the engine: the first active one is shown.
+    /// The gravest is shown; it calls as long as any does.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
     /// Marks the alarms as possibly old because the engine does not answer.
@@ -37,12 +37,15 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    std::size_t others() const;
+    bool isCalling() const;
     QString othersText() const; ///< "+2"
     QFont textFont() const;
     int widthBesideText() const;
     void retranslateUi();
 
-    std::vector<AlarmGroup> m_alarms;
+    AlarmGroups m_groups;
+    const AlarmGroup* m_shown = nullptr; ///< of them; null without alarms
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStale = false;
 };

@@ -1,6 +1,7 @@
 #include "widgets/common/alarm_groups.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace bask {
 namespace {
@@ -24,6 +25,15 @@ bool AlarmGroup::isActive() const {
 
 bool AlarmGroup::isCalling() const {
     return isActive() && !alarm.isAcknowledged;
+}
+
+const AlarmGroup* gravest(const AlarmGroups& groups) {
+    const auto rank = [](const AlarmGroup& group) {
+        const Alarm& alarm = group.alarm;
+        return std::tuple(!group.isActive(), alarm.priority, alarm.raised_s, alarm.id);
+    };
+    const auto found = std::ranges::min_element(groups.present, {}, rank);
+    return found == groups.present.end() ? nullptr : &*found;
 }
 
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {

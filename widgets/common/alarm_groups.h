@@ -23,6 +23,10 @@ struct AlarmGroups {
     bool operator==(const AlarmGroups&) const = default;
 };
 
+/// Returns the present group that comes first for a reader: active, then by priority, then the first raised;
+/// null if there is none.
+const AlarmGroup* gravest(const AlarmGroups& groups);
+
 /// An alarm whose cause is not in the list counts as a cause.
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms);
 

@@ -99,6 +99,7 @@ AlarmList::AlarmList(QWidget* parent)
         m_chosen.reset();
         if (!items.isEmpty() && items.first()->data(kPriority, kIdRole).isValid())
             m_chosen = items.first()->data(kPriority, kIdRole).toULongLong();
+        m_isChosenByPerson = m_chosen.has_value();
         showChosen();
     });
     connect(m_tree, &QTreeWidget::itemExpanded, this,
@@ -108,6 +109,7 @@ AlarmList::AlarmList(QWidget* parent)
     connect(m_shelve, &QToolButton::clicked, this, &AlarmList::openShelf);
     connect(m_shelf, &ShelfPopup::shelveRequested, this, &AlarmList::shelveRequested);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
+        m_acknowledged = m_chosen;
         if (m_chosen)
             emit acknowledgeRequested(*m_chosen);
     });
@@ -119,18 +121,25 @@ void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
     const QDate today = QDate::currentDate();
     if (alarms == m_alarms && today == m_today)
         return;
-    const auto has = [](const std::vector<Alarm>& in, std::uint64_t id) {
-        return std::ranges::find(in, id, &Alarm::id) != in.end();
-    };
-    if (m_chosen && !has(alarms, *m_chosen))
-        m_chosen.reset();
-    m_groups = groupAlarms(alarms);
-    for (const AlarmGroup& group : m_groups.present)
-        if (!m_chosen && !has(m_alarms, group.alarm.id))
-            m_chosen = group.alarm.id;
     m_alarms = alarms;
+    m_groups = groupAlarms(alarms);
     m_today = today;
+    const bool isOther = chooseGravest();
     showRows();
+    if (isOther && m_chosen)
+        m_tree->scrollToItem(m_tree->currentItem());
+}
+
+/// Returns whether another alarm is selected now.
+bool AlarmList::chooseGravest() {
+    const std::optional<std::uint64_t> before = m_chosen;
+    if (chosen() != nullptr && m_isChosenByPerson)
+        return false;
+    const bool isDone = before && chosen() == nullptr && (m_isChosenByPerson || before == m_acknowledged);
+    const AlarmGroup* const first = isDone ? nullptr : gravest(m_groups);
+    m_isChosenByPerson = false;
+    m_chosen = first != nullptr ? std::optional(first->alarm.id) : std::nullopt;
+    return m_chosen != before;
 }
 
 void AlarmList::setTemperatureUnit(TemperatureUnit unit) {
@@ -148,8 +157,10 @@ void AlarmList::setStale(bool isStale) {
 }
 
 void AlarmList::choose(std::uint64_t id) {
-    if (std::ranges::find(m_alarms, id, &Alarm::id) != m_alarms.end())
+    if (std::ranges::find(m_alarms, id, &Alarm::id) != m_alarms.end()) {
         m_chosen = id;
+        m_isChosenByPerson = true;
+    }
     for (const AlarmGroup& group : m_groups.present)
         if (std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end())
             m_unfolded.insert(group.alarm.id);

@@ -33,9 +33,9 @@ class AlarmList : public QWidget {
 public:
     explicit AlarmList(QWidget* parent = nullptr);
 
-    /// Alarms as sorted by the engine. Selection, scroll position and focus stay; if nothing is selected, a
-    /// new alarm is. When a selected alarm disappears, its neighbour is not selected, since nobody has read
-    /// it.
+    /// Alarms as sorted by the engine. What a person has selected, scroll position and focus stay; otherwise
+    /// the gravest is selected. When an alarm disappears that a person has selected or acknowledged, none is
+    /// until the alarms change again: a second click must not acknowledge one that nobody has read.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
     /// Marks the alarms as possibly old because the engine does not answer.
@@ -60,6 +60,7 @@ private:
     void setFolded(const QTreeWidgetItem* item, bool isFolded);
     void openShelf();
     void showChosen();
+    bool chooseGravest();
     QString guidance() const;
     const Alarm* chosen() const;
     bool isShelvable(const Alarm& alarm) const;
@@ -73,7 +74,9 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStale = false;
     std::optional<std::uint64_t> m_chosen;
-    QString m_shown; ///< the shown guidance
+    bool m_isChosenByPerson = false;
+    std::optional<std::uint64_t> m_acknowledged; ///< the last one that was asked for here
+    QString m_shown;                             ///< the shown guidance
     QTreeWidget* m_tree;
     QTextEdit* m_guidance;
     QPushButton* m_acknowledge;

@@ -108,19 +108,21 @@ void LargeNumbers::showSource() {
 /// The gravest that still is so; that the engine is silent comes before it.
 void LargeNumbers::showAlarm() {
     const bool dark = isDark(this);
-    const std::vector<AlarmGroup> alarms = groupAlarms(m_last.alarms).present;
-    const bool isAlarm = !alarms.empty() && alarms.front().isActive();
+    const AlarmGroups groups = groupAlarms(m_last.alarms);
+    const std::vector<AlarmGroup>& alarms = groups.present;
+    const AlarmGroup* const first = gravest(groups);
+    const bool isAlarm = first != nullptr && first->isActive();
     QString words;
     LargeLook look;
     QColor ground;
     if (isAlarm) {
-        const AlarmGroup& first = alarms.front();
-        words = alarmHeadline(first.alarm, m_unit);
+        const bool isCalling = std::ranges::any_of(alarms, &AlarmGroup::isCalling);
+        words = alarmHeadline(first->alarm, m_unit);
         if (alarms.size() > 1)
             words += QStringLiteral(" (+%1)").arg(alarms.size() - 1);
-        look.priority = first.alarm.priority;
-        ground = first.isCalling() ? alarmColor(first.alarm.priority, dark) : secondaryText(dark);
-        ground.setAlphaF(first.isCalling() ? kCallingGround : kSeenGround);
+        look.priority = first->alarm.priority;
+        ground = isCalling ? alarmColor(first->alarm.priority, dark) : secondaryText(dark);
+        ground.setAlphaF(isCalling ? kCallingGround : kSeenGround);
     }
     if (!m_isAnswering) {
         words =

@@ -157,6 +157,36 @@ TEST_F(AlarmListTest, AcknowledgesTheChosenOneOnly) {
     EXPECT_FALSE(canAcknowledge() || canAcknowledgeAll());
 }
 
+// Catches: the guidance of a slight alarm that came first beside a grave one, and a selection of a person
+// that is taken away.
+TEST_F(AlarmListTest, TheGravestIsSelectedUnlessAPersonChose) {
+    Alarm slight = hot(1, "hand"), grave = hot(2, "foot"), later = hot(3, "plate");
+    slight.priority = 3;
+    grave.raised_s += 1.0;
+    later.raised_s += 2.0;
+    list.setAlarms({slight});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand")));
+    list.setAlarms({grave, slight});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "it came later";
+    QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton);
+    grave.isAcknowledged = true;
+    list.setAlarms({later, slight, grave});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "it was the first of its priority";
+    choose(1);
+    ASSERT_TRUE(guidance().contains(QStringLiteral("hand")));
+    later.count = 2;
+    list.setAlarms({later, slight, grave});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "a person has chosen it";
+    list.setAlarms({later, grave});
+    EXPECT_EQ(chosenRow(), -1);
+    later.count = 3;
+    list.setAlarms({later, grave});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot")));
+    grave.isActive = false;
+    list.setAlarms({later, grave});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("plate"))) << "the other is over";
+}
+
 // Catches: old alarms shown as if they were of now.
 TEST_F(AlarmListTest, OldAlarmsLookOldAndCannotBeAcknowledged) {
     list.setAlarms({hot(1, "hand")});
@@ -299,6 +329,28 @@ TEST(AlarmButton, ShowsTheFirstAndCountsTheOthers) {
     EXPECT_LT(button.minimumSizeHint().width(), withOthers);
     button.setAlarms({});
     EXPECT_FALSE(button.isVisible());
+}
+
+// Catches: an alarm of little weight on the bar because nobody has seen it yet, and a bar that falls silent
+// beside it.
+TEST(AlarmButton, ShowsTheGravestAndCallsForAny) {
+    QWidget bar;
+    AlarmButton button(&bar);
+    QSignalSpy chosen(&button, &AlarmButton::alarmChosen);
+    button.resize(400, 30);
+    Alarm slight = hot(1, "hand"), grave = hot(2, "foot");
+    slight.priority = 3;
+    grave.isAcknowledged = true;
+    button.setAlarms({slight, grave});
+    EXPECT_TRUE(button.text().contains(QStringLiteral("foot")));
+    bar.show();
+    const QImage loud = button.grab().toImage();
+    QTest::mouseClick(&button, Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.first().first().toULongLong(), 2U);
+    slight.isAcknowledged = true;
+    button.setAlarms({slight, grave});
+    EXPECT_NE(button.grab().toImage(), loud) << "it still calls";
 }
 
 } // namespace
