@@ -44,6 +44,11 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     for (QWidget* page :
          std::initializer_list<QWidget*>{m_rig, m_objects, m_calibrate, m_targets, m_run, m_review})
         m_pages->addWidget(scrolled(page));
+    auto* below = new QWidget(this); // messages float here, so that they never cover a countdown
+    auto* inside = new QVBoxLayout(below);
+    inside->setContentsMargins(0, 0, 0, 0);
+    inside->addWidget(m_pages);
+    m_bar->setParent(below);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -52,9 +57,9 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->addWidget(m_recipe);
     column->addWidget(m_question);
     column->addWidget(m_coach);
-    column->addWidget(m_pages, 1);
+    column->addWidget(below, 1);
 
-    new FloatingPlace(*m_bar, *this);
+    new FloatingPlace(*m_bar, *below);
     connectRig();
     connectObjects();
     connectCalibrate();

@@ -34,6 +34,7 @@
 #include <QFile>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLayout>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -102,6 +103,38 @@ TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
     window->pages().showNote(QStringLiteral("Something else."));
     EXPECT_FALSE(button("messageAction")->isVisible());
     EXPECT_FALSE(button("messageOther")->isVisible());
+}
+
+// Catches: a message over what the engine is about to do by itself, whichever comes first.
+TEST_F(MainWindowTest, NoMessageCoversACountdown) {
+    openWindow({1024, 600});
+    auto* countdown = find<QWidget>("countdownBar");
+    Snapshot calm = window->lastSnapshot();
+    calm.newSamples.clear();
+    calm.newEvents.clear();
+    Snapshot pending = calm;
+    pending.pending =
+        PendingAction{{MessageCode::ActionEndRun, {}}, {MessageCode::ReasonSourcePoseLost, {}}, 9.0};
+    const QString words = QStringLiteral("Start was refused, and this is why. ").repeated(80);
+    const auto isFree = [&](const QPoint& place) {
+        const QWidget* on = window->pages().childAt(countdown->mapTo(&window->pages(), place));
+        return on == countdown || countdown->isAncestorOf(on);
+    };
+    for (const bool isMessageFirst : {true, false}) {
+        window->pages().messages().clear();
+        window->pages().apply(calm);
+        if (isMessageFirst)
+            window->pages().showProblem(words);
+        window->pages().apply(pending);
+        if (!isMessageFirst)
+            window->pages().showProblem(words);
+        window->pages().layout()->activate();
+        ASSERT_TRUE(countdown->isVisible());
+        ASSERT_TRUE(find<MessageBar>("messageBar")->isVisible());
+        for (const QPoint& place : {countdown->rect().center(), countdown->rect().topLeft() + QPoint(2, 2),
+                                    countdown->rect().bottomRight() - QPoint(2, 2)})
+            EXPECT_TRUE(isFree(place)) << place.x() << ", " << place.y() << ", " << isMessageFirst;
+    }
 }
 
 // Catches: Start has the keyboard, cannot be pressed any more, and the next Space is for Stop.

@@ -42,7 +42,8 @@ void FloatingPlace::place() {
     const QRect seen = seenOf(m_page);
     const int width = std::min(seen.width() - 2 * kMargin_px, kMaxWidth_px);
     const int height = m_bar.hasHeightForWidth() ? m_bar.heightForWidth(width) : m_bar.sizeHint().height();
-    m_bar.setGeometry(seen.center().x() - width / 2, seen.bottom() - kMargin_px - height, width, height);
+    const int top = std::max(seen.top(), seen.bottom() - kMargin_px - height); // it begins in sight
+    m_bar.setGeometry(seen.center().x() - width / 2, top, width, height);
     m_bar.raise();
 }
 

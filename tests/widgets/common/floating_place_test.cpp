@@ -65,6 +65,17 @@ TEST_F(FloatingPlaceTest, FollowsThePagesEdge) {
     }
 }
 
+// Catches: a message that is higher than the page, and loses its beginning.
+TEST_F(FloatingPlaceTest, BeginsInSight) {
+    page.setMinimumSize(1, 1);
+    button->setMinimumSize(1, 1);
+    page.resize(320, 60);
+    bar->say(MessageBar::Kind::Problem, longSentence());
+    settle();
+    ASSERT_GT(bar->height(), page.height());
+    EXPECT_EQ(bar->geometry().top(), 0);
+}
+
 // Catches: a message over the upper edge, since a plot hides the rest of the page.
 TEST_F(FloatingPlaceTest, LiesOverWhatHidesThePage) {
     QWidget plot(&page);
