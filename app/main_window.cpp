@@ -67,6 +67,52 @@ bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
            });
 }
 
+/// Returns the page on which a reason is dealt with.
+Page pageOf(MessageCode reason) {
+    switch (reason) {
+    case MessageCode::ReasonTargetInfeasible:
+    case MessageCode::TargetAboveWarning:
+    case MessageCode::EventCompromise:
+        return Page::Targets;
+    case MessageCode::ReasonSourcePoseLost:
+        return Page::Calibrate;
+    case MessageCode::ReasonNoExperiment:
+        return Page::Objects;
+    case MessageCode::ReasonRobotLost:
+    case MessageCode::ReasonSourceLost:
+    case MessageCode::RobotPlaceUnsure:
+    case MessageCode::RobotRestarted:
+    case MessageCode::RobotAlarm:
+    case MessageCode::RobotHeld:
+    case MessageCode::RobotDisabled:
+    case MessageCode::RobotOpening:
+    case MessageCode::RigIncomplete:
+    case MessageCode::LinkNotOpened:
+    case MessageCode::LinkLost:
+    case MessageCode::DeviceSilent:
+    case MessageCode::DeviceOther:
+    case MessageCode::ProgramNotConfirmed:
+    case MessageCode::ProgramNotStarted:
+    case MessageCode::ProgramEnded:
+    case MessageCode::ProgramStopped:
+    case MessageCode::ProgramSilent:
+    case MessageCode::ProgramOther:
+    case MessageCode::ProgramRefuses:
+    case MessageCode::RobotReports:
+        return Page::Rig;
+    default:
+        return Page::Run;
+    }
+}
+
+/// The values of an alarm are of when it was raised: first one of the same words, then of the same kind.
+auto alarmOf(const std::vector<Alarm>& alarms, const Message& reason) {
+    const auto found = std::ranges::find(alarms, reason, &Alarm::message);
+    return found != alarms.end() ? found : std::ranges::find_if(alarms, [&](const Alarm& alarm) {
+        return alarm.message.code == reason.code;
+    });
+}
+
 } // namespace
 
 MainWindow::MainWindow()
@@ -281,43 +327,19 @@ void MainWindow::askInfeasible() {
     dialog->open();
 }
 
+/// Its page, and its alarm in the list; if that page is there already, it is shown to be the one.
 void MainWindow::showReason(int index) {
     if (index < 0 || static_cast<std::size_t>(index) >= m_last.reasons.size())
         return;
-    switch (m_last.reasons[static_cast<std::size_t>(index)].code) {
-    case MessageCode::ReasonTargetInfeasible:
-    case MessageCode::TargetAboveWarning:
-    case MessageCode::EventCompromise:
-        return m_pages->show(Page::Targets);
-    case MessageCode::ReasonSourcePoseLost:
-        return m_pages->show(Page::Calibrate);
-    case MessageCode::ReasonNoExperiment:
-        return m_pages->show(Page::Objects);
-    case MessageCode::ReasonRobotLost:
-    case MessageCode::ReasonSourceLost:
-    case MessageCode::RobotPlaceUnsure:
-    case MessageCode::RobotRestarted:
-    case MessageCode::RobotAlarm:
-    case MessageCode::RobotHeld:
-    case MessageCode::RobotDisabled:
-    case MessageCode::RobotOpening:
-    case MessageCode::RigIncomplete:
-    case MessageCode::LinkNotOpened:
-    case MessageCode::LinkLost:
-    case MessageCode::DeviceSilent:
-    case MessageCode::DeviceOther:
-    case MessageCode::ProgramNotConfirmed:
-    case MessageCode::ProgramNotStarted:
-    case MessageCode::ProgramEnded:
-    case MessageCode::ProgramStopped:
-    case MessageCode::ProgramSilent:
-    case MessageCode::ProgramOther:
-    case MessageCode::ProgramRefuses:
-    case MessageCode::RobotReports:
-        return m_pages->show(Page::Rig);
-    default:
-        return m_pages->show(Page::Run);
-    }
+    const Message& reason = m_last.reasons[static_cast<std::size_t>(index)];
+    const Page page = pageOf(reason.code);
+    const bool isThere = page == m_pages->page();
+    m_pages->show(page);
+    const auto alarm = alarmOf(m_last.alarms, reason);
+    if (alarm != m_last.alarms.end())
+        m_dock->showAlarm(alarm->id);
+    else if (isThere)
+        pointAt(m_pages);
 }
 
 /// The keyboard goes there as well.
@@ -409,9 +431,8 @@ void MainWindow::takeAges() {
 }
 
 void MainWindow::showNotes() {
+    showRemedy();
     QStringList notes;
-    if (m_last.remedy.code != MessageCode::None)
-        notes << messageText(m_last.remedy);
     if (const QStringList faults = activeFaultWords(m_last); !faults.isEmpty())
         notes << tr("Simulated faults are active: %1. Tools > Simulate fault ends them.")
                      .arg(faults.join(QStringLiteral("; ")));
@@ -436,6 +457,18 @@ void MainWindow::showNotes() {
                       .arg(formatTemperatureNumber(m_last.latest.source_K, unit, 0),
                            formatTemperature(m_last.warmUp->setPoint_K, unit, 0));
     m_stateBar->chip()->setCaption(caption);
+}
+
+/// Its verb is beside it, or why nobody can do it now.
+void MainWindow::showRemedy() {
+    const std::optional<Verb> verb = remedyVerb(m_last.remedy.code);
+    const bool isPossible = verb && allows(m_last, *verb);
+    QString words;
+    if (m_last.remedy.code != MessageCode::None)
+        words = messageText(m_last.remedy);
+    if (verb && !isPossible)
+        words += u' ' + whyNot(m_last, *verb);
+    m_stateBar->chip()->setRemedy(words, isPossible ? m_actions.verb(*verb) : nullptr);
 }
 
 void MainWindow::retranslate() {

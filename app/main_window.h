@@ -95,6 +95,7 @@ private:
     void reportProblem();
     void showTitle();
     void takeAges();  ///< updates the ages of the calibrations
+    void showRemedy();
     void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();
     void restyle();

@@ -109,6 +109,21 @@ QString whyNot(const Snapshot& snapshot, Verb verb) {
     return {};
 }
 
+std::optional<Verb> remedyVerb(MessageCode remedy) {
+    switch (remedy) {
+    case MessageCode::RemedyReset:
+        return Verb::Reset;
+    case MessageCode::RemedyRetreat:
+        return Verb::Retreat;
+    case MessageCode::RemedyResume:
+        return Verb::Resume;
+    case MessageCode::RemedyStop:
+        return Verb::Stop;
+    default:
+        return std::nullopt;
+    }
+}
+
 QString whyNotAnother(const Snapshot& snapshot) {
     if (allowsEdits(snapshot.state))
         return {};

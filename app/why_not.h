@@ -6,10 +6,15 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace bask {
 
 /// Returns one translated sentence that names what to do first; empty if `allows(snapshot, verb)`.
 QString whyNot(const Snapshot& snapshot, Verb verb);
+
+/// Returns the verb that a remedy of the engine asks for; empty for one that has to be waited for.
+std::optional<Verb> remedyVerb(MessageCode remedy);
 
 /// Return one translated sentence; empty if the action is possible.
 QString whyNotAnother(const Snapshot& snapshot); ///< why no other experiment can be begun

@@ -645,6 +645,27 @@ TEST_F(MainWindowTest, TheChipSaysWhyNotReady) {
     EXPECT_TRUE(chip->reasons().isEmpty());
 }
 
+// Catches: a remedy in the chip's list that does nothing after a stop, and a reason whose page is there
+// already and that leads nowhere.
+TEST_F(MainWindowTest, TheChipsRemedyDoesWhatItSays) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    auto* chip = find<RunStateChip>("runStateChip");
+    QAction* reset = window->actions().verb(Verb::Reset);
+    EXPECT_FALSE(chip->reasonsMenu()->actions().contains(reset));
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    ASSERT_TRUE(waitForState(RunState::Fault));
+    ASSERT_TRUE(waitFor([&] { return chip->reasonsMenu()->actions().contains(reset); }));
+    auto* tabs = find<QTabWidget>("dockTabs");
+    tabs->setCurrentIndex(1);
+    ASSERT_EQ(window->pages().page(), Page::Run);
+    chip->reasonsMenu()->actions().front()->trigger();
+    EXPECT_EQ(tabs->currentIndex(), 0) << "the alarm that it is about";
+    reset->trigger();
+    EXPECT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(waitFor([&] { return !chip->reasonsMenu()->actions().contains(reset); }));
+}
+
 TEST_F(MainWindowTest, KeysSwitchPages) {
     openWindow();
     for (int i = 0; i < kPages; ++i) {

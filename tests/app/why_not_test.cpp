@@ -22,6 +22,16 @@ TEST(WhyNot, EveryVerbThatCannotActSaysWhyInEveryState) {
             }
 }
 
+// Catches: a remedy without its verb, and one that has to be waited for with one.
+TEST(WhyNot, ARemedyHasItsVerb) {
+    EXPECT_EQ(remedyVerb(MessageCode::RemedyReset), Verb::Reset);
+    EXPECT_EQ(remedyVerb(MessageCode::RemedyRetreat), Verb::Retreat);
+    EXPECT_EQ(remedyVerb(MessageCode::RemedyResume), Verb::Resume);
+    EXPECT_EQ(remedyVerb(MessageCode::RemedyStop), Verb::Stop);
+    EXPECT_EQ(remedyVerb(MessageCode::RemedyWait), std::nullopt);
+    EXPECT_EQ(remedyVerb(MessageCode::None), std::nullopt);
+}
+
 // Catches: one sentence for everything.
 TEST(WhyNot, TheReasonIsTheStates) {
     Snapshot snapshot;

@@ -134,6 +134,14 @@ void RunStateChip::setCaption(const QString& caption) {
     retranslateUi();
 }
 
+void RunStateChip::setRemedy(const QString& remedy, QAction* verb) {
+    if (remedy == m_remedy && verb == m_verb)
+        return;
+    m_remedy = remedy;
+    m_verb = verb;
+    retranslateUi();
+}
+
 void RunStateChip::setNotes(const QStringList& notes) {
     if (notes == m_notes)
         return;
@@ -159,7 +167,10 @@ QString RunStateChip::word() const {
 void RunStateChip::retranslateUi() {
     setText(word());
     const QString explanation = m_isUnknown ? m_reasons.first() : runStateExplanation(m_state);
+    const QString remedy = m_isUnknown ? QString() : m_remedy;
     QStringList tips{explanation};
+    if (!remedy.isEmpty())
+        tips << remedy;
     if (!m_caption.isEmpty())
         tips << m_notes;
     if (!m_isUnknown)
@@ -167,16 +178,26 @@ void RunStateChip::retranslateUi() {
     setToolTip(tips.join(QLatin1Char('\n')));
     setAccessibleName(tr("State of the run: %1")
                           .arg(m_caption.isEmpty() ? text() : text() + QStringLiteral(", ") + m_caption));
-    setAccessibleDescription(m_reasons.isEmpty() ? explanation : m_reasons.join(QLatin1Char('\n')));
+    QStringList said = m_reasons.isEmpty() ? QStringList{explanation} : m_reasons;
+    if (!remedy.isEmpty())
+        said << remedy;
+    setAccessibleDescription(said.join(QLatin1Char('\n')));
 
     m_menu->clear();
     const QStringList lines = m_reasons.isEmpty() ? QStringList{explanation} : m_reasons;
     for (int i = 0; i < lines.size(); ++i) {
         QAction* action =
-            addLine(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i]);
+            addLine(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i],
+                    !m_reasons.isEmpty() && !m_isUnknown);
         action->setText(lines[i]);
-        if (!m_reasons.isEmpty())
+        if (action->isEnabled())
             connect(action, &QAction::triggered, this, [this, i] { emit reasonActivated(i); });
+    }
+    if (!remedy.isEmpty()) {
+        m_menu->addSeparator();
+        addLine(remedy);
+        if (m_verb != nullptr)
+            m_menu->addAction(m_verb);
     }
     if (!m_notes.isEmpty())
         m_menu->addSeparator();
@@ -186,7 +207,7 @@ void RunStateChip::retranslateUi() {
     update();
 }
 
-QAction* RunStateChip::addLine(const QString& line) {
+QAction* RunStateChip::addLine(const QString& line, bool isSelectable) {
     auto* action = new QWidgetAction(m_menu);
     action->setText(line);
     auto* label = new QLabel(line);
@@ -195,7 +216,14 @@ QAction* RunStateChip::addLine(const QString& line) {
     label->setMargin(8);
     label->setFixedWidth(kReasonWidth);
     label->setMinimumHeight(label->heightForWidth(kReasonWidth));
+    if (!isSelectable) { // to be read all the same
+        QPalette ink = label->palette();
+        ink.setColor(QPalette::Disabled, QPalette::WindowText,
+                     ink.color(QPalette::Active, QPalette::WindowText));
+        label->setPalette(ink);
+    }
     action->setDefaultWidget(label);
+    action->setEnabled(isSelectable);
     m_menu->addAction(action);
     return action;
 }

@@ -15,7 +15,8 @@ namespace bask {
 int statePriority(RunState state);
 
 /// Shows only what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with one
-/// action for each reason (its text is the reason).
+/// action for each reason (its text is the reason); what cannot be chosen there does nothing and is not
+/// enabled.
 class RunStateChip : public QAbstractButton {
     Q_OBJECT
 public:
@@ -27,6 +28,9 @@ public:
     void setUnknown(const QString& reason);
     /// Sets a short line under the word; empty for none.
     void setCaption(const QString& caption);
+    /// Sets what to do now, and the verb that does it; null where none does. It is a line under the reasons
+    /// with the verb's own action below.
+    void setRemedy(const QString& remedy, QAction* verb);
     /// Sets additional notes under the reasons: not counted and not selectable.
     void setNotes(const QStringList& notes);
     /// Narrow: a long word is shortened. As otherwise, the width is the same for all states.
@@ -51,14 +55,16 @@ protected:
 
 private:
     void retranslateUi();
-    QString word() const;                  ///< word of the state
-    QAction* addLine(const QString& line); ///< adds a line to the menu
+    QString word() const;                                             ///< word of the state
+    QAction* addLine(const QString& line, bool isSelectable = false); ///< adds a line to the menu
     void openMenu();
 
     RunState m_state = RunState::Idle;
     bool m_isUnknown = false;
     QStringList m_reasons;
     QString m_caption;
+    QString m_remedy;
+    QAction* m_verb = nullptr; ///< of the remedy
     QStringList m_notes;
     bool m_isCompact = false;
     QMenu* m_menu = nullptr;

@@ -1,5 +1,6 @@
 #include "widgets/common/run_state_chip.h"
 
+#include <QAction>
 #include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
@@ -36,6 +37,32 @@ TEST(RunStateChip, ClickListsEachReasonWithItsRemedy) {
     chip.setState(RunState::Ready, {});
     EXPECT_EQ(chip.text(), QStringLiteral("Ready"));
     ASSERT_EQ(menu->actions().size(), 1) << "says in words that nothing stands in the way";
+}
+
+// Catches a remedy that is chosen and does nothing, and lines that look as if something could be done.
+TEST(RunStateChip, TheRemedyIsTheVerbItself) {
+    RunStateChip chip;
+    QAction reset(QStringLiteral("Reset"));
+    QSignalSpy done(&reset, &QAction::triggered);
+    const QString remedy = QStringLiteral("Reset when the rig is safe.");
+    chip.setState(RunState::Fault, {QStringLiteral("STOP was pressed.")});
+    chip.setRemedy(remedy, &reset);
+    const auto lines = [&] { return chip.reasonsMenu()->actions(); };
+    ASSERT_EQ(lines().size(), 4) << "reason, separator, remedy, verb";
+    EXPECT_TRUE(lines()[0]->isEnabled());
+    EXPECT_EQ(lines()[2]->text(), remedy);
+    EXPECT_FALSE(lines()[2]->isEnabled()) << "a sentence only";
+    EXPECT_TRUE(chip.accessibleDescription().contains(remedy));
+    ASSERT_EQ(lines()[3], &reset);
+    lines()[3]->trigger();
+    EXPECT_EQ(done.count(), 1);
+    chip.setRemedy(QStringLiteral("Reset is possible when this is over."), nullptr);
+    EXPECT_FALSE(lines().contains(&reset));
+    chip.setState(RunState::Stopped, {});
+    chip.setRemedy({}, nullptr);
+    chip.setNotes({QStringLiteral("The camera was calibrated long ago.")});
+    for (const QAction* line : lines())
+        EXPECT_TRUE(line->isSeparator() || !line->isEnabled()) << line->text().toStdString();
 }
 
 // Catches a state told by colour alone: the pictures of any two states differ also in shades of grey.
