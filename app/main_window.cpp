@@ -189,7 +189,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
     armWithLabels(snapshot);
-    if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused)))
+    if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused), snapshot.state))
         m_refused.reset();
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
@@ -311,7 +311,7 @@ void MainWindow::refuse(const Message& refusal) {
 
 void MainWindow::sayWhyNot(Verb verb) {
     m_refused = verb;
-    m_pages->messages().showWhile(whyNot(m_last, verb));
+    m_pages->messages().showWhile(whyNot(m_last, verb), m_last.state);
 }
 
 void MainWindow::askInfeasible() {

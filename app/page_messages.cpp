@@ -7,6 +7,28 @@
 
 namespace bask {
 
+PageMessages::PageMessages(MessageBar& bar, std::chrono::milliseconds longest) : m_bar(bar) {
+    m_age.setSingleShot(true);
+    m_age.setInterval(longest);
+    m_age.callOnTimeout([this] { dropOld(); });
+}
+
+void PageMessages::showForATime(const QString& sentence) {
+    m_forATime = sentence;
+    m_age.start();
+    showProblem(sentence);
+}
+
+/// Not under the pointer: somebody reads it, or copies it.
+void PageMessages::dropOld() {
+    if (m_bar.sentence() != m_forATime)
+        return;
+    if (m_bar.underMouse())
+        m_age.start();
+    else
+        m_bar.clear();
+}
+
 void PageMessages::showProblem(const QString& sentence) {
     m_bar.say(MessageBar::Kind::Problem, sentence);
 }
@@ -35,7 +57,7 @@ void PageMessages::dropOfEdit() {
 
 void PageMessages::showRefusal(const QString& sentence) {
     m_ofEdit = sentence;
-    showProblem(sentence);
+    showForATime(sentence);
 }
 
 void PageMessages::showRefusal(const QString& text, const Snapshot& snapshot, const Message& refusal) {
@@ -61,20 +83,23 @@ void PageMessages::keepRefusal(const Snapshot& snapshot) {
         dropRefusal();
 }
 
-void PageMessages::showWhile(const QString& text) {
+void PageMessages::showWhile(const QString& text, RunState state) {
     m_ofMoment = text;
-    showProblem(text);
+    m_refusedIn = state;
+    showForATime(text);
 }
 
-bool PageMessages::keepWhile(const QString& text) {
+bool PageMessages::keepWhile(const QString& text, RunState state) {
     if (m_ofMoment.isEmpty() || m_bar.sentence() != m_ofMoment)
         return false;
-    if (text.isEmpty()) {
+    if (text.isEmpty() || state != m_refusedIn) {
         m_bar.clear();
         return false;
     }
-    if (text != m_ofMoment)
-        showWhile(text);
+    if (text != m_ofMoment) {
+        m_ofMoment = m_forATime = text; // other words, not more time
+        showProblem(text);
+    }
     return true;
 }
 

@@ -4,6 +4,9 @@
 #include "engine/runtime/snapshot.h"
 
 #include <QString>
+#include <QTimer>
+
+#include <chrono>
 
 namespace bask {
 
@@ -11,7 +14,10 @@ class MessageBar;
 
 class PageMessages {
 public:
-    explicit PageMessages(MessageBar& bar) : m_bar(bar) {}
+    /// A refusal is shown for so long at most, or as long as the pointer is on it: a sentence read twice.
+    static constexpr std::chrono::milliseconds kRefusal{12'000};
+
+    explicit PageMessages(MessageBar& bar, std::chrono::milliseconds longest = kRefusal);
 
     /// Shows a sentence above the pages until it is closed.
     void showProblem(const QString& sentence);
@@ -22,27 +28,32 @@ public:
 
     void showOfEdit(const QString& note); ///< gone with the next edit
     void dropOfEdit();
-    void showRefusal(const QString& sentence); ///< gone with the next edit
-    /// Shows a refusal of the engine: it disappears with the next edit or command, and when its state or
-    /// reason ends.
+    void showRefusal(const QString& sentence); ///< gone with the next edit, or after kRefusal
+    /// Shows a refusal of the engine: it disappears with the next edit or command, when its state or reason
+    /// ends, or after kRefusal.
     void showRefusal(const QString& sentence, const Snapshot& snapshot, const Message& refusal);
     /// Removes a refusal of the engine or of a verb, because something else was requested.
     void dropRefusal();
     /// Removes a refusal when its state or reason has ended.
     void keepRefusal(const Snapshot& snapshot);
-    /// Shows a sentence until keepWhile() gets another one, or an empty one.
-    void showWhile(const QString& sentence);
+    /// Shows a sentence in this state until keepWhile() gets an empty one or another state, or for kRefusal.
+    void showWhile(const QString& sentence, RunState state);
     /// Updates or clears the sentence of showWhile(). Returns false if it is no longer shown.
-    bool keepWhile(const QString& sentence);
+    bool keepWhile(const QString& sentence, RunState state);
 
 private:
+    void showForATime(const QString& sentence);
+    void dropOld();
+
     MessageBar& m_bar;
+    QTimer m_age;
+    QString m_forATime;    ///< what m_age is about
     QString m_ofEdit;      ///< the message about the newest edit
     QString m_ofMoment;    ///< the message of showWhile()
     QString m_refusalSaid; ///< the engine's last refusal
     Message m_refusal;
-    bool m_isOfReason = false; ///< it is one of the reasons of the state
-    RunState m_refusedIn = RunState::Idle;
+    bool m_isOfReason = false;             ///< it is one of the reasons of the state
+    RunState m_refusedIn = RunState::Idle; ///< state of the newest refusal, of the engine or of a verb
 };
 
 } // namespace bask

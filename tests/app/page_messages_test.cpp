@@ -1,0 +1,74 @@
+// How long a refusal is shown.
+
+#include "app/page_messages.h"
+
+#include "engine/base/message_code.h"
+#include "tests/support/wait_for.h"
+#include "widgets/common/message_bar.h"
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const QString kRefused = QStringLiteral("There is nothing to resume: no run is held.");
+
+Snapshot in(RunState state) {
+    Snapshot snapshot;
+    snapshot.state = state;
+    return snapshot;
+}
+
+} // namespace
+
+// Catches: "There is nothing to resume" over a run that has begun since, in the same words.
+TEST(PageMessages, ARefusalGoesWithItsState) {
+    MessageBar bar;
+    PageMessages messages(bar, 1h);
+    messages.showWhile(kRefused, RunState::Ready);
+    EXPECT_TRUE(messages.keepWhile(kRefused, RunState::Ready));
+    EXPECT_EQ(bar.sentence(), kRefused);
+    EXPECT_FALSE(messages.keepWhile(kRefused, RunState::Armed));
+    EXPECT_EQ(bar.sentence(), QString());
+
+    messages.showRefusal(kRefused, in(RunState::Ready), {MessageCode::CommandNotNow, {"resume", "Ready"}});
+    messages.keepRefusal(in(RunState::Ready));
+    EXPECT_EQ(bar.sentence(), kRefused);
+    messages.keepRefusal(in(RunState::Running));
+    EXPECT_EQ(bar.sentence(), QString());
+}
+
+// Catches: a refusal that stays for good where nothing happens any more, and another message that goes with
+// it.
+TEST(PageMessages, ARefusalGoesInTime) {
+    MessageBar bar;
+    PageMessages messages(bar, 20ms);
+    const auto isGone = [&] { return bar.sentence().isEmpty(); };
+    messages.showWhile(kRefused, RunState::Ready);
+    EXPECT_TRUE(waitFor(isGone));
+    EXPECT_FALSE(messages.keepWhile(kRefused, RunState::Ready));
+    messages.showRefusal(kRefused);
+    EXPECT_TRUE(waitFor(isGone));
+    messages.showRefusal(kRefused, in(RunState::Ready), {MessageCode::CommandNotNow, {"resume", "Ready"}});
+    EXPECT_TRUE(waitFor(isGone));
+
+    messages.showRefusal(kRefused);
+    messages.showProblem(QStringLiteral("The file cannot be opened."));
+    EXPECT_FALSE(waitFor(isGone, 100)) << "that is for a person to close";
+}
+
+// Catches: a refusal that goes while somebody reads it.
+TEST(PageMessages, ARefusalStaysUnderThePointer) {
+    MessageBar bar;
+    PageMessages messages(bar, 10ms);
+    bar.setAttribute(Qt::WA_UnderMouse);
+    messages.showRefusal(kRefused);
+    const auto isGone = [&] { return bar.sentence().isEmpty(); };
+    EXPECT_FALSE(waitFor(isGone, 100));
+    bar.setAttribute(Qt::WA_UnderMouse, false);
+    EXPECT_TRUE(waitFor(isGone));
+}
+
+} // namespace bask::test
