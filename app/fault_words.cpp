@@ -46,6 +46,9 @@ QString faultEffectWords(FaultEffect effect) {
         return FaultWords::tr("Would show nothing here: there is no other sensor to swap with.");
     case FaultEffect::NoneUnmarked:
         return FaultWords::tr("Would show nothing here: the source has no markers, and nothing follows it.");
+    case FaultEffect::NoneUnused:
+        return FaultWords::tr(
+            "Would change no run here: no camera follows the source, and there is no thermal camera.");
     case FaultEffect::NoneHeatOff:
         return FaultWords::tr("Would show nothing now: the heat is off. Start a run or heat by hand first.");
     case FaultEffect::NoneHeatOn:

@@ -48,7 +48,7 @@ FaultEffect faultEffect(const Experiment& experiment, HeatState heat, SimulatedF
         return experiment.vision.marks(Part::Source) ? FaultEffect::InPictures : FaultEffect::NoneUnmarked;
     case SimulatedFault::CameraLost:
         return experiment.source.tracked || thermalProfile(experiment, true) ? FaultEffect::AtOnce
-                                                                             : FaultEffect::InPictures;
+                                                                             : FaultEffect::NoneUnused;
     case SimulatedFault::None:
     case SimulatedFault::ObjectHot:
     case SimulatedFault::RobotLost:

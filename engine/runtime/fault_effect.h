@@ -15,6 +15,7 @@ enum class FaultEffect {
     NoneByCamera, ///< none: the thermal camera alone reads the object
     NoneAlone,    ///< none: there is no other sensor
     NoneUnmarked, ///< none: nothing follows the source, and it has no markers
+    NoneUnused,   ///< none in a run: no camera follows the source or reads an object
     NoneHeatOff,  ///< none while the heat is off
     NoneHeatOn
 };

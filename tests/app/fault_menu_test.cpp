@@ -112,6 +112,19 @@ TEST_F(FaultMenuTest, WhatWouldShowNothingSaysWhy) {
     EXPECT_TRUE(menuOf("object-hot")->menuAction()->isEnabled());
 }
 
+// Catches: a camera that can be lost where no run uses one, and no word about why nothing comes of it.
+TEST_F(FaultMenuTest, ACameraThatNoRunUsesCannotBeLost) {
+    QAction* lost = ofRig("camera-lost");
+    EXPECT_FALSE(lost->isEnabled());
+    EXPECT_TRUE(lost->toolTip().contains(QStringLiteral("no camera follows the source")))
+        << lost->toolTip().toStdString();
+    EXPECT_EQ(lost->statusTip(), lost->toolTip());
+    experiment.source.tracked = true;
+    faults.setExperiment(experiment);
+    EXPECT_TRUE(lost->isEnabled());
+    EXPECT_FALSE(lost->toolTip().contains(QStringLiteral("Would")));
+}
+
 // Catches: faults offered on a real rig, or refused there without a word.
 TEST_F(FaultMenuTest, ARealRigSaysThatItHasNone) {
     QAction* top = faults.menu()->menuAction();

@@ -120,9 +120,11 @@ TEST(FaultEffect, TheCameraIsWhatFollowsTheSource) {
     Experiment experiment = twoDisks(40.0);
     const auto of = [&](SimulatedFault fault) { return faultEffect(experiment, HeatState::Off, fault, 0); };
     EXPECT_EQ(of(SimulatedFault::SourceCovered), FaultEffect::NoneUnmarked);
-    EXPECT_EQ(of(SimulatedFault::CameraLost), FaultEffect::InPictures);
+    EXPECT_EQ(of(SimulatedFault::CameraLost), FaultEffect::NoneUnused);
+    EXPECT_TRUE(showsNothing(FaultEffect::NoneUnused));
     experiment.vision.markers = {{Part::Source, 3, 0.05}};
     EXPECT_EQ(of(SimulatedFault::SourceCovered), FaultEffect::InPictures);
+    EXPECT_EQ(of(SimulatedFault::CameraLost), FaultEffect::NoneUnused) << "markers alone hold no run";
     experiment.source.tracked = true;
     EXPECT_EQ(of(SimulatedFault::SourceCovered), FaultEffect::AtOnce);
     EXPECT_EQ(of(SimulatedFault::CameraLost), FaultEffect::AtOnce);
