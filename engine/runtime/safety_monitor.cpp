@@ -389,8 +389,13 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
 }
 
 void SafetyMonitor::addHeating(const SafetyObservation& seen) {
-    if (seen.isManual || !seen.source_K || seen.sourceProblem.code != MessageCode::None)
+    if (seen.isManual)
         return;
+    if (!seen.source_K || seen.sourceProblem.code != MessageCode::None) {
+        if (const SafetyFinding* const unasked = activeOne(Condition::SourceHeatsUnasked))
+            add(Condition::SourceHeatsUnasked, unasked->message); // its end was not observed
+        return;
+    }
     m_source.add(seen.now_s, *seen.source_K, seen.asked_K);
     if (const auto for_s = m_source.notHeatingFor_s())
         add(Condition::SourceNotHeating,
@@ -591,6 +596,11 @@ const SafetyFinding* SafetyMonitor::lostSensor() const {
 
 void SafetyMonitor::forgetLoss() {
     m_lostLast_s = -1e300;
+}
+
+double SafetyMonitor::unaskedWarming_K() const {
+    const auto warming = m_source.heatsUnasked();
+    return warming ? warming->gained_K : 0.0;
 }
 
 void SafetyMonitor::restart() {

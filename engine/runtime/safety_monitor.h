@@ -129,9 +129,13 @@ public:
     std::optional<std::size_t> swappedWith(std::size_t object) const;
     /// Call when the sensors have been zeroed: the objects are at rest at the room's temperature.
     void atRest(const SafetyObservation& seen);
-    /// Whether the source's heat was ever on; for the next monitor of the same source.
+    /// Whether the source's heat was ever on, and by how much it warms with its heat off, K (0 if it does
+    /// not); for the next monitor of the same source.
     bool wasSourceHeated() const { return m_source.wasHeated(); }
-    void useHistory(bool wasSourceHeated) { m_source.use(wasSourceHeated); }
+    double unaskedWarming_K() const;
+    void useHistory(bool wasSourceHeated, double unaskedWarming_K) {
+        m_source.use(wasSourceHeated, unaskedWarming_K);
+    }
     /// Call at a reset: forgets what objects and source did before.
     void restart();
 

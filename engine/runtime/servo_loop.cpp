@@ -35,8 +35,8 @@ ServoLoop::~ServoLoop() {
 }
 
 RigKnowledge ServoLoop::knowledge() const {
-    return {m_faults.all(), m_readings.answers(), m_retreat.isRefused(), m_readings.sensors(),
-            m_safety.wasSourceHeated()};
+    return {m_faults.all(),       m_readings.answers(),       m_retreat.isRefused(),
+            m_readings.sensors(), m_safety.wasSourceHeated(), m_safety.unaskedWarming_K()};
 }
 
 void ServoLoop::use(const RigKnowledge& known) {
@@ -45,7 +45,7 @@ void ServoLoop::use(const RigKnowledge& known) {
     m_readings.use(known.answers);
     m_retreat.setRefused(known.isRetreatRefused);
     m_readings.sensors().useDistrust(known.sensors);
-    m_safety.useHistory(known.wasSourceHeated);
+    m_safety.useHistory(known.wasSourceHeated, known.unaskedWarming_K);
     m_record = {}; // there is no start-up to report
 }
 

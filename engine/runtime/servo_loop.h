@@ -29,6 +29,7 @@ struct RigKnowledge {
     bool isRetreatRefused = false; ///< because of STOP, or of a robot that does not move
     SensorChannels sensors;        ///< including which ones are distrusted
     bool wasSourceHeated = false;
+    double unaskedWarming_K = 0.0; ///< of a source that heats although its heat is off
 };
 
 /// What the record waits for after a run that was ended by a fault or STOP.

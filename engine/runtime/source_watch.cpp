@@ -7,6 +7,11 @@
 
 namespace bask {
 
+void SourceWatch::use(bool wasHeated, double unasked_K) {
+    m_wasHeated = wasHeated;
+    m_before_K = unasked_K;
+}
+
 void SourceWatch::restart() {
     if (heatsUnasked()) // no reset makes it cool
         return;
@@ -14,13 +19,15 @@ void SourceWatch::restart() {
     anew.m_wasHeated = m_wasHeated;
     anew.m_restSince_s = m_restSince_s;
     anew.m_restAt_K = m_restAt_K;
+    anew.m_before_K = m_before_K;
     *this = anew;
 }
 
 void SourceWatch::add(double time_s, double temperature_K, std::optional<double> setPoint_K) {
     const bool isOn = setPoint_K.has_value();
     const bool isNearEnough = isOn && *setPoint_K - temperature_K <= m_limits.sourceBand_K;
-    const bool isBegun = m_time_s < -1e299 || isOn != m_wasOn;
+    const bool isFirst = m_time_s < -1e299;
+    const bool isBegun = isFirst || isOn != m_wasOn;
     if (isOn != m_wasOn)
         m_turned_s = time_s;
     const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
@@ -32,6 +39,9 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_from_K = m_peak_K = temperature_K;
         m_since_s = time_s;
     }
+    if (isFirst && !isOn)
+        m_from_K -= m_before_K;
+    m_before_K = 0.0;
     m_peak_K = std::max(m_peak_K, temperature_K);
     if (isBegun || isOn || temperature_K <= m_coolFrom_K - SafetySpec::kSourceGain_K) {
         m_coolFrom_K = temperature_K;

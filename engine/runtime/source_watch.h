@@ -31,7 +31,8 @@ public:
     /// Whether the source was ever heated: one that cools slowly may also pass the number of the room's
     /// temperature.
     bool wasHeated() const { return m_wasHeated; }
-    void use(bool wasHeated) { m_wasHeated = wasHeated; }
+    /// Continues the watch of an earlier one: `unasked_K` is the warming that it has found, 0 for none.
+    void use(bool wasHeated, double unasked_K);
     /// Forgets the earlier heating and cooling, but not the temperature at which the source rests, nor that
     /// it heats unasked.
     void restart();
@@ -50,9 +51,10 @@ private:
     bool m_wasOn = false;
     double m_turned_s = -1e300;                      ///< time when the heat was last switched on or off
     double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest reading
-    double m_since_s = 0.0; ///< time of the last progress; with heat off, of the minimum
-    double m_from_K = 0.0;  ///< temperature at m_since_s
-    double m_peak_K = 0.0;  ///< maximum since then
+    double m_since_s = 0.0;  ///< time of the last progress; with heat off, of the minimum
+    double m_from_K = 0.0;   ///< temperature at m_since_s
+    double m_peak_K = 0.0;   ///< maximum since then
+    double m_before_K = 0.0; ///< warming that an earlier watch has found, until the first reading
     bool m_wasHeated = false;
     std::optional<double> m_restSince_s{}; ///< since when the temperature is within kAtRest_K of m_restAt_K
     double m_restAt_K = 0.0;

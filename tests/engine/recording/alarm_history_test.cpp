@@ -77,6 +77,7 @@ struct Ending {
 TEST(AlarmSpells, LastUntilWhatEndsThem) {
     const Message disk{MessageCode::SafetyDiskLow, {"90", "100"}};
     const Message notHeating{MessageCode::SafetySourceNotHeating, {"40", "200", "120"}};
+    const Message unasked{MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
     const Message open{MessageCode::SafetySensorOpen, {"left"}};
     const Message link{MessageCode::LinkLost, {"/dev/ttyUSB0", "unplugged"}};
     const Message silent{MessageCode::DeviceSilent, {"/dev/ttyUSB0", "2"}};
@@ -90,6 +91,7 @@ TEST(AlarmSpells, LastUntilWhatEndsThem) {
         {"latched until reset, whatever is over",
          {{30.0, notHeating}, overAt(31.0, notHeating), reset},
          20.0},
+        {"latched, and over before the reset", {{30.0, unasked}, overAt(42.0, unasked), reset}, 12.0},
         {"STOP until reset", {{45.0, {MessageCode::EventEmergencyStop, {}}}, reset}, 5.0},
         {"a note outlasts a reset", {{40.0, disk}, reset, overAt(60.0, disk)}, 20.0},
         {"the sensor is back",

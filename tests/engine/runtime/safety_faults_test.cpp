@@ -204,6 +204,24 @@ TEST(Safety, DevicesAreWatchedInIdleAndNothingMovesForThem) {
     }
 }
 
+// Catches an alarm "heats although its heat is off" beside a plate that cools, until somebody resets; and a
+// fault that goes with it.
+TEST(Safety, ThatASourceHeatsUnaskedIsOverBeforeItsFault) {
+    Rig rig;
+    rig.periods(40);
+    setFault(rig.rig, SimulatedFault::SourceHeatsAlone, 0, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 15.0), 12.0);
+    ASSERT_TRUE(rig.isAlarm(MessageCode::SafetySourceHeatsUnasked));
+    rig.periods(50);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetySourceHeatsUnasked)) << "it goes on";
+    setFault(rig.rig, SimulatedFault::SourceHeatsAlone, 0, false);
+    const auto isOver = [&] { return !rig.isAlarm(MessageCode::SafetySourceHeatsUnasked); };
+    EXPECT_LE(rig.until(isOver, 200.0), 130.0);
+    EXPECT_TRUE(rig.isRecorded(MessageCode::EventAlarmOver));
+    EXPECT_EQ(rig.loop.state(), RunState::Fault) << "latched";
+    EXPECT_TRUE(rig.loop.reset());
+}
+
 // Catches a manual move that goes on blindly; and one that cannot be made any more, though it is wanted.
 TEST(Safety, ALostSensorEndsAManualMoveOnce) {
     Rig rig;

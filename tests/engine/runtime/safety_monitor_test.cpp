@@ -376,6 +376,38 @@ TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNoneOnlyOnceItDoesNot) {
     }
 }
 
+// Catches a source that is taken to heat no more because nobody hears it, and one that another experiment on
+// the same rig forgets.
+TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNotForgotten) {
+    Monitor m;
+    const auto warm = [](Monitor& monitor, int seconds, double rate_K_s) {
+        for (int i = 0; i < seconds; ++i) {
+            monitor.seen.source_K = monitor.seen.source_K.value_or(kelvinFromCelsius(165.0)) + rate_K_s;
+            (void)monitor.after(1.0);
+        }
+    };
+    m.seen.source_K = kelvinFromCelsius(150.0);
+    warm(m, 15, 1.0);
+    ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+    m.seen.source_K.reset();
+    (void)m.after(5.0);
+    EXPECT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked)) << "nothing was read";
+    m.seen.sourceProblem = {MessageCode::ReasonSourceLost, {}};
+    (void)m.after(5.0);
+    EXPECT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked)) << "its link is lost";
+    m.seen.sourceProblem = {};
+    EXPECT_GT(m.monitor.unaskedWarming_K(), 10.0);
+
+    Monitor next;
+    next.monitor.useHistory(false, m.monitor.unaskedWarming_K());
+    next.monitor.restart();
+    warm(next, 3, 0.2);
+    EXPECT_TRUE(next.isActive(SafetyCondition::SourceHeatsUnasked));
+    warm(next, 15, -0.3);
+    EXPECT_FALSE(next.isActive(SafetyCondition::SourceHeatsUnasked)) << "it has cooled";
+    EXPECT_EQ(next.monitor.unaskedWarming_K(), 0.0);
+}
+
 // Catches an object that touches the source and is taken for a loose contact.
 TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
     Monitor m;
