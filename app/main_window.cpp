@@ -33,6 +33,7 @@
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/source_words.h"
 #include "widgets/rig/way_up_question.h"
+#include "widgets/run/run_page.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -209,8 +210,8 @@ void MainWindow::perform(Verb verb) {
     case Verb::Arm:
         return m_settings.asksLabels() ? askLabels(true) : askToArm();
     case Verb::Start:
-        m_pages->show(Page::Run);
-        return m_engine.send(Start{false}); // the engine judges the targets; its refusal asks for the tick
+        m_engine.send(Start{false}); // the engine judges the targets; its refusal asks for the tick
+        return showRun();
     case Verb::Hold:
         return m_engine.send(Hold{});
     case Verb::Resume:
@@ -224,6 +225,16 @@ void MainWindow::perform(Verb verb) {
     case Verb::Reset:
         return m_engine.send(Reset{});
     }
+}
+
+/// From another page nobody has seen whether its run is predicted.
+void MainWindow::showRun() {
+    if (m_pages->page() == Page::Run)
+        return;
+    const QString why = whyNoForecast(m_pages->forecast().missing());
+    m_pages->show(Page::Run);
+    if (!why.isEmpty() && m_pages->run()->isPredictionShown())
+        m_pages->messages().showBriefly(why);
 }
 
 void MainWindow::askLabels(bool isBeforeArm) {

@@ -80,6 +80,7 @@ private:
 
     void apply(const Snapshot& snapshot);
     void perform(Verb verb);
+    void showRun();
     void askLabels(bool isBeforeArm);
     void armWithLabels(const Snapshot& snapshot);
     void askToArm();
@@ -94,7 +95,7 @@ private:
     void showManual(const QString& page);
     void reportProblem();
     void showTitle();
-    void takeAges();  ///< updates the ages of the calibrations
+    void takeAges(); ///< updates the ages of the calibrations
     void showRemedy();
     void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();

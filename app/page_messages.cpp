@@ -13,10 +13,10 @@ PageMessages::PageMessages(MessageBar& bar, std::chrono::milliseconds longest) :
     m_age.callOnTimeout([this] { dropOld(); });
 }
 
-void PageMessages::showForATime(const QString& sentence) {
+/// The sentence has its time from now on.
+void PageMessages::age(const QString& sentence) {
     m_forATime = sentence;
     m_age.start();
-    showProblem(sentence);
 }
 
 /// Not under the pointer: somebody reads it, or copies it.
@@ -35,6 +35,11 @@ void PageMessages::showProblem(const QString& sentence) {
 
 void PageMessages::showNote(const QString& sentence) {
     m_bar.say(MessageBar::Kind::Note, sentence);
+}
+
+void PageMessages::showBriefly(const QString& note) {
+    age(note);
+    showNote(note);
 }
 
 void PageMessages::showWritten(const QString& sentence, const QString& open, const QString& other) {
@@ -57,7 +62,8 @@ void PageMessages::dropOfEdit() {
 
 void PageMessages::showRefusal(const QString& sentence) {
     m_ofEdit = sentence;
-    showForATime(sentence);
+    age(sentence);
+    showProblem(sentence);
 }
 
 void PageMessages::showRefusal(const QString& text, const Snapshot& snapshot, const Message& refusal) {
@@ -86,7 +92,8 @@ void PageMessages::keepRefusal(const Snapshot& snapshot) {
 void PageMessages::showWhile(const QString& text, RunState state) {
     m_ofMoment = text;
     m_refusedIn = state;
-    showForATime(text);
+    age(text);
+    showProblem(text);
 }
 
 bool PageMessages::keepWhile(const QString& text, RunState state) {

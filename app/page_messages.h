@@ -22,6 +22,7 @@ public:
     /// Shows a sentence above the pages until it is closed.
     void showProblem(const QString& sentence);
     void showNote(const QString& sentence);
+    void showBriefly(const QString& note); ///< for kRefusal
     /// Shows that files were written, with a button that opens them and another one.
     void showWritten(const QString& sentence, const QString& open, const QString& other);
     void clear();
@@ -42,7 +43,7 @@ public:
     bool keepWhile(const QString& sentence, RunState state);
 
 private:
-    void showForATime(const QString& sentence);
+    void age(const QString& sentence);
     void dropOld();
 
     MessageBar& m_bar;

@@ -67,6 +67,7 @@ void RunForecast::apply(const Snapshot& snapshot, bool isWatched) {
     if (m_isOfRun && !isNewRun)
         return pause();
     const std::optional<Beginning> now = beginningOf(snapshot);
+    m_isKnown = now.has_value();
     if (!now)
         return drop();
     if (m_from && !isNear(*m_from, *now, m_job.busy() ? kDrift_K : SourceWarmUp::kWarm_K))
@@ -79,6 +80,16 @@ void RunForecast::apply(const Snapshot& snapshot, bool isWatched) {
     else if (m_isMade || m_rest.isActive() || m_job.busy())
         return;
     m_rest.start();
+}
+
+RunForecast::Missing RunForecast::missing() const {
+    if (!m_predicted.samples.empty())
+        return Missing::Nothing;
+    if (isPending())
+        return Missing::NotFinished;
+    if (!m_isKnown)
+        return Missing::NotKnown;
+    return m_isMade ? Missing::NotPossible : Missing::NotSeen;
 }
 
 std::optional<RunForecast::Beginning> RunForecast::beginningOf(const Snapshot& snapshot) const {

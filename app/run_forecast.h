@@ -39,6 +39,15 @@ public:
     void apply(const Snapshot& snapshot, bool isWatched);
     /// Without samples: none.
     const PredictedRun& predicted() const { return m_predicted; }
+    enum class Missing {
+        Nothing,
+        NotSeen,     ///< nobody has looked long enough at the place where it is shown
+        NotFinished, ///< it is about to be computed, or is
+        NotKnown,    ///< the rig's place or a reading is not known
+        NotPossible  ///< it was computed in vain
+    };
+    /// Why there is none; Nothing if there is one.
+    Missing missing() const;
     /// Whether one is about to be computed, or is.
     bool isPending() const { return m_rest.isActive() || isComputing(); }
     bool isComputing() const { return m_job.busy(); }
@@ -62,6 +71,7 @@ private:
 
     Experiment m_experiment;
     std::optional<Beginning> m_from; ///< of the prediction that is there, computed or waited for
+    bool m_isKnown = false;          ///< where a run would begin from
     bool m_isMade = false;           ///< that for m_from, though it may be empty
     bool m_isOfRun = false;          ///< what is shown, or that nothing is, belongs to the run that was or is
     std::uint64_t m_runId = 0;

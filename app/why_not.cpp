@@ -124,6 +124,24 @@ std::optional<Verb> remedyVerb(MessageCode remedy) {
     }
 }
 
+QString whyNoForecast(RunForecast::Missing missing) {
+    using enum RunForecast::Missing;
+    switch (missing) {
+    case NotSeen:
+        return WhyNotWords::tr("This run has no prediction: the Run page was not looked at long enough.");
+    case NotFinished:
+        return WhyNotWords::tr("This run has no prediction: it was not finished at Start.");
+    case NotKnown:
+        return WhyNotWords::tr(
+            "This run has no prediction: the robot's place or a reading was not known before Start.");
+    case NotPossible:
+        return WhyNotWords::tr("This run has no prediction: it could not be computed.");
+    case Nothing:
+        break;
+    }
+    return {};
+}
+
 QString whyNotAnother(const Snapshot& snapshot) {
     if (allowsEdits(snapshot.state))
         return {};

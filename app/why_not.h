@@ -3,6 +3,7 @@
 // this instead of doing nothing.
 
 #include "app/actions.h"
+#include "app/run_forecast.h"
 
 #include <QString>
 
@@ -15,6 +16,9 @@ QString whyNot(const Snapshot& snapshot, Verb verb);
 
 /// Returns the verb that a remedy of the engine asks for; empty for one that has to be waited for.
 std::optional<Verb> remedyVerb(MessageCode remedy);
+
+/// Returns one translated sentence about why a run has no prediction; empty if it has one.
+QString whyNoForecast(RunForecast::Missing missing);
 
 /// Return one translated sentence; empty if the action is possible.
 QString whyNotAnother(const Snapshot& snapshot); ///< why no other experiment can be begun

@@ -172,6 +172,20 @@ TEST_F(MainWindowTest, TheRunIsPredictedBeforeStart) {
     EXPECT_TRUE(plot->predictedPoints(0).isEmpty()) << "it was for other targets";
 }
 
+// Catches a run that is started from another page and has no prediction, without a word.
+TEST_F(MainWindowTest, ARunWithoutPredictionSaysWhy) {
+    openWindow();
+    window->pages().show(Page::Targets);
+    window->pages().forecast().setExperiment(window->document().experiment()); // as an edit there does
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    window->actions().verb(Verb::Arm)->trigger();
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    window->actions().verb(Verb::Start)->trigger();
+    EXPECT_EQ(window->pages().page(), Page::Run);
+    EXPECT_TRUE(message().contains(QStringLiteral("has no prediction"))) << message().toStdString();
+    EXPECT_TRUE(waitForState(RunState::Running)) << "it does not wait for that";
+}
+
 // Catches a plot on a second screen that loses its prediction with the page, or is never given one.
 TEST_F(MainWindowTest, APlotInItsWindowIsPredictedToo) {
     openWindow();

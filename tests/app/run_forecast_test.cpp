@@ -108,6 +108,23 @@ TEST_F(RunForecastTest, IsNotMadeUnlessItIsOfUse) {
     EXPECT_FALSE(isMovedBy(ready(), false)) << "nobody looks any more";
 }
 
+// Catches a run without a prediction that cannot say why.
+TEST_F(RunForecastTest, SaysWhyThereIsNone) {
+    using enum RunForecast::Missing;
+    forecast.apply(ready(), false);
+    EXPECT_EQ(forecast.missing(), NotSeen);
+    forecast.apply(ready(), true);
+    EXPECT_EQ(forecast.missing(), NotFinished);
+    forecast.apply(ready(), false); // the page was left
+    EXPECT_EQ(forecast.missing(), NotSeen);
+    Snapshot unknown = ready();
+    unknown.place = PlaceState::Unknown;
+    forecast.apply(unknown, true);
+    EXPECT_EQ(forecast.missing(), NotKnown);
+    ASSERT_TRUE(predictsFor(ready()));
+    EXPECT_EQ(forecast.missing(), Nothing);
+}
+
 // Catches a prediction that goes, or is made anew, while its run is on or looked at; and one that stays when
 // the next run would begin elsewhere.
 TEST_F(RunForecastTest, StaysFromStartUntilTheNextRun) {

@@ -32,6 +32,17 @@ TEST(WhyNot, ARemedyHasItsVerb) {
     EXPECT_EQ(remedyVerb(MessageCode::None), std::nullopt);
 }
 
+// Catches: a run without a prediction and without a word, or the same for all causes.
+TEST(WhyNot, EachMissingPredictionHasItsCause) {
+    using enum RunForecast::Missing;
+    std::set<QString> said;
+    for (const RunForecast::Missing missing : {NotSeen, NotFinished, NotKnown, NotPossible})
+        said.insert(whyNoForecast(missing));
+    EXPECT_EQ(said.size(), 4U);
+    EXPECT_FALSE(said.contains(QString()));
+    EXPECT_EQ(whyNoForecast(Nothing), QString());
+}
+
 // Catches: one sentence for everything.
 TEST(WhyNot, TheReasonIsTheStates) {
     Snapshot snapshot;

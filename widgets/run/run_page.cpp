@@ -208,8 +208,12 @@ bool RunPage::isPredictionSeen() const {
     return isVisible() || m_places.front()->isOut();
 }
 
+bool RunPage::isPredictionShown() const {
+    return m_showPrediction->isChecked();
+}
+
 void RunPage::showPlan() {
-    m_scene->setPlan(m_showPrediction->isChecked() ? m_prediction : PredictedRun());
+    m_scene->setPlan(isPredictionShown() ? m_prediction : PredictedRun());
 }
 
 void RunPage::setTemperatureUnit(TemperatureUnit unit) {

@@ -54,6 +54,8 @@ public:
     void setPrediction(const PredictedRun& run);
     /// Whether its place is on screen: in the page, or in the window of a plot that was taken out.
     bool isPredictionSeen() const;
+    /// Whether it is shown there, as a person has chosen.
+    bool isPredictionShown() const;
     /// Says whether the engine answers: while it does not nobody knows how hot the source is.
     void setAnswering(bool answering);
     void setTemperatureUnit(TemperatureUnit unit);
