@@ -13,6 +13,11 @@ constexpr std::array<std::array<double, 2>, 8> kDirections{
     {{1.0, 0.0}, {-1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {0.8, -0.8}, {-0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}}};
 constexpr std::array<double, 4> kDistances{8.0, 22.0, 44.0, 80.0};
 
+constexpr double kLineStep_px = 8.0;
+constexpr double kMaxLinePoints = 1000.0; ///< of a piece that is much longer than the view is wide
+/// Of each point of a line that is covered: a line along a label is about as bad as another label under it.
+constexpr double kLinePointCost = 0.4;
+
 double areaOf(const QRectF& rect) {
     return std::max(0.0, rect.width()) * std::max(0.0, rect.height());
 }
@@ -31,10 +36,31 @@ QRectF candidate(int index, const QRectF& anchor, QSizeF size) {
 void LabelLayout::begin(QRectF area) {
     m_area = area;
     m_taken.clear();
+    m_lines.clear();
 }
 
 void LabelLayout::take(QRectF rect, double weight) {
     m_taken.push_back({rect, weight});
+}
+
+void LabelLayout::takeLine(const QPolygonF& line) {
+    double left = 0.0; // until the next point
+    for (qsizetype i = 1; i < line.size(); ++i) {
+        const QPointF way = line[i] - line[i - 1];
+        const double length = std::hypot(way.x(), way.y());
+        if (!std::isfinite(length))
+            continue;
+        const double step = std::max(kLineStep_px, length / kMaxLinePoints);
+        double at = left;
+        for (; at < length; at += step)
+            if (const QPointF point = line[i - 1] + at / length * way; m_area.contains(point))
+                m_lines.push_back(point);
+        left = at - length;
+    }
+}
+
+bool LabelLayout::crossesLine(const QRectF& rect) const {
+    return std::ranges::any_of(m_lines, [&](const QPointF& point) { return rect.contains(point); });
 }
 
 bool LabelLayout::isFree(const QRectF& rect) const {
@@ -47,7 +73,9 @@ double LabelLayout::cost(const QRectF& rect) const {
     double sum = 4.0 * (1.0 - areaOf(rect & m_area) / own);
     for (const Taken& taken : m_taken)
         sum += 4.0 * taken.weight * areaOf(rect & taken.rect) / own;
-    return sum;
+    const auto covered =
+        std::ranges::count_if(m_lines, [&](const QPointF& point) { return rect.contains(point); });
+    return sum + kLinePointCost * static_cast<double>(covered);
 }
 
 QRectF LabelLayout::place(std::size_t key, QRectF anchor, QSizeF size, double max) {

@@ -2,6 +2,7 @@
 // Places labels near their anchors so that they cover neither each other nor anything marked as taken.
 
 #include <QPointF>
+#include <QPolygonF>
 #include <QRectF>
 #include <QSizeF>
 
@@ -18,7 +19,11 @@ public:
     void begin(QRectF area);
     /// Marks an area that labels should avoid; `weight` 1 is as bad as covering another label.
     void take(QRectF rect, double weight = 1.0);
+    /// Marks a line that labels should leave visible. What is outside of the area does not count.
+    void takeLine(const QPolygonF& line);
     bool isFree(const QRectF& rect) const;
+    /// Whether a line of takeLine() runs through it.
+    bool crossesLine(const QRectF& rect) const;
     /// Returns the place of label number `key`, beside the anchor, which has its own size, and marks it as
     /// taken. Returns an empty rectangle if every place costs more than `max` (1: a quarter of the label
     /// covers another).
@@ -34,7 +39,8 @@ private:
 
     QRectF m_area;
     std::vector<Taken> m_taken;
-    std::vector<int> m_last; ///< candidate chosen last time, by key; -1 for none
+    std::vector<QPointF> m_lines; ///< points of the lines, closer than a label is high
+    std::vector<int> m_last;      ///< candidate chosen last time, by key; -1 for none
 };
 
 } // namespace bask

@@ -268,6 +268,12 @@ void SceneOverlay::paintLabels(Frame& frame) {
         // An object is never to be hidden by a name; the source is large enough to carry some.
         m_layout.take(anchors.back().adjusted(-4.0, -4.0, 4.0, 4.0), label.optional ? 0.05 : 2.0);
     }
+    for (const std::vector<Eigen::Vector3d>& path_R : frame.content.paths_R) {
+        QPolygonF line;
+        for (const Eigen::Vector3d& p : path_R)
+            line << frame.projection(p);
+        m_layout.takeLine(line);
+    }
     QFont bold = frame.painter.font();
     bold.setBold(true);
     for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -297,7 +303,7 @@ void SceneOverlay::paintLabel(Frame& frame, const SceneLabel& label, const QRect
         painter.drawLine(nearest, rim);
     }
     QColor ground = frame.ground;
-    ground.setAlphaF(0.86F);
+    ground.setAlphaF(m_layout.crossesLine(place) ? 0.45F : 0.86F); // there was no better place
     painter.setPen(Qt::NoPen);
     painter.setBrush(ground);
     painter.drawRoundedRect(place, 4.0, 4.0);

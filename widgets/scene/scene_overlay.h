@@ -33,7 +33,8 @@ struct SceneLabel {
 struct OverlayContent {
     Box frame; ///< box whose edges have the axes, R, m; or angles, rad
     PoseSubset axes = PoseSubset::Translation;
-    std::vector<SceneLabel> labels; ///< in order of importance
+    std::vector<SceneLabel> labels;                    ///< in order of importance
+    std::vector<std::vector<Eigen::Vector3d>> paths_R; ///< m; lines that labels leave visible
     bool hasBar = false;
     NiceRange bar;    ///< in the shown unit
     QString barTitle; ///< title above it: quantity and unit

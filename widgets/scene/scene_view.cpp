@@ -53,8 +53,9 @@ struct SceneView::Impl {
     std::vector<Pose> X_EO;
     std::vector<std::vector<Eigen::Vector3d>> outlines_O;
     std::vector<Trail> trails;
-    std::vector<Vector6d> plan; ///< coordinates of the end-effector on the way
-    bool planArrives = false;   ///< its end is where the run settles
+    std::vector<Vector6d> plan;                        ///< coordinates of the end-effector on the way
+    std::vector<std::vector<Eigen::Vector3d>> paths_R; ///< of each object on that way, as they are drawn
+    bool planArrives = false;                          ///< its end is where the run settles
     std::vector<double> temperatures_K;
     std::vector<double> targets_K;
     double source_K = kUnknown;
@@ -141,6 +142,8 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
     result.hasBar = !experiment.objects.empty();
     result.bar = shownRange;
     result.barTitle = temperatureUnitSymbol(unit);
+    if (!plan.empty())
+        result.paths_R = paths_R;
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         SceneLabel label;
         label.text = QString::fromStdString(experiment.objects[i].name);
@@ -410,9 +413,13 @@ void SceneView::prepareFrame() {
                                    [this, dark](double t_K) { return m->colourOf(t_K, dark); });
         }
         m->trailsGrew = false;
-        if (m->rebuild || m->isPlanNew)
-            for (std::size_t i = 0; i < m->X_EO.size(); ++i)
-                m->props->setPlan(i, m->plannedPathOf(i), m->planArrives);
+        if (m->rebuild || m->isPlanNew) {
+            m->paths_R.clear();
+            for (std::size_t i = 0; i < m->X_EO.size(); ++i) {
+                m->paths_R.push_back(m->plannedPathOf(i));
+                m->props->setPlan(i, m->paths_R.back(), m->planArrives);
+            }
+        }
         m->isPlanNew = false;
         m->props->setPlansDim(std::ranges::any_of(m->trails, [](const Trail& t) { return !t.empty(); }));
     }

@@ -50,6 +50,29 @@ TEST(LabelLayout, ALabelStaysWhereItWasWhenThatIsAsGood) {
     EXPECT_EQ(layout.place(0, anchor, kLabel), first);
 }
 
+// Catches a name over the path that its object is to take, and one pushed away though nothing runs there.
+TEST(LabelLayout, ALineStaysVisible) {
+    LabelLayout layout;
+    const QRectF anchor(300.0, 200.0, 10.0, 10.0);
+    layout.begin(kArea);
+    const QRectF liked = layout.place(0, anchor, kLabel);
+    ASSERT_GT(liked.left(), anchor.right()) << "on the right";
+
+    LabelLayout other;
+    other.begin(kArea);
+    const QPolygonF path{anchor.center(), QPointF(420.0, 206.0), QPointF(420.0, 320.0)};
+    other.takeLine(path);
+    EXPECT_TRUE(other.crossesLine(liked));
+    const QRectF place = other.place(0, anchor, kLabel);
+    EXPECT_FALSE(other.crossesLine(place));
+    EXPECT_LT((place.center() - anchor.center()).manhattanLength(), 100.0) << "no further than it must";
+
+    other.begin(kArea); // the next picture has none
+    EXPECT_FALSE(other.crossesLine(liked));
+    other.takeLine({QPointF(-1e4, 0.0), QPointF(-1e3, 0.0)});
+    EXPECT_FALSE(other.crossesLine(QRectF(-2e3, -10.0, 500.0, 20.0))) << "out of sight";
+}
+
 // Catches a label of little importance laid over others, and one left out although there is room.
 TEST(LabelLayout, AnOptionalLabelGivesWay) {
     LabelLayout layout;
