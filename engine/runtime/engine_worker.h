@@ -188,7 +188,7 @@ private:
     double m_loopRate_Hz = 0.0;
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
-    RecordEnd m_recordEnd = RecordEnd::AllCold;
+    RecordEnd m_recordEnd = RecordEnd::ObjectsAndSourceCold;
     EngineWatch m_watch;
     std::vector<TraceEvent> m_unwatched; ///< since the watch was told last
     RunState m_watchedState = RunState::Idle;

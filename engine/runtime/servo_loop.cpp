@@ -312,6 +312,7 @@ void ServoLoop::endRun(const std::string& outcome) {
     if (m_runOn && !isAsMeant) {
         m_isCooling = true;
         m_haveObjectsCooled = false;
+        m_ended_s = m_clock.now_s();
     }
     m_runOn = false;
 }

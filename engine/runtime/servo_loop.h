@@ -32,10 +32,10 @@ struct RigKnowledge {
     double unaskedWarming_K = 0.0; ///< of a source that heats although its heat is off
 };
 
-/// What the record waits for after a run that was ended by a fault or STOP.
+/// What the record waits for after a run that has not ended as meant.
 enum class RecordEnd {
-    AllCold,    ///< the objects, and a source that is no hotter than a hand bears
-    ObjectsCold ///< the objects alone, where somebody waits for the record's end
+    ObjectsAndSourceCold, ///< after a fault or STOP, the source as well: no hotter than a hand bears
+    ObjectsCold           ///< the objects alone, where somebody waits for the record's end
 };
 
 /// One experiment on one rig. The owner calls tick() once in every sampling period of the clock. A verb that
@@ -137,11 +137,12 @@ public:
     bool running() const;
     bool isArmedOrOn() const; ///< running(), or a run is armed
     /// A run has ended by a fault or STOP, or its heat is not confirmed off. Record and time continue until
-    /// the heat is off and the objects are cold, after a fault or STOP the source as well (unless
-    /// setRecordEnd() says otherwise), or a person ends the recording. What is not known is not cold.
+    /// the heat is off and the objects are cold, after a fault or STOP the source as well (unless a person
+    /// heats it, or setRecordEnd() says otherwise), a person ends the recording, or 6 h after the run. What
+    /// is not known is not cold.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
-    /// Whether the objects were cold once while isCooling(), whatever the source is.
+    /// Whether the objects are cold while isCooling(), whatever the source is.
     bool haveObjectsCooled() const { return m_haveObjectsCooled; }
     void setRecordEnd(RecordEnd end) { m_recordEnd = end; }
     double runTime_s() const;
@@ -229,7 +230,8 @@ private:
     bool m_runOn = false; ///< true from Start to the end of the retreat
     bool m_isCooling = false;
     bool m_haveObjectsCooled = false;
-    RecordEnd m_recordEnd = RecordEnd::AllCold;
+    double m_ended_s = 0.0; ///< time of the last run's end
+    RecordEnd m_recordEnd = RecordEnd::ObjectsAndSourceCold;
     bool m_pausedBySafety = false;
     std::optional<double> m_diskFree_MB;
     std::optional<double> m_tick_s;  ///< time of the previous tick

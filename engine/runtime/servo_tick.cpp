@@ -15,6 +15,7 @@ namespace {
 /// to where it will
 constexpr double kSettledAfter_s = 30.0;
 constexpr double kSameTime_s = 0.01;
+constexpr double kLongestCooling_s = 6.0 * 3600.0; ///< what is never known to be cold is not waited for
 /// share of the clearance; below it the source has come nearer, or the robot obeys late
 constexpr double kTooNear = 0.8;
 
@@ -109,13 +110,15 @@ void ServoLoop::retreat() {
 }
 
 void ServoLoop::watchCooling() {
-    const bool areCold = areObjectsCold();
-    m_haveObjectsCooled = m_haveObjectsCooled || areCold;
+    m_haveObjectsCooled = areObjectsCold();
     const bool isCutShort = m_outcome != "settled" && m_outcome != "stopped";
-    const bool isSourceAwaited = isCutShort && m_recordEnd == RecordEnd::AllCold;
-    if (!areCold || (isSourceAwaited && !isSourceCold()))
+    // nobody measures the temperature that a person has typed
+    const bool isSourceAwaited =
+        isCutShort && m_recordEnd == RecordEnd::ObjectsAndSourceCold && !m_devices.source.isManual();
+    const bool isOver = m_haveObjectsCooled && (!isSourceAwaited || isSourceCold());
+    if (!isOver && m_clock.now_s() < m_ended_s + kLongestCooling_s)
         return;
-    event(MessageCode::EventCold);
+    event(isOver ? MessageCode::EventCold : MessageCode::EventRecordEnded);
     endCooling();
 }
 

@@ -55,6 +55,24 @@ struct Rig : LoopOnRig {
     std::vector<Message> events;
 };
 
+/// A person keeps it hot, and typed its temperature long ago.
+struct SourceByHand final : HeatSource {
+    explicit SourceByHand(HeatSource& inner) : source(inner) {}
+    Result<Reading> read() override {
+        auto reading = source.read();
+        reading->time_s -= 1000.0;
+        return reading;
+    }
+    Result<void> keepHeating(double setPoint_K, double validFor_s) override {
+        return source.keepHeating(setPoint_K, validFor_s);
+    }
+    Result<void> heatOff() override { return source.heatOff(); }
+    bool heating() const override { return source.heating(); }
+    HeatState heatState() const override { return source.heatState(); }
+    bool isManual() const override { return true; }
+    HeatSource& source;
+};
+
 /// One row: fault, what it is told as, how soon, and the state at once and at the end.
 struct Row {
     SimulatedFault fault;
@@ -469,25 +487,9 @@ TEST(Safety, HeatThatCannotBeSwitchedOffIsTold) {
 
 // A person keeps it hot. Catches an operator who believes that STOP has switched it off.
 TEST(Safety, ASourceHeatedByHandIsSaidToStayHot) {
-    struct ByHand final : HeatSource {
-        explicit ByHand(HeatSource& inner) : source(inner) {}
-        Result<Reading> read() override {
-            auto reading = source.read();
-            reading->time_s -= 1000.0; // typed long ago
-            return reading;
-        }
-        Result<void> keepHeating(double setPoint_K, double validFor_s) override {
-            return source.keepHeating(setPoint_K, validFor_s);
-        }
-        Result<void> heatOff() override { return source.heatOff(); }
-        bool heating() const override { return source.heating(); }
-        HeatState heatState() const override { return source.heatState(); }
-        bool isManual() const override { return true; }
-        HeatSource& source;
-    };
     const Experiment experiment = fastDisks();
     SimulatedRig rig(simulatedRigConfig(experiment));
-    ByHand source(rig.heatSource());
+    SourceByHand source(rig.heatSource());
     ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
     const auto periods = [&](int count) {
         for (int i = 0; i < count; ++i) {
@@ -851,6 +853,47 @@ TEST(Safety, TheRecordGoesOnWhileNobodyKnowsTheSource) {
     clearFaults(rig.rig);
     rig.periods(2);
     EXPECT_FALSE(rig.loop.isCooling());
+}
+
+// Catches a record without an end, since nobody types that the plate has cooled.
+TEST(Safety, TheRecordDoesNotWaitForASourceThatAPersonHeats) {
+    const Experiment experiment = fastDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    SourceByHand source(rig.heatSource());
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(40);
+    ASSERT_TRUE(loop.arm());
+    ASSERT_TRUE(loop.start(true));
+    periods(20);
+    loop.emergencyStop();
+    EXPECT_TRUE(loop.isCooling());
+    periods(2);
+    EXPECT_GT(loop.latest().source_K, experiment.environment_K + kHandWarm_K);
+    EXPECT_FALSE(loop.isCooling());
+}
+
+// Catches a record that goes on for days, since what it waits for is never told.
+TEST(Safety, TheRecordEndsSixHoursAfterTheRunAtTheLatest) {
+    Experiment experiment = fastDisks();
+    experiment.sampling = {1.0, 5, 2};
+    Rig rig(experiment);
+    rig.run(2.0);
+    setFault(rig.rig, SimulatedFault::SourceSilent, 0, true);
+    rig.loop.emergencyStop();
+    rig.rig.advance(5.9 * 3600.0);
+    rig.periods(1);
+    EXPECT_TRUE(rig.loop.isCooling());
+    rig.rig.advance(0.2 * 3600.0);
+    (void)rig.until([] { return false; }, 1.0);
+    EXPECT_FALSE(rig.loop.isCooling());
+    EXPECT_TRUE(rig.isRecorded(MessageCode::EventRecordEnded));
+    EXPECT_FALSE(rig.isRecorded(MessageCode::EventCold));
 }
 
 // Catches a record that delays the next run, or is delayed with nobody there who waits for it.
