@@ -683,10 +683,11 @@ void EngineWorker::hearBackground() {
     finishJudging();
 }
 
-/// Reports a failed recording of a run that is over; a run that is on has its own recording.
+/// Reports a failed recording of a run that is over; it ends neither a run, which has its own recording, nor
+/// heat and moves by hand.
 void EngineWorker::tellUnfinished(const Error& error) {
     const Message reason{MessageCode::ReasonRecorderFailed, {describe(error)}};
-    if (m_session && !isInUse())
+    if (m_session && !isInUse() && !isMoving() && !m_session->loop.heatSetPoint_K())
         m_session->loop.fault(reason);
     else
         tell(reason);
@@ -845,10 +846,18 @@ void EngineWorker::record() {
     addTraffic(rows, kTrafficAtOnce);
     if (m_recordings.isOn())
         if (const auto added = m_recordings.add(rows); !added)
-            m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(added.error())}});
+            endFailed({MessageCode::ReasonRecorderFailed, {describe(added.error())}});
     append(rows.samples, m_pending.newSamples);
     addEvents(std::move(rows.events));
     append(rows.notes, m_pending.newNotes);
+}
+
+/// After a run only its record ends: the rig may be in use for something else.
+void EngineWorker::endFailed(const Message& reason) {
+    if (!m_session->loop.isCooling())
+        return m_session->loop.stopFor(reason);
+    m_session->loop.endCooling();
+    tell(reason);
 }
 
 /// With a fault, what led to it and what follows for a while.

@@ -91,6 +91,7 @@ private:
     Result<void> endRecording();
     void closeFinished();
     void record();
+    void endFailed(const Message& reason);
     void closeRecording();
     void hearBackground();
     void waitForFiles();

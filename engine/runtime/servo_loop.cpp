@@ -421,6 +421,10 @@ Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
         return Error(lost->message.code, {}, lost->message.args);
     if (auto set = m_heat.setManual(*setPoint_K); !set)
         return set;
+    if (m_isCooling) { // what is heated from now on is not of that run
+        event(MessageCode::EventRecordEnded);
+        endCooling();
+    }
     keepHeating();
     return {};
 }

@@ -138,8 +138,8 @@ public:
     bool isArmedOrOn() const; ///< running(), or a run is armed
     /// A run has ended by a fault or STOP, or its heat is not confirmed off. Record and time continue until
     /// the heat is off and the objects are cold, after a fault or STOP the source as well (unless a person
-    /// heats it, or setRecordEnd() says otherwise), a person ends the recording, or 6 h after the run. What
-    /// is not known is not cold.
+    /// heats it, or setRecordEnd() says otherwise), a person ends the recording or heats by hand, or 6 h
+    /// after the run. What is not known is not cold.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
     /// Whether the objects are cold while isCooling(), whatever the source is.

@@ -6,6 +6,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/recording/run_metrics.h"
 #include "engine/recording/session_header.h"
+#include "engine/recording/session_store.h"
 #include "engine/recording/session_verify.h"
 #include "tests/engine/runtime/engine_thread.h"
 #include "tests/engine/runtime/half_size.h"
@@ -753,6 +754,84 @@ TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
     ASSERT_TRUE(verdict) << describe(verdict.error());
     EXPECT_TRUE(verdict->isIntact());
     EXPECT_TRUE(verdict->isClosed);
+}
+
+namespace {
+
+/// A run that STOP ended, and that is still being recorded beside the hot source, after a reset.
+void beInTail(EngineThread& rig, const std::string& path) {
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(EmergencyStop{});
+    ASSERT_TRUE(rig.reaches(RunState::Fault));
+    rig.send(Reset{});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    ASSERT_EQ(rig.last.recordingPath, path);
+}
+
+bool wasTold(const EngineThread& rig, MessageCode code) {
+    return std::ranges::any_of(rig.events,
+                               [&](const TraceEvent& event) { return event.message.code == code; });
+}
+
+} // namespace
+
+// Catches a full disk that ends what the rig is used for after the run.
+TEST(EngineWorker, ARecorderThatFailsAfterTheRunIsToldAndFaultsNothing) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("stop.bask").toStdString();
+    Rig rig;
+    ASSERT_NO_FATAL_FAILURE(beInTail(rig, path));
+    const auto other = SessionStore::create(path);
+    ASSERT_TRUE(other) << describe(other.error());
+    ASSERT_TRUE(rig.waitFor([&] { return (*other)->execute("DROP TABLE step").ok(); }));
+    ASSERT_TRUE(rig.waitFor([&] { return wasTold(rig, MessageCode::ReasonRecorderFailed); }));
+    EXPECT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+    EXPECT_EQ(rig.last.state, RunState::Ready);
+    EXPECT_TRUE(rig.last.reasons.empty());
+}
+
+// Catches heat by hand that is recorded as the cooling of the run before.
+TEST(EngineWorker, HeatByHandEndsTheRecordOfTheRunBefore) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("stop.bask").toStdString();
+    Rig rig;
+    ASSERT_NO_FATAL_FAILURE(beInTail(rig, path));
+    rig.send(SetHeat{kelvinFromCelsius(100.0)});
+    ASSERT_TRUE(rig.waitFor([&] { return readSessionHeader(path).outcome == "emergency-stop"; }));
+    EXPECT_TRUE(wasTold(rig, MessageCode::EventRecordEnded));
+    EXPECT_TRUE(rig.waitFor([&] { return rig.last.heatOn; }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    ASSERT_FALSE(session->events.empty());
+    EXPECT_EQ(session->events.back().message.code, MessageCode::EventRecordEnded);
+}
+
+// Catches an edit, or the end of the program, that leaves the record of a run without its outcome.
+TEST(EngineWorker, AnEditAndTheProgramsEndCloseTheRecordOfTheRunBefore) {
+    for (const bool isEdit : {true, false}) {
+        const QTemporaryDir folder;
+        const std::string path = folder.filePath("stop.bask").toStdString();
+        {
+            Rig rig;
+            ASSERT_NO_FATAL_FAILURE(beInTail(rig, path));
+            if (isEdit) {
+                Experiment edited = oneDisk();
+                edited.objects[0].target_K += 1.0;
+                rig.send(LoadExperiment{edited, true});
+                ASSERT_TRUE(rig.waitFor([&] { return wasTold(rig, MessageCode::EventRecordEnded); }));
+                EXPECT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+                EXPECT_EQ(readSessionHeader(path).outcome, "emergency-stop");
+            }
+        }
+        const auto session = readSession(path);
+        ASSERT_TRUE(session) << describe(session.error());
+        EXPECT_EQ(session->outcome, "emergency-stop");
+    }
 }
 
 // Catches a zeroing that is lost with the next edit, after which warm objects could not be armed.
