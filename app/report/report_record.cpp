@@ -12,6 +12,7 @@
 #include "widgets/common/alarm_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/metric_words.h"
+#include "widgets/common/run_label_words.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -225,11 +226,8 @@ int alarmCount(const SessionRecord& session) {
 } // namespace
 
 QString outcomeWords(const SessionRecord& session) {
-    const bool isCut = session.interrupted() || session.outcome == kOutcomeInterrupted;
-    if (isCut && std::isfinite(controlledUntil_s(session)))
-        return RecordText::tr(
-            "The run has ended; the recording of what followed is not complete. What had been "
-            "written is reported.");
+    if (isCutAfterStop(session))
+        return cutAfterStopText();
     if (session.interrupted())
         return RecordText::tr(
             "Interrupted: the recording ended without a Stop. What had been written is reported.");

@@ -110,6 +110,9 @@ private:
 
 /// Returns the time of Stop or STOP; infinity if there was none.
 double controlledUntil_s(const SessionRecord& facts);
+/// Whether the record has no end, but tells of a Stop or STOP: what followed it, the retreat as well, may be
+/// missing in part.
+bool isCutAfterStop(const SessionRecord& facts);
 
 /// Calls `take` for each sample of a session, in order, until `stop` is requested. Errors: those of
 /// readSession.

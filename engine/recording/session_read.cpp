@@ -1,12 +1,14 @@
 #include "engine/base/message_code.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_facts.h"
+#include "engine/recording/session_header.h"
 #include "engine/recording/session_seal.h"
 
 #include <QFile>
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 
@@ -142,6 +144,11 @@ double controlledUntil_s(const SessionRecord& facts) {
                event.message.code == MessageCode::EventEmergencyStop;
     });
     return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
+}
+
+bool isCutAfterStop(const SessionRecord& facts) {
+    return (facts.interrupted() || facts.outcome == kOutcomeInterrupted) &&
+           std::isfinite(controlledUntil_s(facts));
 }
 
 std::vector<TraceSample> SessionRecord::controlledSamples() const {

@@ -206,12 +206,12 @@ TEST_F(RunReport, EveryOutcomeHasItsWords) {
         session.outcome = outcome;
         EXPECT_EQ(outcomeWords(session), QString(words));
     }
-    // Bask goes on recording after STOP, until everything is cold.
+    // The retreat follows a Stop, and the record goes on after STOP.
     session.events = {{40.0, {MessageCode::EventEmergencyStop, {}}}};
     for (const char* outcome : {"", kOutcomeInterrupted}) {
         session.outcome = outcome;
-        EXPECT_TRUE(outcomeWords(session).startsWith("The run has ended;"))
-            << outcomeWords(session).toStdString();
+        EXPECT_EQ(outcomeWords(session),
+                  "The run had been stopped; what followed is not recorded to its end.");
     }
     session.outcome = "emergency-stop";
     EXPECT_EQ(outcomeWords(session), "Ended by STOP.");

@@ -34,4 +34,8 @@ QString noteText(const TraceNote& note) {
                                            .arg(text, QString::fromStdString(note.operatorName));
 }
 
+QString cutAfterStopText() {
+    return Words::tr("The run had been stopped; what followed is not recorded to its end.");
+}
+
 } // namespace bask

@@ -1,5 +1,5 @@
 #pragma once
-// Operator, sample and batch of a run in words.
+// Operator, sample, batch and notes of a run in words, and that its record is cut.
 
 #include "engine/model/run_labels.h"
 #include "engine/model/trace.h"
@@ -13,5 +13,8 @@ QString runLabelWords(const RunLabels& labels);
 
 /// Returns the note, and who wrote it if that is known.
 QString noteText(const TraceNote& note);
+
+/// Returns what is known of the end of a run for which isCutAfterStop() holds.
+QString cutAfterStopText();
 
 } // namespace bask

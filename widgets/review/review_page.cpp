@@ -33,7 +33,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace bask {
 
@@ -375,11 +374,8 @@ void ReviewPage::showOutcome() {
 
 QString ReviewPage::outcomeText() const {
     const std::string& outcome = m_session->facts().outcome;
-    const bool isCut = m_session->facts().interrupted() || outcome == kOutcomeInterrupted;
-    if (isCut && !m_wasRecording && std::isfinite(controlledUntil_s(m_session->facts())))
-        return tr(
-            "The run had ended; the recording of what followed was interrupted. What had been written is "
-            "here.");
+    if (!m_wasRecording && isCutAfterStop(m_session->facts()))
+        return cutAfterStopText();
     if (outcome == kOutcomeInterrupted)
         return tr(
             "Interrupted: the recording ended without a Stop, and was closed later. What had been written "

@@ -668,16 +668,17 @@ TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
               formatTemperature(session.samples[199].objects[0].measured_K, TemperatureUnit::Celsius));
 }
 
-// Catches a run that was ended by STOP and is said to have no end, since the power failed while it cooled.
-TEST_F(ReviewPageTest, ARunThatWasCutOffWhileItCooledHasEnded) {
+// Catches a run that was stopped and is said to have no Stop, since the power failed in its retreat or while
+// it cooled; and one that is said to have ended, though its retreat is not known.
+TEST_F(ReviewPageTest, ARunThatWasCutOffAfterItsStopHadBeenStopped) {
     SessionRecord session = record();
-    session.events.push_back({200.0, {MessageCode::EventEmergencyStop, {}}});
+    session.events.push_back({200.0, {MessageCode::EventStopped, {}}});
     for (const char* outcome : {"", kOutcomeInterrupted}) {
         session.outcome = outcome;
         show(session);
-        EXPECT_TRUE(text("factOutcome").startsWith("The run had ended;"))
-            << text("factOutcome").toStdString();
+        EXPECT_EQ(text("factOutcome"), "The run had been stopped; what followed is not recorded to its end.");
     }
+    session.events.back().message = {MessageCode::EventEmergencyStop, {}};
     session.outcome = "emergency-stop";
     show(session);
     EXPECT_EQ(text("factOutcome"), "Ended by STOP");
