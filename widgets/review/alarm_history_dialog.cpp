@@ -43,7 +43,7 @@ constexpr int kPastSortRole = Qt::UserRole;
 constexpr int kPastPlaceRole = Qt::UserRole + 1; ///< of an alarm in the history
 constexpr int kInPathRole = Qt::UserRole + 1;
 constexpr int kInRaisedRole = Qt::UserRole + 2;
-constexpr double kLongestRun_s = 1e9; ///< a damaged file may tell any time
+constexpr double kLongestRun_s = 1e5; ///< that is told from a longer one where alarms are sorted
 constexpr int kPastMark = 16;
 constexpr int kMaxListed = 30; ///< times of an alarm in a run; who wants more opens the run
 constexpr int kMaxNamed = 5;   ///< files that cannot be read; a tip has all
@@ -53,17 +53,17 @@ QString pastDate(const QDateTime& date) {
     return date.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
-/// When an alarm was raised in a run for the last time, as far as the run's time is that of a clock: a
-/// simulated run may have been faster.
-QDateTime lastRaisedAt(const SessionHeader& run, const AlarmInRun& in) {
-    const double raised_s = std::clamp(in.spells.back().raised_s, -kLongestRun_s, kLongestRun_s);
-    return recordedAt(run).addMSecs(std::llround(1e3 * raised_s));
+/// A number by which alarms are sorted by when they were raised last: by the run, then by the time in it. No
+/// date, since nobody knows when the run began after Arm, and a simulated one may have been faster.
+double lastRaised(const SessionHeader& run, const AlarmInRun& in) {
+    return static_cast<double>(recordedAt(run).toSecsSinceEpoch()) +
+           std::clamp(in.spells.back().raised_s / kLongestRun_s, 0.0, 0.99);
 }
 
 /// A number by which alarms are sorted: by priority, those of one by when they were raised, the latest first.
-double gravity(int priority, const QDateTime& raised) {
-    constexpr double kApart_ms = 1e15; // more than a date of four digits has
-    return priority * kApart_ms - static_cast<double>(raised.toMSecsSinceEpoch());
+double gravity(int priority, double raised) {
+    constexpr double kApart = 1e10; // more seconds than a date of the next two centuries has
+    return priority * kApart - raised;
 }
 
 /// Sorted by what the texts stand for.
@@ -265,12 +265,16 @@ QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
                  tr("Priority %1: %2").arg(alarm.priority()).arg(sentence));
     row->setIcon(kPastAlarm,
                  QIcon(alarmPixmap(alarm.priority(), isDark(this), kPastMark, devicePixelRatioF())));
-    const QDateTime raised = lastRaisedAt(last, alarm.runs.front());
+    const double raised = lastRaised(last, alarm.runs.front());
     row->set(kPastPriority, QString::number(alarm.priority()), gravity(alarm.priority(), raised));
     row->set(kPastRuns, QString::number(alarm.runs.size()), static_cast<double>(alarm.runs.size()));
     row->set(kPastTimes, QString::number(alarm.times()), static_cast<double>(alarm.times()));
     row->setActive(kPastActive, alarm.active_s());
-    row->setDate(kPastLast, raised, last);
+    row->set(kPastLast,
+             tr("%1 + %2", "when a run was recorded, and the time in it")
+                 .arg(pastDate(recordedAt(last)), formatDuration(alarm.runs.front().spells.back().raised_s)));
+    row->setData(kPastLast, kPastSortRole, raised);
+    row->setToolTip(kPastLast, QString::fromStdString(last.path));
     row->set(kPastLastRun, tr("%1, %2", "a run: its name, and when it was recorded")
                                .arg(listedName(last), pastDate(recordedAt(last))));
     return row;
@@ -428,7 +432,8 @@ void AlarmHistoryDialog::retranslate() {
         kPastActive, tr("Time for which it was active, until it was over or reset or the recording ended"));
     m_alarms->headerItem()->setToolTip(kPastPriority, tr("1 is the gravest"));
     m_alarms->headerItem()->setToolTip(kPastLast,
-                                       tr("Beginning of the last run with it, plus the time in that run"));
+                                       tr("When the last run with it was recorded, and the time since Start "
+                                          "when it was raised"));
     m_runs->setHeaderLabels(
         {tr("Recorded"), tr("Run"), tr("Rig"), tr("Times"), tr("Active"), tr("Raised at")});
     m_runs->setAccessibleName(tr("Runs of the selected alarm"));
