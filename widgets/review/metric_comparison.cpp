@@ -126,6 +126,11 @@ std::string numberInFiles(const std::optional<double>& value) {
     return value ? formatNumber(*value, kDigitsInFiles) : std::string();
 }
 
+/// "steady-state error s.d. (K)"
+QString deviationName(const ComparedMetric& metric) {
+    return QString(metric.nameInFiles).replace(QStringLiteral(" ("), QStringLiteral(" s.d. ("));
+}
+
 } // namespace
 
 std::vector<ComparedMetric> compareMetrics(const std::vector<ComparedRun>& runs, std::size_t reference,
@@ -179,18 +184,23 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
     std::string header = kComparisonMark;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         const QString difference = QStringLiteral("%1 - %2").arg(runs[k].mark, runs[reference].mark);
-        header += ',' + csvField(runs[k].name.toStdString()) + ',' + runs[k].mark.toStdString() + " s.d.";
-        header += k == reference ? std::string() : ',' + difference.toStdString();
+        header += ',' + csvField(runs[k].name.toStdString());
+        header += k == reference ? std::string() : ',' + csvField(difference.toStdString());
     }
     std::string text = header + '\n';
     for (const ComparedMetric& metric : metrics) {
-        text += csvField(metric.nameInFiles.toStdString()) + ',' + csvField(metric.object.toStdString());
+        std::string values, deviations;
         for (std::size_t k = 0; k < metric.cells.size(); ++k) {
-            text +=
-                ',' + numberInFiles(metric.cells[k].value) + ',' + numberInFiles(metric.cells[k].deviation);
-            text += k == reference ? std::string() : ',' + numberInFiles(metric.cells[k].differenceBy);
+            const ComparedMetric::Cell& cell = metric.cells[k];
+            values += ',' + numberInFiles(cell.value);
+            values += k == reference ? std::string() : ',' + numberInFiles(cell.differenceBy);
+            deviations += ',' + numberInFiles(cell.deviation);
+            deviations += k == reference ? "" : ",";
         }
-        text += '\n';
+        const std::string object = ',' + csvField(metric.object.toStdString());
+        text += csvField(metric.nameInFiles.toStdString()) + object + values + '\n';
+        if (std::ranges::any_of(metric.cells, [](const auto& cell) { return cell.deviation.has_value(); }))
+            text += csvField(deviationName(metric).toStdString()) + object + deviations + '\n';
     }
     return text;
 }

@@ -50,8 +50,8 @@ QString differenceName(const ComparedRun& run, const ComparedRun& reference);
 /// Returns the table as people see it, tab-separated.
 QString comparisonText(const std::vector<ComparedRun>& runs, std::size_t reference,
                        const std::vector<ComparedMetric>& metrics);
-/// Returns the table with numbers only, each beside its standard deviation, as CSV in English; unknown ones
-/// are empty.
+/// Returns the table with numbers only, as CSV in English; unknown ones are empty. Standard deviations are a
+/// row of their own under that of their values, where any is known.
 std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t reference,
                           const std::vector<ComparedMetric>& metrics);
 
