@@ -31,21 +31,16 @@ ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& fil
     connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
 }
 
-void ReviewDesk::open(std::shared_ptr<RecordedSession> session) {
+void ReviewDesk::open(std::shared_ptr<RecordedSession> session, std::optional<double> at_s) {
     m_session = std::move(session);
     m_numbers.reset();
     m_isDamageTold = false;
     emit opening();
     showSession();
-    if (const auto at = std::exchange(m_openAt, std::nullopt); at && isOpen(at->first))
-        m_page.replay()->seek(at->second);
+    if (at_s)
+        m_page.replay()->seek(*at_s);
     m_count.start(*m_session);
     emit opened();
-}
-
-void ReviewDesk::openAt(const QString& path, double time_s) {
-    m_openAt.emplace(path, time_s);
-    m_files.open(path);
 }
 
 bool ReviewDesk::isOpen(const QString& path) const {
@@ -74,7 +69,8 @@ void ReviewDesk::retranslate() {
 void ReviewDesk::connectList() {
     SessionList* list = m_page.sessions();
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
-    connect(&m_alarms, &AlarmHistoryControl::runChosen, this, &ReviewDesk::openAt);
+    connect(&m_alarms, &AlarmHistoryControl::runChosen, this,
+            [this](const QString& path, double raised_s) { m_files.openSession(path, raised_s); });
     connect(list, &SessionList::experimentRequested, &m_files,
             qOverload<const QString&>(&SessionActions::openAsNew));
     list->setSorting(m_files.sessionSorting());

@@ -12,7 +12,6 @@
 
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace bask {
 
@@ -40,8 +39,7 @@ signals:
 private:
     void connectList();
     void connectCount();
-    void open(std::shared_ptr<RecordedSession> session);
-    void openAt(const QString& path, double time_s);
+    void open(std::shared_ptr<RecordedSession> session, std::optional<double> at_s);
     bool isOpen(const QString& path) const;
     void showSession();
     void showIdentified();
@@ -58,8 +56,6 @@ private:
     std::shared_ptr<RecordedSession> m_session;
     /// numbers of m_session; null if they are being computed or not available
     std::shared_ptr<const SessionNumbers> m_numbers;
-    /// The moment to begin with in a session that is being opened: its path and the time since Start.
-    std::optional<std::pair<QString, double>> m_openAt;
     bool m_isDamageTold = false; ///< the damage of m_session was reported
     bool m_editable = true;
 };

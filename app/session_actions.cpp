@@ -259,16 +259,16 @@ void SessionActions::forgetMissing(const QString& path) {
     emit recentChanged();
 }
 
-void SessionActions::openSession(const QString& path) {
+void SessionActions::openSession(const QString& path, std::optional<double> at_s) {
     m_readSession.run([file = path.toStdString()] { return RecordedSession::open(file); },
-                      [this, path](const Result<std::shared_ptr<RecordedSession>>& read) {
+                      [this, path, at_s](const Result<std::shared_ptr<RecordedSession>>& read) {
                           if (!read) {
                               emit problem(sentence(read.error()));
                               return forgetMissing(path);
                           }
                           m_openSession = path;
                           m_settings.addRecentFile(path);
-                          emit sessionOpened(*read);
+                          emit sessionOpened(*read, at_s);
                           emit recentChanged();
                       });
 }

@@ -69,6 +69,8 @@ public:
     /// Opens a file: *.bask is a session; the content of a .json shows whether it is a recipe, a rig or an
     /// experiment.
     void open(const QString& path);
+    /// Opens a session, if wanted at a time since Start instead of its beginning.
+    void openSession(const QString& path, std::optional<double> at_s = {});
     /// Opens the experiment of a recording as a new one, which has no file and is not saved.
     void openAsNew(const SessionRecord& recorded);
     void openAsNew(const QString& recording);
@@ -109,7 +111,8 @@ signals:
     void told(const QString& sentence);
     /// Files were written for others to read.
     void exported(const QString& sentence, const QStringList& files);
-    void sessionOpened(std::shared_ptr<bask::RecordedSession> session);
+    /// `at_s`: the time since Start that openSession() was asked for.
+    void sessionOpened(std::shared_ptr<bask::RecordedSession> session, std::optional<double> at_s);
     void rigRead(const bask::RigSpec& rig);
     /// A recipe file was chosen to be opened.
     void recipeChosen(const QString& path);
@@ -128,7 +131,6 @@ private:
     void put(const Experiment& experiment, const Origin& origin);
     void adopt(const Result<Experiment>& read, const Origin& origin, int since);
     void openExperiment(const QString& path);
-    void openSession(const QString& path);
     void forgetMissing(const QString& path);
     void readRig(const QString& path);
     bool write(const QString& path);

@@ -519,7 +519,7 @@ TEST_F(MainWindowTest, ASampleThatIsMissingIsToldWhenTheRunIsOpened) {
 }
 
 // Catches: a run that is opened for an alarm and begins at Start, and one that begins where another one was
-// left.
+// left, or at an alarm that could not be opened.
 TEST_F(MainWindowTest, ARunOpenedForAnAlarmBeginsAtIt) {
     openWindow();
     const QTemporaryDir folder;
@@ -549,6 +549,10 @@ TEST_F(MainWindowTest, ARunOpenedForAnAlarmBeginsAtIt) {
     click("alarmHistoryOpen");
     ASSERT_TRUE(waitFor([&] { return find<QLabel>("sessionFile")->text() == QStringLiteral("run.bask"); }));
     EXPECT_NEAR(review->replay()->position_s(), 42.0, 0.01);
+    ASSERT_TRUE(QFile::rename(path, path + QStringLiteral(".away")));
+    click("alarmHistoryOpen");
+    ASSERT_TRUE(waitFor([this] { return message().contains(QStringLiteral("run.bask")); }));
+    ASSERT_TRUE(QFile::rename(path + QStringLiteral(".away"), path));
     ASSERT_NO_FATAL_FAILURE(openRecording(path));
     EXPECT_EQ(review->replay()->position_s(), 0.0) << "not for an alarm";
 }
