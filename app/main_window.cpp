@@ -159,8 +159,8 @@ void MainWindow::begin(const QString& path) {
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())
         m_coach->offer();
-    const bool isExperiment = !path.isEmpty() && !SessionActions::isSession(path) &&
-                              !isRigFile(path.toStdString()) && !isRecipeFile(path.toStdString());
+    const bool isExperiment = !path.isEmpty() && !isSessionFile(path) && !isRigFile(path.toStdString()) &&
+                              !isRecipeFile(path.toStdString());
     if (isExperiment)
         return m_files.open(path);
     if (!path.isEmpty()) // over the example, or the example's own opening would clear what is said of it

@@ -33,10 +33,6 @@ QString withSuffix(const QString& path, const QString& suffix) {
 
 } // namespace
 
-bool SessionActions::isSession(const QString& path) {
-    return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
-}
-
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
     m_export.setDrawGuard([this] { return !refusedToDrawSession(); });
@@ -51,7 +47,7 @@ QString SessionActions::ask(const FileQuestion& question) {
     case FileQuestion::Kind::Folder:
         return askFolder(m_window, question.title, question.place, question.folder);
     case FileQuestion::Kind::OpenFile:
-        return askFileToOpen(m_window, question.title, question.filter, question.place);
+        return askFileToOpen(m_window, question.title, question.filter, question.place, question.folder);
     case FileQuestion::Kind::SaveFile:
         break;
     }
@@ -161,7 +157,7 @@ QString SessionActions::askSessionFolder() {
 }
 
 void SessionActions::open(const QString& path) {
-    if (isSession(path))
+    if (isSessionFile(path))
         return openSession(path);
     if (isRecipeFile(path.toStdString()))
         return emit recipeChosen(path);

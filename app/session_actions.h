@@ -84,7 +84,6 @@ public:
     void exportComparison(const QString& csv);
     /// Exports what a plot shows to a file that is asked for. Not while a run or recipe is on.
     void exportPlot(const PlotPlace& place, PlotForm form);
-    static bool isSession(const QString& path);
     /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();
     void saveRig();

@@ -11,8 +11,9 @@ namespace {
 
 FileFolders* fileFolders = nullptr;
 
-QString begin(FileFolder kind) {
-    return fileFolders == nullptr ? QString() : fileFolders->lastFolder(kind);
+/// `from`, or the folder last used.
+QString begin(FileFolder kind, const QString& from = {}) {
+    return !from.isEmpty() || fileFolders == nullptr ? from : fileFolders->lastFolder(kind);
 }
 
 } // namespace
@@ -21,20 +22,23 @@ void setFileFolders(FileFolders* folders) {
     fileFolders = folders;
 }
 
+bool isSessionFile(const QString& path) {
+    return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
+}
+
 QString remembered(QString path, FileFolder kind) {
     if (fileFolders == nullptr || path.isEmpty())
         return path;
     const QFileInfo file(path);
     const bool isFolder = file.isDir();
-    const bool isSession =
-        !isFolder && file.suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
-    fileFolders->setLastFolder(isSession ? FileFolder::Recordings : kind,
+    fileFolders->setLastFolder(!isFolder && isSessionFile(path) ? FileFolder::Recordings : kind,
                                isFolder ? path : file.absolutePath());
     return path;
 }
 
-QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind) {
-    return remembered(QFileDialog::getOpenFileName(parent, title, begin(kind), filters), kind);
+QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind,
+                      const QString& from) {
+    return remembered(QFileDialog::getOpenFileName(parent, title, begin(kind, from), filters), kind);
 }
 
 QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
@@ -44,8 +48,7 @@ QString askFileToSave(QWidget* parent, const QString& title, const QString& name
 }
 
 QString askFolder(QWidget* parent, const QString& title, FileFolder kind, const QString& from) {
-    return remembered(QFileDialog::getExistingDirectory(parent, title, from.isEmpty() ? begin(kind) : from),
-                      kind);
+    return remembered(QFileDialog::getExistingDirectory(parent, title, begin(kind, from)), kind);
 }
 
 } // namespace bask

@@ -26,13 +26,17 @@ public:
 /// Those that the dialogs below use, on the GUI thread; null, as at first: each begins in the current folder.
 void setFileFolders(FileFolders* folders);
 
+/// Whether it is the name of a session, *.bask.
+bool isSessionFile(const QString& path);
+
 /// Keeps the folder of a chosen file, or a chosen folder, for the next dialog, and returns the path; a
 /// session is kept with the recordings, whatever was asked for. Does nothing with an empty one.
 QString remembered(QString path, FileFolder kind);
 
 /// Each is empty if it was cancelled. `name` is the file's, in the folder last used unless it has one of its
 /// own; `filter` is told which was chosen; `from` stands for the folder last used.
-QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind);
+QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind,
+                      const QString& from = {});
 QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
                       FileFolder kind, QString* filter = nullptr);
 QString askFolder(QWidget* parent, const QString& title, FileFolder kind, const QString& from = {});

@@ -72,6 +72,13 @@ TEST(FileFolders, DialogsBeginWhereTheirKindWasLast) {
 
     answer([&](QFileDialog& dialog) {
         begun = dialog.directory().path();
+        dialog.reject();
+    });
+    EXPECT_EQ(askFileToOpen(nullptr, "Open", "*.csv", FileFolder::Imports, first.path()), QString());
+    EXPECT_EQ(begun, first.path()) << "where it was told to";
+
+    answer([&](QFileDialog& dialog) {
+        begun = dialog.directory().path();
         dialog.setDirectory(second.path());
         type(dialog, {});
         dialog.QDialog::accept();
