@@ -878,6 +878,18 @@ TEST(Safety, TheRecordDoesNotWaitForASourceThatAPersonHeats) {
     EXPECT_FALSE(loop.isCooling());
 }
 
+// Catches objects that are warm again and taken for cold: a board would be shown to the camera.
+TEST(Safety, ObjectsThatWarmAgainAfterTheRunAreNotCold) {
+    Rig rig;
+    rig.run(2.0);
+    rig.loop.emergencyStop();
+    rig.periods(2);
+    EXPECT_TRUE(rig.loop.haveObjectsCooled());
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    EXPECT_LT(rig.until([&] { return !rig.loop.haveObjectsCooled(); }, 200.0), 200.0);
+    EXPECT_TRUE(rig.loop.isCooling());
+}
+
 // Catches a record that goes on for days, since what it waits for is never told.
 TEST(Safety, TheRecordEndsSixHoursAfterTheRunAtTheLatest) {
     Experiment experiment = fastDisks();
