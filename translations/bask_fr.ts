@@ -1660,10 +1660,6 @@
         <translation>Terminé par le moteur : %1</translation>
     </message>
     <message>
-        <source>Everything is cold: the recording ends</source>
-        <translation>Tout est froid : l’enregistrement prend fin</translation>
-    </message>
-    <message>
         <source>Retreat: the heat is off, the robot takes the objects away</source>
         <translation>Retrait : chauffage coupé, le robot éloigne les objets</translation>
     </message>
@@ -1782,10 +1778,6 @@
     <message>
         <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
         <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2 et n’a pas suivi la chaleur de son objet. Vérifiez que le capteur est sur son objet, puis confirmez-le.</translation>
-    </message>
-    <message>
-        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
-        <translation>L’enregistrement du défaut est terminé, car l’expérience a été modifiée ou une autre a été ouverte.</translation>
     </message>
     <message>
         <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
@@ -2018,6 +2010,14 @@
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
         <translation>Les capteurs de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont échangés&#xa0;: ils indiquent %3 et %4, mais leurs objets sont à %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The objects are cold: the recording ends</source>
+        <translation>Les objets sont froids : l’enregistrement prend fin</translation>
+    </message>
+    <message>
+        <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
+        <translation>L’enregistrement après l’essai s’est terminé avant que tout soit froid : l’expérience a été modifiée, une autre a été ouverte, une personne a chauffé la source, ou 6 h se sont écoulées.</translation>
     </message>
 </context>
 <context>
@@ -2978,12 +2978,17 @@
         <translation>1 est la plus grave</translation>
     </message>
     <message>
-        <source>Beginning of the last run with it, plus the time in that run</source>
-        <translation>Début du dernier essai où elle est apparue, plus le temps dans cet essai</translation>
-    </message>
-    <message>
         <source>Opens the run at the moment when the alarm was last raised in it</source>
         <translation>Ouvre l’essai au moment où l’alarme y est apparue la dernière fois</translation>
+    </message>
+    <message>
+        <source>%1 + %2</source>
+        <comment>when a run was recorded, and the time in it</comment>
+        <translation>%1 + %2</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded, and the time since Start when it was raised</source>
+        <translation>Quand le dernier essai où elle est apparue a été enregistré, et le temps depuis Démarrer où elle est apparue</translation>
     </message>
 </context>
 <context>
@@ -3735,6 +3740,10 @@
         <extracomment>the last is a sentence about the time that it takes</extracomment>
         <translation>Source&#xa0;: %1, pas encore à %2. %3</translation>
     </message>
+    <message>
+        <source>Source: it heats though its heat is off, %1</source>
+        <translation>Source : elle chauffe quoique son chauffage soit coupé, %1</translation>
+    </message>
 </context>
 <context>
     <name>bask::Coach</name>
@@ -4218,6 +4227,10 @@
     <message>
         <source>LIVE</source>
         <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>heats though off</source>
+        <translation>chauffe malgré l’arrêt</translation>
     </message>
 </context>
 <context>
@@ -4921,6 +4934,10 @@
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
         <translation>Ne montrerait rien maintenant&#xa0;: le chauffage est en marche. Arrêtez d’abord l’essai ou coupez-le.</translation>
     </message>
+    <message>
+        <source>Would change no run here: no camera follows the source, and there is no thermal camera.</source>
+        <translation>Ne changerait rien à un essai ici : aucune caméra ne suit la source, et il n’y a pas de caméra thermique.</translation>
+    </message>
 </context>
 <context>
     <name>bask::FinalValuesTable</name>
@@ -5109,6 +5126,10 @@
     <message>
         <source>UNKNOWN whether it heats. Last seen: %1. Take it for hot.</source>
         <translation>INCONNU si elle chauffe. Vu en dernier : %1. Tenez-la pour chaude.</translation>
+    </message>
+    <message>
+        <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
+        <translation>Elle chauffe bien que son chauffage soit arrêté : %1 maintenant. Coupez son alimentation.</translation>
     </message>
 </context>
 <context>
@@ -8064,10 +8085,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>T&amp;ableaux avec tous les chiffres (CSV)…</translation>
     </message>
-    <message>
-        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
-        <translation>L’essai était terminé&#xa0;; l’enregistrement de ce qui a suivi a été interrompu. Ce qui avait été écrit est ici.</translation>
-    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8345,6 +8362,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>%1 (%2)</source>
         <comment>note, its operator</comment>
         <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>The run had been stopped; what followed is not recorded to its end.</source>
+        <translation>L’essai avait été arrêté ; ce qui a suivi n’est pas enregistré jusqu’au bout.</translation>
     </message>
 </context>
 <context>
@@ -9267,10 +9288,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>Cet enregistrement a été modifié après coup&#xa0;: rien ici n’est donc prouvé&#xa0;; bask verify dit où.</translation>
     </message>
-    <message>
-        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
-        <translation>L’essai est terminé&#xa0;; l’enregistrement de ce qui a suivi n’est pas complet. Ce qui avait été écrit est rapporté.</translation>
-    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10079,10 +10096,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>source : aucune température saisie,</translation>
     </message>
     <message>
-        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
-        <translation>Dernière température de la source, et si elle est chauffée, comme l’appareil l’a confirmé. INCONNU : elle peut être chaude, quel que soit l’ordre donné.</translation>
-    </message>
-    <message>
         <source>monitoring fails</source>
         <translation>surveillance en échec</translation>
     </message>
@@ -10107,6 +10120,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <numerusform>%n événement n’a pas été publié</numerusform>
             <numerusform>%n événements n’ont pas été publiés</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
+        <translation>Dernière température de la source, et si elle est chauffée, comme l’appareil l’a confirmé. INCONNU : elle peut être chaude, quel que soit l’ordre donné. Chauffe quoique coupée : elle se réchauffe malgré tout.</translation>
     </message>
 </context>
 <context>
@@ -11208,6 +11225,22 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>There is no recording to save yet. Arm begins one.</source>
         <translation>Il n’y a pas encore d’enregistrement à garder. Armer en commence un.</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the Run page was not looked at long enough.</source>
+        <translation>Cet essai n’est pas prédit : la page Essai n’a pas été regardée assez longtemps.</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it was not finished at Start.</source>
+        <translation>Cet essai n’est pas prédit : le calcul n’était pas fini au démarrage.</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the robot&apos;s place or a reading was not known before Start.</source>
+        <translation>Cet essai n’est pas prédit : la position du robot ou une mesure n’était pas connue avant le démarrage.</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it could not be computed.</source>
+        <translation>Cet essai n’est pas prédit : le calcul n’a pas abouti.</translation>
     </message>
 </context>
 <context>

@@ -1660,10 +1660,6 @@
         <translation>由引擎结束：%1</translation>
     </message>
     <message>
-        <source>Everything is cold: the recording ends</source>
-        <translation>一切均已冷却：记录结束</translation>
-    </message>
-    <message>
         <source>Retreat: the heat is off, the robot takes the objects away</source>
         <translation>撤离：加热关闭，机器人将物体移开</translation>
     </message>
@@ -1782,10 +1778,6 @@
     <message>
         <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
         <translation>“%1”的传感器读数为 %2，且没有跟随其物体的受热。请检查传感器是否在物体上，然后确认。</translation>
-    </message>
-    <message>
-        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
-        <translation>故障的记录已结束，因为实验被修改或打开了另一个实验。</translation>
     </message>
     <message>
         <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
@@ -2018,6 +2010,14 @@
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
         <translation>“%1”和“%2”的传感器互换了：它们的读数为 %3 和 %4，但其物体为 %5 和 %6。加热已关闭。请换回来，确认两者，然后复位。</translation>
+    </message>
+    <message>
+        <source>The objects are cold: the recording ends</source>
+        <translation>物体均已冷却：记录结束</translation>
+    </message>
+    <message>
+        <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
+        <translation>运行之后的记录在一切冷却之前已结束：实验被修改、打开了另一个实验、有人手动加热了热源，或已过 6 h。</translation>
     </message>
 </context>
 <context>
@@ -2975,12 +2975,17 @@
         <translation>1 为最严重</translation>
     </message>
     <message>
-        <source>Beginning of the last run with it, plus the time in that run</source>
-        <translation>最近一次出现该报警的运行的开始时刻，加上运行中的时间</translation>
-    </message>
-    <message>
         <source>Opens the run at the moment when the alarm was last raised in it</source>
         <translation>打开该运行，停在报警在其中最近一次出现的时刻</translation>
+    </message>
+    <message>
+        <source>%1 + %2</source>
+        <comment>when a run was recorded, and the time in it</comment>
+        <translation>%1 + %2</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded, and the time since Start when it was raised</source>
+        <translation>最近一次出现该报警的运行的记录时刻，以及报警出现时自“开始”起的时间</translation>
     </message>
 </context>
 <context>
@@ -3728,6 +3733,10 @@
         <extracomment>the last is a sentence about the time that it takes</extracomment>
         <translation>热源：%1，尚未达到 %2。%3</translation>
     </message>
+    <message>
+        <source>Source: it heats though its heat is off, %1</source>
+        <translation>热源：加热已关闭，但它仍在加热，%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::Coach</name>
@@ -4211,6 +4220,10 @@
     <message>
         <source>LIVE</source>
         <translation>实机</translation>
+    </message>
+    <message>
+        <source>heats though off</source>
+        <translation>已关仍在加热</translation>
     </message>
 </context>
 <context>
@@ -4913,6 +4926,10 @@
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
         <translation>此刻什么也不会显现：加热已打开。请先停止运行或关闭加热。</translation>
     </message>
+    <message>
+        <source>Would change no run here: no camera follows the source, and there is no thermal camera.</source>
+        <translation>在此不会影响任何运行：没有相机跟踪热源，也没有热像仪。</translation>
+    </message>
 </context>
 <context>
     <name>bask::FinalValuesTable</name>
@@ -5101,6 +5118,10 @@
     <message>
         <source>UNKNOWN whether it heats. Last seen: %1. Take it for hot.</source>
         <translation>是否加热未知。最后所见：%1。请当作高温对待。</translation>
+    </message>
+    <message>
+        <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
+        <translation>加热已关闭却仍在加热：当前 %1。请切断其电源。</translation>
     </message>
 </context>
 <context>
@@ -8053,10 +8074,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位数的表格 (CSV)(&amp;A)…</translation>
     </message>
-    <message>
-        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
-        <translation>运行已经结束；其后的记录被中断。此处是已写入的内容。</translation>
-    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8334,6 +8351,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>%1 (%2)</source>
         <comment>note, its operator</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>The run had been stopped; what followed is not recorded to its end.</source>
+        <translation>运行已被停止；其后的过程没有记录完整。</translation>
     </message>
 </context>
 <context>
@@ -9250,10 +9271,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此记录在记录之后被改动过，因此这里的内容均无法证明；bask verify 会指出位置。</translation>
     </message>
-    <message>
-        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
-        <translation>运行已结束；其后的记录不完整。报告的是已写入的内容。</translation>
-    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10058,10 +10075,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>热源：未输入温度，</translation>
     </message>
     <message>
-        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
-        <translation>热源的最新温度，以及设备所确认的是否加热。未知：无论下过什么命令，它都可能是热的。</translation>
-    </message>
-    <message>
         <source>monitoring fails</source>
         <translation>监视失败</translation>
     </message>
@@ -10084,6 +10097,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>
             <numerusform>有 %n 个事件未发布</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
+        <translation>热源的最新温度，以及设备所确认的是否加热。未知：无论下过什么命令，它都可能是热的。关闭仍加热：它照样升温。</translation>
     </message>
 </context>
 <context>
@@ -11183,6 +11200,22 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>There is no recording to save yet. Arm begins one.</source>
         <translation>还没有可保存的记录。“待命”会开始一个记录。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the Run page was not looked at long enough.</source>
+        <translation>此次运行没有预测：查看“运行”页的时间不够长。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it was not finished at Start.</source>
+        <translation>此次运行没有预测：开始时预测尚未完成。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the robot&apos;s place or a reading was not known before Start.</source>
+        <translation>此次运行没有预测：开始前机器人的位置或某个读数未知。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it could not be computed.</source>
+        <translation>此次运行没有预测：无法计算。</translation>
     </message>
 </context>
 <context>

@@ -1660,10 +1660,6 @@
         <translation>由引擎結束：%1</translation>
     </message>
     <message>
-        <source>Everything is cold: the recording ends</source>
-        <translation>一切均已冷卻：記錄結束</translation>
-    </message>
-    <message>
         <source>Retreat: the heat is off, the robot takes the objects away</source>
         <translation>撤離：加熱關閉，機器人將物體移開</translation>
     </message>
@@ -1782,10 +1778,6 @@
     <message>
         <source>The sensor of &quot;%1&quot; reads %2 and did not follow its object&apos;s heat. Check that the sensor is on its object, then confirm it.</source>
         <translation>「%1」的感測器讀數為 %2，且沒有跟隨其物體的受熱。請檢查感測器是否在物體上，然後確認。</translation>
-    </message>
-    <message>
-        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
-        <translation>故障的記錄已結束，因為實驗被修改或開啟了另一個實驗。</translation>
     </message>
     <message>
         <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
@@ -2018,6 +2010,14 @@
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
         <translation>「%1」和「%2」的感測器互換了：它們的讀數為 %3 和 %4，但其物體為 %5 和 %6。加熱已關閉。請換回來，確認兩者，然後復歸。</translation>
+    </message>
+    <message>
+        <source>The objects are cold: the recording ends</source>
+        <translation>物體均已冷卻：記錄結束</translation>
+    </message>
+    <message>
+        <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
+        <translation>運轉之後的記錄在一切冷卻之前已結束：實驗被修改、開啟了另一個實驗、有人手動加熱了熱源，或已過 6 h。</translation>
     </message>
 </context>
 <context>
@@ -2975,12 +2975,17 @@
         <translation>1 為最嚴重</translation>
     </message>
     <message>
-        <source>Beginning of the last run with it, plus the time in that run</source>
-        <translation>最近一次出現該警報的運轉的開始時刻，加上運轉中的時間</translation>
-    </message>
-    <message>
         <source>Opens the run at the moment when the alarm was last raised in it</source>
         <translation>開啟該次運轉，停在警報在其中最近一次出現的時刻</translation>
+    </message>
+    <message>
+        <source>%1 + %2</source>
+        <comment>when a run was recorded, and the time in it</comment>
+        <translation>%1 + %2</translation>
+    </message>
+    <message>
+        <source>When the last run with it was recorded, and the time since Start when it was raised</source>
+        <translation>最近一次出現該警報的運轉的記錄時刻，以及警報出現時自「開始」起的時間</translation>
     </message>
 </context>
 <context>
@@ -3728,6 +3733,10 @@
         <extracomment>the last is a sentence about the time that it takes</extracomment>
         <translation>熱源：%1，尚未達到 %2。%3</translation>
     </message>
+    <message>
+        <source>Source: it heats though its heat is off, %1</source>
+        <translation>熱源：加熱已關閉，但它仍在加熱，%1</translation>
+    </message>
 </context>
 <context>
     <name>bask::Coach</name>
@@ -4211,6 +4220,10 @@
     <message>
         <source>LIVE</source>
         <translation>實機</translation>
+    </message>
+    <message>
+        <source>heats though off</source>
+        <translation>已關仍在加熱</translation>
     </message>
 </context>
 <context>
@@ -4913,6 +4926,10 @@
         <source>Would show nothing now: the heat is on. Stop the run or switch it off first.</source>
         <translation>此刻什麼也不會顯現：加熱已開啟。請先停止運轉或關閉加熱。</translation>
     </message>
+    <message>
+        <source>Would change no run here: no camera follows the source, and there is no thermal camera.</source>
+        <translation>在此不會影響任何運轉：沒有相機追蹤熱源，也沒有熱像儀。</translation>
+    </message>
 </context>
 <context>
     <name>bask::FinalValuesTable</name>
@@ -5101,6 +5118,10 @@
     <message>
         <source>UNKNOWN whether it heats. Last seen: %1. Take it for hot.</source>
         <translation>是否加熱未知。最後所見：%1。請當作高溫對待。</translation>
+    </message>
+    <message>
+        <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
+        <translation>加熱已關閉卻仍在加熱：目前 %1。請切斷其電源。</translation>
     </message>
 </context>
 <context>
@@ -8053,10 +8074,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位數的表格 (CSV)(&amp;A)…</translation>
     </message>
-    <message>
-        <source>The run had ended; the recording of what followed was interrupted. What had been written is here.</source>
-        <translation>運轉已經結束；其後的記錄被中斷。此處是已寫入的內容。</translation>
-    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8334,6 +8351,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>%1 (%2)</source>
         <comment>note, its operator</comment>
         <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>The run had been stopped; what followed is not recorded to its end.</source>
+        <translation>運轉已被停止；其後的過程沒有記錄完整。</translation>
     </message>
 </context>
 <context>
@@ -9250,10 +9271,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此記錄在記錄之後被改動過，因此這裡的內容均無法證明；bask verify 會指出位置。</translation>
     </message>
-    <message>
-        <source>The run has ended; the recording of what followed is not complete. What had been written is reported.</source>
-        <translation>運轉已結束；其後的記錄不完整。報告的是已寫入的內容。</translation>
-    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -10058,10 +10075,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>熱源：未輸入溫度，</translation>
     </message>
     <message>
-        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
-        <translation>熱源的最新溫度，以及裝置所確認的是否加熱。未知：無論下過什麼命令，它都可能是熱的。</translation>
-    </message>
-    <message>
         <source>monitoring fails</source>
         <translation>監視失敗</translation>
     </message>
@@ -10084,6 +10097,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>
             <numerusform>有 %n 個事件未發佈</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
+        <translation>熱源的最新溫度，以及裝置所確認的是否加熱。未知：無論下過什麼命令，它都可能是熱的。關閉仍加熱：它照樣升溫。</translation>
     </message>
 </context>
 <context>
@@ -11183,6 +11200,22 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>There is no recording to save yet. Arm begins one.</source>
         <translation>還沒有可儲存的記錄。「待命」會開始一個記錄。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the Run page was not looked at long enough.</source>
+        <translation>此次運轉沒有預測：檢視「運轉」頁的時間不夠長。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it was not finished at Start.</source>
+        <translation>此次運轉沒有預測：開始時預測尚未完成。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: the robot&apos;s place or a reading was not known before Start.</source>
+        <translation>此次運轉沒有預測：開始前機器人的位置或某個讀數未知。</translation>
+    </message>
+    <message>
+        <source>This run has no prediction: it could not be computed.</source>
+        <translation>此次運轉沒有預測：無法計算。</translation>
     </message>
 </context>
 <context>
