@@ -2013,11 +2013,11 @@
     </message>
     <message>
         <source>The objects are cold: the recording ends</source>
-        <translation>Les objets sont froids : l’enregistrement prend fin</translation>
+        <translation>Les objets sont froids&#xa0;: l’enregistrement prend fin</translation>
     </message>
     <message>
         <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
-        <translation>L’enregistrement après l’essai s’est terminé avant que tout soit froid : l’expérience a été modifiée, une autre a été ouverte, une personne a chauffé la source, ou 6 h se sont écoulées.</translation>
+        <translation>L’enregistrement après l’essai s’est terminé avant que tout soit froid&#xa0;: l’expérience a été modifiée, une autre a été ouverte, une personne a chauffé la source, ou 6&#xa0;h se sont écoulées.</translation>
     </message>
 </context>
 <context>
@@ -8365,7 +8365,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The run had been stopped; what followed is not recorded to its end.</source>
-        <translation>L’essai avait été arrêté ; ce qui a suivi n’est pas enregistré jusqu’au bout.</translation>
+        <translation>L’essai avait été arrêté&#xa0;; ce qui a suivi n’est pas enregistré jusqu’au bout.</translation>
     </message>
 </context>
 <context>
@@ -11110,6 +11110,13 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Views of the calibration</source>
         <translation>Vues de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>bask::WholeNumberField</name>
+    <message>
+        <source>“%1” is not a whole number; the value stays as it was</source>
+        <translation>« %1 » n’est pas un nombre entier ; la valeur reste telle qu’elle était</translation>
     </message>
 </context>
 <context>

@@ -11088,6 +11088,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::WholeNumberField</name>
+    <message>
+        <source>“%1” is not a whole number; the value stays as it was</source>
+        <translation>“%1”不是整数；数值保持不变</translation>
+    </message>
+</context>
+<context>
     <name>bask::WhyNot</name>
     <message>
         <source>Arm is not possible: no experiment is loaded. Open one first.</source>
