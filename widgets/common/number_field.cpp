@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 
@@ -44,19 +45,16 @@ std::optional<TypedValue> typedValue(QString text) {
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(this, &NumberField::refused, this, [this](const QString& why) {
-        setValue(m_beforeTyping.value_or(value()));
-        say(why);
+        setValue(std::exchange(m_beforeTracking, {}).value_or(value()));
+        if (!why.isEmpty())
+            say(why);
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         delete m_refusal;
-        if (!m_beforeTyping)
-            m_beforeTyping = value(); // that of the text follows
+        if (keyboardTracking() && !m_beforeTracking)
+            m_beforeTracking = value(); // that of the text follows
     });
-    connect(lineEdit(), &QLineEdit::textChanged, this, [this] {
-        if (!lineEdit()->isModified()) // not by a person
-            m_beforeTyping.reset();
-    });
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_beforeTyping.reset(); });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_beforeTracking.reset(); });
 }
 
 QValidator::State NumberField::validate(QString& text, int&) const {
@@ -72,9 +70,23 @@ double NumberField::valueFromText(const QString& text) const {
 /// where a text is not repaired.
 void NumberField::fixup(QString& text) const {
     const QString typed = withoutSuffix(text);
-    const bool isShown = text == specialValueText() || typed == textFromValue(value());
-    if (!typed.isEmpty() && !isShown)
-        emit refused(whyNot(typed));
+    const bool isSpecial = !text.isEmpty() && text == specialValueText();
+    const bool isShown = isSpecial || typed == textFromValue(value());
+    if (!isShown)
+        emit refused(typed.isEmpty() ? QString() : whyNot(typed));
+}
+
+void NumberField::stepBy(int steps) {
+    QDoubleSpinBox::stepBy(steps);
+    m_beforeTracking.reset();
+}
+
+bool NumberField::endTracking() {
+    const bool isTaken = !m_beforeTracking || hasAcceptableInput();
+    if (m_beforeTracking)
+        interpretText();
+    m_beforeTracking.reset();
+    return isTaken;
 }
 
 std::optional<double> NumberField::inOwnUnit(const TypedValue& typed) const {

@@ -33,9 +33,10 @@ public:
     QValidator::State validate(QString& text, int& position) const override;
     double valueFromText(const QString& text) const override;
     void fixup(QString& text) const override;
+    void stepBy(int steps) override;
 
 signals:
-    /// What was typed is not taken.
+    /// What was typed is not taken; `why` is empty if nothing was typed.
     void refused(const QString& why) const;
 
 protected:
@@ -44,14 +45,15 @@ protected:
     /// Returns the number in the text of the field, with or without its suffix; empty if it cannot be taken.
     std::optional<double> number(const QString& text) const;
     bool isWithinRange(double value) const;
-    bool isTyping() const { return m_beforeTyping.has_value(); }
+    /// Takes or refuses what was typed into a field that takes numbers on the way. Returns false if refused.
+    bool endTracking();
 
 private:
     QString withoutSuffix(const QString& text) const;
     QString whyNot(const QString& typed) const;
     void say(const QString& why);
 
-    std::optional<double> m_beforeTyping; ///< the "41,5" of "41,5,5" may be taken on the way
+    std::optional<double> m_beforeTracking; ///< the "41,5" of "41,5,5" may be taken on the way
     QPointer<QLabel> m_refusal;
 };
 

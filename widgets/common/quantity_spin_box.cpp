@@ -35,6 +35,7 @@ QuantitySpinBox::QuantitySpinBox(QWidget* parent) : NumberField(parent) {
             take(value());
         endTyping();
     });
+    connect(this, &NumberField::refused, this, &QuantitySpinBox::endTyping);
     show_K();
 }
 
@@ -131,9 +132,7 @@ QString GainSpinBox::textFromValue(double value) const {
 }
 
 void GainSpinBox::stepBy(int steps) {
-    if (isTyping())
-        interpretText();
-    if (value() <= 0.0) // no magnitude to step by
+    if (!endTracking() || value() <= 0.0) // no magnitude to step by
         return;
     for (int i = 0; i < std::abs(steps); ++i) {
         const bool up = steps > 0;

@@ -161,6 +161,49 @@ TEST_F(NumberFieldTest, WhatWasTakenOnTheWayIsTakenBack) {
     }
 }
 
+// Catches a refusal that brings back the number before the last step, or the half of one that was cleared.
+TEST_F(NumberFieldTest, ARefusalBringsBackTheLastNumberOnly) {
+    NumberField* length = field(0.0, 100.0, 2, " cm");
+    for (const bool isTracking : {false, true}) {
+        length->setKeyboardTracking(isTracking);
+        length->setValue(7.0);
+        length->setFocus();
+        length->selectAll();
+        QTest::keyClicks(length, QStringLiteral("8"));
+        QTest::keyClick(length, Qt::Key_Up); // without Enter
+        EXPECT_EQ(length->value(), 9.0);
+        QSignalSpy changed(length, &QDoubleSpinBox::valueChanged);
+        type(*length, "x");
+        EXPECT_EQ(length->value(), 9.0);
+        for (const auto& each : changed) // a tracking field tells what is entered, changed or not
+            EXPECT_EQ(each.first().toDouble(), 9.0);
+        type(*length, "3 K");
+        EXPECT_EQ(length->value(), 9.0);
+        length->selectAll();
+        QTest::keyClicks(length, QStringLiteral("15"));
+        length->findChild<QLineEdit*>()->selectAll();
+        QTest::keyClick(length, Qt::Key_Delete);
+        QTest::keyClick(length, Qt::Key_Return);
+        EXPECT_EQ(length->value(), 9.0) << "not the 15 on the way";
+        EXPECT_EQ(refusal(), QString()) << "nothing was typed";
+    }
+}
+
+// Catches a gain that steps away from the number that it has just put back.
+TEST_F(NumberFieldTest, ARefusedGainDoesNotStep) {
+    GainSpinBox gain(&window);
+    gain.show();
+    gain.setValue(7.0);
+    gain.setFocus();
+    gain.selectAll();
+    QTest::keyClicks(&gain, QStringLiteral("41,5,5"));
+    QTest::keyClick(&gain, Qt::Key_Up);
+    EXPECT_EQ(gain.value(), 7.0);
+    EXPECT_NE(refusal(), QString());
+    QTest::keyClick(&gain, Qt::Key_Up);
+    EXPECT_NEAR(gain.value(), 7.1, 1e-12);
+}
+
 // Catches words about a field that nobody has typed into.
 TEST_F(NumberFieldTest, WhatIsShownIsNotRefused) {
     NumberField* automatic = field(0.0, 10.0, 1, " mm");

@@ -120,6 +120,39 @@ TEST(QuantitySpinBox, TypingIsToldAndTakenBack) {
     EXPECT_EQ(edited.count(), 0);
 }
 
+// Catches a live target that changes by an entry that was refused.
+TEST(QuantitySpinBox, ARefusedEntryIsNoEdit) {
+    QuantitySpinBox box;
+    box.setValue_K(313.15);
+    box.show();
+    QSignalSpy edited(&box, &QuantitySpinBox::valueEdited_K);
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("5"));
+    QTest::keyClick(&box, Qt::Key_Escape);
+    QTest::keyClick(&box, Qt::Key_Up);
+    EXPECT_EQ(edited.count(), 1);
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("4 1"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_NEAR(box.value_K(), 313.65, 1e-9);
+    EXPECT_EQ(edited.count(), 1);
+}
+
+// Catches a field that shows no value of the program any more, after an arrow key refused what was typed.
+TEST(QuantitySpinBox, AfterARefusedArrowKeyItFollowsTheProgram) {
+    for (const char* text : {"4 1", "99999", "7 mm"}) {
+        QuantitySpinBox box;
+        box.setValue_K(313.15);
+        box.show();
+        box.selectAll();
+        QTest::keyClicks(&box, QString::fromUtf8(text));
+        QTest::keyClick(&box, Qt::Key_Up);
+        EXPECT_NEAR(box.value_K(), 313.15, 1e-9) << text;
+        box.setValue_K(323.15);
+        EXPECT_EQ(box.text(), QStringLiteral("50.0\u00a0\u00b0C")) << text;
+    }
+}
+
 // Catches gains of 1e-22 shown or stored as 0.
 TEST(GainSpinBox, AnyMagnitude) {
     GainSpinBox box;
