@@ -1,10 +1,14 @@
 #include "widgets/common/dialog_frame.h"
 
+#include "widgets/common/number_field.h"
+
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace bask {
 namespace {
@@ -27,7 +31,11 @@ DialogButtons addDialogButtons(QDialog& dialog, const QString& take) {
     const DialogButtons buttons{box, box->addButton(take, QDialogButtonBox::AcceptRole),
                                 box->addButton(DialogFrameWords::tr("Cancel"), QDialogButtonBox::RejectRole)};
     buttons.take->setDefault(true);
-    QObject::connect(box, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+    QObject::connect(box, &QDialogButtonBox::accepted, &dialog, [&dialog, take = buttons.take] {
+        const auto fields = dialog.findChildren<NumberField*>();
+        if (std::ranges::none_of(fields, [take](NumberField* each) { return each->takeRefusalBy(take); }))
+            dialog.accept();
+    });
     QObject::connect(box, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     dialog.layout()->addWidget(box);
     return buttons;

@@ -17,7 +17,8 @@ struct DialogButtons {
     QDialogButtonBox* box;
     QPushButton *take, *cancel;
 };
-/// Ends the dialog's column with a button that accepts it, its default, and Cancel.
+/// Ends the dialog's column with a button that accepts it, its default, and Cancel. A click that makes a
+/// NumberField of the dialog refuse what was typed does not accept it.
 DialogButtons addDialogButtons(QDialog& dialog, const QString& take);
 
 } // namespace bask

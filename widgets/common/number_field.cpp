@@ -3,6 +3,9 @@
 #include "engine/base/typed_unit.h"
 
 #include <QAccessible>
+#include <QApplication>
+#include <QFocusEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -46,11 +49,13 @@ std::optional<TypedValue> typedValue(QString text) {
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
     connect(this, &NumberField::refused, this, [this](const QString& why) {
         setValue(std::exchange(m_beforeTracking, {}).value_or(value()));
+        m_isRefused = true;
         if (!why.isEmpty())
             say(why);
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
         delete m_refusal;
+        m_refusedBy = nullptr;
         if (keyboardTracking() && !m_beforeTracking)
             m_beforeTracking = value(); // that of the text follows
     });
@@ -79,6 +84,25 @@ void NumberField::fixup(QString& text) const {
 void NumberField::stepBy(int steps) {
     QDoubleSpinBox::stepBy(steps);
     m_beforeTracking.reset();
+}
+
+bool NumberField::takeRefusalBy(const QWidget* widget) {
+    return m_refusedBy != nullptr && std::exchange(m_refusedBy, nullptr) == widget;
+}
+
+/// Enter that is refused is handled: it does not close the dialog.
+void NumberField::keyPressEvent(QKeyEvent* event) {
+    m_isRefused = false;
+    QDoubleSpinBox::keyPressEvent(event);
+    if (m_isRefused)
+        event->accept();
+}
+
+void NumberField::focusOutEvent(QFocusEvent* event) {
+    m_isRefused = false;
+    QDoubleSpinBox::focusOutEvent(event);
+    if (m_isRefused && event->reason() == Qt::MouseFocusReason)
+        m_refusedBy = QApplication::focusWidget();
 }
 
 bool NumberField::endTracking() {

@@ -34,6 +34,8 @@ public:
     double valueFromText(const QString& text) const override;
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    /// Whether a click on `widget` made the field refuse what was typed. Tells it once.
+    bool takeRefusalBy(const QWidget* widget);
 
 signals:
     /// What was typed is not taken; `why` is empty if nothing was typed.
@@ -47,6 +49,8 @@ protected:
     bool isWithinRange(double value) const;
     /// Takes or refuses what was typed into a field that takes numbers on the way. Returns false if refused.
     bool endTracking();
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
 
 private:
     QString withoutSuffix(const QString& text) const;
@@ -54,6 +58,8 @@ private:
     void say(const QString& why);
 
     std::optional<double> m_beforeTracking; ///< the "41,5" of "41,5,5" may be taken on the way
+    bool m_isRefused = false;               ///< by the key or the loss of focus that is handled
+    QPointer<QWidget> m_refusedBy;
     QPointer<QLabel> m_refusal;
 };
 

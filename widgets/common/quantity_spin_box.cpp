@@ -70,7 +70,7 @@ void QuantitySpinBox::endTyping() {
 
 void QuantitySpinBox::keyPressEvent(QKeyEvent* event) {
     if (event->key() != Qt::Key_Escape || !m_typing)
-        return QDoubleSpinBox::keyPressEvent(event);
+        return NumberField::keyPressEvent(event);
     endTyping();
     selectAll();
 }

@@ -1,4 +1,6 @@
 #include "widgets/common/dialog_frame.h"
+#include "widgets/common/number_field.h"
+#include "widgets/common/quantity_spin_box.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -8,6 +10,8 @@
 #include <QVBoxLayout>
 
 #include <gtest/gtest.h>
+
+#include <initializer_list>
 
 using namespace bask;
 
@@ -29,4 +33,38 @@ TEST(DialogFrame, EndsWithButtonsThatEndTheDialog) {
     EXPECT_EQ(buttons.take->text(), QStringLiteral("Arm"));
     EXPECT_EQ(buttons.cancel->text(), QStringLiteral("Cancel"));
     EXPECT_GT(buttons.box->y(), field->y());
+}
+
+// Catches a dialog that closes with the old number because the one that was typed is refused.
+TEST(DialogFrame, StaysOpenWhenANumberIsRefused) {
+    QDialog dialog;
+    auto* length = new NumberField(&dialog);
+    auto* temperature = new QuantitySpinBox(&dialog);
+    QVBoxLayout* column = dialogColumn(dialog);
+    column->addWidget(length);
+    column->addWidget(temperature);
+    const DialogButtons buttons = addDialogButtons(dialog, QStringLiteral("OK"));
+    for (NumberField* field : std::initializer_list<NumberField*>{length, temperature}) {
+        const auto type = [field](const char* text) {
+            field->setFocus();
+            field->selectAll();
+            QTest::keyClicks(field, QString::fromUtf8(text));
+        };
+        dialog.show();
+        dialog.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+        type("5 mn");
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_TRUE(dialog.isVisible()) << "Enter";
+        type("5 mn");
+        QTest::mouseClick(buttons.take, Qt::LeftButton);
+        EXPECT_TRUE(dialog.isVisible()) << "a click";
+        QTest::mouseClick(buttons.take, Qt::LeftButton);
+        EXPECT_FALSE(dialog.isVisible()) << "the number is what is shown now";
+        dialog.show();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
+        type("5");
+        QTest::keyClick(field, Qt::Key_Return);
+        EXPECT_FALSE(dialog.isVisible());
+    }
 }
