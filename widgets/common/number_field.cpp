@@ -43,7 +43,9 @@ std::optional<TypedValue> typedValue(QString text) {
     const double value = QLocale::c().toDouble(parts.captured(1).replace(u',', u'.'), &ok);
     if (!parts.hasMatch() || !ok)
         return std::nullopt;
-    return TypedValue{value, parts.captured(2) + parts.captured(3)};
+    static const QRegularExpression kGrouped(QStringLiteral("^[+-]?[1-9][0-9]{0,2},[0-9]{3}$"));
+    return TypedValue{value, parts.captured(2) + parts.captured(3),
+                      kGrouped.match(parts.captured(1)).hasMatch()};
 }
 
 NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
@@ -64,7 +66,8 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
 
 QValidator::State NumberField::validate(QString& text, int&) const {
     const auto typed = number(text);
-    return typed && isWithinRange(*typed) ? QValidator::Acceptable : QValidator::Intermediate;
+    return typed && isWithinRange(*typed) && !isRoundedAway(*typed) ? QValidator::Acceptable
+                                                                    : QValidator::Intermediate;
 }
 
 double NumberField::valueFromText(const QString& text) const {
@@ -121,12 +124,27 @@ std::optional<double> NumberField::inOwnUnit(const TypedValue& typed) const {
 
 std::optional<double> NumberField::number(const QString& text) const {
     const auto typed = typedValue(withoutSuffix(text));
-    return typed ? inOwnUnit(*typed) : std::nullopt;
+    return typed && !isAmbiguous(*typed) ? inOwnUnit(*typed) : std::nullopt;
 }
 
 bool NumberField::isWithinRange(double value) const {
     const double lost = 1e-12 * std::abs(value); // more than a conversion loses
     return value >= minimum() - lost && value <= maximum() + lost;
+}
+
+bool NumberField::isRoundedAway(double value) const {
+    const double lost = 1e-12 * std::abs(value), rounded = roundedAsShown(value);
+    const bool isSpecial = !specialValueText().isEmpty() && rounded <= minimum();
+    return (rounded == 0.0 && value != 0.0) || (isSpecial && value > minimum() + lost);
+}
+
+bool NumberField::isAmbiguous(const TypedValue& typed) const {
+    return typed.mayBeGrouped && locale().groupSeparator() == QStringLiteral(",");
+}
+
+/// As the base class rounds.
+double NumberField::roundedAsShown(double value) const {
+    return QString::number(value, 'f', decimals()).toDouble();
 }
 
 /// The suffix stays behind what is typed over a number.
@@ -139,7 +157,22 @@ QString NumberField::whyNot(const QString& typed) const {
     const QString own = suffix().trimmed();
     if (!parts)
         return tr("\u201c%1\u201d is not a number; the value stays as it was").arg(typed);
-    if (inOwnUnit(*parts))
+    if (isAmbiguous(*parts)) {
+        const QString plain = ungrouped(typed);
+        return tr("\u201c%1\u201d may be one of two numbers: type %2 or %3")
+            .arg(typed, QString(plain).remove(u','), QString(plain).replace(u',', u'.'));
+    }
+    const auto wanted = inOwnUnit(*parts);
+    if (wanted && isWithinRange(*wanted)) {
+        const double rounded = roundedAsShown(*wanted);
+        const bool isSpecial = !specialValueText().isEmpty() && rounded <= minimum();
+        return tr("\u201c%1\u201d was not taken: with the digits of this field it would be %2")
+            .arg(typed, isSpecial ? specialValueText() : textFromValue(rounded) + suffix());
+    }
+    if (wanted && !specialValueText().isEmpty())
+        return tr("\u201c%1\u201d is out of range; allowed: more than %2, up to %3")
+            .arg(typed, textFromValue(minimum()) + suffix(), textFromValue(maximum()) + suffix());
+    if (wanted)
         return tr("\u201c%1\u201d is out of range; allowed: %2 to %3")
             .arg(typed, textFromValue(minimum()) + suffix(), textFromValue(maximum()) + suffix());
     if (own.isEmpty())

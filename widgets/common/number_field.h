@@ -13,7 +13,8 @@ namespace bask {
 /// A number as a person typed it, and what stands after it.
 struct TypedValue {
     double value = 0.0;
-    QString unit; ///< as it was typed; empty if there is none
+    QString unit;              ///< as it was typed; empty if there is none
+    bool mayBeGrouped = false; ///< as "1,234" may be a thousand or 1.234
 };
 
 /// Reads a number as a person types or pastes it, with a point or a comma, with either minus sign, with
@@ -21,9 +22,9 @@ struct TypedValue {
 std::optional<TypedValue> typedValue(QString text);
 
 /// A number in the unit of its suffix. Anything can be typed: a number with another unit of the same
-/// dimension is converted when it is entered; what is no number, has a unit of something else or lies out of
-/// range is refused with words beside the field, which stays as it was. Object name of these words:
-/// "fieldRefusal".
+/// dimension is converted when it is entered; what is no number, may be one of two, has a unit of something
+/// else, is too small for the field's digits or lies out of range is refused with words beside the field,
+/// which stays as it was. Object name of these words: "fieldRefusal".
 class NumberField : public QDoubleSpinBox {
     Q_OBJECT
 
@@ -47,12 +48,16 @@ protected:
     /// Returns the number in the text of the field, with or without its suffix; empty if it cannot be taken.
     std::optional<double> number(const QString& text) const;
     bool isWithinRange(double value) const;
+    /// Whether a value would be shown as zero, or as the words of the minimum, without being that.
+    virtual bool isRoundedAway(double value) const;
     /// Takes or refuses what was typed into a field that takes numbers on the way. Returns false if refused.
     bool endTracking();
     void keyPressEvent(QKeyEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
+    bool isAmbiguous(const TypedValue& typed) const;
+    double roundedAsShown(double value) const;
     QString withoutSuffix(const QString& text) const;
     QString whyNot(const QString& typed) const;
     void say(const QString& why);

@@ -34,6 +34,7 @@ signals:
 protected:
     QString textFromValue(double value) const override;
     std::optional<double> inOwnUnit(const TypedValue& typed) const override;
+    bool isRoundedAway(double) const override { return false; } // zero is a temperature as any other
     void keyPressEvent(QKeyEvent* event) override;
 
 private:

@@ -161,6 +161,54 @@ TEST_F(NumberFieldTest, WhatWasTakenOnTheWayIsTakenBack) {
     }
 }
 
+// Catches 0.4 mm that become none, or words that mean something else.
+TEST_F(NumberFieldTest, WhatIsTooSmallForTheDigitsIsRefused) {
+    NumberField* length = field(-100.0, 100.0, 1, " cm");
+    length->setValue(7.0);
+    type(*length, "0.4 mm");
+    EXPECT_EQ(length->value(), 7.0);
+    EXPECT_TRUE(refusal().endsWith(QStringLiteral("0.0 cm"))) << refusal().toStdString();
+    for (const auto& [text, value] : std::initializer_list<std::pair<const char*, double>>{
+             {"0 mm", 0.0}, {"0.6 mm", 0.1}, {"-1 m", -100.0}, {"12.34", 12.3}}) {
+        type(*length, text);
+        EXPECT_EQ(length->value(), value) << text;
+        EXPECT_EQ(refusal(), QString()) << text;
+    }
+    NumberField* automatic = field(2.0, 10.0, 0, " cm");
+    automatic->setSpecialValueText(QStringLiteral("Automatic"));
+    automatic->setValue(7.0);
+    type(*automatic, "23 mm");
+    EXPECT_EQ(automatic->value(), 7.0);
+    EXPECT_TRUE(refusal().endsWith(QStringLiteral("Automatic"))) << refusal().toStdString();
+    type(*automatic, "1");
+    EXPECT_TRUE(refusal().contains(QStringLiteral("more than 2 cm"))) << refusal().toStdString();
+    type(*automatic, "20 mm");
+    EXPECT_EQ(automatic->value(), 2.0) << "that is what the words stand for";
+    QuantitySpinBox temperature(&window);
+    temperature.show();
+    type(temperature, "0.04");
+    EXPECT_NEAR(temperature.value_K(), 273.15, 1e-9) << "a temperature as any other";
+}
+
+// Catches a thousand that is taken as 1.
+TEST_F(NumberFieldTest, ACommaThatMayGroupThousandsIsRefused) {
+    NumberField* length = field(0.0, 5000.0, 3, " mm");
+    const auto taken = [&](const QLocale& locale, const char* text) {
+        length->setLocale(locale);
+        length->setValue(7.0);
+        type(*length, text);
+        return length->value();
+    };
+    const QLocale english(QLocale::English), french(QLocale::French);
+    EXPECT_EQ(taken(english, "1,234"), 7.0);
+    EXPECT_TRUE(refusal().endsWith(QStringLiteral("type 1234 or 1.234"))) << refusal().toStdString();
+    EXPECT_EQ(taken(english, "1,500 cm"), 7.0);
+    EXPECT_EQ(taken(english, "0,234"), 0.234);
+    EXPECT_EQ(taken(english, "1,23"), 1.23);
+    EXPECT_EQ(taken(english, "1.234"), 1.234);
+    EXPECT_EQ(taken(french, "1,234"), 1.234);
+}
+
 // Catches a refusal that brings back the number before the last step, or the half of one that was cleared.
 TEST_F(NumberFieldTest, ARefusalBringsBackTheLastNumberOnly) {
     NumberField* length = field(0.0, 100.0, 2, " cm");
