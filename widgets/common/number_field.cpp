@@ -56,7 +56,7 @@ NumberField::NumberField(QWidget* parent) : QDoubleSpinBox(parent) {
             say(why);
     });
     connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
-        delete m_refusal;
+        forgetRefusal();
         m_refusedBy = nullptr;
         if (keyboardTracking() && !m_beforeTracking)
             m_beforeTracking = value(); // that of the text follows
@@ -181,6 +181,21 @@ QString NumberField::whyNot(const QString& typed) const {
         .arg(typed, parts->unit, own);
 }
 
+void NumberField::forgetRefusal() {
+    delete m_refusal;
+    if (m_ownDescription)
+        setAccessibleDescription(*std::exchange(m_ownDescription, {}));
+}
+
+/// The words stand where the field was when they came.
+bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+    const bool isElsewhere = event->type() == QEvent::Hide || event->type() == QEvent::Resize ||
+                             (event->type() == QEvent::Move && watched != window());
+    if (isElsewhere && m_refusal != nullptr)
+        m_refusal->hide();
+    return QDoubleSpinBox::eventFilter(watched, event);
+}
+
 void NumberField::say(const QString& why) {
     constexpr std::chrono::seconds kShown(10);
     constexpr int kMargin_px = 4, kMaxWidth_px = 420;
@@ -206,8 +221,14 @@ void NumberField::say(const QString& why) {
                            std::max(0, fits ? below.y() : above.y() - height), width, height);
     m_refusal->show();
     m_refusal->raise();
+    for (QWidget* each = this; each != place; each = each->parentWidget())
+        each->installEventFilter(this);
+    place->installEventFilter(this);
     QAccessibleEvent alert(m_refusal, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
+    if (!m_ownDescription)
+        m_ownDescription = accessibleDescription();
+    setAccessibleDescription(why); // a screen reader on Linux is told no alert
     QTimer::singleShot(kShown, m_refusal, &QObject::deleteLater);
     connect(this, &QObject::destroyed, m_refusal, &QObject::deleteLater);
 }

@@ -37,6 +37,7 @@ public:
     void stepBy(int steps) override;
     /// Whether a click on `widget` made the field refuse what was typed. Tells it once.
     bool takeRefusalBy(const QWidget* widget);
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 signals:
     /// What was typed is not taken; `why` is empty if nothing was typed.
@@ -61,11 +62,13 @@ private:
     QString withoutSuffix(const QString& text) const;
     QString whyNot(const QString& typed) const;
     void say(const QString& why);
+    void forgetRefusal();
 
     std::optional<double> m_beforeTracking; ///< the "41,5" of "41,5,5" may be taken on the way
     bool m_isRefused = false;               ///< by the key or the loss of focus that is handled
     QPointer<QWidget> m_refusedBy;
     QPointer<QLabel> m_refusal;
+    std::optional<QString> m_ownDescription; ///< while the refusal is told in its place
 };
 
 /// Makes a field that takes a number when it is entered, not while it is typed.

@@ -161,6 +161,41 @@ TEST_F(NumberFieldTest, WhatWasTakenOnTheWayIsTakenBack) {
     }
 }
 
+// Catches a screen reader that is told nothing.
+TEST_F(NumberFieldTest, ARefusalDescribesTheFieldUntilTheNextEdit) {
+    NumberField* length = field(0.0, 100.0, 2, " cm");
+    length->setAccessibleDescription(QStringLiteral("of the object"));
+    type(*length, "15 K");
+    EXPECT_EQ(length->accessibleDescription(), refusal());
+    EXPECT_NE(refusal(), QString());
+    type(*length, "8");
+    EXPECT_EQ(length->accessibleDescription(), QStringLiteral("of the object"));
+}
+
+// Catches words that stand on another page, or beside another field.
+TEST_F(NumberFieldTest, ARefusalGoesWithItsField) {
+    QWidget page(&window);
+    page.resize(300, 200);
+    page.show();
+    NumberField* length = field(0.0, 100.0, 2, " cm");
+    length->setParent(&page);
+    length->show();
+    const auto refuse = [&] {
+        type(*length, "15 K");
+        return !refusal().isEmpty();
+    };
+    ASSERT_TRUE(refuse());
+    page.hide();
+    EXPECT_EQ(refusal(), QString());
+    page.show();
+    ASSERT_TRUE(refuse());
+    page.move(0, 50);
+    EXPECT_EQ(refusal(), QString());
+    ASSERT_TRUE(refuse());
+    window.resize(500, 300);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return refusal().isEmpty(); }));
+}
+
 // Catches 0.4 mm that become none, or words that mean something else.
 TEST_F(NumberFieldTest, WhatIsTooSmallForTheDigitsIsRefused) {
     NumberField* length = field(-100.0, 100.0, 1, " cm");
