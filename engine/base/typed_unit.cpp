@@ -13,7 +13,7 @@ namespace {
 
 enum Dimension : std::size_t { Metre, Kilogram, Second, Kelvin, Radian, Pixel, Byte, DimensionCount };
 
-/// A unit as a number of products of powers of the SI's.
+/// A unit: a factor times a product of powers of SI units.
 struct UnitSize {
     double si = 1.0;
     std::array<int, DimensionCount> powers{};
@@ -77,7 +77,7 @@ constexpr std::array kUnits{
 
 /// With digits for superscripts, and with plain spaces.
 std::string plainSpelling(std::string_view text) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 11> kSpellings{{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 13> kSpellings{{
         {"\u00b2", "2"},
         {"\u00b3", "3"},
         {"\u2074", "4"},
@@ -85,9 +85,11 @@ std::string plainSpelling(std::string_view text) {
         {"\u2079", "9"},
         {"^", ""},
         {"\u00b7", " "},
+        {".", " "},
         {"\u00a0", " "},
         {"\u202f", " "},
         {"\u2103", "\u00b0C"},
+        {"\u2109", "\u00b0F"},
         {"\u00ba", "\u00b0"}, // the ordinal on keyboards without a degree
     }};
     std::string out(text);
@@ -97,10 +99,13 @@ std::string plainSpelling(std::string_view text) {
     return out;
 }
 
+/// What a factor after a quotient is, as the "K" of "W/m2 K".
+enum class AfterSlash { Above, Below };
+
 /// Reads products, quotients and brackets, each factor with a power.
 class UnitReader {
 public:
-    explicit UnitReader(std::string_view text) : m_rest(text) {}
+    UnitReader(std::string_view text, AfterSlash after) : m_rest(text), m_after(after) {}
 
     std::optional<UnitSize> all() {
         auto out = product();
@@ -110,13 +115,15 @@ public:
 private:
     std::optional<UnitSize> product() {
         UnitSize out;
+        bool isBelow = false;
         for (skipSpaces(); !m_rest.empty() && m_rest.front() != ')'; skipSpaces()) {
             const bool divides = takes('/');
             skipSpaces();
             const auto each = factor();
             if (!each)
                 return std::nullopt;
-            out.multiply(*each, divides ? -1 : 1);
+            isBelow = divides || (isBelow && m_after == AfterSlash::Below);
+            out.multiply(*each, isBelow ? -1 : 1);
         }
         return out;
     }
@@ -147,7 +154,7 @@ private:
         return unit->size;
     }
 
-    /// One digit: no unit has a power of two.
+    /// One digit: no power has two digits.
     int power() {
         if (m_rest.empty() || m_rest.front() < '0' || m_rest.front() > '9')
             return 1;
@@ -170,11 +177,12 @@ private:
     }
 
     std::string_view m_rest;
+    AfterSlash m_after;
 };
 
-std::optional<UnitSize> unitSize(std::string_view text) {
+std::optional<UnitSize> unitSize(std::string_view text, AfterSlash after = AfterSlash::Above) {
     const std::string plain = plainSpelling(text);
-    return UnitReader(plain).all();
+    return UnitReader(plain, after).all();
 }
 
 } // namespace
@@ -182,7 +190,10 @@ std::optional<UnitSize> unitSize(std::string_view text) {
 std::optional<double> converted(double value, std::string_view from, std::string_view to) {
     if (from == to)
         return value;
-    const auto given = unitSize(from), wanted = unitSize(to);
+    auto given = unitSize(from);
+    const auto wanted = unitSize(to);
+    if (given && wanted && given->powers != wanted->powers)
+        given = unitSize(from, AfterSlash::Below);
     if (!given || !wanted || given->powers != wanted->powers)
         return std::nullopt;
     return value * given->si / wanted->si;

@@ -22,12 +22,17 @@ namespace bask {
 
 namespace {
 
-/// Without the spaces that group thousands in a number from elsewhere, with plain spaces and a plain minus
-/// sign.
+/// Without the spaces that group thousands in a number from elsewhere, with plain spaces, a plain minus sign
+/// and, for the full-width marks of Chinese input, those of ASCII.
 QString ungrouped(QString text) {
+    constexpr char16_t kFirst = 0xff01, kLast = 0xff5e, kToAscii = 0xfee0;
+    for (QChar& each : text)
+        if (each >= QChar(kFirst) && each <= QChar(kLast))
+            each = QChar(static_cast<char16_t>(each.unicode() - kToAscii));
+    text.replace(QChar(0x3002), u'.'); // the full stop
     static const QRegularExpression kGroup(
-        QStringLiteral("(?<=\\d)[ \\x{a0}\\x{2009}\\x{202f}](?=\\d{3}(?!\\d))"));
-    static const QRegularExpression kSpace(QStringLiteral("[\\x{a0}\\x{2009}\\x{202f}]"));
+        QStringLiteral("(?<=\\d)[ \\x{a0}\\x{2009}\\x{202f}\\x{3000}](?=\\d{3}(?!\\d))"));
+    static const QRegularExpression kSpace(QStringLiteral("[\\x{a0}\\x{2009}\\x{202f}\\x{3000}]"));
     return text.remove(kGroup).replace(kSpace, QStringLiteral(" ")).replace(QChar(0x2212), u'-');
 }
 

@@ -33,6 +33,10 @@ TEST(TypedUnit, ValuesOfOneDimensionAreConverted) {
     expect(3.0, "\u00b0C", "K", 3.0);
     expect(1.0, "kJ/(kg K)", "J/(kg K)", 1000.0);
     expect(1.0, "J/(s m2 K)", "W/(m\u00b2 K)", 1.0);
+    expect(1.0, "W/m2 K", "W/(m\u00b2 K)", 1.0);
+    expect(1.0, "kJ/kg.K", "J/(kg K)", 1000.0);
+    expect(1.0, "W/m2\u00b7K", "W/(m\u00b2 K)", 1.0);
+    expect(2.0, "m/s m", "1/s", 2.0);
     expect(1.0, "g/cm3", "kg/m\u00b3", 1000.0);
     expect(50.0, "%", "", 0.5);
     expect(0.5, "1", "%", 50.0);
@@ -56,6 +60,7 @@ TEST(TypedUnit, WhatDoesNotAgreeIsRefused) {
                                                                     {"c", "cm"},
                                                                     {"W/(m2 K", "W/(m2 K)"},
                                                                     {"mm)", "mm"},
+                                                                    {"W/m2 K s", "W/(m2 K)"},
                                                                     {"MM", "mm"},
                                                                     {"m99", "m"}})
         EXPECT_FALSE(converted(1.0, from, to).has_value()) << from << " in " << to;
@@ -99,6 +104,7 @@ TEST(TypedUnit, TemperaturesOnAScale) {
     for (const char* text : {"\u00b0C", "degC", "C", "\u2103", "\u00baC"})
         EXPECT_EQ(typedTemperatureUnit(text), TemperatureUnit::Celsius) << text;
     EXPECT_EQ(typedTemperatureUnit("K"), TemperatureUnit::Kelvin);
+    EXPECT_EQ(typedTemperatureUnit("\u2109"), TemperatureUnit::Fahrenheit);
     EXPECT_EQ(typedTemperatureUnit("F"), TemperatureUnit::Fahrenheit);
     for (const char* text : {"", "mm", "\u00b0", "k"})
         EXPECT_FALSE(typedTemperatureUnit(text).has_value()) << text;

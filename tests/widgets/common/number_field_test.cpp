@@ -311,7 +311,7 @@ TEST_F(NumberFieldTest, TemperaturesAreTypedOnAnyScale) {
     for (const TemperatureUnit unit :
          {TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit}) {
         box.setTemperatureUnit(unit);
-        for (const char* text : {"100 \u00b0C", "100 degC", "373.15 K", "212 \u00b0F", "212F"}) {
+        for (const char* text : {"100 \u00b0C", "100 degC", "373.15 K", "212 \u00b0F", "212F", "212\u2109"}) {
             box.setValue_K(300.0);
             type(box, text);
             EXPECT_NEAR(box.value_K(), 373.15, 0.06) << text; // a tenth of what is shown
@@ -338,6 +338,9 @@ TEST(TypedValue, IsANumberWithAUnitOrWithout) {
     expect("1 234,5 mm", 1234.5, "mm");
     expect("40.0\u00a0\u00b0C", 40.0, "\u00b0C");
     expect(".5mm", 0.5, "mm");
+    expect("\uff0d\uff11\uff0e\uff15\uff4d\uff4d", -1.5, "mm");
+    expect("\uff11\uff0c\uff15\u3000\uff05", 1.5, "%");
+    expect("2\u30025", 2.5, "");
     expect("1e3 1/s", 1000.0, "1/s");
     expect("2 /min", 2.0, "/min");
     expect("12 W/(m\u00b2 K)", 12.0, "W/(m\u00b2 K)");
