@@ -1,5 +1,6 @@
 // The tables of parameters against what walks them: files, checks, the question about limits, the documents.
 
+#include "engine/base/typed_unit.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
@@ -143,6 +144,16 @@ bool tellsRange(const std::string& row, const Placed& placed) {
 }
 
 } // namespace
+
+// Catches a unit of a form that nobody can type.
+TEST(ExperimentParameters, EveryUnitCanBeTyped) {
+    for (const Placed& each : everyParameter()) {
+        const std::string symbol = each.facts->unit.symbol;
+        const auto typed = converted(1.0, symbol + "/1", symbol); // not the very words
+        ASSERT_TRUE(typed.has_value()) << each.path << each.facts->name << ": " << symbol;
+        EXPECT_DOUBLE_EQ(*typed, 1.0) << symbol;
+    }
+}
 
 // Catches a value that is lost on its way through the file, or lands in another.
 TEST(ExperimentParameters, EachGoesThroughTheFile) {
