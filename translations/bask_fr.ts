@@ -6395,6 +6395,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
         <translation>«&#xa0;%1&#xa0;» n’a pas été pris&#xa0;: %2 n’est pas une unité de cette valeur, qui est en %3</translation>
     </message>
+    <message>
+        <source>“%1” may be one of two numbers: type %2 or %3</source>
+        <translation>« %1 » peut être l’un de deux nombres : saisissez %2 ou %3</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: with the digits of this field it would be %2</source>
+        <translation>« %1 » n’a pas été pris : avec les chiffres de ce champ, ce serait %2</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range; allowed: more than %2, up to %3</source>
+        <translation>« %1 » est hors limites ; admis : plus de %2, jusqu’à %3</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectList</name>
@@ -11110,13 +11122,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Views of the calibration</source>
         <translation>Vues de l’étalonnage</translation>
-    </message>
-</context>
-<context>
-    <name>bask::WholeNumberField</name>
-    <message>
-        <source>“%1” is not a whole number; the value stays as it was</source>
-        <translation>« %1 » n’est pas un nombre entier ; la valeur reste telle qu’elle était</translation>
     </message>
 </context>
 <context>

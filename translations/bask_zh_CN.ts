@@ -6387,6 +6387,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>“%1” was not taken: %2 is not a unit of this value, which is in %3</source>
         <translation>未采用“%1”：%2 不是此值的单位，此值以 %3 为单位</translation>
     </message>
+    <message>
+        <source>“%1” may be one of two numbers: type %2 or %3</source>
+        <translation>“%1”可能是两个数之一：请输入 %2 或 %3</translation>
+    </message>
+    <message>
+        <source>“%1” was not taken: with the digits of this field it would be %2</source>
+        <translation>未采用“%1”：按此字段的位数将变为 %2</translation>
+    </message>
+    <message>
+        <source>“%1” is out of range; allowed: more than %2, up to %3</source>
+        <translation>“%1”超出范围；允许：大于 %2，至 %3</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectList</name>
@@ -11085,13 +11097,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Views of the calibration</source>
         <translation>标定视图</translation>
-    </message>
-</context>
-<context>
-    <name>bask::WholeNumberField</name>
-    <message>
-        <source>“%1” is not a whole number; the value stays as it was</source>
-        <translation>“%1”不是整数；数值保持不变</translation>
     </message>
 </context>
 <context>

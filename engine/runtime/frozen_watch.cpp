@@ -13,12 +13,17 @@ constexpr double kMark_s = 3.0;    // between two marks
 constexpr double kAnchor_s = 10.0; // between two anchors
 constexpr std::size_t kAnchors = 6;
 constexpr int kMinEqual = 3;             // readings
+constexpr double kMinSame_s = 6.0;       // some devices repeat their readings
+constexpr double kTimesRepeat = 3.0;     // as long as they do is no fault
+constexpr double kJumped = 1.5;          // steps: what a sensor that does not repeat seldom changes by
 constexpr std::size_t kMinPoints = 5;    // of a fit
 constexpr double kWrong = 0.05;          // of the energy, as source, pose and air change
 constexpr double kTimesAtOnce = 2.0;     // a device that repeats its readings shows their changes at once
 constexpr double kUnknownStep_K = 0.5;   // of a sensor that has not changed yet
 constexpr double kRoomGuessed_K = 2.5;   // standard deviation of the room before the sensor is zeroed,
 constexpr double kRoomMeasured_K = 0.15; // and after
+constexpr double kRoomDrift_K_s = 1.0 / 3600.0;
+constexpr double kNoisy = 4.0;           // standard deviations of noise between two readings
 constexpr double kNewNoise = 0.02;       // weight of one reading
 constexpr double kSecondOfNoise = 1.954; // mean of |x1 - 2 x2 + x3| over the deviation of normal readings
 
@@ -32,15 +37,14 @@ void FrozenWatch::reset() {
     m_anchors.clear();
     m_now = {};
     m_count = m_same = 0;
-    m_step_K = m_noise_K = m_missing_K = 0.0;
-    m_wasAtRest = false;
+    m_step_K = m_noise_K = m_missing_K = m_repeat_s = 0.0;
 }
 
-void FrozenWatch::restAt(double temperature_K) {
+void FrozenWatch::restAt(double time_s, double temperature_K) {
     const double power_K_s = m_count > 0 ? m_power_K_s[0] : 0.0;
     reset();
     m_room = {temperature_K, kRoomMeasured_K, power_K_s};
-    m_wasAtRest = true;
+    m_rest_s = time_s;
 }
 
 /// What the sensor was zeroed by, as if it had lasted a while: a run may begin at once.
@@ -74,14 +78,15 @@ void FrozenWatch::add(double time_s, std::optional<double> temperature_K, double
         return reset();
     if (m_count == 0 && !temperature_K)
         return;
+    const bool wasAtRest = m_count == 0 && time_s - m_rest_s <= kMark_s;
     if (m_count == 0) {
-        m_power_K_s.fill(m_wasAtRest ? m_room.rest_K_s : power_K_s);
+        m_power_K_s.fill(wasAtRest ? m_room.rest_K_s : power_K_s);
         m_first_K = *temperature_K;
     } else {
         integrate(time_s - m_now.time_s, power_K_s);
     }
     m_now.time_s = time_s;
-    if (m_count == 0 && m_wasAtRest)
+    if (wasAtRest)
         rememberRest();
     if (temperature_K)
         take(*temperature_K);
@@ -89,7 +94,7 @@ void FrozenWatch::add(double time_s, std::optional<double> temperature_K, double
 
 void FrozenWatch::take(double temperature_K) {
     const double change_K = m_count > 0 ? std::abs(temperature_K - m_now.temperature_K) : 0.0;
-    if (m_count > 1) {
+    if (m_count > 1 && m_same < kMinEqual) { // a frozen sensor has none
         const double noise_K =
             std::abs(temperature_K - 2.0 * m_now.temperature_K + m_before_K) / kSecondOfNoise;
         m_noise_K += std::max(kNewNoise, 1.0 / (m_count - 1)) * (noise_K - m_noise_K);
@@ -100,6 +105,8 @@ void FrozenWatch::take(double temperature_K) {
     if (m_count++ == 0 || change_K > 0.0) {
         if (change_K > 0.0)
             m_step_K = m_step_K > 0.0 ? std::min(m_step_K, change_K) : change_K;
+        if (m_same > 1 && change_K > kJumped * m_step_K) // while it was the same the device had more to say
+            m_repeat_s = std::max(m_repeat_s, m_now.time_s - m_anchors.front().mark.time_s);
         m_same = 1;
         m_anchors.assign(1, Anchor{m_now});
     } else {
@@ -113,7 +120,9 @@ void FrozenWatch::take(double temperature_K) {
         m_marks.push_back(m_now);
         m_now.jump_K = 0.0;
     }
-    while (m_marks.front().time_s < m_anchors.front().mark.time_s - kWindow_s)
+    const double oldest_s =
+        m_anchors.front().isFitted ? m_now.time_s - kAnchor_s : m_anchors.front().mark.time_s;
+    while (m_marks.front().time_s < oldest_s - kWindow_s)
         m_marks.pop_front();
     judge();
 }
@@ -130,7 +139,7 @@ void FrozenWatch::fit(Anchor& anchor) const {
         return;
     anchor.usual_K = step_K();
     for (const Mark& mark : marks)
-        anchor.usual_K = std::max(anchor.usual_K, mark.jump_K);
+        anchor.usual_K = std::max(anchor.usual_K, mark.jump_K - kNoisy * m_noise_K);
     const auto count = static_cast<Eigen::Index>(marks.size());
     Eigen::MatrixX3d design(count, 3);
     Eigen::VectorXd change_K(count);
@@ -144,7 +153,9 @@ void FrozenWatch::fit(Anchor& anchor) const {
         for (std::size_t lag = 0; lag < kLags_s.size(); ++lag)
             energies_K[lag][i] = mark.energy_K[lag] - at.energy_K[lag];
     }
-    const LossFit fit(m_losses, m_room, at.temperature_K, std::move(design), std::move(change_K));
+    LossFit::Room room = m_room;
+    room.deviation_K = std::min(kRoomGuessed_K, room.deviation_K + kRoomDrift_K_s * (at.time_s - m_rest_s));
+    const LossFit fit(m_losses, room, at.temperature_K, std::move(design), std::move(change_K));
     anchor.explanations = fit.explain(energies_K, std::max(step_K() / std::sqrt(12.0), m_noise_K));
 }
 
@@ -166,7 +177,8 @@ double FrozenWatch::expected_K(const Anchor& anchor) const {
 
 void FrozenWatch::judge() {
     m_missing_K = 0.0;
-    if (m_same < kMinEqual)
+    const double same_s = m_now.time_s - m_anchors.front().mark.time_s;
+    if (m_same < kMinEqual || same_s < std::max(kMinSame_s, kTimesRepeat * m_repeat_s))
         return;
     for (Anchor& anchor : m_anchors) {
         if (!anchor.isFitted)

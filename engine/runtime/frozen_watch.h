@@ -6,6 +6,7 @@
 
 #include <array>
 #include <deque>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -28,7 +29,7 @@ public:
     void add(double time_s, std::optional<double> temperature_K, double power_K_s);
     void reset();
     /// Call when the sensor has been zeroed: the object is at the room's temperature.
-    void restAt(double temperature_K);
+    void restAt(double time_s, double temperature_K);
 
     /// Returns the smallest change that the reading should have shown since it is the same, K, with its sign:
     /// it is more than kMin_K and twice the changes that the sensor usually shows at once. 0: there is none.
@@ -61,6 +62,7 @@ private:
 
     LossRange m_losses;
     LossFit::Room m_room;
+    double m_rest_s = -std::numeric_limits<double>::infinity(); ///< when the sensor was zeroed
     std::deque<Mark> m_marks;
     std::deque<Anchor> m_anchors; ///< within the equal readings, the first of them first
     Mark m_now;
@@ -71,8 +73,8 @@ private:
     double m_step_K = 0.0;  ///< smallest change between two readings; 0 if there was none yet
     double m_noise_K = 0.0; ///< from second differences
     double m_before_K = 0.0;
+    double m_repeat_s = 0.0; ///< the device was seen to repeat a reading for so long
     double m_missing_K = 0.0;
-    bool m_wasAtRest = false; ///< before the first reading
 };
 
 } // namespace bask

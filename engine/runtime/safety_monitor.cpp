@@ -162,6 +162,8 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
 void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
     for (ObjectWatch& object : m_objects)
         object.swappedWith.reset();
+    if (!isHeated(seen)) // somebody may exchange them by hand
+        return;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         for (std::size_t j = i + 1; j < m_objects.size(); ++j) {
             const Jump &one = seen.objects[i].jump, &other = seen.objects[j].jump;
@@ -256,7 +258,7 @@ void SafetyMonitor::atRest(const SafetyObservation& seen) {
         if (!seen.objects[i].measured_K)
             continue;
         m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
-        m_objects[i].frozen.restAt(*seen.objects[i].measured_K);
+        m_objects[i].frozen.restAt(seen.now_s, *seen.objects[i].measured_K);
     }
 }
 
@@ -301,12 +303,12 @@ void SafetyMonitor::addOpinion(std::size_t i, const SafetyObservation& seen) {
     }
 }
 
-/// Whether the sensor's value stays without its noise, or although its object's heat must have changed it.
+/// Whether the sensor's value stays although its object's heat must have changed it. That it stays without
+/// its noise is no proof: the noise may come from what stands still now.
 bool SafetyMonitor::isFrozen(std::size_t i) const {
     const ObjectWatch& watch = m_objects[i];
-    return watch.quiet.quietFor_s() > 0.0 || watch.frozen.missing_K() != 0.0 ||
-           (watch.warming.sameFor_s() >= m_experiment.safety.frozen_s &&
-            watch.warming.unfollowedWhileSame(kWhileSame_K));
+    return watch.frozen.missing_K() != 0.0 || (watch.warming.sameFor_s() >= m_experiment.safety.frozen_s &&
+                                               watch.warming.unfollowedWhileSame(kWhileSame_K));
 }
 
 void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {

@@ -425,6 +425,7 @@ TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
 // Catches two swapped sensors that are told as two loose contacts, and two that jump elsewhere as swapped.
 TEST(SafetyMonitor, TwoThatJumpToEachOthersReadingsAreSwapped) {
     Monitor m;
+    m.seen.asked_K = kelvinFromCelsius(200.0);
     const int jumps = m.experiment.safety.jumps;
     for (ObservedObject& object : m.seen.objects) {
         object.measured_K.reset();
@@ -439,11 +440,14 @@ TEST(SafetyMonitor, TwoThatJumpToEachOthersReadingsAreSwapped) {
     EXPECT_EQ(changes.raised[0].message.args.at(1).text(), "right");
     EXPECT_EQ(m.monitor.swappedWith(0), 1U);
     EXPECT_EQ(m.monitor.swappedWith(1), 0U);
-    for (const bool isLater : {false, true}) {
+    enum class Other { Elsewhere, Later, WithoutHeat }; // without heat somebody may exchange them
+    for (const Other how : {Other::Elsewhere, Other::Later, Other::WithoutHeat}) {
         Monitor other;
         other.seen.objects = m.seen.objects;
-        other.seen.objects[1].jump.to_K += isLater ? 0.0 : 4.0;
-        other.seen.objects[1].jump.began_s += isLater ? 5.0 : 0.0;
+        if (how != Other::WithoutHeat)
+            other.seen.asked_K = m.seen.asked_K;
+        other.seen.objects[1].jump.to_K += how == Other::Elsewhere ? 4.0 : 0.0;
+        other.seen.objects[1].jump.began_s += how == Other::Later ? 5.0 : 0.0;
         EXPECT_EQ(other.after(1.0).raised.size(), 2U);
         EXPECT_TRUE(other.isActive(SafetyCondition::SensorJump));
         EXPECT_FALSE(other.monitor.swappedWith(0));
