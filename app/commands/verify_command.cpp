@@ -34,9 +34,11 @@ void print(const SessionFinding& finding) {
 void print(const TableDamage& damage) {
     std::printf("%s: damaged; ", damage.table.c_str());
     if (damage.rows == 0)
-        std::printf("none of its rows can be read");
+        std::printf("no row of it can be read");
+    else if (damage.rows == 1)
+        std::printf("the first row can be read");
     else
-        std::printf("its first rows can be read, %lld of them", static_cast<long long>(damage.rows));
+        std::printf("the first %lld rows can be read", static_cast<long long>(damage.rows));
     if (damage.time_s)
         std::printf(", until %s s", formatNumber(*damage.time_s, 6).c_str());
     std::puts("");

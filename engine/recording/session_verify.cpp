@@ -47,6 +47,7 @@ public:
                                    [&](Row row) { m_tables.push_back(textOf(row[0])); });
         if (!done && !isDamage(done))
             return done.error();
+        m_isListWhole = done.ok();
         m_verdict.hasChain = has("chain");
         if (!m_verdict.hasChain && !m_verdict.isDamaged)
             return m_verdict;
@@ -54,6 +55,8 @@ public:
             if (done = (this->*part)(); !done)
                 return done.error();
         }
+        if (m_verdict.isDamaged)
+            tellMissing();
         const bool canCompare = m_verdict.hasChain && isReadable("chain");
         for (int k = 1; k < kChainTables && canCompare; ++k)
             if (const auto table = static_cast<ChainTable>(k); isReadable(tableName(table)))
@@ -104,7 +107,8 @@ private:
         ShareCount count(partOf(m_done, kAfterStructure, kAfterRows), rowsToRead());
         for (int k = 1; k < kChainTables; ++k) {
             const auto table = static_cast<ChainTable>(k);
-            if (table != ChainTable::Schema && !has(tableName(table)))
+            const bool isListed = table == ChainTable::Schema || has(tableName(table));
+            if (!isListed && !m_verdict.isDamaged)
                 continue;
             const int time = timeColumn(table);
             const auto at = static_cast<std::size_t>(std::max(time, 0));
@@ -121,6 +125,10 @@ private:
                     m_verdict.isClosed = true;
             });
             const bool isCut = isDamage(done);
+            if (isCut && !isListed)
+                continue; // tellMissing()
+            if (!isListed)
+                m_tables.emplace_back(tableName(table)); // SQLite knows one more than it lists
             if (isCut)
                 tellDamage(tableName(table), rows.digests.size(),
                            rows.times_s.empty() ? NAN : rows.times_s.back());
@@ -180,6 +188,25 @@ private:
             for (const ChainLink::Entry& entry : link.rows)
                 m_checks[static_cast<std::size_t>(entry.table)].push_back(entry.check);
         return done;
+    }
+
+    /// Names the tables that damage has taken from the list of tables: those of which the chain has rows;
+    /// without a chain, all that a run may have.
+    void tellMissing() {
+        const bool isChainRead = m_verdict.hasChain && isReadable("chain");
+        bool isMissing = false;
+        for (int k = 1; k < kChainTables; ++k) {
+            const char* const name = tableName(static_cast<ChainTable>(k));
+            const bool hadRows =
+                isChainRead ? !m_checks[static_cast<std::size_t>(k)].empty() : !m_isListWhole;
+            if (static_cast<ChainTable>(k) == ChainTable::Schema || has(name) || !hadRows)
+                continue;
+            tellDamage(name, 0, NAN);
+            isMissing = true;
+        }
+        const char* const list = tableName(ChainTable::Schema);
+        if (isMissing && isReadable(list))
+            tellDamage(list, rowsOf(ChainTable::Schema).digests.size(), NAN);
     }
 
     void compare(ChainTable table) {
@@ -303,6 +330,7 @@ private:
     const std::string& m_expectedHead;
     const ShareDone& m_done;
     std::vector<std::string> m_tables;
+    bool m_isListWhole = true; ///< m_tables could be read to its end
     std::array<TableRows, kChainTables> m_rows;
     std::array<std::vector<std::uint32_t>, kChainTables> m_checks;
     std::vector<ChainLink> m_links;

@@ -22,7 +22,8 @@ struct SessionFinding {
     std::optional<double> time_s{}; ///< of the row, or of the next one that is there; empty: it has none
 };
 
-/// A table that cannot be read to its end.
+/// A table that cannot be read to its end. Where neither the list of tables nor the chain can be read, also
+/// one that the run may not have had.
 struct TableDamage {
     std::string table;
     std::int64_t rows = 0;        ///< that can be read, from the first

@@ -41,7 +41,9 @@ TEST_F(ScriptedCommands, verifyTellsDamage) {
     ASSERT_TRUE(file.resize(file.size() / 4 * 3));
     const Answer cut = answerOf({"verify", run});
     EXPECT_EQ(cut.exitCode, 3) << cut.err.toStdString();
-    EXPECT_TRUE(cut.out.contains("step: damaged; its first rows can be read")) << cut.out.toStdString();
+    static const QRegularExpression kStep(
+        QStringLiteral(R"(step: damaged; the first \d+ rows can be read, until )"));
+    EXPECT_TRUE(cut.out.contains(kStep)) << cut.out.toStdString();
     EXPECT_TRUE(cut.out.contains("what to do: ")) << cut.out.toStdString();
     EXPECT_FALSE((cut.out + cut.err).contains("malformed"));
     EXPECT_FALSE(cut.out.contains("intact"));

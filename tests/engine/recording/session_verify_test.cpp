@@ -383,6 +383,71 @@ TEST_F(SessionVerify, namesTheTableThatWasWrittenOver) {
     EXPECT_EQ(describe(checked.error()), path() + ": the session file is damaged: its database is not whole");
 }
 
+// Catches: tables that damage of their list has taken away told as readable, or as removed by somebody.
+TEST_F(SessionVerify, namesTablesThatAreMissingInADamagedList) {
+    record(path());
+    QFile file(QString::fromStdString(path()));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    const QByteArray whole = file.readAll();
+    constexpr qsizetype kPage = 16384; // as SessionWriter has it; the list is on the first
+    const auto overwrite = [&](qsizetype from, qsizetype to) {
+        ASSERT_TRUE(file.seek(0));
+        ASSERT_EQ(file.write(whole), whole.size());
+        ASSERT_TRUE(file.seek(from));
+        ASSERT_EQ(file.write(QByteArray(to - from, '\x55')), to - from);
+        ASSERT_TRUE(file.flush());
+    };
+    const auto isNamed = [](const SessionVerdict& verdict, const char* table) {
+        return std::ranges::find(verdict.damages, table, &TableDamage::table) != verdict.damages.end();
+    };
+    constexpr qsizetype kHeaders = 200; // of the file and the page, with the places of the rows
+    overwrite(kHeaders, kPage);
+    const SessionVerdict none = verified(path());
+    EXPECT_TRUE(none.isDamaged);
+    EXPECT_EQ(none.allFindings, 0);
+    for (const char* table :
+         {"sqlite_master", "meta", "experiment", "object", "step", "event", "note", "chain"})
+        EXPECT_TRUE(isNamed(none, table)) << table;
+
+    // Rows of the list are written from the page's end: what was made after `command` is gone.
+    const qsizetype event = whole.indexOf("CREATE TABLE event"),
+                    command = whole.indexOf("CREATE TABLE command");
+    ASSERT_GT(event, kHeaders);
+    ASSERT_LT(event, command);
+    ASSERT_LT(command, kPage);
+    overwrite(kHeaders, event + 40);
+    const SessionVerdict some = verified(path());
+    EXPECT_TRUE(some.isDamaged);
+    EXPECT_EQ(some.allFindings, 0) << "nothing was removed";
+    for (const char* table : {"sqlite_master", "note", "target_step", "overview", "chain"})
+        EXPECT_TRUE(isNamed(some, table)) << table;
+    for (const char* table : {"meta", "experiment", "object", "step", "command"})
+        EXPECT_FALSE(isNamed(some, table)) << table;
+    EXPECT_GT(some.rows, kSamples);
+
+    // The place of the row of `note` says that of `event`, the row before: the chain knows that there were
+    // notes.
+    constexpr qsizetype kPlaces = 108;
+    const auto placeAt = [&](qsizetype at) {
+        return static_cast<unsigned char>(whole[at]) * 256 + static_cast<unsigned char>(whole[at + 1]);
+    };
+    qsizetype at = kPlaces;
+    while (at < kHeaders && placeAt(at) > event)
+        at += 2;
+    ASSERT_LT(event - placeAt(at), 40) << "the row begins a few bytes before its words";
+    ASSERT_TRUE(file.seek(0));
+    ASSERT_EQ(file.write(whole), whole.size());
+    ASSERT_TRUE(file.seek(at + 2));
+    ASSERT_EQ(file.write(whole.mid(at, 2)), 2);
+    file.close();
+    const SessionVerdict one = verified(path());
+    EXPECT_TRUE(one.isDamaged);
+    EXPECT_EQ(one.allFindings, 0);
+    EXPECT_EQ(one.damages.size(), 2U);
+    EXPECT_TRUE(isNamed(one, "sqlite_master"));
+    EXPECT_TRUE(isNamed(one, "note"));
+}
+
 TEST_F(SessionVerify, saysThatAnOlderSessionHasNoChain) {
     record(path());
     tamper(path(), "DROP TABLE chain");
