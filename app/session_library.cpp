@@ -10,6 +10,8 @@
 #include <QFuture>
 #include <QtConcurrentRun>
 
+#include <filesystem>
+#include <system_error>
 #include <utility>
 
 namespace bask {
@@ -116,18 +118,20 @@ void SessionLibrary::takeDamage(const Error& error) {
         return;
     run(
         [error, known = m_known] {
-            if (const auto found = known->find(error.where); found != known->end())
-                found->second.header.damage = error;
+            std::error_code failed;
+            for (auto& [path, listed] : *known)
+                if (std::filesystem::equivalent(path, error.where, failed)) // opened through a link, too
+                    listed.header.damage = error;
         },
         [this] { refresh(); });
 }
 
-/// The outcome of a run can be read where its samples cannot.
+/// The outcome of a run can be read where its samples cannot. One that is no longer selected is passed over.
 void SessionLibrary::check(const QString& path) {
     run(
-        [path, known = m_known]() -> Result<void> {
+        [path, known = m_known, number = ++*m_selections, last = m_selections]() -> Result<void> {
             const auto found = known->find(path.toStdString());
-            if (found == known->end() || found->second.header.outcome.empty() ||
+            if (number != *last || found == known->end() || found->second.header.outcome.empty() ||
                 QFileInfo(path).size() > kMaxChecked_bytes || std::exchange(found->second.isChecked, true))
                 return {};
             return checkSession(path.toStdString());

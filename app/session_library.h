@@ -60,6 +60,7 @@ private:
     QString m_folder;
     int m_listings = 0; ///< number of requested lists that are not answered yet
     std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< used by the pool's thread
+    std::shared_ptr<std::atomic<int>> m_selections = std::make_shared<std::atomic<int>>(0); ///< until now
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);
     QThreadPool m_pool;
 };

@@ -3,6 +3,8 @@
 #include "app/examples.h"
 #include "app/resources.h"
 #include "app/session_library.h"
+#include "engine/base/message_code.h"
+#include "engine/recording/session_store.h"
 #include "tests/support/wait_for.h"
 #include "widgets/review/session_list.h"
 
@@ -46,6 +48,16 @@ protected:
             EXPECT_TRUE((*writer)->finish(outcome));
         }
         return path;
+    }
+    /// A page that a list does not read.
+    static void writeOver(const QString& path) {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+        constexpr qsizetype kPage = 16384; // as SessionWriter has it
+        const qsizetype place = file.readAll().indexOf(kCommand);
+        ASSERT_GT(place, kPage);
+        ASSERT_TRUE(file.seek(place / kPage * kPage));
+        ASSERT_EQ(file.write(QByteArray(kPage, '\x55')), kPage);
     }
     bool waitForRows(int rows) {
         return waitFor([&] { return tree->topLevelItemCount() == rows; });
@@ -116,18 +128,43 @@ TEST_F(SessionLibraryTest, ACopyIsListedByItsName) {
 // Catches: a run that was written over where a list does not read, and is listed as settled.
 TEST_F(SessionLibraryTest, ADamagedRunIsListedAsSuchOnceItIsSelected) {
     const QString a = record("a.bask", "settled"), b = record("b.bask", "settled");
-    QFile file(a);
-    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
-    constexpr qsizetype kPage = 16384; // as SessionWriter has it
-    const qsizetype place = file.readAll().indexOf(kCommand);
-    ASSERT_GT(place, kPage);
-    ASSERT_TRUE(file.seek(place / kPage * kPage));
-    ASSERT_EQ(file.write(QByteArray(kPage, '\x55')), kPage);
-    file.close();
+    writeOver(a);
     library.setFolder(folder.path());
     ASSERT_TRUE(waitForRows(2));
     choose(b);
     choose(a);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
+    EXPECT_EQ(cell(b, 2), "Settled");
+}
+
+// Catches: a walk through the list with the arrow keys that has each run on the way looked at.
+TEST_F(SessionLibraryTest, ARunThatIsNoLongerSelectedIsNotLookedAt) {
+    const QString a = record("a.bask", "settled"), b = record("b.bask", "settled"),
+                  busy = record("busy.bask", "settled");
+    writeOver(a);
+    writeOver(b);
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(3));
+    const auto store = SessionStore::create(busy.toStdString());
+    ASSERT_TRUE(store);
+    ASSERT_TRUE((*store)->execute("BEGIN EXCLUSIVE"));
+    emit list.tagsEdited(busy, {"waits"}); // holds up what comes after it
+    choose(a);
+    choose(b);
+    ASSERT_TRUE((*store)->execute("ROLLBACK"));
+    ASSERT_TRUE(waitFor([&] { return cell(b, 2) == "Damaged"; }));
+    EXPECT_EQ(cell(a, 2), "Settled") << "passed over";
+}
+
+// Catches: damage of a run that was opened through a link, and is listed as settled.
+TEST_F(SessionLibraryTest, DamageIsListedByWhateverPathTheRunWasOpened) {
+    const QString a = record("a.bask", "settled"), b = record("b.bask", "settled");
+    const QTemporaryDir elsewhere;
+    const QString link = elsewhere.filePath("folder");
+    ASSERT_TRUE(QFile::link(folder.path(), link));
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(2));
+    library.takeDamage(Error(MessageCode::SessionDamaged, (link + "/a.bask").toStdString(), {kNotWhole}));
     ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
     EXPECT_EQ(cell(b, 2), "Settled");
 }
