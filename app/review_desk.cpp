@@ -1,6 +1,7 @@
 #include "app/review_desk.h"
 
 #include "app/error_text.h"
+#include "engine/base/message_code.h"
 #include "widgets/review/comparison_view.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/replay_view.h"
@@ -113,6 +114,8 @@ void ReviewDesk::connectList() {
 /// Metrics and heat rates of the open run; damage of its file is told once, whoever finds it.
 void ReviewDesk::connectCount() {
     const auto tellDamage = [this](const Error& error) {
+        if (error.code() == MessageCode::SessionDamaged)
+            m_page.setDamaged();
         if (std::exchange(m_isDamageTold, true))
             return;
         m_library.takeDamage(error);

@@ -70,6 +70,10 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     connect(m_useExperiment, &QPushButton::clicked, this, &ReviewPage::experimentRequested);
     connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
     connect(m_events, &EventList::timeChosen, m_replay, &ReplayView::seek);
+    connect(m_sessions, &SessionList::sessionsChanged, this, [this] {
+        if (m_session)
+            showOutcome();
+    });
     showRun(false);
     refreshTexts();
 }
@@ -245,7 +249,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_identifiedNote->clear();
     m_identifying = true;
     m_counted_percent.reset();
-    m_isCountFailed = false;
+    m_isCountFailed = m_isDamaged = false;
     m_final->setValues({});
     m_metrics->clear();
     m_replay->setRun(m_session);
@@ -322,6 +326,12 @@ void ReviewPage::setCountFailed() {
     showCounting();
 }
 
+void ReviewPage::setDamaged() {
+    m_isDamaged = true;
+    if (m_session)
+        showOutcome();
+}
+
 void ReviewPage::clear() {
     m_session.reset();
     m_sentences.clear();
@@ -362,7 +372,10 @@ void ReviewPage::showEvents() {
 }
 
 void ReviewPage::showOutcome() {
-    const Outcome outcome = m_wasRecording ? Outcome::Recording : outcomeOf(m_session->facts().outcome);
+    const bool isDamaged = m_isDamaged || m_sessions->isDamaged(m_session->facts().path);
+    const Outcome outcome = isDamaged        ? Outcome::Damaged
+                            : m_wasRecording ? Outcome::Recording
+                                             : outcomeOf(m_session->facts().outcome);
     m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
     m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->facts().outcome)
                                                      : outcomeWord(outcome));

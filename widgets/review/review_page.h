@@ -54,6 +54,8 @@ public:
     void setIdentificationFailed(const QString& sentence);
     /// None of the three is available: the recording cannot be read to its end.
     void setCountFailed();
+    /// The file of the run is damaged: its header says so, as the list does.
+    void setDamaged();
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -96,6 +98,7 @@ private:
 
     std::shared_ptr<RecordedSession> m_session; ///< null if none is open
     bool m_wasRecording = false; ///< it was still being recorded when it was opened: its rest is missing
+    bool m_isDamaged = false;    ///< found since it was opened
     QStringList m_sentences;
 
     QSplitter* m_splitter;

@@ -91,6 +91,11 @@ const Error* problemOf(const SessionHeader& session) {
     return session.error ? &*session.error : session.damage ? &*session.damage : nullptr;
 }
 
+bool isListedDamaged(const SessionHeader& session) {
+    const Error* problem = problemOf(session);
+    return problem != nullptr && problem->code() == MessageCode::SessionDamaged;
+}
+
 std::vector<std::string> withoutEmpty(std::vector<std::string> texts) {
     std::erase(texts, std::string());
     return texts;
@@ -208,6 +213,7 @@ void SessionList::setSessions(std::vector<SessionHeader> sessions) {
     m_sessions = std::move(sessions);
     m_isReading = false;
     showRows();
+    emit sessionsChanged();
 }
 
 void SessionList::setRecording(const QString& path) {
@@ -215,6 +221,14 @@ void SessionList::setRecording(const QString& path) {
         return;
     m_recording = path;
     showRows();
+}
+
+bool SessionList::isDamaged(const std::string& path) const {
+    const QFileInfo file(text(path));
+    return std::ranges::any_of(m_sessions, [&](const SessionHeader& session) {
+        const QFileInfo listed(text(session.path));
+        return isListedDamaged(session) && listed.fileName() == file.fileName() && listed == file;
+    });
 }
 
 void SessionList::setOpened(const QString& path) {
@@ -366,8 +380,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     const QDateTime date = recordedAt(session);
     const QString file = QFileInfo(text(session.path)).fileName();
     const Error* problem = problemOf(session);
-    const bool isDamaged = problem != nullptr && problem->code() == MessageCode::SessionDamaged;
-    const Outcome outcome = isDamaged                   ? Outcome::Damaged
+    const Outcome outcome = isListedDamaged(session)    ? Outcome::Damaged
                             : problem != nullptr        ? Outcome::Unreadable
                             : isRecording(session.path) ? Outcome::Recording
                                                         : outcomeOf(session.outcome);

@@ -41,6 +41,8 @@ public:
     /// Sets the file that is being recorded, if any.
     void setRecording(const QString& path);
     bool isRecording(const std::string& path) const;
+    /// Returns whether a run is listed as damaged.
+    bool isDamaged(const std::string& path) const;
     /// Sets the run on the page, on which others can be overlaid; empty for none. It is bold and selected.
     void setOpened(const QString& path);
     void setTemperatureUnit(TemperatureUnit unit);
@@ -63,6 +65,7 @@ signals:
     /// Closing the interrupted recording was requested.
     void closeRequested(const QString& path);
     void selectionChanged(const QString& path); ///< a run was selected
+    void sessionsChanged();                     ///< by setSessions()
     /// The experiment of a run was requested as a new one.
     void experimentRequested(const QString& path);
     /// A person has chosen what the runs are sorted by.

@@ -649,6 +649,22 @@ TEST_F(ReviewPageTest, ADamagedStretchIsToldOnceAndTheRestShown) {
     EXPECT_FALSE(child<QLabel>("reviewCounting")->isVisible()) << "of the other run";
 }
 
+// Catches: a damaged run that is "Settled" above its replay, and damage of one that is told of the next.
+TEST_F(ReviewPageTest, TheHeaderOfADamagedRunSaysSo) {
+    show(record());
+    const QString recorded = text("outcomeWord");
+    ASSERT_NE(recorded, "Damaged");
+    page.setDamaged();
+    EXPECT_EQ(text("outcomeWord"), "Damaged");
+    show(record());
+    EXPECT_EQ(text("outcomeWord"), recorded);
+    const std::string path = child<QLabel>("sessionFile")->toolTip().toStdString();
+    SessionHeader listed = readSessionHeader(path);
+    listed.damage = Error(MessageCode::SessionDamaged, path, {"its database is not whole"});
+    page.sessions()->setSessions({listed});
+    EXPECT_EQ(text("outcomeWord"), "Damaged") << "it was found when the run was selected";
+}
+
 // Catches files that the page could show before and cannot now.
 TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
     SessionRecord session = record();
