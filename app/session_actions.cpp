@@ -22,6 +22,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopeGuard>
 
 namespace bask {
 namespace {
@@ -324,7 +325,8 @@ void SessionActions::saveSession() {
 }
 
 bool SessionActions::refusedToDraw(const QString& why) {
-    if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
+    const auto isOn = [](const std::function<bool()>& guard) { return guard && guard(); };
+    if (!isOn(m_runIsOn) && !isOn(m_recipeIsOn) && !isOn(m_rigIsInUse))
         return false;
     emit problem(why);
     return true;
@@ -332,8 +334,8 @@ bool SessionActions::refusedToDraw(const QString& why) {
 
 bool SessionActions::refusedToDrawSession() {
     return refusedToDraw(
-        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
-           "STOP, would have to wait for them. Nothing was written."));
+        tr("Figures and reports are drawn only while the rig rests, without a run, a recipe or heat: the "
+           "window, with its STOP, would have to wait for them. Nothing was written."));
 }
 
 void SessionActions::exportSession(SessionForm form) {
@@ -371,11 +373,14 @@ void SessionActions::exportComparison(const QString& csv) {
 }
 
 void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
-    if (refusedToDraw(
-            tr("Plots are exported only while no run and no recipe is on: the window, with its STOP, "
-               "would have to wait for it. Nothing was written.")))
+    const QString busy =
+        tr("Plots are exported only while the rig rests, without a run, a recipe or heat: the window, with "
+           "its STOP, would have to wait for it. Nothing was written.");
+    if (refusedToDraw(busy))
         return;
     const bool isTable = form == PlotForm::Csv;
+    if (const QString why = isTable ? place.plot()->whyNoTable() : QString(); !why.isEmpty())
+        return emit problem(why);
     const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
                                 : form == PlotForm::Svg ? FigureFormat::Svg
                                                         : FigureFormat::Png;
@@ -386,13 +391,13 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
         ask({FileQuestion::Kind::SaveFile, isTable ? tr("Save the table") : tr("Save the figure"),
              QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), filter, suffix,
              FileFolder::Exports});
-    if (to.isEmpty())
+    if (to.isEmpty() || refusedToDraw(busy)) // it may have begun behind the question
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const QByteArray bytes =
-        isTable ? place.plot()->table() : place.plot()->figure(place.words(), format, kRunFigureMark);
-    QGuiApplication::restoreOverrideCursor();
-    m_export.writePlot(bytes, to, isTable);
+    const auto restore = qScopeGuard([] { QGuiApplication::restoreOverrideCursor(); });
+    m_export.writePlot(isTable ? place.plot()->table()
+                               : place.plot()->figure(place.words(), format, kRunFigureMark),
+                       to, isTable);
 }
 
 QString SessionActions::nextRecordingPath() {
