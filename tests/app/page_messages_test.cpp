@@ -43,7 +43,8 @@ TEST(PageMessages, ARefusalGoesWithItsState) {
 // Catches: a refusal that stays for good where nothing happens any more, and another message that goes with
 // it.
 TEST(PageMessages, ARefusalGoesInTime) {
-    MessageBar bar;
+    QWidget page; // not shown: no pointer is over it
+    MessageBar bar(&page);
     PageMessages messages(bar, 20ms);
     const auto isGone = [&] { return bar.sentence().isEmpty(); };
     messages.showWhile(kRefused, RunState::Ready);

@@ -76,7 +76,8 @@ QValidator::State NumberField::validate(QString& text, int&) const {
 }
 
 double NumberField::valueFromText(const QString& text) const {
-    return number(text).value_or(value());
+    const auto typed = number(text);
+    return typed ? roundedAsShown(*typed) : value();
 }
 
 /// The base class would drop the marks that group digits, and take 415 for "4,1,5". It restores the value

@@ -63,6 +63,7 @@ void HeatPanel::setUsual(double setPoint_K) {
 void HeatPanel::apply(const Snapshot& snapshot, bool mayHeat) {
     m_last.simulated = snapshot.simulated;
     m_last.heat = snapshot.heat;
+    m_last.alarms = snapshot.alarms;
     m_last.source_K = snapshot.source_K;
     m_last.latest.source_K = snapshot.latest.source_K;
     m_last.sourceAge_s = snapshot.sourceAge_s;

@@ -2,6 +2,8 @@
 #include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 
+#include <QApplication>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -33,7 +35,10 @@ protected:
         field.selectAll();
         if (isAll)
             field.findChild<QLineEdit*>()->selectAll();
-        QTest::keyClicks(&field, QString::fromUtf8(text));
+        for (const QChar letter : QString::fromUtf8(text)) { // keyClicks knows Latin letters only
+            QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, QString(letter));
+            QApplication::sendEvent(&field, &press);
+        }
         QTest::keyClick(&field, Qt::Key_Return);
     }
 

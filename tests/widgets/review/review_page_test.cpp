@@ -350,7 +350,7 @@ TEST_F(ReviewPageTest, EventsAndNotesInOrderOfTime) {
 TEST_F(ReviewPageTest, UnitSwitch) {
     show(record());
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
-    EXPECT_EQ(cell(0, 1).toStdString(), "313.2 K");
+    EXPECT_EQ(cell(0, 1).toStdString(), "313.15 K");
     EXPECT_NEAR(child<TracePlot>("review.measured_K")->seriesPoints(0).last().y(), 313.15, 0.2);
 }
 
