@@ -30,7 +30,7 @@ bool AlarmGroup::isCalling() const {
 const AlarmGroup* gravest(const AlarmGroups& groups) {
     const auto rank = [](const AlarmGroup& group) {
         const Alarm& alarm = group.alarm;
-        return std::tuple(!group.isActive(), alarm.priority, !group.isCalling(), alarm.raised_s, alarm.id);
+        return std::tuple(!group.isActive(), alarm.priority, alarm.raised_s, alarm.id);
     };
     const auto found = std::ranges::min_element(groups.present, {}, rank);
     return found == groups.present.end() ? nullptr : &*found;

@@ -23,8 +23,8 @@ struct AlarmGroups {
     bool operator==(const AlarmGroups&) const = default;
 };
 
-/// Returns the present group that comes first for a reader: active, then by priority, then what nobody has
-/// seen, then the first raised; null if there is none.
+/// Returns the present group that comes first for a reader: active, then by priority, then the first raised;
+/// null if there is none.
 const AlarmGroup* gravest(const AlarmGroups& groups);
 
 /// An alarm whose cause is not in the list counts as a cause.
