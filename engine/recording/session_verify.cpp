@@ -177,8 +177,8 @@ private:
                 if (isWhole)
                     m_links.push_back(std::move(*link));
             });
-        if (isDamage(done)) {
-            tellDamage("chain", links, NAN);
+        if (isDamage(done) || (done && !isWhole && m_verdict.isDamaged)) { // it would tell rows as added
+            tellDamage("chain", isWhole ? links : m_links.size(), NAN);
             m_links.clear();
             return {};
         }

@@ -34,7 +34,7 @@ protected:
 // Catches a damaged recording that is told in the database's words, or as no session.
 TEST_F(ScriptedCommands, verifyTellsDamage) {
     const QString run = at("run.bask");
-    answerOf({"run", example("two-circles.json"), "--duration", "60", "-o", run});
+    answerOf({"run", example("two-circles.json"), "--duration", "600", "-o", run});
     const Answer whole = answerOf({"verify", run});
     EXPECT_EQ(whole.exitCode, 0) << whole.err.toStdString();
     QFile file(run);
@@ -47,6 +47,7 @@ TEST_F(ScriptedCommands, verifyTellsDamage) {
     EXPECT_TRUE(cut.out.contains("what to do: ")) << cut.out.toStdString();
     EXPECT_FALSE((cut.out + cut.err).contains("malformed"));
     EXPECT_FALSE(cut.out.contains("intact"));
+    EXPECT_FALSE(cut.out.contains(": added")) << cut.out.toStdString();
     ASSERT_TRUE(file.resize(50));
     EXPECT_EQ(answerOf({"verify", run}).exitCode, 3);
     ASSERT_TRUE(file.resize(0));
