@@ -11,12 +11,14 @@
 namespace bask {
 namespace {
 
-enum Dimension : std::size_t { Metre, Kilogram, Second, Kelvin, Radian, Pixel, Byte, DimensionCount };
+enum class Dimension { Metre, Kilogram, Second, Kelvin, Radian, Pixel, Byte };
+using enum Dimension;
+constexpr std::size_t kDimensions = 7;
 
 /// A unit: a factor times a product of powers of SI units.
 struct UnitSize {
     double si = 1.0;
-    std::array<int, DimensionCount> powers{};
+    std::array<int, kDimensions> powers{};
 
     void multiply(const UnitSize& other, int power) {
         si *= std::pow(other.si, power);
@@ -27,15 +29,15 @@ struct UnitSize {
 
 constexpr UnitSize sized(double si, Dimension dimension, int power = 1) {
     UnitSize out{si, {}};
-    out.powers[dimension] = power;
+    out.powers[static_cast<std::size_t>(dimension)] = power;
     return out;
 }
 
 constexpr UnitSize energy(double si, int perSecond) {
     UnitSize out{si, {}};
-    out.powers[Kilogram] = 1;
-    out.powers[Metre] = 2;
-    out.powers[Second] = -2 - perSecond;
+    out.powers[static_cast<std::size_t>(Kilogram)] = 1;
+    out.powers[static_cast<std::size_t>(Metre)] = 2;
+    out.powers[static_cast<std::size_t>(Second)] = -2 - perSecond;
     return out;
 }
 

@@ -143,7 +143,7 @@ std::optional<int> steadyDecimals(const ObjectMetrics& metrics, TemperatureUnit 
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit, int decimals) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
-    const QString mean = formatDifference(*metrics.steadyError_K, unit, decimals);
+    QString mean = formatDifference(*metrics.steadyError_K, unit, decimals);
     if (!steadyDecimals(metrics, unit))
         return mean;
     return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")

@@ -38,7 +38,7 @@ QString ungrouped(QString text) {
 
 } // namespace
 
-std::optional<TypedValue> typedValue(QString text) {
+std::optional<TypedValue> typedValue(const QString& text) {
     // What follows is no further digit or mark, but for "1/s", nor an exponent without digits.
     static const QRegularExpression kParts(
         QStringLiteral("^([+-]?(?:[0-9]+[.,]?[0-9]*|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)"

@@ -19,7 +19,7 @@ struct TypedValue {
 
 /// Reads a number as a person types or pastes it, with a point or a comma, with either minus sign, with
 /// spaces between thousands, and with a unit after it or none; empty if the number is none.
-std::optional<TypedValue> typedValue(QString text);
+std::optional<TypedValue> typedValue(const QString& text);
 
 /// A number in the unit of its suffix. Anything can be typed: a number with another unit of the same
 /// dimension is converted when it is entered; what is no number, may be one of two, has a unit of something

@@ -192,15 +192,19 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
         std::string values, deviations;
         for (std::size_t k = 0; k < metric.cells.size(); ++k) {
             const ComparedMetric::Cell& cell = metric.cells[k];
-            values += ',' + numberInFiles(cell.value);
-            values += k == reference ? std::string() : ',' + numberInFiles(cell.differenceBy);
-            deviations += ',' + numberInFiles(cell.deviation);
+            values.append(1, ',').append(numberInFiles(cell.value));
+            if (k != reference)
+                values.append(1, ',').append(numberInFiles(cell.differenceBy));
+            deviations.append(1, ',').append(numberInFiles(cell.deviation));
             deviations += k == reference ? "" : ",";
         }
         const std::string object = ',' + csvField(metric.object.toStdString());
-        text += csvField(metric.nameInFiles.toStdString()) + object + values + '\n';
+        text.append(csvField(metric.nameInFiles.toStdString())).append(object).append(values).append(1, '\n');
         if (std::ranges::any_of(metric.cells, [](const auto& cell) { return cell.deviation.has_value(); }))
-            text += csvField(deviationName(metric).toStdString()) + object + deviations + '\n';
+            text.append(csvField(deviationName(metric).toStdString()))
+                .append(object)
+                .append(deviations)
+                .append(1, '\n');
     }
     return text;
 }
