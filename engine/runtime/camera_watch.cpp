@@ -22,7 +22,7 @@ namespace {
 /// After a run the objects are hot, and are looked at until they have cooled.
 bool mayShowBoard(const EngineSession& session) {
     const ServoLoop& loop = session.loop;
-    return !loop.isArmedOrOn() && (!loop.isCooling() || loop.haveObjectsCooled());
+    return !loop.isArmedOrOn() && (!loop.isCooling() || loop.areObjectsCold());
 }
 
 } // namespace

@@ -41,7 +41,7 @@ void FrozenWatch::reset() {
 }
 
 void FrozenWatch::restAt(double time_s, double temperature_K) {
-    const double power_K_s = m_count > 0 ? m_power_K_s[0] : 0.0;
+    const double power_K_s = m_count > 0 ? m_power.now_K_s() : 0.0;
     reset();
     m_room = {temperature_K, kRoomMeasured_K, power_K_s};
     m_rest_s = time_s;
@@ -64,12 +64,7 @@ double FrozenWatch::step_K() const {
 }
 
 void FrozenWatch::integrate(double dt_s, double power_K_s) {
-    for (std::size_t k = 0; k < kLags_s.size(); ++k) {
-        const double before_K_s = m_power_K_s[k];
-        m_power_K_s[k] +=
-            (power_K_s - before_K_s) * (kLags_s[k] > 0.0 ? -std::expm1(-dt_s / kLags_s[k]) : 1.0);
-        m_now.energy_K[k] += 0.5 * (before_K_s + m_power_K_s[k]) * dt_s;
-    }
+    m_power.advance(dt_s, power_K_s, m_now.energy_K);
     m_now.integral_K_s += (m_now.temperature_K - m_first_K) * dt_s;
 }
 
@@ -80,7 +75,7 @@ void FrozenWatch::add(double time_s, std::optional<double> temperature_K, double
         return;
     const bool wasAtRest = m_count == 0 && time_s - m_rest_s <= kMark_s;
     if (m_count == 0) {
-        m_power_K_s.fill(wasAtRest ? m_room.rest_K_s : power_K_s);
+        m_power.begin(wasAtRest ? m_room.rest_K_s : power_K_s);
         m_first_K = *temperature_K;
     } else {
         integrate(time_s - m_now.time_s, power_K_s);
@@ -143,14 +138,14 @@ void FrozenWatch::fit(Anchor& anchor) const {
     const auto count = static_cast<Eigen::Index>(marks.size());
     Eigen::MatrixX3d design(count, 3);
     Eigen::VectorXd change_K(count);
-    std::vector<Eigen::VectorXd> energies_K(kLags_s.size(), Eigen::VectorXd(count));
+    std::vector<Eigen::VectorXd> energies_K(LaggedPower::kLags_s.size(), Eigen::VectorXd(count));
     for (Eigen::Index i = 0; i < count; ++i) {
         const Mark& mark = marks[static_cast<std::size_t>(i)];
         const double since_s = mark.time_s - at.time_s;
         design.row(i) << 1.0, -since_s,
             at.integral_K_s - mark.integral_K_s + (at.temperature_K - m_first_K) * since_s;
         change_K[i] = mark.temperature_K - at.temperature_K;
-        for (std::size_t lag = 0; lag < kLags_s.size(); ++lag)
+        for (std::size_t lag = 0; lag < LaggedPower::kLags_s.size(); ++lag)
             energies_K[lag][i] = mark.energy_K[lag] - at.energy_K[lag];
     }
     LossFit::Room room = m_room;

@@ -2,9 +2,9 @@
 // Detects a frozen sensor by what its object did just before: a temperature that was changing goes on
 // changing.
 
+#include "engine/runtime/lagged_power.h"
 #include "engine/runtime/loss_fit.h"
 
-#include <array>
 #include <deque>
 #include <limits>
 #include <optional>
@@ -36,15 +36,13 @@ public:
     double missing_K() const { return m_missing_K; }
 
 private:
-    static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< lags of sensors
-
     /// Integrals from the beginning up to a time.
     struct Mark {
         double time_s = 0.0;
         double temperature_K = 0.0;
-        std::array<double, kLags_s.size()> energy_K{}; ///< as a sensor with this lag sees it
-        double integral_K_s = 0.0;                     ///< of the temperature over m_first_K
-        double jump_K = 0.0; ///< largest change between two readings since the mark before
+        LaggedPower::Energies energy_K{}; ///< as a sensor with this lag sees it
+        double integral_K_s = 0.0;        ///< of the temperature over m_first_K
+        double jump_K = 0.0;              ///< largest change between two readings since the mark before
     };
     struct Anchor {
         Mark mark;
@@ -69,7 +67,7 @@ private:
     int m_count = 0;
     int m_same = 0; ///< number of equal readings
     double m_first_K = 0.0;
-    std::array<double, kLags_s.size()> m_power_K_s{};
+    LaggedPower m_power;
     double m_step_K = 0.0;  ///< smallest change between two readings; 0 if there was none yet
     double m_noise_K = 0.0; ///< from second differences
     double m_before_K = 0.0;

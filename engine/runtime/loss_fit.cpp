@@ -89,11 +89,11 @@ LossFit::explain(const std::vector<Eigen::VectorXd>& energies_K, double sigma_K)
         sigma_K = scatter_K;
         fitAll();
     }
-    const double least_miss = least(&Fit::miss);
+    const double leastMiss = least(&Fit::miss);
     std::vector<std::vector<Explanation>> out(fits.size());
     for (std::size_t lag = 0; lag < fits.size(); ++lag)
         for (const Fit& each : fits[lag]) {
-            const double left = kSigmas * kSigmas - (each.miss - least_miss);
+            const double left = kSigmas * kSigmas - (each.miss - leastMiss);
             if (left < 0.0)
                 continue;
             out[lag].push_back(each.explanation);

@@ -311,7 +311,6 @@ void ServoLoop::endRun(const std::string& outcome) {
     const bool isAsMeant = (outcome == "settled" || outcome == "stopped") && !isHeatUnsure;
     if (m_runOn && !isAsMeant) {
         m_isCooling = true;
-        m_haveObjectsCooled = false;
         m_ended_s = m_clock.now_s();
     }
     m_runOn = false;

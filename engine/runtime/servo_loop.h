@@ -142,8 +142,7 @@ public:
     /// after the run. What is not known is not cold.
     bool isCooling() const { return m_isCooling; }
     void endCooling() { m_isCooling = false; }
-    /// Whether the objects are cold while isCooling(), whatever the source is.
-    bool haveObjectsCooled() const { return m_haveObjectsCooled; }
+    bool areObjectsCold() const; ///< and nothing heats them, whatever the source is
     void setRecordEnd(RecordEnd end) { m_recordEnd = end; }
     double runTime_s() const;
     /// Outcome of the last run: "settled", "stopped", "emergency-stop" or "fault".
@@ -178,7 +177,6 @@ private:
     void trace();
     void traceFrame();
     void watchCooling();
-    bool areObjectsCold() const; ///< and nothing heats them
     bool isSourceCold() const;
     void updateReadiness();
 
@@ -229,7 +227,6 @@ private:
     RunState m_state = RunState::NotReady;
     bool m_runOn = false; ///< true from Start to the end of the retreat
     bool m_isCooling = false;
-    bool m_haveObjectsCooled = false;
     double m_ended_s = 0.0; ///< time of the last run's end
     RecordEnd m_recordEnd = RecordEnd::ObjectsAndSourceCold;
     bool m_pausedBySafety = false;

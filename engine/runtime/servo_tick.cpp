@@ -110,12 +110,11 @@ void ServoLoop::retreat() {
 }
 
 void ServoLoop::watchCooling() {
-    m_haveObjectsCooled = areObjectsCold();
     const bool isCutShort = m_outcome != "settled" && m_outcome != "stopped";
     // nobody measures the temperature that a person has typed
     const bool isSourceAwaited =
         isCutShort && m_recordEnd == RecordEnd::ObjectsAndSourceCold && !m_devices.source.isManual();
-    const bool isOver = m_haveObjectsCooled && (!isSourceAwaited || isSourceCold());
+    const bool isOver = areObjectsCold() && (!isSourceAwaited || isSourceCold());
     if (!isOver && m_clock.now_s() < m_ended_s + kLongestCooling_s)
         return;
     event(isOver ? MessageCode::EventCold : MessageCode::EventRecordEnded);

@@ -1,6 +1,7 @@
 #include "engine/runtime/warming_watch.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace bask {
@@ -63,12 +64,7 @@ void WarmingWatch::restAt(double time_s, double temperature_K) {
 }
 
 void WarmingWatch::integrate(double dt_s, double power_K_s) {
-    for (std::size_t k = 0; k < kLags_s.size(); ++k) {
-        const double before_K_s = m_power_K_s[k];
-        m_power_K_s[k] +=
-            (power_K_s - before_K_s) * (kLags_s[k] > 0.0 ? -std::expm1(-dt_s / kLags_s[k]) : 1.0);
-        m_now.energy_K[k] += 0.5 * (before_K_s + m_power_K_s[k]) * dt_s;
-    }
+    m_power.advance(dt_s, power_K_s, m_now.energy_K);
     m_now.linear_K_s += (m_now.temperature_K - m_environment_K) * dt_s;
     m_now.radiated_K_s +=
         (fourth(m_now.temperature_K) - fourth(m_environment_K)) / (4.0 * std::pow(m_environment_K, 3)) * dt_s;
@@ -81,7 +77,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     if (isFirst && !temperature_K)
         return;
     if (isFirst)
-        m_power_K_s.fill(power_K_s);
+        m_power.begin(power_K_s);
     else
         integrate(time_s - m_now.time_s, power_K_s);
     m_now.time_s = time_s;
@@ -110,7 +106,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     approach(bin.temperature_K, m_now.temperature_K);
     approach(bin.linear_K_s, m_now.linear_K_s);
     approach(bin.radiated_K_s, m_now.radiated_K_s);
-    for (std::size_t k = 0; k < kLags_s.size(); ++k)
+    for (std::size_t k = 0; k < LaggedPower::kLags_s.size(); ++k)
         approach(bin.energy_K[k], m_now.energy_K[k]);
 }
 
@@ -205,8 +201,8 @@ std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
 /// smallest k does not explain the constant reading.
 std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middle, double min_K) const {
     const double share = (middle.time_s - m_same.time_s) / (m_now.time_s - m_same.time_s);
-    std::array<double, kLags_s.size()> bend_K{};
-    for (std::size_t k = 0; k < kLags_s.size(); ++k)
+    LaggedPower::Energies bend_K{};
+    for (std::size_t k = 0; k < LaggedPower::kLags_s.size(); ++k)
         bend_K[k] =
             middle.energy_K[k] - m_same.energy_K[k] - share * (m_now.energy_K[k] - m_same.energy_K[k]);
     const double expected_K = smallest_K(ofAll(fits, [&](std::size_t fit) {

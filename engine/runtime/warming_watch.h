@@ -3,8 +3,8 @@
 // from its past.
 
 #include "engine/runtime/heat_fit.h"
+#include "engine/runtime/lagged_power.h"
 
-#include <array>
 #include <deque>
 #include <optional>
 #include <vector>
@@ -49,19 +49,18 @@ public:
     std::optional<Unfollowed> unfollowedWhileSame(double min_K) const;
 
 private:
-    static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< lags of sensors
     /// Laws of the losses: from the linear law (0) through the fourth power (1) to free convection, in equal
     /// steps.
     static constexpr std::size_t kLaws = 6;
     /// One fit for each pair of neighbouring lags, between which the sensor's lag may be, and each law.
     using Fits = std::vector<HeatFit>;
-    static constexpr std::size_t kFits = (kLags_s.size() - 1) * kLaws;
+    static constexpr std::size_t kFits = (LaggedPower::kLags_s.size() - 1) * kLaws;
     /// Integrals from the beginning up to a time; for a bin, the means over its readings.
     struct Mark {
         double time_s = 0.0;
         double temperature_K = 0.0;
-        std::array<double, kLags_s.size()> energy_K{}; ///< absorbed energy, as a sensor with this lag sees it
-        double linear_K_s = 0.0, radiated_K_s = 0.0;   ///< losses by the linear law and by the fourth power
+        LaggedPower::Energies energy_K{};            ///< absorbed energy, as a sensor with this lag sees it
+        double linear_K_s = 0.0, radiated_K_s = 0.0; ///< losses by the linear law and by the fourth power
         int count = 0;
     };
     void integrate(double dt_s, double power_K_s);
@@ -84,12 +83,12 @@ private:
     std::optional<Unfollowed> m_unfollowed{};
     std::deque<Mark> m_bins; ///< oldest first; the last one is being filled
     double m_binStart_s = 0.0;
-    std::size_t m_learnt = 0;                         ///< number of bins that have been learnt from
-    Mark m_now;                                       ///< its count is the number of readings so far
-    Mark m_same;                                      ///< at the first of the equal readings
-    std::array<double, kLags_s.size()> m_power_K_s{}; ///< power as lagging sensors see it
-    double m_before_K = 0.0;                          ///< the reading before the newest one
-    double m_noise_K = 0.0; ///< standard deviation of a reading, from second differences
+    std::size_t m_learnt = 0; ///< number of bins that have been learnt from
+    Mark m_now;               ///< its count is the number of readings so far
+    Mark m_same;              ///< at the first of the equal readings
+    LaggedPower m_power;
+    double m_before_K = 0.0; ///< the reading before the newest one
+    double m_noise_K = 0.0;  ///< standard deviation of a reading, from second differences
 };
 
 } // namespace bask

@@ -713,14 +713,10 @@ TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
     }));
 }
 
-// Catches a recording that ends with STOP where the objects are still cool and the source is hot, one that
-// delays the next run or is left without an end by it, and rows that a power failure meanwhile would lose.
-TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
-    const QTemporaryDir folder;
-    const std::string path = folder.filePath("stop.bask").toStdString();
-    const std::string copy = folder.filePath("copy.bask").toStdString();
-    const std::string next = folder.filePath("next.bask").toStdString();
-    Rig rig;
+namespace {
+
+/// A run at 20x that STOP has ended.
+void stopARun(EngineThread& rig, const std::string& path) {
     rig.send(SetSimulationSpeed{20.0});
     rig.send(LoadExperiment{oneDisk()});
     ASSERT_TRUE(rig.reaches(RunState::Ready));
@@ -729,6 +725,19 @@ TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
     ASSERT_TRUE(rig.reaches(RunState::Running));
     rig.send(EmergencyStop{});
     ASSERT_TRUE(rig.reaches(RunState::Fault));
+}
+
+} // namespace
+
+// Catches a recording that ends with STOP where the objects are still cool and the source is hot, one that
+// delays the next run or is left without an end by it, and rows that a power failure meanwhile would lose.
+TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("stop.bask").toStdString();
+    const std::string copy = folder.filePath("copy.bask").toStdString();
+    const std::string next = folder.filePath("next.bask").toStdString();
+    Rig rig;
+    ASSERT_NO_FATAL_FAILURE(stopARun(rig, path));
     const double stop_s = rig.last.runTime_s;
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > stop_s + 20.0; }));
     rig.send(Reset{});
@@ -760,14 +769,7 @@ namespace {
 
 /// A run that STOP ended, and that is still being recorded beside the hot source, after a reset.
 void beInTail(EngineThread& rig, const std::string& path) {
-    rig.send(SetSimulationSpeed{20.0});
-    rig.send(LoadExperiment{oneDisk()});
-    ASSERT_TRUE(rig.reaches(RunState::Ready));
-    rig.send(Arm{path});
-    rig.send(Start{true});
-    ASSERT_TRUE(rig.reaches(RunState::Running));
-    rig.send(EmergencyStop{});
-    ASSERT_TRUE(rig.reaches(RunState::Fault));
+    ASSERT_NO_FATAL_FAILURE(stopARun(rig, path));
     rig.send(Reset{});
     ASSERT_TRUE(rig.reaches(RunState::Ready));
     ASSERT_EQ(rig.last.recordingPath, path);

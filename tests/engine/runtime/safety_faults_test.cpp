@@ -73,6 +73,25 @@ struct SourceByHand final : HeatSource {
     HeatSource& source;
 };
 
+struct RigByHand {
+    void periods(int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    }
+    void startRun() {
+        periods(40);
+        ASSERT_TRUE(loop.arm());
+        ASSERT_TRUE(loop.start(true));
+    }
+
+    const Experiment experiment = fastDisks();
+    SimulatedRig rig{simulatedRigConfig(experiment)};
+    SourceByHand source{rig.heatSource()};
+    ServoLoop loop{experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock()};
+};
+
 /// One row: fault, what it is told as, how soon, and the state at once and at the end.
 struct Row {
     SimulatedFault fault;
@@ -487,25 +506,15 @@ TEST(Safety, HeatThatCannotBeSwitchedOffIsTold) {
 
 // A person keeps it hot. Catches an operator who believes that STOP has switched it off.
 TEST(Safety, ASourceHeatedByHandIsSaidToStayHot) {
-    const Experiment experiment = fastDisks();
-    SimulatedRig rig(simulatedRigConfig(experiment));
-    SourceByHand source(rig.heatSource());
-    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
-    const auto periods = [&](int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    };
-    periods(40);
-    ASSERT_TRUE(loop.arm());
-    ASSERT_TRUE(loop.start(true));
-    periods(100);
-    ASSERT_EQ(loop.state(), RunState::Running);
-    loop.emergencyStop();
-    periods(1);
-    EXPECT_TRUE(std::ranges::any_of(
-        loop.reasons(), [](const Message& reason) { return reason.code == MessageCode::SafetyHeatByHand; }));
+    RigByHand rig;
+    ASSERT_NO_FATAL_FAILURE(rig.startRun());
+    rig.periods(100);
+    ASSERT_EQ(rig.loop.state(), RunState::Running);
+    rig.loop.emergencyStop();
+    rig.periods(1);
+    EXPECT_TRUE(std::ranges::any_of(rig.loop.reasons(), [](const Message& reason) {
+        return reason.code == MessageCode::SafetyHeatByHand;
+    }));
 }
 
 // Catches a real rig that can be run before anybody has looked at it.
@@ -807,7 +816,7 @@ TEST(Safety, TheRecordGoesOnWhileObjectsCanStillWarm) {
     ASSERT_TRUE(loop.retreatNow());
     periods(120);
     EXPECT_TRUE(loop.isCooling()) << "off the source they stay as they are, but a hand would not";
-    EXPECT_TRUE(loop.haveObjectsCooled());
+    EXPECT_TRUE(loop.areObjectsCold());
     periods(2400);
     EXPECT_FALSE(loop.isCooling());
     EXPECT_LT(loop.latest().source_K, experiment.environment_K + kHandWarm_K);
@@ -848,7 +857,7 @@ TEST(Safety, TheRecordGoesOnWhileNobodyKnowsTheSource) {
     setFault(rig.rig, SimulatedFault::SourceSilent, 0, true);
     rig.loop.emergencyStop();
     rig.periods(1800); // by now it is cold
-    EXPECT_TRUE(rig.loop.haveObjectsCooled());
+    EXPECT_TRUE(rig.loop.areObjectsCold());
     EXPECT_TRUE(rig.loop.isCooling());
     clearFaults(rig.rig);
     rig.periods(2);
@@ -857,25 +866,14 @@ TEST(Safety, TheRecordGoesOnWhileNobodyKnowsTheSource) {
 
 // Catches a record without an end, since nobody types that the plate has cooled.
 TEST(Safety, TheRecordDoesNotWaitForASourceThatAPersonHeats) {
-    const Experiment experiment = fastDisks();
-    SimulatedRig rig(simulatedRigConfig(experiment));
-    SourceByHand source(rig.heatSource());
-    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
-    const auto periods = [&](int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    };
-    periods(40);
-    ASSERT_TRUE(loop.arm());
-    ASSERT_TRUE(loop.start(true));
-    periods(20);
-    loop.emergencyStop();
-    EXPECT_TRUE(loop.isCooling());
-    periods(2);
-    EXPECT_GT(loop.latest().source_K, experiment.environment_K + kHandWarm_K);
-    EXPECT_FALSE(loop.isCooling());
+    RigByHand rig;
+    ASSERT_NO_FATAL_FAILURE(rig.startRun());
+    rig.periods(20);
+    rig.loop.emergencyStop();
+    EXPECT_TRUE(rig.loop.isCooling());
+    rig.periods(2);
+    EXPECT_GT(rig.loop.latest().source_K, rig.experiment.environment_K + kHandWarm_K);
+    EXPECT_FALSE(rig.loop.isCooling());
 }
 
 // Catches objects that are warm again and taken for cold: a board would be shown to the camera.
@@ -884,9 +882,9 @@ TEST(Safety, ObjectsThatWarmAgainAfterTheRunAreNotCold) {
     rig.run(2.0);
     rig.loop.emergencyStop();
     rig.periods(2);
-    EXPECT_TRUE(rig.loop.haveObjectsCooled());
+    EXPECT_TRUE(rig.loop.areObjectsCold());
     setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
-    EXPECT_LT(rig.until([&] { return !rig.loop.haveObjectsCooled(); }, 200.0), 200.0);
+    EXPECT_LT(rig.until([&] { return !rig.loop.areObjectsCold(); }, 200.0), 200.0);
     EXPECT_TRUE(rig.loop.isCooling());
 }
 
