@@ -22,7 +22,6 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QScopeGuard>
 
 namespace bask {
 namespace {
@@ -325,8 +324,7 @@ void SessionActions::saveSession() {
 }
 
 bool SessionActions::refusedToDraw(const QString& why) {
-    const auto isOn = [](const std::function<bool()>& guard) { return guard && guard(); };
-    if (!isOn(m_runIsOn) && !isOn(m_recipeIsOn) && !isOn(m_rigIsInUse))
+    if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
         return false;
     emit problem(why);
     return true;
@@ -334,8 +332,8 @@ bool SessionActions::refusedToDraw(const QString& why) {
 
 bool SessionActions::refusedToDrawSession() {
     return refusedToDraw(
-        tr("Figures and reports are drawn only while the rig rests, without a run, a recipe or heat: the "
-           "window, with its STOP, would have to wait for them. Nothing was written."));
+        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
+           "STOP, would have to wait for them. Nothing was written."));
 }
 
 void SessionActions::exportSession(SessionForm form) {
@@ -373,14 +371,11 @@ void SessionActions::exportComparison(const QString& csv) {
 }
 
 void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
-    const QString busy =
-        tr("Plots are exported only while the rig rests, without a run, a recipe or heat: the window, with "
-           "its STOP, would have to wait for it. Nothing was written.");
-    if (refusedToDraw(busy))
+    if (refusedToDraw(
+            tr("Plots are exported only while no run and no recipe is on: the window, with its STOP, "
+               "would have to wait for it. Nothing was written.")))
         return;
     const bool isTable = form == PlotForm::Csv;
-    if (const QString why = isTable ? place.plot()->whyNoTable() : QString(); !why.isEmpty())
-        return emit problem(why);
     const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
                                 : form == PlotForm::Svg ? FigureFormat::Svg
                                                         : FigureFormat::Png;
@@ -391,13 +386,13 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
         ask({FileQuestion::Kind::SaveFile, isTable ? tr("Save the table") : tr("Save the figure"),
              QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), filter, suffix,
              FileFolder::Exports});
-    if (to.isEmpty() || refusedToDraw(busy)) // it may have begun behind the question
+    if (to.isEmpty())
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const auto restore = qScopeGuard([] { QGuiApplication::restoreOverrideCursor(); });
-    m_export.writePlot(isTable ? place.plot()->table()
-                               : place.plot()->figure(place.words(), format, kRunFigureMark),
-                       to, isTable);
+    const QByteArray bytes =
+        isTable ? place.plot()->table() : place.plot()->figure(place.words(), format, kRunFigureMark);
+    QGuiApplication::restoreOverrideCursor();
+    m_export.writePlot(bytes, to, isTable);
 }
 
 QString SessionActions::nextRecordingPath() {

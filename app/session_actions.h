@@ -46,8 +46,6 @@ public:
     }
     /// Sets the check whether a run forbids another experiment, called before one is opened.
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
-    /// Sets whether the rig is hot or moves without a run, so that the window may not be busy for long.
-    void setUseGuard(std::function<bool()> rigIsInUse) { m_rigIsInUse = std::move(rigIsInUse); }
     /// Sets the check whether a recipe is on: also between its runs, nothing is drawn that takes long.
     void setRecipeGuard(std::function<bool()> recipeIsOn) { m_recipeIsOn = std::move(recipeIsOn); }
     void setRecording(const QString& path);
@@ -142,7 +140,7 @@ private:
     SettingsStore& m_settings;
     QWidget* m_window;
     std::function<QString(const FileQuestion&)> m_chooser;
-    std::function<bool()> m_runIsOn, m_recipeIsOn, m_rigIsInUse;
+    std::function<bool()> m_runIsOn, m_recipeIsOn;
     QString m_recording;
     QString m_openSession;
     LatestJob<Result<Experiment>> m_readExperiment;

@@ -5,7 +5,6 @@
 #include "engine/experiment/text_file.h"
 #include "engine/recording/nexus_file.h"
 #include "engine/recording/session_vtk.h"
-#include "widgets/plots/trace_plot.h"
 #include "widgets/review/metric_comparison.h"
 
 #include <QCursor>
@@ -14,6 +13,8 @@
 
 namespace bask {
 namespace {
+
+constexpr const char* kTableMark = "time (s)"; // a column of every table of a plot
 
 Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
                                          const std::string& folder, const std::stop_token& stop) {
@@ -90,9 +91,9 @@ void SessionExport::writeComparison(const QString& csv, const QString& to) {
 void SessionExport::writePlot(const QByteArray& bytes, const QString& to, bool isTable) {
     m_plot.run(
         [bytes = bytes.toStdString(), path = to.toStdString(), isTable] {
-            return isTable ? fileWritten(bytes, path, QString::fromLatin1(TracePlot::kTableMark),
-                                         "a table written by Bask")
-                           : fileWritten(bytes, path, kRunFigureMark, "a figure drawn by Bask");
+            return isTable
+                       ? fileWritten(bytes, path, QString::fromLatin1(kTableMark), "a table written by Bask")
+                       : fileWritten(bytes, path, kRunFigureMark, "a figure drawn by Bask");
         },
         [this, to](const Files& files) { tell(files, to); });
 }

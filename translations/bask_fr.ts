@@ -6397,15 +6397,15 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>“%1” may be one of two numbers: type %2 or %3</source>
-        <translation>«&#xa0;%1&#xa0;» peut être l’un de deux nombres&#xa0;: saisissez %2 ou %3</translation>
+        <translation>« %1 » peut être l’un de deux nombres : saisissez %2 ou %3</translation>
     </message>
     <message>
         <source>“%1” was not taken: with the digits of this field it would be %2</source>
-        <translation>«&#xa0;%1&#xa0;» n’a pas été pris&#xa0;: avec les chiffres de ce champ, ce serait %2</translation>
+        <translation>« %1 » n’a pas été pris : avec les chiffres de ce champ, ce serait %2</translation>
     </message>
     <message>
         <source>“%1” is out of range; allowed: more than %2, up to %3</source>
-        <translation>«&#xa0;%1&#xa0;» est hors limites&#xa0;; admis&#xa0;: plus de %2, jusqu’à %3</translation>
+        <translation>« %1 » est hors limites ; admis : plus de %2, jusqu’à %3</translation>
     </message>
 </context>
 <context>
@@ -9575,6 +9575,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
     </message>
     <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
+    </message>
+    <message>
         <source>Limits of the real rig</source>
         <translation>Limites du banc réel</translation>
     </message>
@@ -9603,6 +9607,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>L’expérience de %1 est ouverte comme une nouvelle, qui n’est pas encore enregistrée.</translation>
     </message>
     <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>Les courbes ne sont exportées que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait attendre. Rien n’a été écrit.</translation>
+    </message>
+    <message>
         <source>Figures (*%1)</source>
         <translation>Figures (*%1)</translation>
     </message>
@@ -9613,14 +9621,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Save the figure</source>
         <translation>Enregistrer la figure</translation>
-    </message>
-    <message>
-        <source>Figures and reports are drawn only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>Les figures et les rapports ne sont dessinés que lorsque le banc est au repos, sans essai, recette ni chauffage : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>Plots are exported only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>Les courbes ne sont exportées que lorsque le banc est au repos, sans essai, recette ni chauffage : la fenêtre, avec son STOP, devrait attendre. Rien n’a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -10846,14 +10846,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>bande de ±%1</translation>
-    </message>
-    <message>
-        <source>More than %L1 samples of a run are shown, too many for a table of a plot. Zoom in, or export the run as CSV. Nothing was written.</source>
-        <translation>Plus de %L1 échantillons d’un essai sont affichés, trop pour le tableau d’une courbe. Zoomez, ou exportez l’essai en CSV. Rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>The older samples that are shown are kept as an overview only. Open the recording of the run in Review, and export it there. Nothing was written.</source>
-        <translation>Les échantillons plus anciens qui sont affichés ne sont gardés que comme aperçu. Ouvrez l’enregistrement de l’essai dans Relecture et exportez-le là. Rien n’a été écrit.</translation>
     </message>
 </context>
 <context>

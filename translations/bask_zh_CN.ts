@@ -9558,6 +9558,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>未打开“%1”：读取期间有新的编辑或已恢复的编辑。如要替换这些编辑，请重新打开。</translation>
     </message>
     <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有在没有运行、也没有配方进行时才绘制图和报告：否则窗口及其“软件停止”都要等待绘制完成。未写入任何文件。</translation>
+    </message>
+    <message>
         <source>Limits of the real rig</source>
         <translation>实机装置的限值</translation>
     </message>
@@ -9586,6 +9590,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 的实验已作为新实验打开，尚未保存。</translation>
     </message>
     <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>只有在没有运行、也没有配方进行时才导出曲线图：否则窗口及其“软件停止”都要等待导出完成。未写入任何文件。</translation>
+    </message>
+    <message>
         <source>Figures (*%1)</source>
         <translation>图 (*%1)</translation>
     </message>
@@ -9596,14 +9604,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save the figure</source>
         <translation>保存图</translation>
-    </message>
-    <message>
-        <source>Figures and reports are drawn only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在装置静止（没有运行、配方和加热）时才绘制图和报告：否则带有 STOP 的窗口必须等待它们。没有写入任何内容。</translation>
-    </message>
-    <message>
-        <source>Plots are exported only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>只有在装置静止（没有运行、配方和加热）时才导出曲线图：否则带有 STOP 的窗口必须等待。没有写入任何内容。</translation>
     </message>
 </context>
 <context>
@@ -10822,14 +10822,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>±%1 的容差带</translation>
-    </message>
-    <message>
-        <source>More than %L1 samples of a run are shown, too many for a table of a plot. Zoom in, or export the run as CSV. Nothing was written.</source>
-        <translation>所显示的一次运行的采样超过 %L1 个，对曲线图的表格来说太多。请放大，或将该运行导出为 CSV。没有写入任何内容。</translation>
-    </message>
-    <message>
-        <source>The older samples that are shown are kept as an overview only. Open the recording of the run in Review, and export it there. Nothing was written.</source>
-        <translation>所显示的较早的采样只保留了概览。请在“回顾”中打开该运行的记录并在那里导出。没有写入任何内容。</translation>
     </message>
 </context>
 <context>

@@ -9558,6 +9558,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>未開啟「%1」：讀取期間有新的編輯或已復原的編輯。如要取代這些編輯，請重新開啟。</translation>
     </message>
     <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有在沒有運轉、也沒有配方進行時才繪製圖和報告：否則視窗及其「軟體停止」都要等待繪製完成。未寫入任何檔案。</translation>
+    </message>
+    <message>
         <source>Limits of the real rig</source>
         <translation>實機實驗台的限值</translation>
     </message>
@@ -9586,6 +9590,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 的實驗已作為新實驗開啟，尚未儲存。</translation>
     </message>
     <message>
+        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
+        <translation>只有在沒有運轉、也沒有配方進行時才匯出曲線圖：否則視窗及其「軟體停止」都要等待匯出完成。未寫入任何檔案。</translation>
+    </message>
+    <message>
         <source>Figures (*%1)</source>
         <translation>圖 (*%1)</translation>
     </message>
@@ -9596,14 +9604,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save the figure</source>
         <translation>儲存圖</translation>
-    </message>
-    <message>
-        <source>Figures and reports are drawn only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在裝置靜止（沒有運轉、配方和加熱）時才繪製圖和報告：否則帶有 STOP 的視窗必須等待它們。沒有寫入任何內容。</translation>
-    </message>
-    <message>
-        <source>Plots are exported only while the rig rests, without a run, a recipe or heat: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>只有在裝置靜止（沒有運轉、配方和加熱）時才匯出曲線圖：否則帶有 STOP 的視窗必須等待。沒有寫入任何內容。</translation>
     </message>
 </context>
 <context>
@@ -10822,14 +10822,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>±%1 的容差帶</translation>
-    </message>
-    <message>
-        <source>More than %L1 samples of a run are shown, too many for a table of a plot. Zoom in, or export the run as CSV. Nothing was written.</source>
-        <translation>所顯示的一次運轉的取樣超過 %L1 個，對曲線圖的表格來說太多。請放大，或將該運轉匯出為 CSV。沒有寫入任何內容。</translation>
-    </message>
-    <message>
-        <source>The older samples that are shown are kept as an overview only. Open the recording of the run in Review, and export it there. Nothing was written.</source>
-        <translation>所顯示的較早的取樣只保留了概覽。請在「回顧」中開啟該運轉的記錄並在那裡匯出。沒有寫入任何內容。</translation>
     </message>
 </context>
 <context>

@@ -25,11 +25,10 @@ struct TimeUnit {
     QString label;
 };
 
-/// For a range of so many seconds, whose ticks are then told apart.
-TimeUnit timeUnit(double range_s) {
-    if (range_s <= 900.0)
+TimeUnit timeUnit(double end_s) {
+    if (end_s <= 900.0)
         return {1.0, TracePlot::tr("Time since Start (s)")};
-    if (range_s <= 4.0 * 3600.0)
+    if (end_s <= 4.0 * 3600.0)
         return {60.0, TracePlot::tr("Time since Start (min)")};
     return {3600.0, TracePlot::tr("Time since Start (h)")};
 }
@@ -38,7 +37,7 @@ class TraceDrawing {
 public:
     TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceStore& traces)
         : m_plot(plot), m_figure(figure), m_traces(traces), m_shown_s(shownTime()),
-          m_time(timeUnit(m_shown_s.max - m_shown_s.min)) {}
+          m_time(timeUnit(m_shown_s.max)) {}
 
     void draw() {
         m_plot.setBackground(Qt::white);

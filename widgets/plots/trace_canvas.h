@@ -79,9 +79,6 @@ public:
     // What is shown, for print and as a table (trace_canvas_export.cpp)
     QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment);
     QByteArray table();
-    enum class TableRows { Fit, TooMany, NotKept };
-    TableRows
-    tableRows(std::size_t max); ///< whether all samples that are shown can be read, of each run so many
 
     // The predicted run behind it (trace_canvas_prediction.cpp)
     void setPrediction(const PredictedRun& run);

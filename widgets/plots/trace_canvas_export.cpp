@@ -28,7 +28,7 @@ struct TableBlock {
 };
 
 /// Name and unit of a quantity in files, as in traces.csv: "measured (degC)".
-QString fileColumnName(Quantity quantity, std::size_t series) {
+QString fileName(Quantity quantity, std::size_t series) {
     const auto named = [](const auto& column) {
         const bool isTemperature = column.unit.edge == EdgeUnit::Temperature;
         return QStringLiteral("%1 (%2)").arg(QLatin1String(column.csv != nullptr ? column.csv : column.label),
@@ -43,7 +43,7 @@ QString fileColumnName(Quantity quantity, std::size_t series) {
                        : QStringLiteral("commanded rotation (rad/s)");
 }
 
-double siInFileUnit(double si, Quantity quantity) {
+double inFiles(double si, Quantity quantity) {
     const ObjectColumn* column = plottedColumn(quantity);
     const RunColumn* ofRun = plottedRunColumn(quantity);
     const Unit* unit = column != nullptr ? &column->unit : ofRun != nullptr ? &ofRun->unit : nullptr;
@@ -63,16 +63,16 @@ void addQuantity(TableBlock& block, const TraceStore& traces, const QStringList&
         for (std::size_t k = 0; k < line.values.size(); ++k)
             if (line.times_s[k] >= from_s && line.times_s[k] <= to_s) {
                 times.push_back(line.times_s[k]);
-                values.push_back(siInFileUnit(line.values[k], quantity));
+                values.push_back(inFiles(line.values[k], quantity));
             }
         if (block.columns.empty()) {
-            block.headers << QLatin1String(TracePlot::kTableMark);
+            block.headers << QStringLiteral("time (s)");
             block.columns.push_back(std::move(times));
         }
         const QString object = plottedColumn(quantity) != nullptr
                                    ? objects.value(static_cast<qsizetype>(i)) + QStringLiteral(" ")
                                    : QString();
-        block.headers << object + fileColumnName(quantity, i);
+        block.headers << object + fileName(quantity, i);
         block.columns.push_back(std::move(values));
     }
 }
@@ -180,22 +180,6 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
     lines.removeAll(QString());
     out.note = lines.join(QStringLiteral(" \u00b7 "));
     return traceFigure(out, *traces, format, comment);
-}
-
-TracePlot::Canvas::TableRows TracePlot::Canvas::tableRows(std::size_t max) {
-    updateRanges();
-    const double from_s = xAxis->range().lower, to_s = xAxis->range().upper;
-    const auto fit = [&](const TraceStore& store) {
-        if (store.samplesBetween(from_s, to_s) > max)
-            return TableRows::TooMany;
-        const bool isDropped =
-            store.run() == nullptr && store.rows() > 0 && store.firstTime_s() < store.time_s(0);
-        return isDropped && from_s < store.time_s(0) ? TableRows::NotKept : TableRows::Fit;
-    };
-    TableRows out = fit(*traces);
-    for (const Overlay& overlay : overlays)
-        out = out == TableRows::Fit ? fit(overlay.traces) : out;
-    return out;
 }
 
 QByteArray TracePlot::Canvas::table() {

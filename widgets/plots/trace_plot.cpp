@@ -248,24 +248,6 @@ QByteArray TracePlot::table() const {
     return m_canvas->table();
 }
 
-QString TracePlot::whyNoTable() const {
-    constexpr int kMaxRows = 30'000; // of a run
-    switch (m_canvas->tableRows(kMaxRows)) {
-    case Canvas::TableRows::TooMany:
-        return tr("More than %L1 samples of a run are shown, too many for a table of a plot. Zoom in, or "
-                  "export "
-                  "the run as CSV. Nothing was written.")
-            .arg(kMaxRows);
-    case Canvas::TableRows::NotKept:
-        return tr(
-            "The older samples that are shown are kept as an overview only. Open the recording of the run "
-            "in Review, and export it there. Nothing was written.");
-    case Canvas::TableRows::Fit:
-        break;
-    }
-    return {};
-}
-
 void TracePlot::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (m_canvas == nullptr)

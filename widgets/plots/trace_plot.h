@@ -132,10 +132,6 @@ public:
     /// Returns what is shown as CSV, in English: the shown time of each run in columns beside each other,
     /// with targets and the right axis, temperatures in degC, all else in SI. Reads as much as figure().
     QByteArray table() const;
-    static constexpr const char* kTableMark = "plot time (s)"; ///< heads the times in each table
-    /// Returns why there is no table of what is shown, in words: there are more samples than the window can
-    /// read in about a second, or not all of them are kept; empty: there is one.
-    QString whyNoTable() const;
 
     QSize sizeHint() const override { return {560, 240}; }
     QSize minimumSizeHint() const override { return {220, 90}; }

@@ -113,10 +113,6 @@ std::size_t TraceStore::rows() const {
     return m_run ? m_run->size() : m_time_s.size();
 }
 
-double TraceStore::firstTime_s() const {
-    return overview().stretches() > 0 ? overview().from_s(0) : std::numeric_limits<double>::quiet_NaN();
-}
-
 double TraceStore::lastTime_s() const {
     return overview().lastTime_s();
 }

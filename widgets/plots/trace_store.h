@@ -43,7 +43,6 @@ public:
     std::size_t rows() const; ///< number of rows that are kept, or in the file
     std::size_t objects() const { return m_objects; }
     double time_s(std::size_t row) const;
-    double firstTime_s() const; ///< also of samples that are no longer kept; NaN if there are none
     double lastTime_s() const;
 
     /// Returns the value in SI (K, K/s, 1); NaN if it is unknown or the reading was invalid. Speed in m/s and

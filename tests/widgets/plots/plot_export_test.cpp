@@ -178,10 +178,10 @@ TEST_F(PlotExport, ATableHasAllRunsBesideEachOther) {
     const QList<QStringList> rows = table();
     ASSERT_EQ(rows.size(), 31);
     EXPECT_EQ(rows[0],
-              QStringList({"A morning: plot time (s)", "A morning: circle measured (degC)",
+              QStringList({"A morning: time (s)", "A morning: circle measured (degC)",
                            "A morning: bunny measured (degC)", "A morning: circle target (degC)",
                            "A morning: bunny target (degC)", "A morning: circle view factor (1)",
-                           "A morning: bunny view factor (1)", "B evening: plot time (s)",
+                           "A morning: bunny view factor (1)", "B evening: time (s)",
                            "B evening: circle measured (degC)", "B evening: bunny measured (degC)"}));
     EXPECT_EQ(rows[10].mid(0, 8), QStringList({"10", "25", "30", "40", "40", "0.25", "0.25", "10"}));
     EXPECT_DOUBLE_EQ(rows[10][8].toDouble(), 22.5);
@@ -199,26 +199,10 @@ TEST_F(PlotExport, ATableIsOfTheShownTime) {
     plot.setTimeRange(5.0, 10.0);
     const QList<QStringList> rows = table();
     ASSERT_EQ(rows.size(), 7);
-    EXPECT_EQ(rows[0], QStringList({"plot time (s)", "circle error (K)", "bunny error (K)"}));
+    EXPECT_EQ(rows[0], QStringList({"time (s)", "circle error (K)", "bunny error (K)"}));
     EXPECT_EQ(rows[1][0], QStringLiteral("5"));
     EXPECT_DOUBLE_EQ(rows[1][1].toDouble(), -17.5) << "kelvin, whatever the screen shows";
     EXPECT_EQ(rows[6][0], QStringLiteral("10"));
-}
-
-// Catches a table with numbers that nobody read, of samples that are kept as extremes only; and one that
-// keeps the window from its STOP.
-TEST_F(PlotExport, ATableHasSamplesThatAreKeptOnly) {
-    plot.setObjects(kExported);
-    const int count = static_cast<int>(TraceStore::kMaxRows) + 10000;
-    const std::vector<TraceSample> samples = warming(count, 1e-4);
-    plot.append({samples.begin(), samples.end() - 1000});
-    plot.append({samples.end() - 1000, samples.end()}); // drops the oldest
-    plot.setTimeRange(0.0, count);
-    EXPECT_TRUE(plot.whyNoTable().contains(QStringLiteral("too many"))) << plot.whyNoTable().toStdString();
-    plot.setTimeRange(0.0, 100.0);
-    EXPECT_TRUE(plot.whyNoTable().contains(QStringLiteral("overview"))) << plot.whyNoTable().toStdString();
-    plot.setTimeRange(count - 100.0, count);
-    EXPECT_TRUE(plot.whyNoTable().isEmpty());
 }
 
 // Catches cursors that read the open run only, or values of a run that was over by then.
