@@ -389,8 +389,8 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
     if (to.isEmpty())
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-    const QByteArray bytes =
-        isTable ? place.plot()->table() : place.plot()->figure(place.words(), format, kRunFigureMark);
+    const QByteArray bytes = isTable ? place.plot()->table(kPlotTableMark)
+                                     : place.plot()->figure(place.words(), format, kRunFigureMark);
     QGuiApplication::restoreOverrideCursor();
     m_export.writePlot(bytes, to, isTable);
 }

@@ -2,19 +2,19 @@
 
 #include "app/error_text.h"
 #include "app/report/report_figures.h"
+#include "engine/base/message_code.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recording/nexus_file.h"
 #include "engine/recording/session_vtk.h"
 #include "widgets/review/metric_comparison.h"
 
 #include <QCursor>
+#include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
 
 namespace bask {
 namespace {
-
-constexpr const char* kTableMark = "time (s)"; // a column of every table of a plot
 
 Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
                                          const std::string& folder, const std::stop_token& stop) {
@@ -37,10 +37,18 @@ Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& i
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
 }
 
-/// Over nothing but an earlier file with the same mark.
+/// In its place, where a note of another table may not have it: at the end of the headers.
+Result<void> checkOwnTable(const std::string& path) {
+    QFile old(QString::fromStdString(path));
+    const QByteArray end = ',' + kPlotTableMark.toUtf8() + '\n';
+    if (old.exists() && old.size() > 0 && (!old.open(QIODevice::ReadOnly) || !old.readLine().endsWith(end)))
+        return Error(MessageCode::OutputForeign, path, {"a table written by Bask"});
+    return {};
+}
+
+/// Where the check of the place allows it.
 Result<std::vector<std::string>> fileWritten(const std::string& bytes, const std::string& to,
-                                             const QString& mark, const char* kind) {
-    auto done = checkOwn(to, mark, kind);
+                                             Result<void> done) {
     if (done)
         done = writeTextFile(to, bytes);
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
@@ -82,8 +90,9 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
     m_comparison.run(
         [csv = csv.toStdString(), path = to.toStdString()] {
-            return fileWritten(csv, path, QString::fromLatin1(kComparisonMark),
-                               "a comparison written by Bask");
+            return fileWritten(
+                csv, path,
+                checkOwn(path, QString::fromLatin1(kComparisonMark), "a comparison written by Bask"));
         },
         [this, to](const Files& files) { tell(files, to); });
 }
@@ -91,9 +100,9 @@ void SessionExport::writeComparison(const QString& csv, const QString& to) {
 void SessionExport::writePlot(const QByteArray& bytes, const QString& to, bool isTable) {
     m_plot.run(
         [bytes = bytes.toStdString(), path = to.toStdString(), isTable] {
-            return isTable
-                       ? fileWritten(bytes, path, QString::fromLatin1(kTableMark), "a table written by Bask")
-                       : fileWritten(bytes, path, kRunFigureMark, "a figure drawn by Bask");
+            return fileWritten(bytes, path,
+                               isTable ? checkOwnTable(path)
+                                       : checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
         },
         [this, to](const Files& files) { tell(files, to); });
 }

@@ -15,6 +15,9 @@
 
 namespace bask {
 
+/// Header of the last column of a plot's table, by which the file is known again.
+inline const QString kPlotTableMark = QStringLiteral("exported by Bask");
+
 /// Reads and computes off the GUI thread; figures and reports are drawn on it, which takes up to a minute for
 /// a run of 24 h.
 class SessionExport : public QObject {
@@ -37,7 +40,8 @@ public:
                const QString& language);
     /// Writes a comparison of metrics, as ComparisonView makes it.
     void writeComparison(const QString& csv, const QString& to);
-    /// Writes what a plot shows, as TracePlot makes it, its figure with kRunFigureMark.
+    /// Writes what a plot shows, as TracePlot makes it, its figure with kRunFigureMark, its table with
+    /// kPlotTableMark.
     void writePlot(const QByteArray& bytes, const QString& to, bool isTable);
 
 signals:

@@ -423,6 +423,19 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     foreign.close();
     files.exportPlot(place, PlotForm::Svg);
     ASSERT_TRUE(waitFor([&] { return problems.size() == 1; }));
+    foreign.setFileName(folder.filePath(QStringLiteral("plot.csv")));
+    for (const char* other :
+         {"time (s),volts\n1,2\n", "time (s),source (degC),note\n1,20,\"exported by Bask\"\n"}) {
+        problems.clear();
+        ASSERT_TRUE(foreign.open(QIODevice::WriteOnly));
+        foreign.write(other);
+        foreign.close();
+        files.exportPlot(place, PlotForm::Csv);
+        ASSERT_TRUE(waitFor([&] { return problems.size() == 1; })) << other;
+        ASSERT_TRUE(foreign.open(QIODevice::ReadOnly));
+        EXPECT_EQ(foreign.readAll(), other);
+        foreign.close();
+    }
     runIsOn = true;
     proposed.clear();
     files.exportPlot(place, PlotForm::Csv);

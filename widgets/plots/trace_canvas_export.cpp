@@ -95,8 +95,9 @@ void addTargets(TableBlock& block, const TraceStore& traces, const QStringList& 
     }
 }
 
-/// Blocks beside each other; unknown values, and the rows after the end of a shorter run, are empty.
-QByteArray csvOf(const std::vector<TableBlock>& blocks) {
+/// Blocks beside each other; unknown values, and the rows after the end of a shorter run, are empty. The mark
+/// is the last column: a line before the headers would break readers.
+QByteArray csvOf(const std::vector<TableBlock>& blocks, const QString& mark) {
     constexpr int kDigits = 9;
     QByteArray text;
     std::size_t rows = 0;
@@ -105,8 +106,7 @@ QByteArray csvOf(const std::vector<TableBlock>& blocks) {
             text += QByteArray::fromStdString(csvField(header.toStdString())) + ',';
         rows = std::max(rows, block.columns.empty() ? 0 : block.columns.front().size());
     }
-    text.chop(1);
-    text += '\n';
+    text += QByteArray::fromStdString(csvField(mark.toStdString())) + '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         for (const TableBlock& block : blocks)
             for (const std::vector<double>& column : block.columns) {
@@ -114,7 +114,6 @@ QByteArray csvOf(const std::vector<TableBlock>& blocks) {
                     text += QByteArray::number(column[row], 'g', kDigits);
                 text += ',';
             }
-        text.chop(1);
         text += '\n';
     }
     return text;
@@ -182,7 +181,7 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
     return traceFigure(out, *traces, format, comment);
 }
 
-QByteArray TracePlot::Canvas::table() {
+QByteArray TracePlot::Canvas::table(const QString& mark) {
     updateRanges();
     const double from_s = xAxis->range().lower, to_s = xAxis->range().upper;
     std::vector<TableBlock> blocks(1);
@@ -192,7 +191,7 @@ QByteArray TracePlot::Canvas::table() {
     if (rightAxis.quantity)
         addQuantity(blocks.front(), *traces, names, *rightAxis.quantity, from_s, to_s);
     if (overlays.empty())
-        return csvOf(blocks);
+        return csvOf(blocks, mark);
     const auto nameBlock = [](TableBlock& block, const QString& run) {
         for (QString& header : block.headers)
             header.prepend(run + QStringLiteral(": "));
@@ -203,7 +202,7 @@ QByteArray TracePlot::Canvas::table() {
         addQuantity(blocks.back(), overlay.traces, overlay.objects, quantity, from_s, to_s);
         nameBlock(blocks.back(), nameOfRun(overlay.mark, overlay.traces));
     }
-    return csvOf(blocks);
+    return csvOf(blocks, mark);
 }
 
 } // namespace bask

@@ -244,8 +244,8 @@ QByteArray TracePlot::figure(const QString& unrecorded, FigureFormat format, con
     return m_canvas->figure(unrecorded, format, comment);
 }
 
-QByteArray TracePlot::table() const {
-    return m_canvas->table();
+QByteArray TracePlot::table(const QString& mark) const {
+    return m_canvas->table(mark);
 }
 
 void TracePlot::changeEvent(QEvent* event) {

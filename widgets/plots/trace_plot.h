@@ -130,8 +130,9 @@ public:
     /// stored in it.
     QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment) const;
     /// Returns what is shown as CSV, in English: the shown time of each run in columns beside each other,
-    /// with targets and the right axis, temperatures in degC, all else in SI. Reads as much as figure().
-    QByteArray table() const;
+    /// with targets and the right axis, temperatures in degC, all else in SI. Reads as much as figure(). The
+    /// last column has no values: its header, `mark`, tells whose file it is.
+    QByteArray table(const QString& mark) const;
 
     QSize sizeHint() const override { return {560, 240}; }
     QSize minimumSizeHint() const override { return {220, 90}; }

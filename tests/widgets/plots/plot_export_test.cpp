@@ -82,7 +82,7 @@ protected:
     }
     QList<QStringList> table() const {
         QList<QStringList> rows;
-        const QString text = QString::fromUtf8(plot.table());
+        const QString text = QString::fromUtf8(plot.table(QStringLiteral("mark")));
         EXPECT_TRUE(text.endsWith(u'\n'));
         for (const QString& row : text.split(u'\n', Qt::SkipEmptyParts))
             rows << row.split(u',');
@@ -182,7 +182,7 @@ TEST_F(PlotExport, ATableHasAllRunsBesideEachOther) {
                            "A morning: bunny measured (degC)", "A morning: circle target (degC)",
                            "A morning: bunny target (degC)", "A morning: circle view factor (1)",
                            "A morning: bunny view factor (1)", "B evening: time (s)",
-                           "B evening: circle measured (degC)", "B evening: bunny measured (degC)"}));
+                           "B evening: circle measured (degC)", "B evening: bunny measured (degC)", "mark"}));
     EXPECT_EQ(rows[10].mid(0, 8), QStringList({"10", "25", "30", "40", "40", "0.25", "0.25", "10"}));
     EXPECT_DOUBLE_EQ(rows[10][8].toDouble(), 22.5);
     EXPECT_EQ(rows[3][2], QString()) << "an invalid reading";
@@ -199,7 +199,7 @@ TEST_F(PlotExport, ATableIsOfTheShownTime) {
     plot.setTimeRange(5.0, 10.0);
     const QList<QStringList> rows = table();
     ASSERT_EQ(rows.size(), 7);
-    EXPECT_EQ(rows[0], QStringList({"time (s)", "circle error (K)", "bunny error (K)"}));
+    EXPECT_EQ(rows[0], QStringList({"time (s)", "circle error (K)", "bunny error (K)", "mark"}));
     EXPECT_EQ(rows[1][0], QStringLiteral("5"));
     EXPECT_DOUBLE_EQ(rows[1][1].toDouble(), -17.5) << "kelvin, whatever the screen shows";
     EXPECT_EQ(rows[6][0], QStringLiteral("10"));
