@@ -35,7 +35,7 @@ QString withSuffix(const QString& path, const QString& suffix) {
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
-    m_export.setDrawGuard([this] { return !refusedToDrawSession(); });
+    m_export.setDrawGuard([this] { return !refusedToDraw(); });
     connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
     connect(&m_export, &SessionExport::exported, this, &SessionActions::exported);
 }
@@ -323,21 +323,18 @@ void SessionActions::saveSession() {
                });
 }
 
-bool SessionActions::refusedToDraw(const QString& why) {
-    if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
+bool SessionActions::refusedToDraw() {
+    const auto isOn = [](const std::function<bool()>& guard) { return guard && guard(); };
+    if (!isOn(m_runIsOn) && !isOn(m_recipeIsOn) && !isOn(m_rigIsActive))
         return false;
-    emit problem(why);
+    emit problem(tr("Figures and reports are drawn only while no run and no recipe is on, no heat is asked "
+                    "for and the robot stands still: the window, with its STOP, would have to wait for "
+                    "them. Nothing was written."));
     return true;
 }
 
-bool SessionActions::refusedToDrawSession() {
-    return refusedToDraw(
-        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
-           "STOP, would have to wait for them. Nothing was written."));
-}
-
 void SessionActions::exportSession(SessionForm form) {
-    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDrawSession()))
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
     const QString folder = m_settings.lastFolder(FileFolder::Exports);
@@ -371,9 +368,7 @@ void SessionActions::exportComparison(const QString& csv) {
 }
 
 void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
-    if (refusedToDraw(
-            tr("Plots are exported only while no run and no recipe is on: the window, with its STOP, "
-               "would have to wait for it. Nothing was written.")))
+    if (refusedToDraw())
         return;
     const bool isTable = form == PlotForm::Csv;
     const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
@@ -386,7 +381,7 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
         ask({FileQuestion::Kind::SaveFile, isTable ? tr("Save the table") : tr("Save the figure"),
              QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), filter, suffix,
              FileFolder::Exports});
-    if (to.isEmpty())
+    if (to.isEmpty() || refusedToDraw()) // a run may have begun behind the question
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     const QByteArray bytes = isTable ? place.plot()->table(kPlotTableMark)

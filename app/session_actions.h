@@ -48,6 +48,9 @@ public:
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
     /// Sets the check whether a recipe is on: also between its runs, nothing is drawn that takes long.
     void setRecipeGuard(std::function<bool()> recipeIsOn) { m_recipeIsOn = std::move(recipeIsOn); }
+    /// Sets the check whether heat is asked for or the robot moves, also without a run: nothing is drawn
+    /// then.
+    void setRigGuard(std::function<bool()> rigIsActive) { m_rigIsActive = std::move(rigIsActive); }
     void setRecording(const QString& path);
     /// Returns the chosen file; empty if cancelled.
     QString ask(const FileQuestion& question);
@@ -78,11 +81,13 @@ public:
     bool saveAs();
     void saveSession();
     /// Exports the open session in another form, to a folder or file that is asked for. Figures and reports
-    /// are not exported while a run or recipe is on or if one begins, since drawing blocks the window.
+    /// are not exported while a run, recipe, heat or motion is on or if one begins, since drawing blocks the
+    /// window.
     void exportSession(SessionForm form);
     /// Saves a comparison of metrics (CSV) as a file that is asked for.
     void exportComparison(const QString& csv);
-    /// Exports what a plot shows to a file that is asked for. Not while a run or recipe is on.
+    /// Exports what a plot shows to a file that is asked for. Not while a run, recipe, heat or motion
+    /// is on or if one begins.
     void exportPlot(const PlotPlace& place, PlotForm form);
     /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();
@@ -133,14 +138,13 @@ private:
     void forgetMissing(const QString& path);
     void readRig(const QString& path);
     bool write(const QString& path);
-    bool refusedToDraw(const QString& why);
-    bool refusedToDrawSession();
+    bool refusedToDraw();
 
     Document& m_document;
     SettingsStore& m_settings;
     QWidget* m_window;
     std::function<QString(const FileQuestion&)> m_chooser;
-    std::function<bool()> m_runIsOn, m_recipeIsOn;
+    std::function<bool()> m_runIsOn, m_recipeIsOn, m_rigIsActive;
     QString m_recording;
     QString m_openSession;
     LatestJob<Result<Experiment>> m_readExperiment;

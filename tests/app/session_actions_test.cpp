@@ -443,13 +443,39 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
 }
 
+// Catches: a plot drawn under a run that began behind the question for its file, or while a source is heated
+// or the robot moves without a run.
+TEST_F(SessionActionsTest, APlotIsNotDrawnBehindAQuestionOrOnAHotRig) {
+    const QTemporaryDir folder;
+    PlotPlace place(new TracePlot);
+    bool runIsOn = false, rigIsActive = false;
+    int asked = 0;
+    files.setRunGuard([&] { return runIsOn; });
+    files.setRigGuard([&] { return rigIsActive; });
+    files.setFileChooser([&](const FileQuestion&) {
+        ++asked;
+        runIsOn = true;
+        return folder.filePath(QStringLiteral("plot"));
+    });
+    files.exportPlot(place, PlotForm::Svg);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(problems.size(), 1);
+    runIsOn = false;
+    rigIsActive = true;
+    files.exportPlot(place, PlotForm::Svg);
+    EXPECT_EQ(asked, 1);
+    EXPECT_EQ(problems.size(), 2);
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+    EXPECT_EQ(QGuiApplication::overrideCursor(), nullptr);
+}
+
 // Catches: a window that draws for a minute, its STOP dead, under a run or recipe that was on or has begun
 // while the session was read.
 TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {
     const QTemporaryDir folder, out;
     int opened = 0, asked = 0;
     QStringList told, written;
-    bool runIsOn = false, recipeIsOn = false;
+    bool runIsOn = false, recipeIsOn = false, rigIsActive = false;
     QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
     QObject::connect(&files, &SessionActions::exported, [&](const QString& text, const QStringList& paths) {
         told << text;
@@ -457,6 +483,7 @@ TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {
     });
     files.setRunGuard([&] { return runIsOn; });
     files.setRecipeGuard([&] { return recipeIsOn; });
+    files.setRigGuard([&] { return rigIsActive; });
     files.setFileChooser([&](const FileQuestion& question) {
         ++asked;
         return question.kind == FileQuestion::Kind::Folder ? out.path() : out.filePath(QStringLiteral("run"));
@@ -464,7 +491,7 @@ TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {
     files.open(recorded(folder));
     ASSERT_TRUE(waitFor([&] { return opened == 1; }));
     constexpr std::array kDrawn{SessionForm::Figures, SessionForm::ReportPdf, SessionForm::ReportHtml};
-    for (bool* isOn : {&runIsOn, &recipeIsOn}) {
+    for (bool* isOn : {&runIsOn, &recipeIsOn, &rigIsActive}) {
         asked = 0;
         problems.clear();
         for (const SessionForm form : kDrawn)
