@@ -22,6 +22,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QScopeGuard>
 
 namespace bask {
 namespace {
@@ -384,9 +385,9 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
     if (to.isEmpty() || refusedToDraw()) // a run may have begun behind the question
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const auto restored = qScopeGuard(&QGuiApplication::restoreOverrideCursor);
     const QByteArray bytes = isTable ? place.plot()->table(kPlotTableMark)
                                      : place.plot()->figure(place.words(), format, kRunFigureMark);
-    QGuiApplication::restoreOverrideCursor();
     m_export.writePlot(bytes, to, isTable);
 }
 

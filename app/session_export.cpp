@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
+#include <QScopeGuard>
 
 namespace bask {
 namespace {
@@ -31,6 +32,8 @@ Result<std::vector<std::string>> written(SessionForm form, const std::string& se
 }
 
 Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& input, const std::string& to) {
+    QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+    const auto restored = qScopeGuard(&QGuiApplication::restoreOverrideCursor);
     if (form == SessionForm::Figures)
         return exportFigures(input.session, to, input.unit);
     const auto done = writeReport(input, to);
@@ -80,10 +83,7 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
             if (m_mayDraw && !m_mayDraw())
                 return;
             input->language = language;
-            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-            const Files files = drawn(form, *input, to.toStdString());
-            QGuiApplication::restoreOverrideCursor();
-            tell(files, to);
+            tell(drawn(form, *input, to.toStdString()), to);
         });
 }
 
