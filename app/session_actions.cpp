@@ -369,26 +369,33 @@ void SessionActions::exportComparison(const QString& csv) {
 }
 
 void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
+    if (form == PlotForm::Csv)
+        return exportTable(*place.plot());
     if (refusedToDraw())
         return;
-    const bool isTable = form == PlotForm::Csv;
     const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
                                 : form == PlotForm::Svg ? FigureFormat::Svg
                                                         : FigureFormat::Png;
-    const QString ending = QLatin1String(isTable ? ".csv" : figureEnding(format)), suffix = ending.mid(1);
-    const QString filter = isTable ? tr("Tables (*.csv)") : tr("Figures (*%1)").arg(ending);
+    const QString ending = QLatin1String(figureEnding(format));
     const QString name = quantityKey(place.plot()->quantity()) + ending;
-    const QString to =
-        ask({FileQuestion::Kind::SaveFile, isTable ? tr("Save the table") : tr("Save the figure"),
-             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), filter, suffix,
-             FileFolder::Exports});
+    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the figure"),
+                            QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
+                            tr("Figures (*%1)").arg(ending), ending.mid(1), FileFolder::Exports});
     if (to.isEmpty() || refusedToDraw()) // a run may have begun behind the question
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     const auto restored = qScopeGuard(&QGuiApplication::restoreOverrideCursor);
-    const QByteArray bytes = isTable ? place.plot()->table(kPlotTableMark)
-                                     : place.plot()->figure(place.words(), format, kRunFigureMark);
-    m_export.writePlot(bytes, to, isTable);
+    m_export.writeFigure(place.plot()->figure(place.words(), format, kRunFigureMark), to);
+}
+
+void SessionActions::exportTable(const TracePlot& plot) {
+    const PlotTable table = plot.table(kPlotTableMark); // before it goes on behind the question
+    const QString name = quantityKey(plot.quantity()) + QStringLiteral(".csv");
+    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the table"),
+                            QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
+                            tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});
+    if (!to.isEmpty())
+        m_export.writeTable(table, to);
 }
 
 QString SessionActions::nextRecordingPath() {

@@ -21,6 +21,7 @@ class QWidget;
 namespace bask {
 
 class PlotPlace;
+class TracePlot;
 enum class PlotForm;
 
 /// A question for a file name, so that a test can answer it.
@@ -86,7 +87,7 @@ public:
     void exportSession(SessionForm form);
     /// Saves a comparison of metrics (CSV) as a file that is asked for.
     void exportComparison(const QString& csv);
-    /// Exports what a plot shows to a file that is asked for. Not while a run, recipe, heat or motion
+    /// Exports what a plot shows to a file that is asked for. No figure while a run, recipe, heat or motion
     /// is on or if one begins.
     void exportPlot(const PlotPlace& place, PlotForm form);
     /// Reads the devices of a rig file; saves those of the open experiment.
@@ -139,6 +140,7 @@ private:
     void readRig(const QString& path);
     bool write(const QString& path);
     bool refusedToDraw();
+    void exportTable(const TracePlot& plot);
 
     Document& m_document;
     SettingsStore& m_settings;

@@ -97,12 +97,25 @@ void SessionExport::writeComparison(const QString& csv, const QString& to) {
         [this, to](const Files& files) { tell(files, to); });
 }
 
-void SessionExport::writePlot(const QByteArray& bytes, const QString& to, bool isTable) {
+void SessionExport::writeFigure(const QByteArray& bytes, const QString& to) {
     m_plot.run(
-        [bytes = bytes.toStdString(), path = to.toStdString(), isTable] {
-            return fileWritten(bytes, path,
-                               isTable ? checkOwnTable(path)
-                                       : checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
+        [bytes = bytes.toStdString(), path = to.toStdString()] {
+            return fileWritten(bytes, path, checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
+        },
+        [this, to](const Files& files) { tell(files, to); });
+}
+
+void SessionExport::writeTable(const PlotTable& table, const QString& to) {
+    m_plot.run(
+        [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
+            if (auto place = checkOwnTable(path); !place) // before all that reading
+                return place.error();
+            const auto csv = plotTableCsv(table, stop);
+            if (!csv)
+                return csv.error();
+            if (stop.stop_requested())
+                return std::vector<std::string>();
+            return fileWritten(*csv, path, checkOwnTable(path));
         },
         [this, to](const Files& files) { tell(files, to); });
 }

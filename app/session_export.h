@@ -3,6 +3,7 @@
 
 #include "app/drawing/session_outputs.h"
 #include "widgets/common/latest_job.h"
+#include "widgets/plots/plot_table.h"
 #include "widgets/review/session_form.h"
 
 #include <QByteArray>
@@ -40,9 +41,10 @@ public:
                const QString& language);
     /// Writes a comparison of metrics, as ComparisonView makes it.
     void writeComparison(const QString& csv, const QString& to);
-    /// Writes what a plot shows, as TracePlot makes it, its figure with kRunFigureMark, its table with
-    /// kPlotTableMark.
-    void writePlot(const QByteArray& bytes, const QString& to, bool isTable);
+    /// Writes what a plot shows: its figure, with kRunFigureMark, or its table, with kPlotTableMark, for
+    /// which recordings are read.
+    void writeFigure(const QByteArray& bytes, const QString& to);
+    void writeTable(const PlotTable& table, const QString& to);
 
 signals:
     void problem(const QString& sentence);

@@ -438,7 +438,7 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     }
     runIsOn = true;
     proposed.clear();
-    files.exportPlot(place, PlotForm::Csv);
+    files.exportPlot(place, PlotForm::Pdf);
     EXPECT_EQ(problems.size(), 2);
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
 }

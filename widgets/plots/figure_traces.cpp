@@ -8,12 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bask {
 namespace {
 
 constexpr std::size_t kLinePixels = 2000; // a line shows least and greatest values within each
+constexpr int kReads = 300; // blocks of recorded runs, about a second: the window waits for them
 constexpr int kMarkersOfLine = 12;
 constexpr int kLabelStrip = 18;      // above the lines, for the words of moments
 constexpr double kBeside = 12.0;     // left and right of the head and the legend
@@ -113,9 +113,8 @@ private:
     }
 
     QCPGraph* addLine(const TraceStore& traces, Quantity quantity, std::size_t series, QCPAxis* axis) {
-        int reads = std::numeric_limits<int>::max();
         const TraceStore::Line line =
-            traces.line(quantity, series, m_shown_s.min, m_shown_s.max, kLinePixels, reads);
+            traces.line(quantity, series, m_shown_s.min, m_shown_s.max, kLinePixels, m_reads);
         QVector<QCPGraphData> data;
         data.reserve(static_cast<qsizetype>(line.values.size()));
         for (std::size_t k = 0; k < line.values.size(); ++k) {
@@ -330,6 +329,7 @@ private:
     const TraceStore& m_traces;
     FigureRange m_shown_s;
     TimeUnit m_time;
+    int m_reads = kReads;                              ///< how many are left
     FigureRange m_left = kNothing, m_right = kNothing; ///< of the shown values
 };
 

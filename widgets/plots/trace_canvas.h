@@ -78,7 +78,7 @@ public:
 
     // What is shown, for print and as a table (trace_canvas_export.cpp)
     QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment);
-    QByteArray table(const QString& mark);
+    PlotTable table(const QString& mark);
 
     // The predicted run behind it (trace_canvas_prediction.cpp)
     void setPrediction(const PredictedRun& run);

@@ -2,6 +2,7 @@
 
 #include "engine/recording/recorded_session.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/plot_table.h"
 #include "widgets/plots/trace_canvas.h"
 
 #include <QEvent>
@@ -244,7 +245,7 @@ QByteArray TracePlot::figure(const QString& unrecorded, FigureFormat format, con
     return m_canvas->figure(unrecorded, format, comment);
 }
 
-QByteArray TracePlot::table(const QString& mark) const {
+PlotTable TracePlot::table(const QString& mark) const {
     return m_canvas->table(mark);
 }
 

@@ -20,6 +20,7 @@
 namespace bask {
 
 class RecordedSession;
+struct PlotTable;
 
 /// Follows the newest sample until a person zooms or drags; data is never lost by that. Wheel: zoom time;
 /// Ctrl+wheel or the wheel over the value axis: zoom values; drag: move; double click: whole picture, live
@@ -126,13 +127,13 @@ public:
     bool isEmpty() const;
     /// Returns what is shown as a figure for print, on a light ground: the shown time, all runs over each
     /// other with their names, the right axis, a legend. `unrecorded` says which run it is if that is no
-    /// recorded one. Reads all samples that are shown, which takes seconds for a long run. `comment` is
-    /// stored in it.
+    /// recorded one. Reads for a second at most, and draws extremes of what is not read. `comment` is stored
+    /// in it.
     QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment) const;
-    /// Returns what is shown as CSV, in English: the shown time of each run in columns beside each other,
-    /// with targets and the right axis, temperatures in degC, all else in SI. Reads as much as figure(). The
-    /// last column has no values: its header, `mark`, tells whose file it is.
-    QByteArray table(const QString& mark) const;
+    /// Returns what is shown as a table in English: the shown time of each run in columns beside each other,
+    /// with targets and the right axis, temperatures in degC, all else in SI. The samples of recorded runs
+    /// are read when it is made to CSV. The header of its last column is `mark`.
+    PlotTable table(const QString& mark) const;
 
     QSize sizeHint() const override { return {560, 240}; }
     QSize minimumSizeHint() const override { return {220, 90}; }

@@ -1,8 +1,10 @@
 // What a plot shows of several runs: under its cursors, as a figure for print, as a table.
 
 #include "engine/recording/recorded_session.h"
+#include "widgets/plots/plot_table.h"
 #include "widgets/plots/trace_plot.h"
 
+#include <QFile>
 #include <QImage>
 #include <QRegularExpression>
 #include <QSet>
@@ -82,7 +84,8 @@ protected:
     }
     QList<QStringList> table() const {
         QList<QStringList> rows;
-        const QString text = QString::fromUtf8(plot.table(QStringLiteral("mark")));
+        const QString text =
+            QString::fromStdString(plotTableCsv(plot.table(QStringLiteral("mark")), {}).value());
         EXPECT_TRUE(text.endsWith(u'\n'));
         for (const QString& row : text.split(u'\n', Qt::SkipEmptyParts))
             rows << row.split(u',');
@@ -188,6 +191,16 @@ TEST_F(PlotExport, ATableHasAllRunsBesideEachOther) {
     EXPECT_EQ(rows[3][2], QString()) << "an invalid reading";
     EXPECT_EQ(rows[25].mid(0, 7), QStringList({"", "", "", "", "", "", ""})) << "the shorter run is over";
     EXPECT_EQ(rows[25][7], QStringLiteral("25"));
+}
+
+// Catches a table that reads a recording while the window waits, or hides that it cannot be read.
+TEST_F(PlotExport, ATableIsReadWhenItIsMade) {
+    showTwoRuns();
+    const PlotTable shown = plot.table(QStringLiteral("mark"));
+    EXPECT_TRUE(shown.runs[0].times_s.empty());
+    EXPECT_TRUE(plotTableCsv(shown, {}).ok());
+    ASSERT_TRUE(QFile::remove(folder.filePath(QStringLiteral("evening.bask"))));
+    EXPECT_FALSE(plotTableCsv(shown, {}).ok());
 }
 
 // Catches a table of what is not shown, and names of runs where there is but one.
