@@ -390,6 +390,11 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
 
 void SessionActions::exportTable(const TracePlot& plot) {
     const PlotTable table = plot.table(kPlotTableMark); // before it goes on behind the question
+    if (table.isCut)
+        return emit problem(
+            tr("No table was written: the first samples of the shown time are in the recording "
+               "only. Open it on the Review page and export the table there, or show a later "
+               "stretch of time."));
     const QString name = quantityKey(plot.quantity()) + QStringLiteral(".csv");
     const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the table"),
                             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),

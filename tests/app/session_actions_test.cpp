@@ -443,6 +443,27 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
 }
 
+// Catches: a table of a long live run without its first samples, and nobody is told.
+TEST_F(SessionActionsTest, ATableWhoseSamplesAreGoneIsRefused) {
+    PlotPlace place(new TracePlot);
+    place.plot()->setObjects({QStringLiteral("disk")});
+    std::vector<TraceSample> samples(TraceStore::kMaxRows * 5 / 4);
+    for (std::size_t k = 0; k < samples.size(); ++k)
+        samples[k].time_s = static_cast<double>(k);
+    place.plot()->append(samples);
+    samples.front().time_s = static_cast<double>(samples.size());
+    samples.resize(1);
+    place.plot()->append(samples);
+    place.plot()->setTimeRange(0.0, 100.0);
+    files.setFileChooser([](const FileQuestion&) -> QString {
+        ADD_FAILURE() << "a question whose answer is of no use";
+        return {};
+    });
+    files.exportPlot(place, PlotForm::Csv);
+    ASSERT_EQ(problems.size(), 1);
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("Review")));
+}
+
 // Catches: a plot drawn under a run that began behind the question for its file, or while a source is heated
 // or the robot moves without a run.
 TEST_F(SessionActionsTest, APlotIsNotDrawnBehindAQuestionOrOnAHotRig) {

@@ -31,6 +31,7 @@ struct PlotTable {
         std::vector<Column> columns{};
     };
     double from_s = 0.0, to_s = 0.0; ///< the shown time
+    bool isCut = false;              ///< the first samples of a live run are not kept any more
     std::vector<Run> runs{};
     QString mark; ///< header of a last column without values
 };

@@ -86,6 +86,7 @@ PlotTable TracePlot::Canvas::table(const QString& mark) {
     PlotTable out;
     out.from_s = xAxis->range().lower;
     out.to_s = xAxis->range().upper;
+    out.isCut = !traces->keepsFrom(out.from_s);
     out.mark = mark;
     const auto add = [&](const QString& name, const TraceStore& from, const QStringList& objects) {
         PlotTable::Run run{name, from.run() != nullptr ? from.run()->facts().path : std::string()};

@@ -124,6 +124,10 @@ double TraceStore::time_s(std::size_t row) const {
     return block == nullptr ? kNaN : (*block)[row % RecordedSession::kBlock].time_s;
 }
 
+bool TraceStore::keepsFrom(double from_s) const {
+    return m_run || m_time_s.empty() || m_time_s.front() <= std::max(from_s, m_overview.from_s(0));
+}
+
 double TraceStore::value(Quantity quantity, std::size_t series, std::size_t row) const {
     if (!m_run)
         return values(quantity, series)[row];

@@ -43,6 +43,8 @@ public:
     std::size_t rows() const; ///< number of rows that are kept, or in the file
     std::size_t objects() const { return m_objects; }
     double time_s(std::size_t row) const;
+    /// Returns whether every sample from a time on is among the rows, none dropped.
+    bool keepsFrom(double time_s) const;
     double lastTime_s() const;
 
     /// Returns the value in SI (K, K/s, 1); NaN if it is unknown or the reading was invalid. Speed in m/s and

@@ -193,6 +193,23 @@ TEST_F(PlotExport, ATableHasAllRunsBesideEachOther) {
     EXPECT_EQ(rows[25][7], QStringLiteral("25"));
 }
 
+// Catches a table of a long live run that takes extremes, or a part of what is shown, for its samples.
+TEST_F(PlotExport, ATableOfALongLiveRunSaysWhereItIsCut) {
+    std::vector<TraceSample> samples = warming(42000, 1e-4);
+    const std::vector<TraceSample> last(samples.end() - 1000, samples.end());
+    samples.resize(samples.size() - 1000);
+    plot.setObjects(kExported);
+    plot.append(samples);
+    plot.setTimeRange(0.0, 42000.0);
+    EXPECT_FALSE(plot.table({}).isCut);
+    plot.append(last); // the oldest are dropped
+    EXPECT_TRUE(plot.table({}).isCut);
+    plot.setTimeRange(20000.0, 42000.0);
+    const PlotTable later = plot.table({});
+    EXPECT_FALSE(later.isCut);
+    EXPECT_EQ(later.runs[0].times_s.size(), 22001u);
+}
+
 // Catches a table that reads a recording while the window waits, or hides that it cannot be read.
 TEST_F(PlotExport, ATableIsReadWhenItIsMade) {
     showTwoRuns();
