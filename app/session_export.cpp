@@ -88,36 +88,45 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
 }
 
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
-    m_comparison.run(
-        [csv = csv.toStdString(), path = to.toStdString()] {
-            return fileWritten(
-                csv, path,
-                checkOwn(path, QString::fromLatin1(kComparisonMark), "a comparison written by Bask"));
-        },
-        [this, to](const Files& files) { tell(files, to); });
+    write(to, [csv = csv.toStdString(), path = to.toStdString()](const std::stop_token&) {
+        return fileWritten(
+            csv, path, checkOwn(path, QString::fromLatin1(kComparisonMark), "a comparison written by Bask"));
+    });
 }
 
 void SessionExport::writeFigure(const QByteArray& bytes, const QString& to) {
-    m_plot.run(
-        [bytes = bytes.toStdString(), path = to.toStdString()] {
-            return fileWritten(bytes, path, checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
-        },
-        [this, to](const Files& files) { tell(files, to); });
+    write(to, [bytes = bytes.toStdString(), path = to.toStdString()](const std::stop_token&) {
+        return fileWritten(bytes, path, checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
+    });
 }
 
 void SessionExport::writeTable(const PlotTable& table, const QString& to) {
-    m_plot.run(
-        [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
-            if (auto place = checkOwnTable(path); !place) // before all that reading
-                return place.error();
-            const auto csv = plotTableCsv(table, stop);
-            if (!csv)
-                return csv.error();
-            if (stop.stop_requested())
-                return std::vector<std::string>();
-            return fileWritten(*csv, path, checkOwnTable(path));
-        },
-        [this, to](const Files& files) { tell(files, to); });
+    write(to, [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
+        if (auto place = checkOwnTable(path); !place) // before all that reading
+            return place.error();
+        const auto csv = plotTableCsv(table, stop);
+        if (!csv)
+            return csv.error();
+        if (stop.stop_requested())
+            return std::vector<std::string>();
+        return fileWritten(*csv, path, checkOwnTable(path));
+    });
+}
+
+void SessionExport::write(const QString& to, LatestJob<Files>::Work work) {
+    m_waiting.push_back({to, std::move(work)});
+    writeNext();
+}
+
+void SessionExport::writeNext() {
+    if (m_writing.busy() || m_waiting.empty())
+        return;
+    const Waiting next = std::move(m_waiting.front());
+    m_waiting.pop_front();
+    m_writing.run(next.work, [this, to = next.to](const Files& files) {
+        tell(files, to);
+        writeNext();
+    });
 }
 
 void SessionExport::tell(const Files& files, const QString& to) {

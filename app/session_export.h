@@ -10,6 +10,7 @@
 #include <QObject>
 #include <QStringList>
 
+#include <deque>
 #include <functional>
 #include <map>
 #include <utility>
@@ -53,11 +54,19 @@ signals:
 
 private:
     using Files = Result<std::vector<std::string>>;
+    /// One after another: each is written and told.
+    void write(const QString& to, LatestJob<Files>::Work work);
+    void writeNext();
     void tell(const Files& files, const QString& to);
 
     std::function<bool()> m_mayDraw;
     std::map<SessionForm, LatestJob<Files>> m_files;
-    LatestJob<Files> m_comparison, m_plot;
+    struct Waiting {
+        QString to;
+        LatestJob<Files>::Work work;
+    };
+    std::deque<Waiting> m_waiting;
+    LatestJob<Files> m_writing; ///< comparisons and plots
     std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };
 

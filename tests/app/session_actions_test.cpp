@@ -443,6 +443,23 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
 }
 
+// Catches: a plot that is written while another is, and of which nobody is told.
+TEST_F(SessionActionsTest, PlotsExportedAtOnceAreAllTold) {
+    const QTemporaryDir folder;
+    PlotPlace place(new TracePlot);
+    QStringList written;
+    QObject::connect(&files, &SessionActions::exported,
+                     [&](const QString&, const QStringList& paths) { written << paths; });
+    files.setFileChooser(
+        [&](const FileQuestion& question) { return folder.filePath(QFileInfo(question.folder).fileName()); });
+    for (const PlotForm form : {PlotForm::Svg, PlotForm::Csv, PlotForm::Pdf})
+        files.exportPlot(place, form);
+    EXPECT_TRUE(waitFor([&] { return written.size() == 3 || !problems.isEmpty(); }, 20000));
+    EXPECT_EQ(written.size(), 3) << problems.join('\n').toStdString();
+    for (const QString& file : written)
+        EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
+}
+
 // Catches: a table of a long live run without its first samples, and nobody is told.
 TEST_F(SessionActionsTest, ATableWhoseSamplesAreGoneIsRefused) {
     PlotPlace place(new TracePlot);
