@@ -17,6 +17,7 @@ constexpr int kReads = 300; // blocks of recorded runs, about a second: the wind
 constexpr int kMarkersOfLine = 12;
 constexpr int kLabelStrip = 18;      // above the lines, for the words of moments
 constexpr double kBeside = 12.0;     // left and right of the head and the legend
+constexpr int kLegendRoom = 80;      // of a usual legend, some rows
 constexpr double kLegendIcon = 70.0; // with the room around a name
 constexpr FigureRange kNothing{1e300, -1e300};
 
@@ -39,7 +40,8 @@ public:
         : m_plot(plot), m_figure(figure), m_traces(traces), m_shown_s(shownTime()),
           m_time(timeUnit(m_shown_s.max)) {}
 
-    void draw() {
+    /// Returns the size of the picture, px: higher where a long legend would take its room.
+    QSize draw() {
         m_plot.setBackground(Qt::white);
         styleAxis(m_plot.xAxis, m_time.label);
         styleAxis(m_plot.yAxis, quantityAxis(m_figure.quantity, m_figure.unit));
@@ -62,6 +64,8 @@ public:
         addTargetToLegend();
         addLegend(m_plot, legendColumns());
         addHead(m_plot, m_figure.title, inLines(m_figure.note, figureFont(13), width() - 2.0 * kBeside));
+        const int further = std::max(0, m_plot.legend->minimumOuterSizeHint().height() - kLegendRoom);
+        return m_figure.size_px + QSize(0, qRound(kFigureScale * further));
     }
 
 private:
@@ -338,8 +342,8 @@ private:
 QByteArray traceFigure(const TraceFigure& figure, const TraceStore& traces, FigureFormat format,
                        const QString& comment) {
     QCustomPlot plot;
-    TraceDrawing(plot, figure, traces).draw();
-    return pictureOf(plot, figure.size_px, format, comment);
+    const QSize size_px = TraceDrawing(plot, figure, traces).draw();
+    return pictureOf(plot, size_px, format, comment);
 }
 
 } // namespace bask

@@ -44,7 +44,7 @@ struct TraceFigure {
     std::optional<Quantity> right{}; ///< a second quantity of the run, on an axis of its own
     FigurePrediction prediction{};
     QList<FigureMoment> moments{};
-    QSize size_px{kFigureWidth_px, 900};
+    QSize size_px{kFigureWidth_px, 900}; ///< higher with a long legend
 };
 
 /// Returns the figure. A black-and-white print tells its lines apart: those of one run by their dashes, those

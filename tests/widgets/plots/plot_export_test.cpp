@@ -112,6 +112,20 @@ TEST_F(PlotExport, AFigureHasAllRunsWithTheirNames) {
     EXPECT_GT(dashesIn(two).size(), 1);
 }
 
+// Catches a legend of many runs that leaves the lines no room.
+TEST_F(PlotExport, AFigureGrowsWithItsLegend) {
+    const auto height = [&] {
+        return QImage::fromData(plot.figure({}, FigureFormat::Png, QStringLiteral("mark")), "PNG").height();
+    };
+    plot.setRun(recorded(QStringLiteral("morning"), warming(20, 0.5)));
+    const int one = height();
+    EXPECT_EQ(one, 1080);
+    const QString longName(40, u'w'); // one column
+    for (const char* mark : {"B", "C", "D", "E"})
+        plot.addOverlay(QLatin1String(mark), recorded(longName + QLatin1String(mark), warming(20, 0.5)));
+    EXPECT_GE(height(), one + 150);
+}
+
 // Catches two of the overlaid runs that have the same dashes, or a continuous line as the open run has.
 TEST(OverlayDashes, TellRunsApart) {
     for (int i = 0; i < 4; ++i) {
