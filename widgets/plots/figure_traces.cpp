@@ -26,10 +26,12 @@ struct TimeUnit {
     QString label;
 };
 
-TimeUnit timeUnit(double end_s) {
-    if (end_s <= 900.0)
+/// By the span: in hours, the ticks of a minute late in a run would hardly differ.
+TimeUnit timeUnit(const FigureRange& shown_s) {
+    const double span_s = shown_s.max - shown_s.min;
+    if (span_s <= 900.0)
         return {1.0, TracePlot::tr("Time since Start (s)")};
-    if (end_s <= 4.0 * 3600.0)
+    if (span_s <= 4.0 * 3600.0)
         return {60.0, TracePlot::tr("Time since Start (min)")};
     return {3600.0, TracePlot::tr("Time since Start (h)")};
 }
@@ -38,7 +40,7 @@ class TraceDrawing {
 public:
     TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceStore& traces)
         : m_plot(plot), m_figure(figure), m_traces(traces), m_shown_s(shownTime()),
-          m_time(timeUnit(m_shown_s.max)) {}
+          m_time(timeUnit(m_shown_s)) {}
 
     /// Returns the size of the picture, px: higher where a long legend would take its room.
     QSize draw() {

@@ -162,6 +162,15 @@ TEST_F(PlotExport, MomentsAreNumberedAndNamed) {
     EXPECT_TRUE(later.contains(QStringLiteral("1 door open")));
 }
 
+// Catches hours with many digits at a minute late in a run.
+TEST_F(PlotExport, TheUnitOfTimeIsOfWhatIsShown) {
+    plot.setObjects(kExported);
+    plot.append(warming(20000, 1e-4));
+    EXPECT_TRUE(svg().contains(QStringLiteral("Time since Start (h)")));
+    plot.setTimeRange(19000.0, 19060.0);
+    EXPECT_TRUE(svg().contains(QStringLiteral("Time since Start (s)")));
+}
+
 // Catches a legend that does not say what the dashed line and the grey band are.
 TEST_F(PlotExport, TheLegendNamesTargetAndBand) {
     plot.setObjects(kExported);
