@@ -33,7 +33,8 @@ QString withRig(const QString& name, const TraceStore& traces) {
 
 } // namespace
 
-/// Moments are numbered, and the note says what they are: words would hide lines, or each other.
+/// Moments are numbered, and the note says what they are: words would hide lines, or each other. Those for
+/// whose number there is no room are counted.
 QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat format, const QString& comment) {
     updateRanges();
     const double from_s = xAxis->range().lower, to_s = xAxis->range().upper;
@@ -63,6 +64,7 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
     for (int i = 0; i < m_predicted.size(); ++i)
         out.prediction.lines << predictedPoints(i);
     QStringList words;
+    int unnumbered = 0;
     double numbered_s = -std::numeric_limits<double>::infinity();
     for (const Marker& marker : std::as_const(markers)) {
         if (marker.time_s < from_s || marker.time_s > to_s)
@@ -72,9 +74,14 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
             number = QString::number(words.size() + 1);
             words << number + u' ' + marker.text;
             numbered_s = marker.time_s;
+        } else if (markerTexts) {
+            ++unnumbered;
         }
         out.moments << FigureMoment{marker.time_s, number};
     }
+    if (unnumbered > 0)
+        words << TracePlot::tr("%n more without a number", "moments that are close to another one",
+                               unnumbered);
     QStringList lines{runs.join(listSeparator()), words.join(listSeparator())};
     lines.removeAll(QString());
     out.note = lines.join(QStringLiteral(" \u00b7 "));

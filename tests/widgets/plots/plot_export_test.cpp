@@ -156,6 +156,10 @@ TEST_F(PlotExport, MomentsAreNumberedAndNamed) {
     EXPECT_TRUE(whole.contains(QStringLiteral("1 lamp moved")));
     EXPECT_TRUE(whole.contains(QStringLiteral("2 door open")));
     EXPECT_TRUE(whole.contains(QStringLiteral("of now"))) << "which run a live one is";
+    EXPECT_FALSE(whole.contains(QStringLiteral("without a number")));
+    plot.addMarker(70.5, QStringLiteral("door shut"));
+    plot.addMarker(71.0, QStringLiteral("lamp off"));
+    EXPECT_TRUE(svg().contains(QStringLiteral("2 more without a number"))) << "too close to the door's";
     plot.setTimeRange(50.0, 100.0);
     const QString later = svg();
     EXPECT_FALSE(later.contains(QStringLiteral("lamp moved"))) << "it is not shown";
