@@ -154,7 +154,7 @@ void MainWindow::connectActions() {
 
 void MainWindow::connectParts() {
     m_files.setRunGuard([this] { return !allowsEdits(m_last.state); });
-    m_files.setRigGuard([this] { return m_last.heatOn || m_last.isMoving; });
+    m_files.setRigGuard([this] { return m_last.heatOn || m_last.isMoving || m_last.pending.has_value(); });
     connect(&m_engine, &EngineClient::snapshot, this, &MainWindow::apply);
     connect(&m_engine, &EngineClient::looked, m_pages,
             [this](const std::shared_ptr<const VisionView>& view) { m_pages->show(*view); });

@@ -49,8 +49,8 @@ public:
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
     /// Sets the check whether a recipe is on: also between its runs, nothing is drawn that takes long.
     void setRecipeGuard(std::function<bool()> recipeIsOn) { m_recipeIsOn = std::move(recipeIsOn); }
-    /// Sets the check whether heat is asked for or the robot moves, also without a run: nothing is drawn
-    /// then.
+    /// Sets the check whether heat is asked for, the robot moves or a start counts down, also without a run:
+    /// nothing is drawn then.
     void setRigGuard(std::function<bool()> rigIsActive) { m_rigIsActive = std::move(rigIsActive); }
     void setRecording(const QString& path);
     /// Returns the chosen file; empty if cancelled.

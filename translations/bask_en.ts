@@ -207,6 +207,17 @@
     </message>
 </context>
 <context>
+    <name>bask::TracePlot</name>
+    <message numerus="yes">
+        <source>%n more without a number</source>
+        <comment>moments that are close to another one</comment>
+        <translation>
+            <numerusform>%n more without a number</numerusform>
+            <numerusform>%n more without a number</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::TrafficModel</name>
     <message numerus="yes">
         <source>%1… (%n bytes)</source>

@@ -6397,15 +6397,15 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>“%1” may be one of two numbers: type %2 or %3</source>
-        <translation>« %1 » peut être l’un de deux nombres : saisissez %2 ou %3</translation>
+        <translation>«&#xa0;%1&#xa0;» peut être l’un de deux nombres&#xa0;: saisissez %2 ou %3</translation>
     </message>
     <message>
         <source>“%1” was not taken: with the digits of this field it would be %2</source>
-        <translation>« %1 » n’a pas été pris : avec les chiffres de ce champ, ce serait %2</translation>
+        <translation>«&#xa0;%1&#xa0;» n’a pas été pris&#xa0;: avec les chiffres de ce champ, ce serait %2</translation>
     </message>
     <message>
         <source>“%1” is out of range; allowed: more than %2, up to %3</source>
-        <translation>« %1 » est hors limites ; admis : plus de %2, jusqu’à %3</translation>
+        <translation>«&#xa0;%1&#xa0;» est hors limites&#xa0;; admis&#xa0;: plus de %2, jusqu’à %3</translation>
     </message>
 </context>
 <context>
@@ -9575,10 +9575,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
-    </message>
-    <message>
         <source>Limits of the real rig</source>
         <translation>Limites du banc réel</translation>
     </message>
@@ -9607,10 +9603,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>L’expérience de %1 est ouverte comme une nouvelle, qui n’est pas encore enregistrée.</translation>
     </message>
     <message>
-        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>Les courbes ne sont exportées que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait attendre. Rien n’a été écrit.</translation>
-    </message>
-    <message>
         <source>Figures (*%1)</source>
         <translation>Figures (*%1)</translation>
     </message>
@@ -9621,6 +9613,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Save the figure</source>
         <translation>Enregistrer la figure</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours, si aucune chauffe n’est demandée et si le robot est immobile : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
+        <translation>Aucun tableau n’a été écrit : les premiers échantillons du temps affiché ne sont que dans l’enregistrement. Ouvrez-le dans la page Relecture et exportez-y le tableau, ou affichez un intervalle de temps plus tardif.</translation>
     </message>
 </context>
 <context>
@@ -10846,6 +10846,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>bande de ±%1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more without a number</source>
+        <comment>moments that are close to another one</comment>
+        <translation>
+            <numerusform>%n autre sans numéro</numerusform>
+            <numerusform>%n autres sans numéro</numerusform>
+        </translation>
     </message>
 </context>
 <context>

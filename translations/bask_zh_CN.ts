@@ -9558,10 +9558,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>未打开“%1”：读取期间有新的编辑或已恢复的编辑。如要替换这些编辑，请重新打开。</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在没有运行、也没有配方进行时才绘制图和报告：否则窗口及其“软件停止”都要等待绘制完成。未写入任何文件。</translation>
-    </message>
-    <message>
         <source>Limits of the real rig</source>
         <translation>实机装置的限值</translation>
     </message>
@@ -9590,10 +9586,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 的实验已作为新实验打开，尚未保存。</translation>
     </message>
     <message>
-        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>只有在没有运行、也没有配方进行时才导出曲线图：否则窗口及其“软件停止”都要等待导出完成。未写入任何文件。</translation>
-    </message>
-    <message>
         <source>Figures (*%1)</source>
         <translation>图 (*%1)</translation>
     </message>
@@ -9604,6 +9596,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save the figure</source>
         <translation>保存图</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有在没有运行、没有配方进行、没有要求加热且机器人静止时才绘制图和报告：否则窗口及其“软件停止”都要等待绘制完成。未写入任何文件。</translation>
+    </message>
+    <message>
+        <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
+        <translation>未写入表格：所显示时间内最初的采样只在记录中。请在“回顾”页打开该记录并在那里导出表格，或显示较晚的时间段。</translation>
     </message>
 </context>
 <context>
@@ -10822,6 +10822,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>±%1 的容差带</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more without a number</source>
+        <comment>moments that are close to another one</comment>
+        <translation>
+            <numerusform>另有 %n 个未编号</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -9558,10 +9558,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>未開啟「%1」：讀取期間有新的編輯或已復原的編輯。如要取代這些編輯，請重新開啟。</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在沒有運轉、也沒有配方進行時才繪製圖和報告：否則視窗及其「軟體停止」都要等待繪製完成。未寫入任何檔案。</translation>
-    </message>
-    <message>
         <source>Limits of the real rig</source>
         <translation>實機實驗台的限值</translation>
     </message>
@@ -9590,10 +9586,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>%1 的實驗已作為新實驗開啟，尚未儲存。</translation>
     </message>
     <message>
-        <source>Plots are exported only while no run and no recipe is on: the window, with its STOP, would have to wait for it. Nothing was written.</source>
-        <translation>只有在沒有運轉、也沒有配方進行時才匯出曲線圖：否則視窗及其「軟體停止」都要等待匯出完成。未寫入任何檔案。</translation>
-    </message>
-    <message>
         <source>Figures (*%1)</source>
         <translation>圖 (*%1)</translation>
     </message>
@@ -9604,6 +9596,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Save the figure</source>
         <translation>儲存圖</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有在沒有運轉、沒有配方進行、沒有要求加熱且機器人靜止時才繪製圖和報告：否則視窗及其「軟體停止」都要等待繪製完成。未寫入任何檔案。</translation>
+    </message>
+    <message>
+        <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
+        <translation>未寫入表格：所顯示時間內最初的取樣只在記錄中。請在「回顧」頁開啟該記錄並在那裡匯出表格，或顯示較晚的時間段。</translation>
     </message>
 </context>
 <context>
@@ -10822,6 +10822,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <source>band of ±%1</source>
         <comment>%1 is 0.5 K</comment>
         <translation>±%1 的容差帶</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more without a number</source>
+        <comment>moments that are close to another one</comment>
+        <translation>
+            <numerusform>另有 %n 個未編號</numerusform>
+        </translation>
     </message>
 </context>
 <context>
