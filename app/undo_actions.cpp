@@ -9,7 +9,6 @@
 #include <QDoubleSpinBox>
 #include <QKeyEvent>
 #include <QLineEdit>
-#include <QSpinBox>
 
 namespace bask {
 namespace {
@@ -23,8 +22,6 @@ bool undoesItself(const QObject* watched) {
         line = spin->findChild<const QLineEdit*>();
     if (const auto* number = qobject_cast<const QDoubleSpinBox*>(watched))
         return number->cleanText() != number->textFromValue(number->value());
-    if (const auto* count = qobject_cast<const QSpinBox*>(watched))
-        return count->cleanText() != QString::number(count->value());
     return line == nullptr || line->isUndoAvailable() || line->isRedoAvailable();
 }
 

@@ -1,13 +1,14 @@
 #include "app/undo_actions.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 
+#include <QAbstractButton>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTest>
 #include <QVBoxLayout>
 
@@ -162,7 +163,7 @@ TEST_F(UndoActionsTest, ARigThatComesBackWithWiderLimitsIsAskedAbout) {
 // while a number is being typed.
 TEST_F(UndoActionsTest, TheKeysWorkInFields) {
     auto* number = new QuantitySpinBox(&window);
-    auto* count = new QSpinBox(&window);
+    auto* count = new WholeNumberField(&window);
     auto* line = new QLineEdit(QStringLiteral("name"), &window);
     auto* choice = new QComboBox(&window);
     for (QWidget* field : std::initializer_list<QWidget*>{number, count, line, choice})

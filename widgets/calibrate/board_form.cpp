@@ -12,7 +12,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSpinBox>
 
 namespace bask {
 namespace {
@@ -31,15 +30,16 @@ QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, double value_mm) {
 
 BoardForm::BoardForm(QWidget* parent)
     : QWidget(parent), m_kindLabel(new QLabel(this)), m_kind(new QComboBox(this)),
-      m_countsLabel(new QLabel(this)), m_columns(new QSpinBox(this)), m_rows(new QSpinBox(this)),
-      m_squareLabel(new QLabel(this)), m_square(lengthBox(this, "boardSquare", 25.0)),
-      m_markerLabel(new QLabel(this)), m_marker(lengthBox(this, "boardMarker", 18.0)),
-      m_dictionaryLabel(new QLabel(this)), m_dictionary(new QComboBox(this)), m_legacy(new QCheckBox(this)) {
+      m_countsLabel(new QLabel(this)), m_columns(new WholeNumberField(this)),
+      m_rows(new WholeNumberField(this)), m_squareLabel(new QLabel(this)),
+      m_square(lengthBox(this, "boardSquare", 25.0)), m_markerLabel(new QLabel(this)),
+      m_marker(lengthBox(this, "boardMarker", 18.0)), m_dictionaryLabel(new QLabel(this)),
+      m_dictionary(new QComboBox(this)), m_legacy(new QCheckBox(this)) {
     m_kind->setObjectName("boardKind");
     m_kind->addItems({QString(), QString()});
     m_columns->setObjectName("boardColumns");
     m_rows->setObjectName("boardRows");
-    for (QSpinBox* box : {m_columns, m_rows})
+    for (WholeNumberField* box : {m_columns, m_rows})
         box->setRange(3, 50);
     m_columns->setValue(9);
     m_rows->setValue(6);
@@ -74,8 +74,8 @@ BoardForm::BoardForm(QWidget* parent)
 
     for (QComboBox* box : {m_kind, m_dictionary})
         connect(box, &QComboBox::currentIndexChanged, this, &BoardForm::changed);
-    for (QSpinBox* box : {m_columns, m_rows})
-        connect(box, &QSpinBox::valueChanged, this, &BoardForm::changed);
+    for (WholeNumberField* box : {m_columns, m_rows})
+        connect(box, &QDoubleSpinBox::valueChanged, this, &BoardForm::changed);
     for (QDoubleSpinBox* box : {m_square, m_marker})
         connect(box, &QDoubleSpinBox::valueChanged, this, &BoardForm::changed);
     connect(m_legacy, &QCheckBox::toggled, this, &BoardForm::changed);
@@ -89,8 +89,8 @@ bool BoardForm::isCharuco() const {
 
 Result<Board> BoardForm::board() const {
     Board board;
-    board.columns = m_columns->value();
-    board.rows = m_rows->value();
+    board.columns = m_columns->whole();
+    board.rows = m_rows->whole();
     board.square_m = m_square->value() / kMmPerM;
     if (isCharuco()) {
         board.kind = BoardKind::Charuco;

@@ -9,9 +9,10 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QLabel;
-class QSpinBox;
 
 namespace bask {
+
+class WholeNumberField;
 
 /// Object names: "boardKind", "boardColumns", "boardRows", "boardSquare", "boardMarker", "boardDictionary",
 /// "boardLegacy".
@@ -40,8 +41,8 @@ private:
     QLabel* m_kindLabel;
     QComboBox* m_kind;
     QLabel* m_countsLabel;
-    QSpinBox* m_columns;
-    QSpinBox* m_rows;
+    WholeNumberField* m_columns;
+    WholeNumberField* m_rows;
     QLabel* m_squareLabel;
     QDoubleSpinBox* m_square;
     QLabel* m_markerLabel;

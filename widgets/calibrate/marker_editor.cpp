@@ -15,7 +15,6 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -45,7 +44,7 @@ QString partName(Part part) {
 MarkerEditor::MarkerEditor(QWidget* parent)
     : QWidget(parent), m_dictionaryLabel(new QLabel(this)), m_dictionary(new QComboBox(this)),
       m_list(new QTreeWidget(this)), m_add(new QPushButton(this)), m_remove(new QPushButton(this)),
-      m_part(new QComboBox(this)), m_id(new QSpinBox(this)),
+      m_part(new QComboBox(this)), m_id(new WholeNumberField(this)),
       m_side(number(QStringLiteral("markerSide"), 1.0, 1000.0, 2, 1.0)) {
     m_dictionary->setObjectName("markerDictionary");
     m_dictionaryLabel->setBuddy(m_dictionary);
@@ -92,8 +91,8 @@ MarkerEditor::MarkerEditor(QWidget* parent)
     connect(m_part, &QComboBox::activated, this, [this](int row) {
         edit([part = static_cast<Part>(m_part->itemData(row).toInt())](MarkerSpec& m) { m.part = part; });
     });
-    connect(m_id, &QSpinBox::valueChanged, this,
-            [this](int id) { edit([id](MarkerSpec& m) { m.id = id; }); });
+    connect(m_id, &QDoubleSpinBox::valueChanged, this,
+            [this] { edit([id = m_id->whole()](MarkerSpec& m) { m.id = id; }); });
     connect(m_side, &QDoubleSpinBox::valueChanged, this,
             [this](double side) { edit([side](MarkerSpec& m) { m.side_m = side / kMmPerM; }); });
     QWidget* before = m_dictionary; // as it is read

@@ -13,10 +13,11 @@ class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 class QTreeWidget;
 
 namespace bask {
+
+class WholeNumberField;
 
 /// Emits a whole new value per committed edit. Object names: "markerDictionary", "markerList", "markerAdd",
 /// "markerRemove", "markerPart", "markerId", "markerSide", "marker.x" ... "marker.theta_z".
@@ -57,7 +58,7 @@ private:
     QPushButton* m_add;
     QPushButton* m_remove;
     QComboBox* m_part;
-    QSpinBox* m_id;
+    WholeNumberField* m_id;
     QDoubleSpinBox* m_side;
     std::array<QDoubleSpinBox*, 6> m_pose{};
     std::array<QLabel*, 9> m_captions{};

@@ -26,14 +26,18 @@ QVBoxLayout* dialogColumn(QDialog& dialog) {
     return column;
 }
 
+bool takeRefusalBy(const QWidget* button, const QDialog& dialog) {
+    return std::ranges::any_of(dialog.findChildren<NumberField*>(),
+                               [button](NumberField* each) { return each->takeRefusalBy(button); });
+}
+
 DialogButtons addDialogButtons(QDialog& dialog, const QString& take) {
     auto* box = new QDialogButtonBox(&dialog);
     const DialogButtons buttons{box, box->addButton(take, QDialogButtonBox::AcceptRole),
                                 box->addButton(DialogFrameWords::tr("Cancel"), QDialogButtonBox::RejectRole)};
     buttons.take->setDefault(true);
     QObject::connect(box, &QDialogButtonBox::accepted, &dialog, [&dialog, take = buttons.take] {
-        const auto fields = dialog.findChildren<NumberField*>();
-        if (std::ranges::none_of(fields, [take](NumberField* each) { return each->takeRefusalBy(take); }))
+        if (!takeRefusalBy(take, dialog))
             dialog.accept();
     });
     QObject::connect(box, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);

@@ -36,6 +36,12 @@ QString ungrouped(QString text) {
     return text.remove(kGroup).replace(kSpace, QStringLiteral(" ")).replace(QChar(0x2212), u'-');
 }
 
+/// "1.0" is a number with a fraction, as "1.5" is.
+bool hasFraction(const QString& text, double value) {
+    const QString plain = ungrouped(text);
+    return value != std::trunc(value) || plain.contains(u'.') || plain.contains(u',');
+}
+
 } // namespace
 
 std::optional<TypedValue> typedValue(const QString& text) {
@@ -140,8 +146,11 @@ bool NumberField::isWithinRange(double value) const {
 
 bool NumberField::isRoundedAway(double value) const {
     const double lost = 1e-12 * std::abs(value), rounded = roundedAsShown(value);
-    const bool isSpecial = !specialValueText().isEmpty() && rounded <= minimum();
-    return (rounded == 0.0 && value != 0.0) || (isSpecial && value > minimum() + lost);
+    return (rounded == 0.0 && value != 0.0) || (isShownInWords(rounded) && value > minimum() + lost);
+}
+
+bool NumberField::isShownInWords(double rounded) const {
+    return !specialValueText().isEmpty() && rounded <= minimum();
 }
 
 bool NumberField::isAmbiguous(const TypedValue& typed) const {
@@ -171,9 +180,8 @@ QString NumberField::whyNot(const QString& typed) const {
     const auto wanted = inOwnUnit(*parts);
     if (wanted && isWithinRange(*wanted)) {
         const double rounded = roundedAsShown(*wanted);
-        const bool isSpecial = !specialValueText().isEmpty() && rounded <= minimum();
         return tr("\u201c%1\u201d was not taken: with the digits of this field it would be %2")
-            .arg(typed, isSpecial ? specialValueText() : textFromValue(rounded) + suffix());
+            .arg(typed, isShownInWords(rounded) ? specialValueText() : textFromValue(rounded) + suffix());
     }
     if (wanted && !specialValueText().isEmpty())
         return tr("\u201c%1\u201d is out of range; allowed: more than %2, up to %3")
@@ -237,6 +245,22 @@ void NumberField::say(const QString& why) {
     setAccessibleDescription(why); // a screen reader on Linux is told no alert
     QTimer::singleShot(kShown, m_refusal, &QObject::deleteLater);
     connect(this, &QObject::destroyed, m_refusal, &QObject::deleteLater);
+}
+
+WholeNumberField::WholeNumberField(QWidget* parent) : NumberField(parent) {
+    setDecimals(0);
+}
+
+std::optional<double> WholeNumberField::number(const QString& text) const {
+    const auto typed = NumberField::number(text);
+    return typed && !hasFraction(text, *typed) ? typed : std::nullopt;
+}
+
+QString WholeNumberField::whyNot(const QString& typed) const {
+    const auto parts = typedValue(typed);
+    if (parts && hasFraction(typed, inOwnUnit(*parts).value_or(0.0)))
+        return tr("\u201c%1\u201d is not a whole number; the value stays as it was").arg(typed);
+    return NumberField::whyNot(typed);
 }
 
 QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,

@@ -47,7 +47,8 @@ protected:
     /// Returns a typed value in the unit of the suffix; empty if that has another dimension.
     virtual std::optional<double> inOwnUnit(const TypedValue& typed) const;
     /// Returns the number in the text of the field, with or without its suffix; empty if it cannot be taken.
-    std::optional<double> number(const QString& text) const;
+    virtual std::optional<double> number(const QString& text) const;
+    virtual QString whyNot(const QString& typed) const;
     bool isWithinRange(double value) const;
     /// Whether a value would be shown as zero, or as the words of the minimum, without being that.
     virtual bool isRoundedAway(double value) const;
@@ -59,8 +60,8 @@ protected:
 private:
     bool isAmbiguous(const TypedValue& typed) const;
     double roundedAsShown(double value) const;
+    bool isShownInWords(double rounded) const;
     QString withoutSuffix(const QString& text) const;
-    QString whyNot(const QString& typed) const;
     void say(const QString& why);
     void forgetRefusal();
 
@@ -69,6 +70,20 @@ private:
     QPointer<QWidget> m_refusedBy;
     QPointer<QLabel> m_refusal;
     std::optional<QString> m_ownDescription; ///< while the refusal is told in its place
+};
+
+/// A number without a fraction. What has the mark of one is refused, also 1.000, which may be a thousand.
+class WholeNumberField : public NumberField {
+    Q_OBJECT
+
+public:
+    explicit WholeNumberField(QWidget* parent = nullptr);
+
+    int whole() const { return static_cast<int>(value()); }
+
+protected:
+    std::optional<double> number(const QString& text) const override;
+    QString whyNot(const QString& typed) const override;
 };
 
 /// Makes a field that takes a number when it is entered, not while it is typed.

@@ -16,7 +16,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QSpinBox>
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +33,7 @@ QString number(double value, int decimals) {
 
 HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     : QWidget(parent), m_fits(new FourierFits(this)), m_caption(new QLabel(this)),
-      m_slider(new QSlider(Qt::Horizontal, this)), m_spin(new QSpinBox(this)),
+      m_slider(new QSlider(Qt::Horizontal, this)), m_spin(new WholeNumberField(this)),
       m_fewest(new QPushButton(this)), m_tolerance(new NumberField(this)), m_useOutline(new QCheckBox(this)),
       m_residual(new QLabel(this)), m_verdict(new QLabel(this)), m_warningIcon(new QLabel(this)),
       m_warning(new QLabel(this)), m_plot(new ResidualPlot(this)) {
@@ -97,7 +96,7 @@ void HarmonicsPanel::arrange() {
 void HarmonicsPanel::connectAll() {
     connect(m_slider, &QSlider::valueChanged, this, [this](int h) { choose(h, !m_slider->isSliderDown()); });
     connect(m_slider, &QSlider::sliderReleased, this, [this] { choose(m_slider->value(), true); });
-    connect(m_spin, &QSpinBox::valueChanged, this, [this](int h) { choose(h, true); });
+    connect(m_spin, &QDoubleSpinBox::valueChanged, this, [this] { choose(m_spin->whole(), true); });
     connect(m_plot, &ResidualPlot::harmonicsClicked, this, [this](int h) { choose(h, true); });
     connect(m_fewest, &QPushButton::clicked, this, [this] {
         m_sought_m = m_tolerance->value() * 1e-3;

@@ -14,12 +14,12 @@ class QGridLayout;
 class QLabel;
 class QPushButton;
 class QSlider;
-class QSpinBox;
 
 namespace bask {
 
 class FourierFits;
 class ResidualPlot;
+class WholeNumberField;
 
 /// Works on an outline; the fits run off the GUI thread. Dragging the slider gives `fitChanged`; releasing it
 /// (or a key, the spin box, a click in the plot, a tolerance) gives `fitCommitted`. Object names:
@@ -67,7 +67,7 @@ private:
     FourierFits* m_fits;
     QLabel* m_caption;
     QSlider* m_slider;
-    QSpinBox* m_spin;
+    WholeNumberField* m_spin;
     QPushButton* m_fewest;
     QDoubleSpinBox* m_tolerance;
     QCheckBox* m_useOutline;

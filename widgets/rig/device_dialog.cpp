@@ -1,10 +1,12 @@
 #include "widgets/rig/device_dialog.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/display.h"
 #include "widgets/common/file_folders.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/parameter_form.h"
 #include "widgets/rig/axis_table.h"
 #include "widgets/rig/coordinate_words.h"
@@ -22,7 +24,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSpinBox>
 
 #include <algorithm>
 
@@ -146,6 +147,8 @@ void DeviceDialog::build() {
     connect(m_refresh, &QPushButton::clicked, this, &DeviceDialog::portsWanted);
     connect(m_try, &QPushButton::clicked, this, &DeviceDialog::tryDevice);
     connect(m_use, &QPushButton::clicked, this, [this] {
+        if (takeRefusalBy(m_use, *this))
+            return;
         m_message->clear();
         emit useWanted(device());
     });
@@ -222,7 +225,7 @@ void DeviceDialog::buildUse() {
     channels->setContentsMargins(0, 0, 0, 0);
     channels->setColumnStretch(2, 1);
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        auto* field = new QSpinBox(m_channelsPart);
+        auto* field = new WholeNumberField(m_channelsPart);
         field->setObjectName(QStringLiteral("channel.%1").arg(i));
         field->setAccessibleName(QString::fromStdString(m_objects[i]));
         channels->addWidget(new QLabel(QString::fromStdString(m_objects[i]), m_channelsPart),
@@ -372,8 +375,8 @@ RigSpec DeviceDialog::device() const {
         ThermometerDeviceSpec& thermometer = rig.thermometer.emplace();
         give(thermometer);
         thermometer.profile = profile;
-        for (const QSpinBox* channel : m_channels)
-            thermometer.channels.push_back(channel->value());
+        for (const WholeNumberField* channel : m_channels)
+            thermometer.channels.push_back(channel->whole());
         break;
     }
     case DeviceRole::HeatSource: {
@@ -563,7 +566,7 @@ void DeviceDialog::showParts() {
         const int channels = !isModbus()    ? driverOf(*rig.thermometer).maxChannels
                              : profile >= 0 ? m_profiles[static_cast<std::size_t>(profile)].channels
                                             : ThermometerDriver().maxChannels;
-        for (QSpinBox* channel : m_channels)
+        for (WholeNumberField* channel : m_channels)
             channel->setMaximum(std::max(1, channels) - 1);
     }
     retranslateParts();

@@ -16,7 +16,6 @@ class QFormLayout;
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QSpinBox;
 
 namespace bask {
 
@@ -26,6 +25,7 @@ class ParameterForm;
 class SerialForm;
 class ThermalCameraForm;
 class UnitFinder;
+class WholeNumberField;
 
 /// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
 /// AxisTable, ThermalCameraForm and UnitFinder, "homing", "profile", "profileFile", "channel.0" ..., "probe",
@@ -115,7 +115,7 @@ private:
     UnitFinder* m_finder;
     QCheckBox *m_probe, *m_unattended;
     ParameterForm* m_parameters = nullptr;
-    std::vector<QSpinBox*> m_channels;
+    std::vector<WholeNumberField*> m_channels;
     MessageBar* m_message;
 };
 

@@ -1,13 +1,13 @@
 #include "widgets/targets/picture_dialog.h"
 
+#include "widgets/common/dialog_frame.h"
 #include "widgets/common/file_folders.h"
+#include "widgets/common/number_field.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -19,17 +19,17 @@ constexpr int kMaxFrame_px = 2000; // nine of them are in memory, and make one s
 } // namespace
 
 PictureDialog::PictureDialog(const QString& title, QSize size, int max, QWidget* parent)
-    : QDialog(parent), m_sizes(new QComboBox(this)), m_width(new QSpinBox(this)),
-      m_height(new QSpinBox(this)) {
+    : QDialog(parent), m_sizes(new QComboBox(this)), m_width(new WholeNumberField(this)),
+      m_height(new WholeNumberField(this)) {
     setWindowTitle(title);
     m_sizes->setObjectName("pictureSize");
     m_width->setObjectName("pictureWidth");
     m_height->setObjectName("pictureHeight");
-    for (QSpinBox* side : {m_width, m_height}) {
+    for (WholeNumberField* side : {m_width, m_height}) {
         side->setRange(kMin_px, max);
         side->setSingleStep(10);
         side->setSuffix(tr(" px"));
-        connect(side, &QSpinBox::valueChanged, this, &PictureDialog::findSize);
+        connect(side, &QDoubleSpinBox::valueChanged, this, &PictureDialog::findSize);
     }
     const QSize min(kMin_px, kMin_px);
     const QSize view = size.boundedTo({max, max}).expandedTo(min);
@@ -46,20 +46,16 @@ PictureDialog::PictureDialog(const QString& title, QSize size, int max, QWidget*
     connect(m_sizes, &QComboBox::activated, this, &PictureDialog::choose);
     choose();
 
-    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    buttons->button(QDialogButtonBox::Ok)->setText(tr("Choose the place\u2026"));
-    buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto* form = new QFormLayout(this);
+    auto* form = new QFormLayout;
     form->addRow(tr("&Size"), m_sizes);
     form->addRow(tr("&Width"), m_width);
     form->addRow(tr("&Height"), m_height);
-    form->addRow(buttons);
+    dialogColumn(*this)->addLayout(form);
+    addDialogButtons(*this, tr("Choose the place\u2026"));
 }
 
 QSize PictureDialog::size_px() const {
-    return {m_width->value(), m_height->value()};
+    return {m_width->whole(), m_height->whole()};
 }
 
 std::optional<PictureDialog::Order> PictureDialog::askPicture(QSize size, QWidget* parent) {

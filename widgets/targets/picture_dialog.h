@@ -6,9 +6,10 @@
 #include <optional>
 
 class QComboBox;
-class QSpinBox;
 
 namespace bask {
+
+class WholeNumberField;
 
 /// Width and height in pixels, typed or from a list. Object names: "pictureSize" (list), "pictureWidth",
 /// "pictureHeight".
@@ -36,8 +37,8 @@ private:
     void findSize();
 
     QComboBox* m_sizes; ///< the last entry is another size
-    QSpinBox* m_width;
-    QSpinBox* m_height;
+    WholeNumberField* m_width;
+    WholeNumberField* m_height;
 };
 
 } // namespace bask

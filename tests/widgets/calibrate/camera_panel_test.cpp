@@ -18,6 +18,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QProgressBar>
@@ -26,7 +27,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -189,7 +189,7 @@ TEST_F(CameraPanelTest, AnotherBoardIsToldAndCanBeTaken) {
     action->click();
     EXPECT_TRUE(message().isEmpty());
     EXPECT_EQ(wanted.back(), other);
-    EXPECT_EQ(child<QSpinBox>("boardColumns")->value(), 8);
+    EXPECT_EQ(child<QDoubleSpinBox>("boardColumns")->value(), 8);
     scene.board = other;
     hold(test::patientPoses()[0]);
     EXPECT_EQ(list()->count(), 1);
@@ -247,11 +247,11 @@ TEST_F(CameraPanelTest, TheBoardsSettingIsChecked) {
     scene.board = *wanted.back();
     hold(test::patientPoses()[0]);
     ASSERT_EQ(list()->count(), 1);
-    EXPECT_FALSE(child<QSpinBox>("boardColumns")->isEnabled());
+    EXPECT_FALSE(child<QDoubleSpinBox>("boardColumns")->isEnabled());
     click("captureAgain");
     EXPECT_EQ(list()->count(), 0);
-    EXPECT_TRUE(child<QSpinBox>("boardColumns")->isEnabled());
-    child<QSpinBox>("boardColumns")->setValue(8);
+    EXPECT_TRUE(child<QDoubleSpinBox>("boardColumns")->isEnabled());
+    child<QDoubleSpinBox>("boardColumns")->setValue(8);
     EXPECT_EQ(wanted.back()->columns, 8) << "it is still looking, for the new one";
 }
 

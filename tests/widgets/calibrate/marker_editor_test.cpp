@@ -10,7 +10,6 @@
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTest>
 #include <QTreeWidget>
 
@@ -63,7 +62,7 @@ TEST_F(MarkerEditorTest, AddsTheMarkerThatIsSeenAndNotListed) {
     EXPECT_EQ(vision.markers.back().id, 23);
     EXPECT_EQ(vision.markers.back().part, Part::EndEffector) << "as the last";
     EXPECT_EQ(list()->currentItem(), list()->topLevelItem(7));
-    EXPECT_EQ(child<QSpinBox>("markerId")->value(), 23);
+    EXPECT_EQ(child<QDoubleSpinBox>("markerId")->value(), 23);
     child<QPushButton>("markerAdd")->click();
     EXPECT_EQ(vision.markers.back().id, 4) << "the lowest that is free";
 }
@@ -80,7 +79,7 @@ TEST_F(MarkerEditorTest, EachFieldEditsTheChosenMarker) {
     expected.pose[kY] = -0.0125;
     child<QDoubleSpinBox>("marker.theta_z")->setValue(90.0);
     expected.pose[kThetaZ] = std::numbers::pi / 2.0;
-    child<QSpinBox>("markerId")->setValue(31);
+    child<QDoubleSpinBox>("markerId")->setValue(31);
     expected.id = 31;
     auto* part = child<QComboBox>("markerPart");
     part->setFocus();
@@ -107,25 +106,25 @@ TEST_F(MarkerEditorTest, RemovesTheChosenOneDownToNone) {
         child<QPushButton>("markerRemove")->click();
     EXPECT_TRUE(vision.markers.empty());
     EXPECT_FALSE(child<QPushButton>("markerRemove")->isEnabled());
-    EXPECT_FALSE(child<QSpinBox>("markerId")->isEnabled());
+    EXPECT_FALSE(child<QDoubleSpinBox>("markerId")->isEnabled());
     child<QPushButton>("markerAdd")->click();
     EXPECT_EQ(vision.markers.size(), 1U);
-    EXPECT_TRUE(child<QSpinBox>("markerId")->isEnabled());
+    EXPECT_TRUE(child<QDoubleSpinBox>("markerId")->isEnabled());
 }
 
 // Catches: a field that goes on showing what the document has refused.
 TEST_F(MarkerEditorTest, WhatIsRefusedIsTakenBack) {
     refuses = true;
     choose(0);
-    child<QSpinBox>("markerId")->setValue(10); // listed already
+    child<QDoubleSpinBox>("markerId")->setValue(10); // listed already
     EXPECT_EQ(edits, 1);
-    EXPECT_EQ(child<QSpinBox>("markerId")->value(), 0);
+    EXPECT_EQ(child<QDoubleSpinBox>("markerId")->value(), 0);
     auto* dictionary = child<QComboBox>("markerDictionary");
     dictionary->setFocus();
     QTest::keyClick(dictionary, Qt::Key_End);
     EXPECT_EQ(edits, 2);
     EXPECT_EQ(dictionary->currentText(), "4X4_50");
-    EXPECT_EQ(child<QSpinBox>("markerId")->maximum(), 49);
+    EXPECT_EQ(child<QDoubleSpinBox>("markerId")->maximum(), 49);
     child<QPushButton>("markerAdd")->click();
     EXPECT_EQ(list()->topLevelItemCount(), 7);
 }
@@ -138,12 +137,12 @@ TEST_F(MarkerEditorTest, ShowingAnExperimentEditsNothing) {
     large.markers[0].id = 200;
     vision = large;
     editor.setVision(vision);
-    EXPECT_EQ(child<QSpinBox>("markerId")->value(), 200);
+    EXPECT_EQ(child<QDoubleSpinBox>("markerId")->value(), 200);
     vision = bench.experiment.vision;
     vision.markers[0].id = 7;
     editor.setVision(vision);
     EXPECT_EQ(edits, 0);
-    EXPECT_EQ(child<QSpinBox>("markerId")->value(), 7);
+    EXPECT_EQ(child<QDoubleSpinBox>("markerId")->value(), 7);
 }
 
 // Catches: a marker said to be seen that is not, or one whose pose the picture leaves open said to be known.

@@ -114,6 +114,41 @@ TEST_F(NumberFieldTest, AUnitOfSomethingElseIsRefusedWithWords) {
     EXPECT_TRUE(refusal().contains(QStringLiteral("no unit"))) << refusal().toStdString();
 }
 
+// Catches "1.5" that is taken as 15 or 2, and a thousand as 1.
+TEST_F(NumberFieldTest, WhatIsNoWholeNumberIsRefusedWithWords) {
+    Language language;
+    WholeNumberField width(&window);
+    width.setSuffix(QStringLiteral(" px"));
+    width.setRange(1, 5000);
+    width.show();
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        width.setValue(7);
+        for (const char* text : {"1.5", "1,5", "1.0", "1,000", "1.000", "\uff11\uff0e\uff15", "15e-1", "4 1",
+                                 "abc", "1 cm", "0", "81920", "99999999999999999999"}) {
+            for (const bool isAll : {false, true}) {
+                type(width, text, isAll);
+                EXPECT_EQ(width.whole(), 7) << code.toStdString() << ' ' << text;
+                EXPECT_EQ(width.text(), QStringLiteral("7 px"));
+                EXPECT_TRUE(refusal().contains(QString::fromUtf8(text)))
+                    << text << ": " << refusal().toStdString();
+            }
+        }
+        for (const auto& [text, value] : std::initializer_list<std::pair<const char*, int>>{
+                 {"12", 12}, {" 34 ", 34}, {"+5", 5}, {"1 000", 1000}, {"60 px", 60}, {"5000", 5000}}) {
+            type(width, text, true);
+            EXPECT_EQ(width.whole(), value) << code.toStdString() << ' ' << text;
+            EXPECT_EQ(refusal(), QString()) << text;
+        }
+    }
+    language.set(QStringLiteral("en"));
+    type(width, "1.5");
+    EXPECT_TRUE(refusal().contains(QStringLiteral("whole number"))) << refusal().toStdString();
+    width.setValue(7);
+    width.stepUp();
+    EXPECT_EQ(width.text(), QStringLiteral("8 px"));
+}
+
 // Catches "41,5,5" that is taken as 41.55 or 415, and "1e" as 1.
 TEST_F(NumberFieldTest, WhatIsNoNumberIsRefusedWithWords) {
     Language language;

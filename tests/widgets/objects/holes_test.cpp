@@ -8,7 +8,6 @@
 #include <QDoubleSpinBox>
 #include <QMouseEvent>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTest>
 
 #include <gtest/gtest.h>

@@ -27,7 +27,6 @@
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
-#include <QSpinBox>
 #include <QSplitter>
 #include <QStyleOptionSlider>
 #include <QTabBar>
@@ -130,7 +129,7 @@ TEST_F(ObjectsPageTest, DraggingTheHarmonicsChangesTheResidualAndCommitsOnce) {
     QTest::mouseMove(slider, handle(slider, 12));
     ASSERT_TRUE(QTest::qWaitFor([&] { return residual() != before && residual().contains("mm"); }, 120000));
     EXPECT_EQ(edited.count(), 0) << "a drag in progress is a preview";
-    EXPECT_EQ(child<QSpinBox>("harmonicsSpin")->value(), slider->value());
+    EXPECT_EQ(child<QDoubleSpinBox>("harmonicsSpin")->value(), slider->value());
     const int reached = slider->value();
     EXPECT_NEAR(reached, 12, 1);
     QTest::mouseRelease(slider, Qt::LeftButton, {}, handle(slider, reached));
@@ -191,7 +190,7 @@ TEST_F(ObjectsPageTest, AToleranceOutOfReachIsToldWithWhatIsReached) {
 TEST_F(ObjectsPageTest, TheOutlineItselfAndBack) {
     select("bunny");
     ASSERT_TRUE(fitted());
-    type(child<QSpinBox>("harmonicsSpin"), "12");
+    type(child<QDoubleSpinBox>("harmonicsSpin"), "12");
     ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 120000));
     const Experiment fourier = last();
     auto* use = child<QCheckBox>("useOutline");
@@ -292,7 +291,7 @@ TEST_F(ObjectsPageTest, WarnsOfACrossingOutline) {
     experiment.objects[1].origin.outline = outline;
     page.setExperiment(experiment);
     select("bunny");
-    auto* spin = child<QSpinBox>("harmonicsSpin");
+    auto* spin = child<QDoubleSpinBox>("harmonicsSpin");
     ASSERT_TRUE(fitted());
     const QPoint before = child<QSlider>("harmonicsSlider")->mapTo(&page, QPoint());
     EXPECT_FALSE(child<QLabel>("crossingWarning")->isVisible());

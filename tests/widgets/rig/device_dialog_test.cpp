@@ -13,7 +13,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -243,15 +242,32 @@ TEST_F(DeviceDialogTest, ATestReadShowsWhatTheDeviceSays) {
 TEST_F(DeviceDialogTest, EachObjectHasItsChannel) {
     open(DeviceRole::Thermometer);
     choose("driver", 1);
-    child<QSpinBox>("channel.0")->setValue(5);
-    child<QSpinBox>("channel.1")->setValue(2);
+    child<QDoubleSpinBox>("channel.0")->setValue(5);
+    child<QDoubleSpinBox>("channel.1")->setValue(2);
     typePort("/dev/ttyTEMP");
     click("useDevice");
     ASSERT_EQ(used.size(), 1U);
     EXPECT_EQ(used.back().thermometer->channels, (std::vector{5, 2}));
     choose("driver", 0);
     const int last = dialog->device().thermometer->profile.channels - 1;
-    EXPECT_EQ(child<QSpinBox>("channel.0")->maximum(), last);
+    EXPECT_EQ(child<QDoubleSpinBox>("channel.0")->maximum(), last);
+}
+
+// Catches channel 15 for "1.5", and a device that is taken with another channel than was typed.
+TEST_F(DeviceDialogTest, IsNotTakenWhenANumberIsRefused) {
+    open(DeviceRole::Thermometer);
+    typePort("/dev/ttyTEMP");
+    dialog->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(dialog.get()));
+    auto* channel = child<QDoubleSpinBox>("channel.0");
+    channel->setFocus();
+    channel->selectAll();
+    QTest::keyClicks(channel, QStringLiteral("1.5"));
+    click("useDevice");
+    EXPECT_TRUE(used.empty());
+    click("useDevice");
+    ASSERT_EQ(used.size(), 1U) << "the number is what is shown now";
+    EXPECT_EQ(used.back().thermometer->channels.front(), 0);
 }
 
 // Catches a choice that sets another unit, profile or line than were found, and a search that keeps the port.

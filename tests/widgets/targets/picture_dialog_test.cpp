@@ -3,8 +3,8 @@
 #include "widgets/targets/picture_dialog.h"
 
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLineEdit>
-#include <QSpinBox>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -15,10 +15,10 @@ namespace {
 struct PictureDialogTest : testing::Test {
     PictureDialog dialog{QStringLiteral("Save"), {1400, 1000}, PictureDialog::kMax_px, nullptr};
     QComboBox* sizes = dialog.findChild<QComboBox*>("pictureSize");
-    QSpinBox* width = dialog.findChild<QSpinBox*>("pictureWidth");
-    QSpinBox* height = dialog.findChild<QSpinBox*>("pictureHeight");
+    QDoubleSpinBox* width = dialog.findChild<QDoubleSpinBox*>("pictureWidth");
+    QDoubleSpinBox* height = dialog.findChild<QDoubleSpinBox*>("pictureHeight");
 
-    void type(QSpinBox* side, const QString& text) {
+    void type(QDoubleSpinBox* side, const QString& text) {
         side->setFocus();
         side->selectAll();
         QTest::keyClicks(side, text);
@@ -53,7 +53,9 @@ TEST_F(PictureDialogTest, TakesATypedSizeWithinItsBounds) {
     type(width, QStringLiteral("99"));
     type(height, QStringLiteral("81920"));
     EXPECT_EQ(width->value(), 1920) << "99 is refused";
-    EXPECT_LE(height->value(), 8192);
+    EXPECT_EQ(height->value(), 1080) << "81920 is refused";
+    type(width, QStringLiteral("192.5"));
+    EXPECT_EQ(dialog.size_px(), QSize(1920, 1080)) << "not 1925, nor 193";
 }
 
 // Catches sizes on the list that the fields then cut down to others.
