@@ -91,6 +91,14 @@ QString formatDifference(double d_K, TemperatureUnit unit, int decimals) {
     return formatSigned(displayDifference(d_K, unit), decimals) + kNarrowSpace + differenceUnitSymbol(unit);
 }
 
+QString formatPrintedDifference(double t_K, double reference_K, TemperatureUnit unit, int decimals) {
+    const auto printed = [&](double each_K) { return roundedTo(displayTemperature(each_K, unit), decimals); };
+    const double difference = printed(t_K) - printed(reference_K);
+    if (!std::isfinite(difference))
+        return kNoValue;
+    return formatSigned(difference, decimals) + kNarrowSpace + differenceUnitSymbol(unit);
+}
+
 QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals) {
     if (!std::isfinite(rate_K_s))
         return kNoValue;

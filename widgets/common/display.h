@@ -32,6 +32,9 @@ QString formatReading(double t_K, double standardUncertainty_K, TemperatureUnit 
 QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals = 1);
 /// Returns "+0.3 K" (a difference, with its sign); a dash if it is not finite.
 QString formatDifference(double d_K, TemperatureUnit unit, int decimals = 1);
+/// Returns the difference of two temperatures as they are printed with so many decimals; a dash if one is not
+/// finite.
+QString formatPrintedDifference(double t_K, double reference_K, TemperatureUnit unit, int decimals = 1);
 /// "+1.2 K/min".
 QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals = 1);
 /// "0:42", "12:03", "1:02:03".

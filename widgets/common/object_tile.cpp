@@ -90,6 +90,10 @@ bool isUnknown(ObjectActivity activity) {
            activity == ObjectActivity::SensorDistrusted;
 }
 
+QString ShownObject::errorText(TemperatureUnit unit) const {
+    return formatPrintedDifference(isUnknown(activity) ? kNothing : temperature_K, target_K, unit);
+}
+
 ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(index) {
     setObjectName(QStringLiteral("objectTile.%1").arg(index));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -231,8 +235,7 @@ ShownObject ObjectTile::shown() const {
         std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
     const double known_K = m_sample.valid && !isOld ? m_sample.measured_K : ShownObject::kNothing;
     const QString age = isOld && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s) : QString();
-    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, known_K - m_sample.target_K,
-            age};
+    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, age};
 }
 
 void ObjectTile::showValues() {
@@ -240,7 +243,7 @@ void ObjectTile::showValues() {
     const bool isKnown = m_sample.valid && !isUnknown(m_activity);
     showTemperature(now);
     m_target->setText(formatTemperature(now.target_K, m_unit));
-    m_error->setText(formatDifference(now.error_K, m_unit));
+    m_error->setText(now.errorText(m_unit));
     m_rate->setText(formatRate(isKnown ? m_trend.meanRate_K_s() : ShownObject::kNothing, m_unit));
     sayWithText(m_target, m_targetCaption->text());
     sayWithText(m_error, m_errorCaption->text());

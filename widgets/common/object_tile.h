@@ -45,8 +45,10 @@ struct ShownObject {
     ObjectActivity activity = ObjectActivity::Waiting;
     double temperature_K = kNothing; ///< of an unknown one the last that was told
     double target_K = kNothing;
-    double error_K = kNothing;
     QString age; ///< of a reading that is not known; empty if there was none
+
+    /// Returns "+0.3 K", that of the two temperatures as they are shown; a dash without a known reading.
+    QString errorText(TemperatureUnit unit) const;
 };
 
 /// A temperature that is not, or no longer, known is grey with its age; an untrusted one is struck out, and a

@@ -72,14 +72,11 @@ void FinalValuesTable::refresh() {
         const double target = displayTemperature(value.target_K, m_unit),
                      last = displayTemperature(value.final_K, m_unit);
         const int decimals = decimalsWithDifferences({&last, 1}, target, 2);
-        const double error = roundedTo(last, decimals) - roundedTo(target, decimals);
         const QStringList texts{value.name,
                                 formatTemperature(value.target_K, m_unit, decimals),
                                 formatTemperature(value.final_K, m_unit, decimals),
                                 formatTemperature(value.true_K, m_unit, decimals),
-                                std::isfinite(error) ? formatSigned(error, decimals) + QChar(0x00a0) +
-                                                           differenceUnitSymbol(m_unit)
-                                                     : kNoValue,
+                                formatPrintedDifference(value.final_K, value.target_K, m_unit, decimals),
                                 settling};
         for (int column = 0; column < kColumns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);

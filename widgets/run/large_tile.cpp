@@ -63,7 +63,7 @@ void LargeTile::setShown(const ShownObject& object, TemperatureUnit unit) {
     m_word->setLook({.isUnknown = isOld});
     setCaptions(QStringLiteral("+000.0\u00a0") + temperatureUnitSymbol(unit));
     m_target->setText(formatTemperature(object.target_K, unit));
-    m_error->setText(formatDifference(object.error_K, unit));
+    m_error->setText(object.errorText(unit));
     setAccessibleName(ObjectTile::nameWords(object.name));
     setAccessibleDescription(QStringLiteral("%1, %2, %3 %4, %5 %6")
                                  .arg(m_word->text(), formatTemperature(object.temperature_K, unit),

@@ -45,6 +45,19 @@ TEST(Display, DifferencesHaveSignAndNoOffset) {
     EXPECT_EQ(formatRate(INFINITY, TemperatureUnit::Celsius), kNoValue);
 }
 
+// Catches a column of differences that no reader can add up, and "nan".
+TEST(Display, APrintedDifferenceIsThatOfThePrintedNumbers) {
+    const auto printed = [](double t_degC, double reference_degC, TemperatureUnit unit, int decimals = 1) {
+        return formatPrintedDifference(273.15 + t_degC, 273.15 + reference_degC, unit, decimals);
+    };
+    EXPECT_EQ(printed(40.14, 39.96, TemperatureUnit::Celsius), QStringLiteral("+0.1\u00a0K"));
+    EXPECT_EQ(printed(40.14, 39.96, TemperatureUnit::Celsius, 2), QStringLiteral("+0.18\u00a0K"));
+    EXPECT_EQ(printed(39.96, 40.14, TemperatureUnit::Celsius), QStringLiteral("\u22120.1\u00a0K"));
+    EXPECT_EQ(printed(40.04, 39.96, TemperatureUnit::Celsius), QStringLiteral("0.0\u00a0K"));
+    EXPECT_EQ(printed(std::nan(""), 40.0, TemperatureUnit::Celsius), kNoValue);
+    EXPECT_EQ(printed(40.0, std::nan(""), TemperatureUnit::Fahrenheit), kNoValue);
+}
+
 TEST(Display, Durations) {
     EXPECT_EQ(formatDuration(0.0), QStringLiteral("0:00"));
     EXPECT_EQ(formatDuration(59.99), QStringLiteral("0:59"));

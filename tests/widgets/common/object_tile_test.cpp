@@ -44,6 +44,24 @@ TEST(ObjectTile, NumbersWithUnits) {
     EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u221218.0\u00a0°F"));
 }
 
+// Catches 40.1 beside a target of 40.0 and an error of 0.2.
+TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
+    Shown shown;
+    ObjectSample sample;
+    sample.valid = true;
+    sample.target_K = 273.15 + 39.96;
+    sample.measured_K = 273.15 + 40.14; // 0.18 K more
+    shown.tile.setSample(1.0, sample);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("40.1\u00a0°C"));
+    EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("+0.1\u00a0K"));
+    EXPECT_EQ(shown.tile.shown().errorText(TemperatureUnit::Celsius), QStringLiteral("+0.1\u00a0K"));
+    shown.tile.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("104.3\u00a0°F"));
+    EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("103.9\u00a0°F"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("+0.4\u00a0°F"));
+}
+
 TEST(ObjectTile, StateInAWord) {
     Shown shown;
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("No reading yet"));

@@ -258,6 +258,10 @@ TEST(LargeNumbers, AStaleValueIsNotShownAsKnown) {
     EXPECT_EQ(large.words("largeError"), QStringLiteral("\u221210.0\u00a0K"));
     EXPECT_EQ(large.words("largeTarget"), QStringLiteral("40.0\u00a0°C"));
     EXPECT_EQ(large.count(unknownColor(false)), 0);
+    ShownObject near = shownOf(273.15 + 40.14);
+    near.target_K = 273.15 + 39.96;
+    see(near);
+    EXPECT_EQ(large.words("largeError"), QStringLiteral("+0.1\u00a0K")) << "40.1 beside 40.0";
 
     struct Doubt {
         ShownObject object;
