@@ -37,7 +37,8 @@ QPixmap blankPixmap(QSize size, double devicePixelRatio) {
     return pixmap;
 }
 
-/// Fusion draws the frames of boxes darker than the window, which on a dark one nobody sees.
+/// Fusion draws the frames of boxes darker than the window, which on a dark one nobody sees, and widens only
+/// short menu buttons: the words of a long one touch its arrow.
 class FramedFusion : public QProxyStyle {
 public:
     FramedFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
@@ -59,6 +60,15 @@ public:
             painter->drawRect(frame);
         }
         painter->restore();
+    }
+
+    QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
+                           const QWidget* widget) const override {
+        const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+        const bool hasMenu = type == CT_PushButton && button != nullptr &&
+                             button->features.testFlag(QStyleOptionButton::HasMenu);
+        const int room = hasMenu ? 2 * pixelMetric(PM_ButtonMargin, option, widget) : 0;
+        return QProxyStyle::sizeFromContents(type, option, contents + QSize(room, 0), widget);
     }
 };
 

@@ -1,6 +1,10 @@
 #include "widgets/common/stop_button.h"
 #include "widgets/common/theme.h"
 
+#include <QMenu>
+#include <QPushButton>
+#include <QStyle>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -116,6 +120,25 @@ TEST(Theme, AYellowMarkHasItsEdge) {
             darkest = std::min(darkest, colour.red());
     EXPECT_LT(darkest, alarmColor(3, false).red() - 40);
     EXPECT_EQ(mark.pixelColor(5, 20), alarmColor(3, false)) << "inside it is as yellow as ever";
+}
+
+// Catches words that touch the arrow of their menu, and buttons that are wider for nothing.
+TEST(Theme, AMenuButtonHasRoomBetweenItsWordsAndItsArrow) {
+    constexpr int kMinRoom_px = 8; // on both sides of the words
+    const auto room = [](const QString& text, bool hasMenu) {
+        QMenu menu;
+        QPushButton button(text);
+        if (hasMenu)
+            button.setMenu(&menu);
+        const int arrow =
+            hasMenu ? button.style()->pixelMetric(QStyle::PM_MenuButtonIndicator, nullptr, &button) : 0;
+        return button.sizeHint().width() - arrow -
+               button.fontMetrics().size(Qt::TextShowMnemonic, text).width();
+    };
+    const QString words = QStringLiteral("Export figure of all runs"), word = QStringLiteral("A");
+    EXPECT_GE(room(words, true), 2 * kMinRoom_px);
+    EXPECT_LT(room(words, false), room(words, true));
+    EXPECT_LE(room(word, true), room(word, false)) << "room enough";
 }
 
 // Catches two objects that look the same: colour and dash together differ for six.
