@@ -60,6 +60,8 @@ void AlarmHistoryControl::read() {
         },
         [this](AlarmHistory history) {
             m_timer.stop();
+            for (const std::size_t run : history.unreadable)
+                emit readFailed(*history.runs[run].error);
             m_dialog->setHistory(std::move(history));
         });
 }

@@ -36,6 +36,7 @@ public:
 signals:
     /// A person wants to see a run, at this time since Start.
     void runChosen(const QString& path, double time_s);
+    void readFailed(const bask::Error& error); ///< of a listed run
 
 private:
     void make();

@@ -72,6 +72,7 @@ void ReviewDesk::connectList() {
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
     connect(&m_alarms, &AlarmHistoryControl::runChosen, this,
             [this](const QString& path, double raised_s) { m_files.openSession(path, raised_s); });
+    connect(&m_alarms, &AlarmHistoryControl::readFailed, &m_library, &SessionLibrary::takeDamage);
     connect(list, &SessionList::experimentRequested, &m_files,
             qOverload<const QString&>(&SessionActions::openAsNew));
     list->setSorting(m_files.sessionSorting());

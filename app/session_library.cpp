@@ -11,6 +11,7 @@
 #include <QtConcurrentRun>
 
 #include <filesystem>
+#include <set>
 #include <system_error>
 #include <utility>
 
@@ -86,6 +87,8 @@ std::vector<SessionHeader> SessionLibrary::read(const std::string& folder, Heade
         headers.push_back(isSame ? before->second.header : readSessionHeader(path));
         now[path] = {std::move(stamp), headers.back(), isSame && before->second.isChecked};
     }
+    std::erase_if(known, [](const auto& each) { return !each.second.header.damage; });
+    now.merge(known); // the damaged ones of other folders
     known = std::move(now);
     return headers;
 }
@@ -118,12 +121,27 @@ void SessionLibrary::takeDamage(const Error& error) {
         return;
     run(
         [error, known = m_known] {
+            std::set<std::string> paths{error.where};
             std::error_code failed;
-            for (auto& [path, listed] : *known)
+            for (const auto& [path, listed] : *known)
                 if (std::filesystem::equivalent(path, error.where, failed)) // opened through a link, too
-                    listed.header.damage = error;
+                    paths.insert(path);
+            bool isNew = false;
+            for (const std::string& path : paths) {
+                Known& file = (*known)[path];
+                std::string stamp = stampOf(path);
+                if (file.stamp == stamp && (file.header.error || file.header.damage))
+                    continue;
+                file = {std::move(stamp), readSessionHeader(path), true};
+                file.header.damage = error;
+                isNew = true;
+            }
+            return isNew;
         },
-        [this] { refresh(); });
+        [this](bool isNew) {
+            if (isNew)
+                refresh();
+        });
 }
 
 /// The outcome of a run can be read where its samples cannot. One that is no longer selected is passed over.

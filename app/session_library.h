@@ -29,7 +29,8 @@ public:
 
     void setFolder(const QString& folder);
     void refresh();
-    /// Lists the file that an error is about as damaged, until it changes, if that is what the error says.
+    /// Lists the file that an error is about as damaged, if that is what the error says, in whichever folder
+    /// and until it changes.
     void takeDamage(const Error& error);
 
 signals:
@@ -46,7 +47,7 @@ private:
         SessionHeader header;
         bool isChecked = false; ///< its structure was looked at
     };
-    using Headers = std::map<std::string, Known>;
+    using Headers = std::map<std::string, Known>; ///< of the folder, and damaged ones of others
 
     template <class Work, class Done> void run(Work work, Done done);
     void writeTags(const QString& path, const QStringList& tags);

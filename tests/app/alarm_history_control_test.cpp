@@ -128,6 +128,21 @@ TEST_F(AlarmHistoryControlTest, ItIsClosedWhileRunsAreRead) {
     EXPECT_TRUE(waitForAlarms("20"));
 }
 
+// Catches: a run that cannot be read, which only the dialog tells of.
+TEST_F(AlarmHistoryControlTest, ARunThatCannotBeReadIsToldToTheList) {
+    const QString a = record("a.bask"), b = record("b.bask");
+    listAll();
+    ASSERT_TRUE(QFile::resize(b, QFile(b).size() / 2));
+    std::vector<Error> errors;
+    QObject::connect(&control, &AlarmHistoryControl::readFailed,
+                     [&](const Error& error) { errors.push_back(error); });
+    openDialog();
+    ASSERT_TRUE(waitForAlarms("1"));
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors.front().code(), MessageCode::SessionDamaged);
+    EXPECT_EQ(errors.front().where, b.toStdString());
+}
+
 // Catches: runs in another order than their dates are shown in: time zones.
 TEST_F(AlarmHistoryControlTest, TheNewestRunIsTheOneWithTheLastDate) {
     std::vector<SessionHeader> headers(2, readSessionHeader(record("early.bask").toStdString()));

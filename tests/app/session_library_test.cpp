@@ -10,8 +10,10 @@
 
 #include <QElapsedTimer>
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -167,6 +169,49 @@ TEST_F(SessionLibraryTest, DamageIsListedByWhateverPathTheRunWasOpened) {
     library.takeDamage(Error(MessageCode::SessionDamaged, (link + "/a.bask").toStdString(), {kNotWhole}));
     ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
     EXPECT_EQ(cell(b, 2), "Settled");
+}
+
+// Catches: damage that is forgotten while another folder is listed, or was found before its folder was.
+TEST_F(SessionLibraryTest, DamageIsRememberedForOtherFolders) {
+    const QString a = record("a.bask", "settled"), b = record("b.bask", "settled"),
+                  c = record("c.bask", "settled");
+    const QTemporaryDir empty;
+    library.takeDamage(Error(MessageCode::SessionDamaged, b.toStdString(), {kNotWhole}));
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(3));
+    EXPECT_EQ(cell(b, 2), "Damaged") << "it was opened before";
+    writeOver(a); // after it was listed
+    choose(a);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
+    library.setFolder(empty.path());
+    ASSERT_TRUE(waitForRows(0));
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(3));
+    EXPECT_EQ(cell(a, 2), "Damaged");
+    EXPECT_EQ(cell(b, 2), "Damaged");
+    EXPECT_EQ(cell(c, 2), "Settled");
+    ASSERT_TRUE(QFile::remove(a));
+    ASSERT_TRUE(QFile::copy(c, a));
+    library.refresh();
+    EXPECT_TRUE(waitFor([&] { return cell(a, 2) == "Settled"; })) << "another file";
+}
+
+// Catches: a list that is read anew for each time that the same damage is met.
+TEST_F(SessionLibraryTest, KnownDamageIsNotListedAnew) {
+    const QString a = record("a.bask", "settled");
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(1));
+    QSignalSpy listed(&list, &SessionList::sessionsChanged);
+    const Error damage(MessageCode::SessionDamaged, a.toStdString(), {kNotWhole});
+    library.takeDamage(damage);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Damaged"; }));
+    bool isDone = false;
+    QObject::connect(&library, &SessionLibrary::overlayRead, [&] { isDone = true; });
+    library.takeDamage(damage);
+    emit list.compareRequested(a); // after it
+    ASSERT_TRUE(waitFor([&] { return isDone; }));
+    EXPECT_FALSE(list.findChild<QLabel*>("sessionCount")->text().startsWith("Reading"));
+    EXPECT_EQ(listed.count(), 1);
 }
 
 // Catches: a refused change that stays on the screen as if it had been written.

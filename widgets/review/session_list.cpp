@@ -581,6 +581,10 @@ void SessionList::retranslate() {
     m_icons.clear();
     m_tree->setHeaderLabels({tr("Recorded"), tr("Run"), tr("Outcome"), tr("Duration"), tr("Operator"),
                              tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});
+    m_tree->headerItem()->setToolTip(
+        kOutcome, tr("What each run told at its end. Damage of its file is found when the run is selected (a "
+                     "long one: when it is opened) and listed until Bask is closed; whether the file was "
+                     "altered says bask verify."));
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

@@ -410,6 +410,7 @@ TEST_F(SessionListTest, OutcomesAreNotCutShort) {
                 << text.toStdString();
         }
     EXPECT_EQ(row("b")->toolTip(2), "Settled");
+    EXPECT_TRUE(tree->headerItem()->toolTip(2).contains("Damage")) << "what the word does not promise";
 }
 
 // Catches a selection that is lost, or another run's, when the folder is read again.
