@@ -7109,10 +7109,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Choisir l’emplacement…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>&amp;Size</source>
         <translation>&amp;Taille</translation>
     </message>
@@ -9820,6 +9816,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Which alarms the listed runs had, how often and when</source>
         <translation>Les alarmes qu’ont eues les essais listés, combien de fois et quand</translation>
     </message>
+    <message>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>Ce que chaque essai a dit à sa fin. Un dommage de son fichier se trouve quand l’essai est sélectionné (un long : quand il est ouvert) et reste listé jusqu’à la fermeture de Bask ; si le fichier a été modifié, bask verify le dit.</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -11130,6 +11130,13 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Views of the calibration</source>
         <translation>Vues de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>bask::WholeNumberField</name>
+    <message>
+        <source>“%1” is not a whole number; the value stays as it was</source>
+        <translation>« %1 » n’est pas un nombre entier ; la valeur reste telle qu’elle était</translation>
     </message>
 </context>
 <context>

@@ -7101,10 +7101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>选择位置…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>&amp;Size</source>
         <translation>尺寸(&amp;S)</translation>
     </message>
@@ -9799,6 +9795,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Which alarms the listed runs had, how often and when</source>
         <translation>所列运行中出现过哪些报警、多少次、何时</translation>
     </message>
+    <message>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>各次运行在结束时给出的结果。文件的损坏在选中该运行时（较长的在打开时）发现，并在列表中保留到 Bask 关闭；文件是否被改动过由 bask verify 指出。</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -11104,6 +11104,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Views of the calibration</source>
         <translation>标定视图</translation>
+    </message>
+</context>
+<context>
+    <name>bask::WholeNumberField</name>
+    <message>
+        <source>“%1” is not a whole number; the value stays as it was</source>
+        <translation>“%1”不是整数；数值保持不变</translation>
     </message>
 </context>
 <context>

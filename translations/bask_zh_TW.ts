@@ -7101,10 +7101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>選擇位置…</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>&amp;Size</source>
         <translation>尺寸(&amp;S)</translation>
     </message>
@@ -9799,6 +9795,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Which alarms the listed runs had, how often and when</source>
         <translation>所列運轉中出現過哪些警報、多少次、何時</translation>
     </message>
+    <message>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>各次運轉在結束時給出的結果。檔案的損壞在選取該運轉時（較長的在開啟時）發現，並在清單中保留到 Bask 關閉；檔案是否被改動過由 bask verify 指出。</translation>
+    </message>
 </context>
 <context>
     <name>bask::SheetPanel</name>
@@ -11104,6 +11104,13 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Views of the calibration</source>
         <translation>校正視圖</translation>
+    </message>
+</context>
+<context>
+    <name>bask::WholeNumberField</name>
+    <message>
+        <source>“%1” is not a whole number; the value stays as it was</source>
+        <translation>「%1」不是整數；數值保持不變</translation>
     </message>
 </context>
 <context>

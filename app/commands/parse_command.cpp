@@ -24,13 +24,16 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
         std::fputs(qPrintable(usage + text.mid(firstLineEnd)), stdout);
         return kExitDone;
     }
-    for (const QString& option : parser.optionNames())
-        if ((parser.values(option).size() > 1 || parser.optionNames().count(option) > 1) &&
-            !repeatable.contains(option)) {
-            std::fprintf(stderr, "bask %s: %s%s is given twice\n", name, option.size() == 1 ? "-" : "--",
-                         qPrintable(option));
+    QStringList seen; // an option without a value may not be asked for values
+    for (const QString& given : parser.optionNames()) {
+        const QString option = given == u"output" ? QStringLiteral("o") : given;
+        if (seen.contains(option) && !repeatable.contains(option)) {
+            std::fprintf(stderr, "bask %s: %s%s is given twice\n", name, given.size() == 1 ? "-" : "--",
+                         qPrintable(given));
             return kExitBadInput;
         }
+        seen.append(option);
+    }
     const int given = static_cast<int>(parser.positionalArguments().size()), min = std::abs(positionals);
     if (positionals < 0 ? given < min : given != positionals) {
         std::fprintf(stderr, "bask %s: %s%d argument%s expected, %d given (see bask %s --help)\n", name,

@@ -118,7 +118,8 @@ class AtSpi(unittest.TestCase):
         """The shown node of a role whose name begins so; it is kept, since a walk through the window is slow."""
         key = role, beginning
         if key not in self.known or not has(self.known[key], pyatspi.STATE_SHOWING):
-            fits = lambda n: n.getRole() == role and n.name.startswith(beginning)
+            roles = [role, pyatspi.ROLE_PANEL] if role == pyatspi.ROLE_FRAME else [role]  # a frame is a panel in Qt 6.8
+            fits = lambda n: n.getRole() in roles and n.name.startswith(beginning)
             self.known[key] = wait_for(lambda: next(filter(fits, shown(self.window)), None), f"{beginning} is shown")
         return self.known[key]
 

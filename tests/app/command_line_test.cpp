@@ -245,7 +245,8 @@ TEST(CommandLine, OptionsThatComeTwiceOrDoNothingAreRefused) {
           QStringList{"feasibility", experiment, "--targets", "50,40", "--targets", "40,40"},
           QStringList{"run", experiment, "--live", "--live"},
           QStringList{"run", experiment, "--accept-limits"}, QStringList{"run", experiment, "--overwrite"},
-          QStringList{"run", experiment, "--live", "--seed", "3"}}) {
+          QStringList{"run", experiment, "--live", "--seed", "3"},
+          QStringList{"view-factor", experiment, "-o", "one.json", "--output", "other.json"}}) {
         const Answer answer = bask(arguments);
         EXPECT_EQ(answer.exitCode, 2) << arguments.join(' ').toStdString();
         EXPECT_TRUE(answer.err.contains("is given twice") || answer.err.contains("is for"))

@@ -48,7 +48,9 @@ template <class Spec> void expectRanges(std::optional<Spec> RigSpec::*place, con
         for (const double outside : {parameter.range.min - 1.0, parameter.range.max + 1.0}) {
             rig = valid;
             parameter.set((rig.*place)->serial, outside);
-            EXPECT_EQ(refusal(rig).where, std::string(path) + ".serial." + keyOf(parameter)) << outside;
+            std::string where(path);
+            where.append(".serial.").append(keyOf(parameter));
+            EXPECT_EQ(refusal(rig).where, where) << outside;
         }
 }
 
