@@ -48,12 +48,19 @@ Json celsius(const std::optional<double>& kelvin) {
     return kelvin ? celsius(*kelvin) : Json(nullptr);
 }
 
-const char* wordOf(HeatState heat) {
-    switch (heat) {
+/// Whether the device says that its heat is off, and the source warms all the same.
+bool heatsUnasked(const Snapshot& snapshot) {
+    return snapshot.heat == HeatState::Off && std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
+               return alarm.isActive && alarm.message.code == MessageCode::SafetySourceHeatsUnasked;
+           });
+}
+
+const char* heatWord(const Snapshot& snapshot) {
+    switch (snapshot.heat) {
     case HeatState::On:
         return "on";
     case HeatState::Off:
-        return "off";
+        return heatsUnasked(snapshot) ? "unasked" : "off";
     default:
         return "unknown";
     }
@@ -224,7 +231,7 @@ std::string statusJson(const MonitorStatus& status) {
          {"source",
           {{"temperature_C", celsius(s.source_K)},
            {"age_s", number(s.sourceAge_s)},
-           {"heat", wordOf(s.heat)},
+           {"heat", heatWord(s)},
            {"set_point_C", celsius(s.heatSetPoint_K)}}},
          {"robot", {{"place", wordOf(s.place)}, {"moves", s.isMoving}, {"coordinates", coordinates}}},
          {"objects", objectsJson(s)},
@@ -269,6 +276,9 @@ std::string statusMetrics(const MonitorStatus& status) {
         .add(s.source_K ? celsiusFromKelvin(*s.source_K) : std::nan(""));
     Metric(out, "heat_on", "gauge", "1: heat is commanded, or not yet confirmed off.")
         .add(s.heatOn ? 1.0 : 0.0);
+    Metric(out, "heats_unasked", "gauge",
+           "1: the source warms although its device says that its heat is off.")
+        .add(heatsUnasked(s) ? 1.0 : 0.0);
     Metric alarms(out, "alarms", "gauge", "Alarms that are not acknowledged, by priority.");
     for (int priority = 1; priority <= 3; ++priority)
         alarms.add(static_cast<double>(std::ranges::count_if(s.alarms,

@@ -180,6 +180,40 @@ TEST(MonitorStatus, IsJsonWithNullForWhatIsNotKnown) {
     EXPECT_EQ(empty["closed"], true);
 }
 
+// Catches "off" that is told elsewhere beside a plate which heats though off.
+TEST(MonitorStatus, TellsASourceThatHeatsUnasked) {
+    MonitorStatus status{1700000000.25, false, runningSnapshot()};
+    const auto heat = [&] { return json::parse(statusJson(status))["source"]["heat"]; };
+    const auto isTold = [&] {
+        const std::string text = statusMetrics(status);
+        EXPECT_NE(text.find("bask_heat_on 0\n"), std::string::npos) << "nobody commands it";
+        const bool isOne = text.find("bask_heats_unasked 1\n") != std::string::npos;
+        EXPECT_NE(isOne, text.find("bask_heats_unasked 0\n") != std::string::npos);
+        return isOne;
+    };
+    status.snapshot.heat = HeatState::Off;
+    EXPECT_EQ(heat(), "off");
+    EXPECT_FALSE(isTold());
+
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    alarm.isAcknowledged = true; // it heats on
+    status.snapshot.alarms = {alarm};
+    EXPECT_EQ(heat(), "unasked");
+    EXPECT_TRUE(isTold());
+
+    status.snapshot.heat = HeatState::Unknown;
+    EXPECT_EQ(heat(), "unknown");
+    status.snapshot.heat = HeatState::On;
+    EXPECT_EQ(heat(), "on");
+    EXPECT_FALSE(isTold());
+
+    status.snapshot.heat = HeatState::Off;
+    status.snapshot.alarms[0].isActive = false; // over, and still listed
+    EXPECT_EQ(heat(), "off");
+    EXPECT_FALSE(isTold());
+}
+
 TEST(MonitorStatus, IsInTheTextFormatOfPrometheus) {
     const std::string text = statusMetrics({1700000000.25, false, runningSnapshot()});
     const std::regex sample(
