@@ -1,6 +1,7 @@
 #include "engine/runtime/source_watch.h"
 
 #include "engine/base/units.h"
+#include "engine/model/hand_warm.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,9 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_turned_s = time_s;
     const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
     const bool isAtRest = m_restSince_s && time_s - *m_restSince_s >= kAtRest_s;
+    const bool mayRest = !heatsUnasked() || temperature_K <= m_room_K + kHandWarm_K;
     const bool isCooling =
-        temperature_K <= std::max(m_from_K, m_peak_K - SafetySpec::kSourceGain_K) || isAtRest;
+        temperature_K <= std::max(m_from_K, m_peak_K - SafetySpec::kSourceGain_K) || (isAtRest && mayRest);
     const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K : isCooling;
     if (isBegun || isNearEnough || isTurning || isProgress) {
         m_from_K = m_peak_K = temperature_K;
@@ -64,9 +66,9 @@ std::optional<double> SourceWatch::notHeatingFor_s() const {
 }
 
 std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
-    if (m_wasOn || m_time_s < -1e299 || m_temperature_K < m_from_K + m_limits.sourceUnasked_K)
+    if (m_wasOn || m_time_s < -1e299 || m_peak_K < m_from_K + m_limits.sourceUnasked_K)
         return std::nullopt;
-    return Warming{m_temperature_K - m_from_K, m_time_s - m_since_s};
+    return Warming{m_peak_K - m_from_K, m_time_s - m_since_s};
 }
 
 std::optional<double> SourceWatch::roomInFahrenheit_degC() const {

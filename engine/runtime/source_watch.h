@@ -21,8 +21,9 @@ public:
         double gained_K = 0.0;
         double time_s = 0.0;
     };
-    /// The warming since the minimum with the heat off; empty if it is within the limit, and once the source
-    /// has become kSourceGain_K cooler than it was, or is at rest.
+    /// The warming from the minimum to the maximum with the heat off; empty if it is within the limit, and
+    /// once the source has become kSourceGain_K cooler than that maximum, or is at rest and no hotter than a
+    /// hand bears: one that is stuck on at a set point of its own rests as well.
     std::optional<Warming> heatsUnasked() const;
     /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
     /// if it cools, or if the time is too short to tell.

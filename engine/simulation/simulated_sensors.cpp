@@ -117,7 +117,7 @@ Result<void> SimulatedHeatSource::keepHeating(double setPoint_K, double validFor
     m_setPoint_K = setPoint_K;
     m_expires_s = m_clock.now_s() + validFor_s;
     m_on = true;
-    m_everOn = true;
+    m_wasHeated = true;
     return {};
 }
 
@@ -155,13 +155,15 @@ void SimulatedHeatSource::advance(double dt_s) {
     const auto go = [&](double towards_K, double constant_s) {
         m_temperature_K += (towards_K - m_temperature_K) * -std::expm1(-dt_s / constant_s);
     };
+    const bool isAlone = m_trouble == SourceTrouble::HeatsAlone && !heating();
+    m_wasHeated = m_wasHeated || isAlone || m_trouble == SourceTrouble::Overheats;
     if (m_trouble == SourceTrouble::Overheats)
         m_temperature_K += kOverheating_K_s * dt_s;
-    else if (m_trouble == SourceTrouble::HeatsAlone && !heating())
+    else if (isAlone)
         m_temperature_K += kAlone_K_s * dt_s;
     else if (heating() && m_trouble != SourceTrouble::NotHeating)
         go(*setPoint_K(), kHeating_s);
-    else if (m_everOn)
+    else if (m_wasHeated)
         go(m_environment_K, kCooling_s);
 }
 

@@ -119,11 +119,11 @@ public:
     double temperature_K() const { return m_temperature_K; }
     /// Temperature of a plate that was heated once; empty: it is as at the start.
     std::optional<double> heatedTo_K() const {
-        return m_everOn ? std::optional(m_temperature_K) : std::nullopt;
+        return m_wasHeated ? std::optional(m_temperature_K) : std::nullopt;
     }
     void setHeatedTo(double temperature_K) {
         m_temperature_K = temperature_K;
-        m_everOn = true;
+        m_wasHeated = true;
     }
     void setLinkLost(bool lost) { m_trouble = lost ? SourceTrouble::LinkLost : SourceTrouble::None; }
     void setTrouble(SourceTrouble trouble) { m_trouble = trouble; }
@@ -143,7 +143,7 @@ private:
     double m_setPoint_K;
     double m_expires_s = 0.0;
     bool m_on = false;
-    bool m_everOn = false;
+    bool m_wasHeated = false;
     SourceTrouble m_trouble = SourceTrouble::None;
 };
 

@@ -233,7 +233,7 @@ TEST(Safety, DevicesAreWatchedInIdleAndNothingMovesForThem) {
         EXPECT_FALSE(rig.loop.arm());
         EXPECT_FALSE(rig.loop.reset()) << messageName(code) << " while it lasts";
         setFault(rig.rig, fault, 0, false);
-        // A source that has heated has to cool, or to rest, first.
+        // A source that has heated has to cool first.
         const auto isReset = [&] { return rig.loop.state() != RunState::Fault || rig.loop.reset().ok(); };
         EXPECT_LE(rig.until(isReset, 200.0), 130.0) << messageName(code);
         rig.periods(2);

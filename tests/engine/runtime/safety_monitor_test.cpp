@@ -350,11 +350,12 @@ TEST(SafetyMonitor, ASourceSwitchedOffInFullHeatMayOvershoot) {
     }
 }
 
-// Catches a reset that forgets a plate which heats on, and an alarm that stays when the plate cools or rests.
+// Catches a reset that forgets a plate which heats on, and an alarm that stays when the plate cools or rests
+// cool.
 TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNoneOnlyOnceItDoesNot) {
     for (const double then_K_s : {-0.3, 0.0}) {
         Monitor m;
-        m.seen.source_K = kelvinFromCelsius(150.0);
+        m.seen.source_K = then_K_s < 0.0 ? kelvinFromCelsius(150.0) : m.experiment.environment_K;
         for (int i = 0; i < 15; ++i) {
             m.seen.source_K = *m.seen.source_K + 1.0;
             (void)m.after(1.0);
@@ -374,6 +375,57 @@ TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNoneOnlyOnceItDoesNot) {
         EXPECT_LE(for_s, then_K_s < 0.0 ? 10.0 : 130.0);
         EXPECT_GE(for_s, then_K_s < 0.0 ? 6.0 : 100.0);
     }
+}
+
+// Catches a plate that is stuck on at a set point of its own, and taken for one that is off since it rests.
+TEST(SafetyMonitor, ASourceThatHeatsUnaskedAndRestsHotHeatsOn) {
+    Monitor m;
+    const auto during = [&](int seconds, const auto& temperature_K) {
+        for (int i = 0; i < seconds; ++i) {
+            m.seen.source_K = temperature_K(static_cast<double>(i));
+            (void)m.after(1.0);
+            if (m.isActive(SafetyCondition::SourceHeatsUnasked))
+                m.monitor.restart(); // somebody who presses Reset all the time
+        }
+    };
+    const double hot_K = m.experiment.environment_K + 125.0;
+    during(22, [&](double t) { return hot_K - 10.5 * std::max(0.0, 1.0 - t / 20.0); });
+    ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+    during(600, [&](double) { return hot_K - 1.0; }); // by now less than the limit over where it began
+    ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+    ASSERT_NE(m.monitor.forbidsReset(), nullptr);
+    EXPECT_EQ(m.monitor.forbidsReset()->message.code, MessageCode::SafetySourceHeatsUnasked);
+
+    during(10, [&](double t) { return hot_K - 1.0 - 0.3 * t; }); // switched off at its mains
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+    EXPECT_EQ(m.monitor.forbidsReset(), nullptr);
+}
+
+// Catches a plate that a person heats, and one that overshoots and cools after STOP, taken for stuck ones.
+TEST(SafetyMonitor, AHeatedSourceThatCoolsOrIsHeatedByHandHeatsNotUnasked) {
+    Monitor m;
+    const double room_K = m.experiment.environment_K;
+    double source_K = room_K;
+    const auto second = [&](double change_K) {
+        m.seen.source_K = source_K += change_K;
+        (void)m.after(1.0);
+        ASSERT_FALSE(m.isActive(SafetyCondition::SourceHeatsUnasked)) << source_K - room_K;
+    };
+    m.seen.asked_K = room_K + 275.0;
+    for (int i = 0; i < 275; ++i)
+        ASSERT_NO_FATAL_FAILURE(second(1.0));
+    m.seen.asked_K.reset();
+    for (int i = 0; i < 8; ++i)
+        ASSERT_NO_FATAL_FAILURE(second(1.0)); // what its inertia holds
+    for (int i = 0; i < 1500; ++i)
+        ASSERT_NO_FATAL_FAILURE(second((room_K - source_K) / 300.0));
+    ASSERT_LT(source_K, room_K + 5.0);
+
+    m.seen.isManual = true;
+    for (int i = 0; i < 200; ++i)
+        ASSERT_NO_FATAL_FAILURE(second(1.0));
+    for (int i = 0; i < 200; ++i)
+        ASSERT_NO_FATAL_FAILURE(second(0.0));
 }
 
 // Catches a source that is taken to heat no more because nobody hears it, and one that another experiment on

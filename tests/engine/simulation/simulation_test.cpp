@@ -327,6 +327,23 @@ TEST(SimulatedHeatSource, TellsHowLongItTakesToBeWarm) {
     EXPECT_FALSE(source.heatingTime_s(473.15, 5.0).has_value());
 }
 
+// Catches a plate that stays as hot as a fault has made it once the fault is gone.
+TEST(SimulatedHeatSource, CoolsAfterItHasHeatedUnasked) {
+    for (const SourceTrouble trouble : {SourceTrouble::HeatsAlone, SourceTrouble::Overheats}) {
+        ManualClock clock;
+        SimulatedHeatSource source(473.15, kRoom_K, clock);
+        source.advance(10.0);
+        EXPECT_EQ(source.temperature_K(), 473.15) << "it waits behind its shutter";
+        source.setTrouble(trouble);
+        source.advance(10.0);
+        const double hot_K = source.temperature_K();
+        EXPECT_GT(hot_K, 482.0);
+        source.setTrouble(SourceTrouble::None);
+        source.advance(SimulatedHeatSource::kCooling_s);
+        EXPECT_NEAR(source.temperature_K(), kRoom_K + (hot_K - kRoom_K) * std::exp(-1.0), 1e-9);
+    }
+}
+
 TEST(SimulatedHeatSource, HeatGoesOffByItselfWhenNobodySaysOn) {
     ManualClock clock;
     SimulatedHeatSource source(473.15, kRoom_K, clock);
