@@ -1,8 +1,9 @@
 #include "app/desktop_files.h"
 
+#include "widgets/common/desktop_opener.h"
+
 #include <QDBusConnection>
 #include <QDBusMessage>
-#include <QDesktopServices>
 #include <QFileInfo>
 #include <QUrl>
 
@@ -53,7 +54,7 @@ bool isShownByFileManager(const QStringList& addresses, const QString& bus) {
 
 } // namespace
 
-DesktopFiles::DesktopFiles() : DesktopFiles(&QDesktopServices::openUrl, {}) {}
+DesktopFiles::DesktopFiles() : DesktopFiles(&openOnDesktop, {}) {}
 
 DesktopFiles::DesktopFiles(Opener opener, const QString& bus) : m_opener(std::move(opener)), m_bus(bus) {
     m_pool.setMaxThreadCount(1);

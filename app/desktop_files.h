@@ -14,7 +14,7 @@ class QUrl;
 
 namespace bask {
 
-/// Disk and desktop are asked on a thread of its own: neither may answer for long.
+/// Disk and file manager are asked on a thread of its own: neither may answer for long.
 class DesktopFiles : public QObject {
     Q_OBJECT
 

@@ -370,8 +370,10 @@ void MainWindow::showControl(Page page, const QString& name) {
 }
 
 void MainWindow::showManual(const QString& page) {
-    if (!m_manual)
+    if (!m_manual) {
         m_manual = new ManualWindow(m_language, this);
+        connect(m_manual, &ManualWindow::problem, m_pages, &PageHost::showProblem);
+    }
     m_manual->open(page);
 }
 

@@ -1,9 +1,9 @@
 #include "app/manual_window.h"
 
+#include "widgets/common/desktop_opener.h"
 #include "widgets/common/language.h"
 #include "widgets/common/theme.h"
 
-#include <QDesktopServices>
 #include <QDir>
 #include <QFile>
 #include <QHBoxLayout>
@@ -132,7 +132,8 @@ void ManualWindow::open(const QString& page) {
 
 void ManualWindow::follow(const QString& link) {
     if (link.startsWith(QLatin1String("http"))) {
-        QDesktopServices::openUrl(QUrl(link));
+        if (!openOnDesktop(QUrl(link)))
+            emit problem(tr("The desktop has no program that opens %1.").arg(link));
         return;
     }
     open(link.startsWith(u'#') ? m_page + link : link);

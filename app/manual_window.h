@@ -31,6 +31,9 @@ public:
     /// Returns the link name of a heading: "The first five minutes" becomes "the-first-five-minutes".
     static QString anchorOf(const QString& heading);
 
+signals:
+    void problem(const QString& sentence);
+
 protected:
     void changeEvent(QEvent* event) override;
 

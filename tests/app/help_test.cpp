@@ -5,6 +5,8 @@
 #include "app/problem_report.h"
 #include "app/resources.h"
 #include "engine/base/message_code.h"
+#include "tests/support/fake_opener.h"
+#include "tests/support/wait_for.h"
 #include "widgets/common/language.h"
 
 #include <QCoreApplication>
@@ -15,9 +17,11 @@
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QSignalSpy>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
+#include <QUrl>
 
 #include <gtest/gtest.h>
 
@@ -187,6 +191,26 @@ TEST_F(HelpTest, TheManualIsReadAndSearched) {
     EXPECT_EQ(text->textCursor().selectedText(), QStringLiteral("MAX31865")) << "on another page";
     manual.open(QStringLiteral("nothing.md"));
     EXPECT_TRUE(text->toPlainText().startsWith(QStringLiteral("Bask: the manual")));
+}
+
+// Catches a link into the web that nothing opens, without a word.
+TEST_F(HelpTest, TheManualOpensTheWebOrSaysThatNothingDoes) {
+    Language language;
+    language.set(QStringLiteral("en"));
+    ManualWindow manual(language, nullptr);
+    const QSignalSpy problem(&manual, &ManualWindow::problem);
+    auto* text = manual.findChild<QTextBrowser*>(QStringLiteral("manualText"));
+    const QUrl link(QStringLiteral("https://example.org/a"));
+    {
+        const test::FakeOpener desktop;
+        emit text->anchorClicked(link);
+        EXPECT_TRUE(test::waitFor([&] { return desktop.asked() == link; }));
+        EXPECT_EQ(problem.count(), 0);
+    }
+    const test::FakeOpener broken({}, "/nowhere/sh");
+    emit text->anchorClicked(link);
+    ASSERT_EQ(problem.count(), 1);
+    EXPECT_TRUE(problem[0][0].toString().contains(link.toString()));
 }
 
 // Catches a page that stays in the language before, a link and a search that leave the language, an anchor in

@@ -7,6 +7,7 @@
 #include "engine/experiment/rig_file.h"
 #include "engine/recording/session_file.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/fake_opener.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/object_tile.h"
@@ -27,7 +28,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
@@ -45,7 +45,6 @@
 #include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
-#include <QTextBrowser>
 #include <QTreeWidget>
 #include <QUrl>
 
@@ -82,13 +81,12 @@ TEST_F(MainWindowTest, ButtonsFollowTheReportedState) {
 // Catches: an export whose file has to be looked for, and buttons that stay at a message about something
 // else.
 TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
+    const FakeOpener desktop;
     openWindow();
     const QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("two.csv")));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.close();
-    QTextBrowser desktop; // has a slot that takes an address, and keeps it
-    QDesktopServices::setUrlHandler(QStringLiteral("file"), &desktop, "setSource");
     emit window->files().exported(QStringLiteral("two.csv written"), {file.fileName()});
     EXPECT_EQ(message(), QStringLiteral("two.csv written"));
     const auto button = [&](const char* name) {
@@ -98,8 +96,7 @@ TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
     EXPECT_EQ(button("messageOther")->text(), QStringLiteral("Show in folder"));
     EXPECT_TRUE(button("messageOther")->isVisible());
     QTest::mouseClick(button("messageAction"), Qt::LeftButton);
-    EXPECT_TRUE(waitFor([&] { return desktop.source() == QUrl::fromLocalFile(file.fileName()); }));
-    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    EXPECT_TRUE(waitFor([&] { return desktop.asked() == QUrl::fromLocalFile(file.fileName()); }));
     window->pages().showNote(QStringLiteral("Something else."));
     EXPECT_FALSE(button("messageAction")->isVisible());
     EXPECT_FALSE(button("messageOther")->isVisible());
