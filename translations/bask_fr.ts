@@ -5872,6 +5872,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>This page is in English only.</source>
         <translation>Cette page n’existe qu’en anglais.</translation>
     </message>
+    <message>
+        <source>The desktop has no program that opens %1.</source>
+        <translation>Le bureau n’a pas de programme qui ouvre %1.</translation>
+    </message>
 </context>
 <context>
     <name>bask::MarkerEditor</name>
@@ -11136,7 +11140,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <name>bask::WholeNumberField</name>
     <message>
         <source>“%1” is not a whole number; the value stays as it was</source>
-        <translation>« %1 » n’est pas un nombre entier ; la valeur reste telle qu’elle était</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre entier&#xa0;; la valeur reste telle qu’elle était</translation>
     </message>
 </context>
 <context>

@@ -5864,6 +5864,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>This page is in English only.</source>
         <translation>本页只有英文版。</translation>
     </message>
+    <message>
+        <source>The desktop has no program that opens %1.</source>
+        <translation>桌面没有能打开 %1 的程序。</translation>
+    </message>
 </context>
 <context>
     <name>bask::MarkerEditor</name>
