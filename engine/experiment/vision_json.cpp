@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <limits>
+
 namespace bask {
 namespace {
 
@@ -146,6 +149,10 @@ void readThermalCalibration(Fields& fields, Failure& failure, ThermalCalibration
         readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
     });
     fields.read("pose_date", out.poseDate);
+    double uncertainty_m = std::numeric_limits<double>::quiet_NaN();
+    fields.read("pose_uncertainty", EdgeUnit::LengthMm, uncertainty_m);
+    if (!std::isnan(uncertainty_m))
+        out.poseUncertainty_m = uncertainty_m;
 }
 
 void putThermalCalibration(Json& j, const ThermalCalibration& calibration) {
@@ -157,6 +164,8 @@ void putThermalCalibration(Json& j, const ThermalCalibration& calibration) {
         j["pose"] = coordinatesJson(*calibration.pose);
     if (!calibration.poseDate.empty())
         j["pose_date"] = calibration.poseDate;
+    if (calibration.poseUncertainty_m)
+        putQuantity(j, "pose_uncertainty", EdgeUnit::LengthMm, *calibration.poseUncertainty_m);
 }
 
 Json visionJson(const VisionSpec& vision) {

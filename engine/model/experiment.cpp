@@ -28,6 +28,7 @@ constexpr int kOutlineSamples = 256;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxSourceRadius_m = 10.0;
 constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
+constexpr double kMaxUncertainty_mm = 1e2; // of a thermal camera's place, at the objects
 constexpr double kSamePlace = 1e-9;        // m, rad
 constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
 constexpr double kMaxMarkers = 64.0;
@@ -319,6 +320,9 @@ void checkThermalCalibration(Checker& check, const std::string& path, const Ther
         checkThermalLens(check, path + "lens.", *calibration.lens, profile);
     if (calibration.pose)
         checkCoordinates(check, path + "pose.", *calibration.pose, kMaxPlace_cm, false);
+    if (calibration.poseUncertainty_m)
+        check.quantity(path, "pose_uncertainty", EdgeUnit::LengthMm, *calibration.poseUncertainty_m, 0.0,
+                       kMaxUncertainty_mm);
 }
 
 void checkReadings(Checker& check, const Experiment& e) {

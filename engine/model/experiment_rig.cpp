@@ -52,11 +52,13 @@ std::optional<PlacedThermalCamera> believedThermalCamera(const Experiment& exper
     if (!profile)
         return std::nullopt;
     const ThermalCalibration calibration = thermalCalibration(experiment, simulated);
-    PlacedThermalCamera camera{calibration.lens.value_or(usualThermalLens(*profile)), {}};
-    if (calibration.pose)
+    PlacedThermalCamera camera{calibration.lens.value_or(usualThermalLens(*profile)), {}, {}};
+    if (calibration.pose) {
         camera.X_RC = poseFromCoordinates(*calibration.pose);
-    else if (simulated)
+        camera.sight.across_m = calibration.poseUncertainty_m.value_or(0.0);
+    } else if (simulated) {
         camera.X_RC = trueThermalPose(experiment);
+    }
     return camera;
 }
 

@@ -3,6 +3,7 @@
 
 #include "engine/control/rig_geometry.h"
 #include "engine/model/experiment.h"
+#include "engine/thermography/face_pixels.h"
 #include "engine/thermography/silhouette_outline.h"
 
 #include <memory>
@@ -26,6 +27,7 @@ SilhouetteScene silhouetteScene(const Experiment& experiment);
 struct PlacedThermalCamera {
     CameraModel lens;
     std::optional<Pose> X_RC;
+    SightUncertainty sight{}; ///< by that of X_RC
 };
 /// Returns what is believed of the thermal camera of the simulated or the real rig; empty if it has none.
 std::optional<PlacedThermalCamera> believedThermalCamera(const Experiment& experiment, bool simulated);

@@ -16,6 +16,9 @@ struct ThermalCalibration {
     std::string lensDate;
     std::optional<Vector6d> pose; ///< coordinates of X_RC
     std::string poseDate;
+    /// Standard uncertainty of the objects' places by that of the pose, across the line of sight; if empty,
+    /// it is not known.
+    std::optional<double> poseUncertainty_m;
     bool operator==(const ThermalCalibration&) const = default;
 };
 

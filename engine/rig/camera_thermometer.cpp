@@ -156,7 +156,7 @@ void CameraThermometer::readFrame() {
     const std::vector<PlacedPlate> screens = screensAt(q);
     const auto readAll = [&] {
         return readObjects(thermalBand(), m_frame->frame.picture, m_rays, *m_setup.X_RC, objects, screens,
-                           m_zeros, {}, kSinceShutter_s, rigPixels());
+                           m_zeros, {}, kSinceShutter_s, rigPixels(m_setup.sight));
     };
     auto read = readAll();
     if (findZeros(objects, read))

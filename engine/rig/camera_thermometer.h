@@ -27,6 +27,7 @@ namespace bask {
 struct CameraThermometerSetup {
     CameraModel camera;
     std::optional<Pose> X_RC; ///< without it the camera shows pictures and reads nothing
+    SightUncertainty sight;   ///< by that of X_RC
     std::vector<ObjectSpec> objects;
     std::vector<PlateSpec> fixtures, shields;
     Shape source;                                ///< at the geometry's X_RS

@@ -205,6 +205,7 @@ CameraThermometerSetup cameraThermometerSetup(const Experiment& experiment, bool
     CameraThermometerSetup setup;
     setup.camera = believed.lens;
     setup.X_RC = believed.X_RC;
+    setup.sight = believed.sight;
     setup.hasShutter = simulated;
     setup.objects = experiment.objects;
     setup.fixtures = experiment.fixtures;

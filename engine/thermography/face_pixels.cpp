@@ -94,8 +94,20 @@ void markNear(Footprint& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b
         }
 }
 
+/// How far from a plate's edges a pixel has to lie, px: at most the picture's size, which leaves none.
+double marginOf(const CameraModel& camera, const Pose& X_CO, const FacePixelOptions& options) {
+    const double range_m = X_CO.translation().norm(), depth_m = X_CO.translation().z();
+    const double off_m = 2.0 * std::hypot(options.sight.across_m, options.sight.angle_rad * range_m);
+    if (off_m == 0.0)
+        return options.blur_px;
+    const double max_px = std::max({camera.width, camera.height, 1});
+    const double off_px =
+        depth_m > 0.0 ? std::max(camera.fx, camera.fy) * off_m * range_m / (depth_m * depth_m) : max_px;
+    return options.blur_px + std::min(off_px, max_px);
+}
+
 Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, const PlacedPlate& plate,
-                      const Pose& X_CO, double blur_px) {
+                      const Pose& X_CO, double margin_px) {
     const CameraModel& camera = rays.camera();
     const Lens lens(camera);
     Footprint out;
@@ -119,10 +131,10 @@ Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, 
     const auto within = [](double value, int size) {
         return static_cast<int>(std::clamp(value, -1.0, static_cast<double>(size)));
     };
-    out.left = std::max(0, within(std::floor(min.x() - blur_px), camera.width));
-    out.top = std::max(0, within(std::floor(min.y() - blur_px), camera.height));
-    out.right = std::min(camera.width - 1, within(std::ceil(max.x() + blur_px), camera.width));
-    out.bottom = std::min(camera.height - 1, within(std::ceil(max.y() + blur_px), camera.height));
+    out.left = std::max(0, within(std::floor(min.x() - margin_px), camera.width));
+    out.top = std::max(0, within(std::floor(min.y() - margin_px), camera.height));
+    out.right = std::min(camera.width - 1, within(std::ceil(max.x() + margin_px), camera.width));
+    out.bottom = std::min(camera.height - 1, within(std::ceil(max.y() + margin_px), camera.height));
     if (out.isEmpty())
         return out;
     out.flags.assign(static_cast<std::size_t>(out.right - out.left + 1) *
@@ -131,7 +143,7 @@ Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, 
     fill(out, rings);
     for (const Ring2& ring : rings)
         for (std::size_t k = 0; k < ring.size(); ++k)
-            markNear(out, ring[k], ring[(k + 1) % ring.size()], blur_px);
+            markNear(out, ring[k], ring[(k + 1) % ring.size()], margin_px);
     return out;
 }
 
@@ -220,22 +232,42 @@ std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_
                                            std::span<const PlacedPlate> screens,
                                            const FacePixelOptions& options) {
     if (!(options.blur_px >= kMinBlur_px && options.blur_px <= 100.0) || options.minPixels < 1 ||
-        !(options.minAngle_rad >= 0.0))
+        !(options.minAngle_rad >= 0.0) || !(options.sight.across_m >= 0.0) ||
+        !(options.sight.angle_rad >= 0.0))
         throw std::invalid_argument("facePixels: a blur of 1.5 to 100 px, at least one pixel");
-    // At the rim of a picture a pixel can be twice as wide as in its middle. What cuts off then lies outside
-    // of the picture by the blur and more, so that no edge in it is one of cutting.
-    const Eigen::AlignedBox2d bounds = raysInPicture(rays.camera(), 2.0 * (options.blur_px + 2.0));
     const Pose X_CW = X_WC.inverse();
     std::vector<Pose> poses;
-    std::vector<Footprint> footprints;
+    std::vector<double> margins_px;
     for (const auto& plates : {objects, screens})
         for (const PlacedPlate& plate : plates) {
             poses.push_back(X_CW * plate.X_WO);
-            footprints.push_back(footprintOf(rays, bounds, plate, poses.back(), options.blur_px));
+            margins_px.push_back(marginOf(rays.camera(), poses.back(), options));
+        }
+    // At the rim of a picture a pixel can be twice as wide as in its middle. What cuts off then lies outside
+    // of the picture by the margin and more, so that no edge in it is one of cutting.
+    double widest_px = options.blur_px;
+    for (const double margin_px : margins_px)
+        widest_px = std::max(widest_px, margin_px);
+    const Eigen::AlignedBox2d bounds = raysInPicture(rays.camera(), 2.0 * (widest_px + 2.0));
+    std::vector<Footprint> footprints;
+    footprints.reserve(poses.size());
+    for (const auto& plates : {objects, screens})
+        for (const PlacedPlate& plate : plates) {
+            const std::size_t k = footprints.size();
+            footprints.push_back(footprintOf(rays, bounds, plate, poses[k], margins_px[k]));
         }
     std::vector<Result<FacePixels>> out;
     for (std::size_t i = 0; i < objects.size(); ++i)
         out.push_back(pixelsOf(rays, footprints, i, poses[i], options));
+    if (std::ranges::all_of(out, [](const Result<FacePixels>& found) { return found.ok(); }) ||
+        (options.sight.across_m == 0.0 && options.sight.angle_rad == 0.0))
+        return out;
+    FacePixelOptions known = options;
+    known.sight = {};
+    const std::vector<Result<FacePixels>> asIfKnown = facePixels(rays, X_WC, objects, screens, known);
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (!out[i])
+            out[i] = asIfKnown[i] ? Error{MessageCode::ThermalPoseUnknown, {}} : asIfKnown[i].error();
     return out;
 }
 

@@ -36,6 +36,12 @@ struct PlacedPlate {
     Pose X_WO = Pose::Identity();
 };
 
+/// Standard uncertainties of the places where a camera looks for plates, by that of its own pose.
+struct SightUncertainty {
+    double across_m = 0.0;  ///< of a plate's place, across the line of sight
+    double angle_rad = 0.0; ///< of the line of sight
+};
+
 struct FacePixelOptions {
     /// How far from every edge a pixel has to lie: the radius beyond which the camera's blur (its lens, and
     /// the pixels themselves) carries nothing across, px. At least kMinBlur_px.
@@ -43,6 +49,8 @@ struct FacePixelOptions {
     int minPixels = 9; ///< with fewer the face is too small
     double minAngle_rad =
         0.017453292519943295; ///< between line of sight and face; a face seen at less is grazing
+    /// All edges may be elsewhere: twice this is added to `blur_px`.
+    SightUncertainty sight{};
 };
 inline constexpr double kMinBlur_px = 1.5;
 
@@ -55,11 +63,12 @@ struct FacePixels {
 };
 
 /// Returns for each object the pixels that show it: its outline as the lens shows it, without what lies
-/// within `blur_px` of an edge, its own or that of a nearer plate, and without what nearer objects and
-/// screens hide. A pixel counts by its centre; the nearer plate is told on each pixel's line of sight.
-/// `X_WC`: the camera (x right, y down, z forward). Errors: ThermalFaceOutside (not in the picture, or behind
-/// the camera), ThermalFaceGrazing, ThermalFaceHidden, ThermalFaceSmall. Throws std::invalid_argument for
-/// options out of their range.
+/// within `blur_px` of where an edge may be, its own or that of a nearer plate, and without what nearer
+/// objects and screens hide. A pixel counts by its centre; the nearer plate is told on each pixel's line of
+/// sight. `X_WC`: the camera (x right, y down, z forward). Errors: ThermalFaceOutside (not in the picture, or
+/// behind the camera), ThermalFaceGrazing, ThermalFaceHidden, ThermalFaceSmall; ThermalPoseUnknown for an
+/// object that could be read if `sight` were better known. Throws std::invalid_argument for options out of
+/// their range.
 std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_WC,
                                            std::span<const PlacedPlate> objects,
                                            std::span<const PlacedPlate> screens,

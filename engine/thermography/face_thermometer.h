@@ -14,9 +14,10 @@ namespace bask {
 
 /// Returns the options for a rig: small objects a metre away have few pixels, which is part of the
 /// uncertainty.
-inline FacePixelOptions rigPixels() {
+inline FacePixelOptions rigPixels(const SightUncertainty& sight = {}) {
     FacePixelOptions options;
     options.minPixels = 5;
+    options.sight = sight;
     return options;
 }
 

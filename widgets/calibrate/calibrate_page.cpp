@@ -133,6 +133,7 @@ void CalibratePage::connectAll() {
         calibration.lens->views.clear();
         calibration.lensDate = calibrationDate();
         calibration.poseDate.clear(); // the place was found with another lens
+        calibration.poseUncertainty_m.reset();
         emit thermalCalibrated(calibration);
     });
     connect(m_thermalPanel, &ThermalPanel::calibrated, this, &CalibratePage::thermalCalibrated);

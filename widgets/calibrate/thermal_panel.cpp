@@ -142,6 +142,7 @@ void ThermalPanel::use() {
     ThermalCalibration changed = calibration();
     changed.pose = coordinatesFromPose(m_found->X_RC);
     changed.poseDate = calibrationDate();
+    changed.poseUncertainty_m = 0.5 * m_found->across_m;
     emit calibrated(changed);
 }
 

@@ -55,7 +55,7 @@ void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const Tr
     screens.insert(screens.end(), m_scene.fixed.begin(), m_scene.fixed.end());
     std::vector<Result<FacePixels>> pixels;
     if (m_camera.X_RC)
-        pixels = facePixels(m_rays, *m_camera.X_RC, objects, screens, rigPixels());
+        pixels = facePixels(m_rays, *m_camera.X_RC, objects, screens, rigPixels(m_camera.sight));
     for (std::size_t i = 0; i < objects.size(); ++i) {
         ThermalObjectView object;
         if (m_camera.X_RC)

@@ -97,12 +97,13 @@ void ThermalCameraForm::setCamera(const ThermalCameraSpec& camera) {
 ThermalCameraSpec ThermalCameraForm::camera() const {
     ThermalCameraSpec out = m_camera;
     out.profile = m_profiles.at(static_cast<std::size_t>(m_profile->currentIndex()));
-    auto& [lens, lensDate, pose, poseDate] = out.calibration;
+    auto& [lens, lensDate, pose, poseDate, poseUncertainty_m] = out.calibration;
     const auto before = pose;
     if (out.profile != m_camera.profile) {
         lens.reset();
         lensDate.clear();
         poseDate.clear();
+        poseUncertainty_m.reset();
     }
     pose.reset();
     if (m_isPoseKnown->isChecked()) {
@@ -112,8 +113,10 @@ ThermalCameraSpec ThermalCameraForm::camera() const {
                 !before || std::abs(shown - shownCoordinate(k, (*pose)[k])) > 0.051)
                 (*pose)[k] = coordinateFromShown(k, shown);
     }
-    if (pose != before)
-        poseDate.clear(); // typed, not measured
+    if (pose != before) { // typed, not measured
+        poseDate.clear();
+        poseUncertainty_m.reset();
+    }
     return out;
 }
 

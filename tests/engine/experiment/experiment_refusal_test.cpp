@@ -468,6 +468,11 @@ TEST(ThermalCameraOfAnExperiment, IsRefusedWhereItDoesNotFit) {
     camera["lens"].erase("distortion");
     camera["pose"]["z_cm"] = 1e4;
     EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.pose.z_cm");
+    camera["pose"]["z_cm"] = 110;
+    camera["pose_uncertainty_mm"] = -1;
+    EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.pose_uncertainty_mm");
+    camera["pose_uncertainty_mm"] = 0.4;
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
 }
 
 // An object that the camera reads has no channel.

@@ -48,6 +48,7 @@ RigSpec wholeRig() {
     camera.calibration.lensDate = "2026-11-20T10:00:00Z";
     camera.calibration.pose = Vector6d{{0.1, -0.2, 1.1, 3.0, 0.1, -0.2}};
     camera.calibration.poseDate = "2026-11-21T22:45:00Z";
+    camera.calibration.poseUncertainty_m = 0.0005;
     return rig;
 }
 

@@ -66,6 +66,7 @@ TEST(VisionSpec, SurvivesItsFile) {
     EXPECT_EQ(readBack(e), e);
     thermal.calibration.pose = Vector6d{0.11, -0.2, 1.2, 3.1, 0.0, 0.01};
     thermal.calibration.poseDate = "2026-11-20T22:45:00Z";
+    thermal.calibration.poseUncertainty_m = 0.000123456789;
     thermal.calibration.lens = CameraModel{256, 192, 235.0, 236.0, 127.5, 95.5, {}, {}, {}, {}, {}};
     thermal.calibration.lensDate = "2026-11-19T22:45:00Z";
     EXPECT_EQ(readBack(e), e);

@@ -221,6 +221,28 @@ TEST(CameraThermometer, GoesByWhatIsBelievedOfItsPlace) {
         EXPECT_EQ(reading.reason.code, MessageCode::ThermalFaceOutside);
 }
 
+// Catches a measured place that is believed as if it were exact: pixels at the rim may show the source.
+TEST(CameraThermometer, ReadsFewerPixelsTheLessItsPlaceIsKnown) {
+    Experiment experiment = cameraExperiment();
+    Bench exact(experiment);
+    ASSERT_TRUE(exact.read()[0].valid);
+    ThermalCalibration believed;
+    believed.pose = coordinatesFromPose(trueThermalPose(experiment));
+    believed.poseUncertainty_m = 0.001;
+    calibrateThermalCamera(experiment, believed);
+    Bench measured(experiment);
+    ASSERT_TRUE(measured.read()[0].valid);
+    EXPECT_EQ(exact.thermometer->sample(0).pixels, 16.0);   // of a circle of 3.72 px, less a rim of 1.5 px
+    EXPECT_EQ(measured.thermometer->sample(0).pixels, 8.0); // and of twice 0.25 px more
+    believed.poseUncertainty_m = 0.03;
+    calibrateThermalCamera(experiment, believed);
+    Bench unsure(experiment);
+    for (const Reading& reading : unsure.read()) {
+        EXPECT_FALSE(reading.valid);
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalPoseUnknown);
+    }
+}
+
 TEST(CameraThermometer, GivesNoNumberBeforeItIsZeroed) {
     Bench bench(cameraExperiment());
     for (int k = 0; k < 40; ++k) { // heated before the first picture was looked at

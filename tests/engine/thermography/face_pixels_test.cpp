@@ -79,6 +79,49 @@ TEST(FacePixels, ofADiskAreThePixelsWithinItsEdge) {
     }
 }
 
+// Catches: the uncertainty of the camera's pose left out, or not as large in the picture as before the
+// camera.
+TEST(FacePixels, keepOffWhereAnEdgeMayBe) {
+    const double radius = 200.0 * 0.05 / 0.5;
+    for (const SightUncertainty& sight : {SightUncertainty{0.005, 0.0}, {0.0, 0.01}, {0.003, 0.008}}) {
+        const FacePixels found =
+            seen({{Disk{0.05}, placed(0.0, 0.0, 0.5)}}, 0, {}, smallCamera(), {.sight = sight});
+        const std::set<int> pixels(found.pixels.begin(), found.pixels.end());
+        for (int row = 0; row < 120; ++row)
+            for (int column = 0; column < 160; ++column) {
+                const double inside = radius - std::hypot(column - 79.5, row - 59.5) - 1.5 - 4.0;
+                if (std::abs(inside) > 0.02) {
+                    EXPECT_EQ(pixels.contains(row * 160 + column), inside > 0.0) << column << ' ' << row;
+                }
+            }
+    }
+    // What is nearer hides more, and by more pixels than it would from afar.
+    const PlacedPlate far{Disk{0.1}, placed(0.0, 0.0, 0.8)}, near{Disk{0.01}, placed(0.0, 0.0, 0.4)};
+    const FacePixels behind = seen({far}, 0, {near}, smallCamera(), {.sight = {0.004, 0.0}});
+    for (const int pixel : behind.pixels) {
+        const double from = std::hypot(columnOf(pixel) - 79.5, rowOf(pixel) - 59.5);
+        EXPECT_GT(from, 200.0 * 0.01 / 0.4 + 1.5 + 4.0 - 0.02);
+        EXPECT_LT(from, 200.0 * 0.1 / 0.8 - 1.5 - 2.0 + 0.02);
+    }
+    EXPECT_GT(behind.pixels.size(), 500U);
+}
+
+// Catches: a small object that is read although its pixels may be of something else, and a reason that sends
+// people elsewhere.
+TEST(FacePixels, sayThatThePoseIsNotKnownWellEnough) {
+    const std::vector<PlacedPlate> objects{{Disk{0.012}, placed(0.0, 0.0, 0.5)},
+                                           {Disk{0.05}, placed(1.0, 0.0, 0.5)},
+                                           {Disk{0.05}, placed(0.1, 0.0, 0.5)}};
+    const auto found = facePixels(PixelRays(smallCamera()), Pose::Identity(), objects, {},
+                                  {.sight = {.across_m = 0.005, .angle_rad = 0.0}});
+    ASSERT_FALSE(found[0]);
+    EXPECT_EQ(found[0].error().code(), MessageCode::ThermalPoseUnknown);
+    ASSERT_FALSE(found[1]);
+    EXPECT_EQ(found[1].error().code(), MessageCode::ThermalFaceOutside);
+    EXPECT_TRUE(found[2]);
+    EXPECT_EQ(refusal(objects, 0), MessageCode::None);
+}
+
 // Catches: holes that are measured, and their edges.
 TEST(FacePixels, leaveOutHoles) {
     const Shape ring =
@@ -227,6 +270,8 @@ TEST(FacePixels, aBrokenContractThrows) {
     EXPECT_THROW((void)facePixels(rays, Pose::Identity(), objects, {}, {.blur_px = 1.0}),
                  std::invalid_argument);
     EXPECT_THROW((void)facePixels(rays, Pose::Identity(), objects, {}, {.minPixels = 0}),
+                 std::invalid_argument);
+    EXPECT_THROW((void)facePixels(rays, Pose::Identity(), objects, {}, {.sight = {-0.001, 0.0}}),
                  std::invalid_argument);
     CameraModel camera = smallCamera();
     camera.width = 0;

@@ -154,6 +154,9 @@ TEST_F(ThermalPanelTest, FindsWhereItIs) {
     const ThermalCalibration used = thermalCalibration(experiment, true);
     EXPECT_LT(offAtObjects_m(*used.pose), 1e-3);
     EXPECT_FALSE(used.poseDate.empty());
+    ASSERT_TRUE(used.poseUncertainty_m);
+    EXPECT_GT(*used.poseUncertainty_m, 0.0);
+    EXPECT_LT(*used.poseUncertainty_m, 1e-3);
     EXPECT_TRUE(text("thermalVerdict").contains("in use"));
     EXPECT_FALSE(child<QPushButton>("thermalUse")->isEnabled());
 }
@@ -280,6 +283,10 @@ TEST_F(ThermalPanelTest, IsThereForTheThermalCameraOnly) {
 
 // Catches views of a lens that are never taken from thermal pictures, or in another size.
 TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
+    ThermalCalibration measured = thermalCalibration(experiment, true);
+    measured.poseUncertainty_m = 0.0003;
+    calibrateThermalCamera(experiment, measured);
+    page.setExperiment(experiment);
     auto& lens = *page.findChild<CameraPanel*>("thermalLensPanel");
     lens.setBoard(parseBoard("chessboard:9x6:0.025").value());
     look(); // no run is on
@@ -317,6 +324,7 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     EXPECT_EQ(used.lens->width, 640);
     EXPECT_NEAR(used.lens->fx, 535.0, 10.0); // OpenCV's own for these pictures: 536
     EXPECT_FALSE(used.lensDate.empty());
+    EXPECT_FALSE(used.poseUncertainty_m) << "that place was found with another lens";
 }
 
 } // namespace bask

@@ -79,6 +79,7 @@ TEST_F(DeviceDialogTest, WhatIsSetUpComesBackUnchanged) {
     camera.profile.name = "ours";
     camera.calibration.lens.emplace().fx = 211.123456;
     camera.calibration.pose = Vector6d{{0.123456789, -0.05, 1.1, 3.0, 0.1, -0.2}};
+    camera.calibration.poseUncertainty_m = 0.0007;
     for (const DeviceRole role : kDeviceRoles) {
         open(role, rig);
         EXPECT_EQ(dialog->device(), withDevice({}, role, rig)) << roleName(role);
@@ -92,6 +93,13 @@ TEST_F(DeviceDialogTest, AThermalCameraIsItsKindItsDeviceAndItsPose) {
     camera.device = "0";
     camera.profile = findThermalProfile("lepton-3.5").value();
     camera.calibration.lens.emplace().fx = 150.0;
+    camera.calibration.pose = Vector6d{{0.0, 0.0, 1.1, 3.0, 0.0, 0.0}};
+    camera.calibration.poseUncertainty_m = 0.0007;
+    open(DeviceRole::ThermalCamera, rig);
+    child<QDoubleSpinBox>("thermalPose.z")->setValue(1000.0);
+    EXPECT_FALSE(dialog->device().thermalCamera->calibration.poseUncertainty_m) << "it is typed now";
+    camera.calibration.pose.reset();
+    camera.calibration.poseUncertainty_m.reset();
     open(DeviceRole::ThermalCamera, rig);
     EXPECT_FALSE(dialog->device().thermalCamera->calibration.pose);
     EXPECT_FALSE(child<QDoubleSpinBox>("thermalPose.z")->isEnabled());
