@@ -12,6 +12,7 @@
 #include "engine/model/uneven_source.h"
 #include "engine/thermography/camera_profile.h"
 #include "engine/thermography/face_pixels.h"
+#include "engine/thermography/face_temperature.h"
 
 #include <algorithm>
 #include <cmath>
@@ -325,6 +326,20 @@ void checkThermalCalibration(Checker& check, const std::string& path, const Ther
                        kMaxUncertainty_mm);
 }
 
+/// A target has to be what the camera can tell, of a face that reflects the room: one of low emittance looks
+/// cooler than it is.
+void checkTold(Checker& check, const std::string& path, const ObjectSpec& object,
+               const ThermalProfile& profile, double environment_K) {
+    const FaceSurroundings face{object.material.emittance, {}, environment_K};
+    const auto limit_degC = [&](double apparent_K, double otherwise_degC) {
+        const auto limit = faceTemperature(thermalBand(), face, apparent_K);
+        return limit ? celsiusFromKelvin(limit->T_K) : otherwise_degC;
+    };
+    const double max_K = std::min(profile.max_K, profile.warnAbove_K.value_or(profile.max_K));
+    check.quantity(path, "target", EdgeUnit::Temperature, object.target_K,
+                   limit_degC(profile.min_K, kMinTemperature_degC), limit_degC(max_K, kMaxTemperature_degC));
+}
+
 void checkReadings(Checker& check, const Experiment& e) {
     constexpr double kOldest_s = 0.8; // of a frame: behind a closed shutter and under way
     for (std::size_t i = 0; i < e.objects.size(); ++i) {
@@ -334,6 +349,10 @@ void checkReadings(Checker& check, const Experiment& e) {
             check.fail(MessageCode::ReadByNoCamera, "objects[" + to_string(i) + "].read_by",
                        {e.objects[i].name});
         check.range("sampling.period_s", e.sampling.period_s, kOldest_s / e.safety.stalePeriods, 60.0, "s");
+        if (check.failed() || e.objects[i].readBy == ReadBy::Both)
+            continue; // the sensor tells whether the target is met
+        if (const auto profile = thermalProfile(e, !e.rig))
+            checkTold(check, "objects[" + to_string(i) + "].", e.objects[i], *profile, e.environment_K);
     }
     if (!e.rig || !e.rig->thermalCamera)
         return;

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment.h"
+#include "engine/thermography/camera_profile.h"
 #include "tests/engine/recording/recording.h"
 
 #include <gtest/gtest.h>
@@ -473,6 +474,39 @@ TEST(ThermalCameraOfAnExperiment, IsRefusedWhereItDoesNotFit) {
     EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.pose_uncertainty_mm");
     camera["pose_uncertainty_mm"] = 0.4;
     EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+}
+
+// Catches a target that is run for although its thermometer can never tell it, and one that is refused
+// because a face of low emittance is taken for as bright as a black one. Limits by an independent integral: a
+// camera that is right up to 150 degC, a room at 25 degC.
+TEST(ThermalCameraOfAnExperiment, TellsItsTargets) {
+    json j = base();
+    j["sampling"]["period_s"] = 1.0;
+    j["simulation"]["thermal_camera"] = {{"profile", "p2-pro"}};
+    const auto isTold = [&](const char* readBy, double emittance, double target_degC) {
+        json& object = j["objects"][1];
+        object["read_by"] = readBy;
+        object["material"]["emittance"] = emittance;
+        object["target_degC"] = target_degC;
+        return experimentFromJson(j.dump(), "e.json", "/nowhere").ok();
+    };
+    EXPECT_TRUE(isTold("camera", 0.9, 160.0));
+    EXPECT_FALSE(isTold("camera", 0.9, 160.2));
+    EXPECT_EQ(refused(j.dump()).code(), ValueOutOfRange);
+    EXPECT_EQ(refused(j.dump()).where, "e.json: objects[1].target_degC");
+    EXPECT_TRUE(isTold("both", 0.9, 160.2));
+    EXPECT_TRUE(isTold("contact", 0.9, 160.2));
+    EXPECT_TRUE(isTold("camera", 0.5, 230.7));
+    EXPECT_FALSE(isTold("camera", 0.5, 230.9));
+    j["simulation"]["thermal_camera"]["profile"] = "lepton-3.5";
+    EXPECT_TRUE(isTold("camera", 0.9, 380.0));
+
+    ThermalProfile profile = findThermalProfile("lepton-3.5").value();
+    profile.min_K = 323.15;
+    j["rig"]["thermal_camera"] = {{"device", "0"}, {"profile", json::parse(thermalProfileToJson(profile))}};
+    EXPECT_FALSE(isTold("camera", 0.9, 40.0)); // of the rig's own
+    EXPECT_EQ(refused(j.dump()).where, "e.json: objects[1].target_degC");
+    EXPECT_TRUE(isTold("camera", 0.9, 60.0));
 }
 
 // An object that the camera reads has no channel.
