@@ -55,7 +55,8 @@ std::optional<PlacedThermalCamera> believedThermalCamera(const Experiment& exper
     PlacedThermalCamera camera{calibration.lens.value_or(usualThermalLens(*profile)), {}, {}};
     if (calibration.pose) {
         camera.X_RC = poseFromCoordinates(*calibration.pose);
-        camera.sight.across_m = calibration.poseUncertainty_m.value_or(0.0);
+        camera.sight = calibration.poseUncertainty_m ? SightUncertainty{*calibration.poseUncertainty_m, 0.0}
+                                                     : kTypedSight;
     } else if (simulated) {
         camera.X_RC = trueThermalPose(experiment);
     }

@@ -17,7 +17,7 @@ struct ThermalCalibration {
     std::optional<Vector6d> pose; ///< coordinates of X_RC
     std::string poseDate;
     /// Standard uncertainty of the objects' places by that of the pose, across the line of sight; if empty,
-    /// it is not known.
+    /// the pose was typed.
     std::optional<double> poseUncertainty_m;
     bool operator==(const ThermalCalibration&) const = default;
 };

@@ -1,7 +1,5 @@
 #include "engine/thermography/usual_thermal_camera.h"
 
-#include "engine/base/units.h"
-
 #include <cmath>
 
 namespace bask {

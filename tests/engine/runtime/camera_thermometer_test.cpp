@@ -243,6 +243,26 @@ TEST(CameraThermometer, ReadsFewerPixelsTheLessItsPlaceIsKnown) {
     }
 }
 
+// Catches a place that somebody typed, believed as if it were measured; objects that are large enough are
+// read.
+TEST(CameraThermometer, ReadsOnlyLargeObjectsFromAPlaceThatWasTyped) {
+    Experiment experiment = cameraExperiment();
+    experiment.objects[0].shape = Disk{0.05};
+    ThermalCalibration believed;
+    believed.pose = coordinatesFromPose(trueThermalPose(experiment));
+    calibrateThermalCamera(experiment, believed);
+    const SightUncertainty sight = believedThermalCamera(experiment, true)->sight;
+    EXPECT_NEAR(sight.across_m, 0.005, 1e-12);
+    EXPECT_NEAR(sight.angle_rad, 0.01745, 1e-5);
+    Bench bench(experiment);
+    const std::vector<Reading> readings = bench.read();
+    EXPECT_TRUE(readings[0].valid) << describe(readings[0].reason);
+    EXPECT_EQ(readings[1].reason.code, MessageCode::ThermalPoseUnknown);
+    EXPECT_EQ(readings[2].reason.code, MessageCode::ThermalPoseUnknown);
+    experiment.simulation.thermalCamera->calibration = {};
+    EXPECT_EQ(believedThermalCamera(experiment, true)->sight.across_m, 0.0) << "known as it is";
+}
+
 TEST(CameraThermometer, GivesNoNumberBeforeItIsZeroed) {
     Bench bench(cameraExperiment());
     for (int k = 0; k < 40; ++k) { // heated before the first picture was looked at
