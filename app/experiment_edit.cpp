@@ -23,6 +23,16 @@ template <auto... Members> void takeOfVision(Experiment& to, const Experiment& f
     ((to.vision.*Members = from.vision.*Members), ...);
 }
 
+/// A simulated camera that nobody has described comes with its calibration, and goes with it.
+void takeThermalCalibration(Experiment& to, const Experiment& from) {
+    const ThermalCalibration calibration = thermalCalibration(from, !from.rig);
+    if (calibration == thermalCalibration(to, !to.rig))
+        return;
+    calibrateThermalCamera(to, calibration);
+    if (!from.simulation.thermalCamera && to.simulation.thermalCamera == SimulatedThermalCameraSpec())
+        to.simulation.thermalCamera.reset();
+}
+
 struct Row {
     EditKind kind;
     EditScope scope;
@@ -43,6 +53,7 @@ constexpr std::array kRows{
         takeOfVision<&VisionSpec::cameraPose, &VisionSpec::cameraPoseDate>},
     Row{EditKind::Vision, EditScope::Vision, Page::Calibrate,
         [](Experiment& to, const Experiment& from) { to.vision = from.vision; }},
+    Row{EditKind::ThermalCamera, EditScope::All, Page::Calibrate, takeThermalCalibration},
     Row{EditKind::SourcePlace, EditScope::All, Page::Calibrate,
         [](Experiment& to, const Experiment& from) {
             to.vision = from.vision;
@@ -155,6 +166,8 @@ QString editWords(const ExperimentEdit& edit, const Experiment& before, const Ex
         return Words::tr("place of the camera");
     case EditKind::Vision:
         return Words::tr("calibration");
+    case EditKind::ThermalCamera:
+        return Words::tr("calibration of the thermal camera");
     case EditKind::SourcePlace:
         return Words::tr("place of the source");
     case EditKind::Following:

@@ -18,6 +18,7 @@ enum class EditKind {
     CameraLens,
     CameraPlace,
     Vision,
+    ThermalCamera,
     SourcePlace,
     Following,
     Start,

@@ -14,6 +14,13 @@ const Experiment& example() {
     return experiment;
 }
 
+ThermalCalibration measuredThermal() {
+    ThermalCalibration calibration;
+    calibration.pose = Vector6d::Ones();
+    calibration.poseDate = "2026-11-22T10:00:00Z";
+    return calibration;
+}
+
 struct Case {
     const char* words;
     ExperimentEdit edit;
@@ -46,6 +53,9 @@ std::vector<Case> cases() {
         {"calibration",
          {EditKind::Vision, -1, EditScope::Vision, Page::Calibrate},
          [](Experiment& e) { e.vision.cameraPose = Vector6d::Ones(), e.vision.dictionary = "5X5_50"; }},
+        {"calibration of the thermal camera",
+         {EditKind::ThermalCamera, -1, all, Page::Calibrate},
+         [](Experiment& e) { calibrateThermalCamera(e, measuredThermal()); }},
         {"place of the source",
          {EditKind::SourcePlace, -1, all, Page::Calibrate},
          [](Experiment& e) { e.source.pose[kX] += 0.001, e.vision.sourcePoseDate = "2026-11-22T10:00:00Z"; }},
@@ -130,6 +140,36 @@ TEST(ExperimentEdit, IsWhatDiffers) {
         EXPECT_EQ(back.page, edit.page);
     }
     EXPECT_EQ(kinds.size(), static_cast<std::size_t>(EditKind::Other) + 1) << "a kind without a case";
+}
+
+// Catches a choice of camera told as its calibration, a calibration told as a change of devices, and one of
+// the rig that is taken for the simulated camera's.
+TEST(ExperimentEdit, ACalibratedThermalCameraIsNoOtherCamera) {
+    const auto kind = [](const Experiment& before, const Experiment& after) {
+        EXPECT_EQ(compared(before, after).kind, compared(after, before).kind);
+        return compared(before, after).kind;
+    };
+    const Experiment none = example();
+    Experiment simulated = none;
+    simulated.simulation.thermalCamera.emplace().profile = "lepton-3.5";
+    EXPECT_EQ(kind(none, simulated), EditKind::Other);
+    Experiment calibrated = simulated;
+    calibrateThermalCamera(calibrated, measuredThermal());
+    EXPECT_EQ(kind(simulated, calibrated), EditKind::ThermalCamera);
+    EXPECT_EQ(kind(none, calibrated), EditKind::Other);
+
+    Experiment real = calibrated;
+    ThermalCameraSpec& camera = real.rig.emplace().thermalCamera.emplace();
+    camera.device = "0";
+    Experiment measured = real;
+    calibrateThermalCamera(measured, measuredThermal());
+    EXPECT_EQ(kind(real, measured), EditKind::ThermalCamera);
+    EXPECT_EQ(editWords(compared(real, measured), real, measured), "calibration of the thermal camera");
+    measured.rig->thermalCamera->device = "1";
+    EXPECT_EQ(kind(real, measured), EditKind::Rig);
+    measured.rig->thermalCamera.reset();
+    EXPECT_EQ(kind(real, measured), EditKind::Rig);
+    EXPECT_EQ(kind(calibrated, real), EditKind::Rig); // the choice of the real rig
 }
 
 // Catches a narrow command for an edit that changes more than it tells: whatever else changes, the engine
