@@ -44,6 +44,16 @@ double thermalDistanceOf(const Experiment& experiment) {
                                   : kUsualDistance_m;
 }
 
+/// Two of one kind have one name.
+bool haveSameThermalCamera(const Experiment& a, const Experiment& b) {
+    const auto device = [](const Experiment& experiment) {
+        return experiment.rig && experiment.rig->thermalCamera ? experiment.rig->thermalCamera->device
+                                                               : std::string();
+    };
+    return a.rig.has_value() == b.rig.has_value() && device(a) == device(b) &&
+           thermalProfile(a, !a.rig) == thermalProfile(b, !b.rig);
+}
+
 } // namespace
 
 CalibratePage::CalibratePage(QWidget* parent)
@@ -173,6 +183,8 @@ QScrollArea* CalibratePage::addPanel(QWidget* panel, const char* name) {
 
 void CalibratePage::setExperiment(const Experiment& experiment) {
     const bool areMarkersNew = experiment.vision.markers != m_experiment.vision.markers;
+    if (!haveSameThermalCamera(m_experiment, experiment))
+        m_lensPanel->startAgain();
     m_experiment = experiment;
     m_picture->setCamera(experiment.vision.camera);
     m_cameraPanel->setCamera(experiment.vision.camera);

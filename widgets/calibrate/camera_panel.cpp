@@ -210,6 +210,8 @@ void CameraPanel::capture(bool on) {
 }
 
 void CameraPanel::setView(const VisionView& view) {
+    if (m_collector && view.cameraName != m_view.cameraName)
+        startAgain();
     const bool isNew = view.frame && (!m_view.frame || view.frame->number != m_view.frame->number);
     m_view = view;
     const bool answers = view.frame && view.problem.code == MessageCode::None;

@@ -42,8 +42,11 @@ public:
     explicit CameraPanel(QWidget* parent = nullptr);
     ~CameraPanel() override;
 
-    /// Takes what the camera shows; each frame counts once.
+    /// Takes what the camera shows; each frame counts once. The views of a camera of another name are
+    /// dropped.
     void setView(const VisionView& view);
+    /// Drops the views, as of another camera.
+    void startAgain();
     /// Sets the distance from camera to source at which errors are given in mm; 0.6 m by default.
     void setDistance(double distance_m);
     /// The camera in use.
@@ -75,7 +78,6 @@ private:
     void connectAll();
     bool isCapturing() const;
     void changeBoard();
-    void startAgain();
     void capture(bool on);
     bool startCollector(const GreyPicture& picture);
     void look();

@@ -217,6 +217,25 @@ TEST_F(CameraPanelTest, ALostCameraIsTold) {
     EXPECT_EQ(list()->count(), 0) << "stillness begins anew";
 }
 
+// Catches: a camera computed from pictures of two.
+TEST_F(CameraPanelTest, ViewsOfAnotherCameraAreDropped) {
+    click("captureStart");
+    showAll();
+    click("solve");
+    VisionView other = scene.look(test::patientPoses()[0]);
+    other.cameraName = "camera 1";
+    page.setView(other);
+    EXPECT_EQ(list()->count(), 0);
+    EXPECT_FALSE(child<QProgressBar>("solveProgress")->isVisible());
+    EXPECT_TRUE(child<QPushButton>("captureStart")->isChecked()) << "it is still looking";
+    hold(test::patientPoses()[1]);
+    EXPECT_EQ(list()->count(), 1);
+    VisionView lost = scene.look();
+    lost.problem = {MessageCode::CameraLost, {"camera 0", "unplugged"}};
+    page.setView(lost);
+    EXPECT_EQ(list()->count(), 1) << "it is the same when it is back";
+}
+
 // Catches: one frame shown twice that counts as two, and a view of another size mixed in.
 TEST_F(CameraPanelTest, EachFrameCountsOnceAndHasOneSize) {
     click("captureStart");

@@ -325,6 +325,14 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     EXPECT_NEAR(used.lens->fx, 535.0, 10.0); // OpenCV's own for these pictures: 536
     EXPECT_FALSE(used.lensDate.empty());
     EXPECT_FALSE(used.poseUncertainty_m) << "that place was found with another lens";
+
+    experiment.objects[0].target_K += 1.0;
+    page.setExperiment(experiment);
+    EXPECT_GE(list->topLevelItemCount(), 10);
+    RigSpec& rig = experiment.rig.emplace(); // the same kind of camera, but another one
+    rig.thermalCamera.emplace().profile = thermalProfile(experiment, true).value();
+    page.setExperiment(experiment);
+    EXPECT_EQ(list->topLevelItemCount(), 0);
 }
 
 } // namespace bask
