@@ -4848,6 +4848,10 @@
         <source>air in the room</source>
         <translation>air de la pièce</translation>
     </message>
+    <message>
+        <source>calibration of the thermal camera</source>
+        <translation>étalonnage de la caméra thermique</translation>
+    </message>
 </context>
 <context>
     <name>bask::ExportBar</name>

@@ -4840,6 +4840,10 @@
         <source>air in the room</source>
         <translation>室内空气</translation>
     </message>
+    <message>
+        <source>calibration of the thermal camera</source>
+        <translation>热像仪标定</translation>
+    </message>
 </context>
 <context>
     <name>bask::ExportBar</name>

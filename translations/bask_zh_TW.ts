@@ -4840,6 +4840,10 @@
         <source>air in the room</source>
         <translation>室內空氣</translation>
     </message>
+    <message>
+        <source>calibration of the thermal camera</source>
+        <translation>熱像儀校正</translation>
+    </message>
 </context>
 <context>
     <name>bask::ExportBar</name>
