@@ -34,6 +34,10 @@ QString plain(QString text) {
     return text.replace(u'&', QStringLiteral("&&"));
 }
 
+bool isOfTargets(const Message& reason) {
+    return reason.code == MessageCode::TargetAboveWarning || reason.code == MessageCode::TargetNotTold;
+}
+
 } // namespace
 
 bool allows(const Snapshot& snapshot, Verb verb) {
@@ -41,9 +45,7 @@ bool allows(const Snapshot& snapshot, Verb verb) {
     switch (verb) {
     case Verb::Arm:
         return state == RunState::Ready ||
-               (state == RunState::Stopped &&
-                std::ranges::find(snapshot.reasons, MessageCode::TargetAboveWarning, &Message::code) ==
-                    snapshot.reasons.end());
+               (state == RunState::Stopped && std::ranges::none_of(snapshot.reasons, isOfTargets));
     case Verb::Start:
         return state == RunState::Armed;
     case Verb::Hold:

@@ -73,6 +73,7 @@ Page pageOf(MessageCode reason) {
     switch (reason) {
     case MessageCode::ReasonTargetInfeasible:
     case MessageCode::TargetAboveWarning:
+    case MessageCode::TargetNotTold:
     case MessageCode::EventCompromise:
         return Page::Targets;
     case MessageCode::ReasonSourcePoseLost:
@@ -309,8 +310,8 @@ void MainWindow::refuse(const Message& refusal) {
         !m_recipe->isOn())
         return askInfeasible();
     // What the fields show is what runs; a newer edit of them has its own answer.
-    const bool isTooHot =
-        refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
+    const auto targets = checkTargets(m_document.experiment());
+    const bool isTooHot = !targets && refusal.code == targets.error().code();
     const bool isTooLate =
         refusal.code == MessageCode::CommandNotNow && isVerb(refusal.args.at(0), CommandVerb::SetTargets);
     if (allowsEdits(m_last.state) || !(isTooHot || isTooLate))

@@ -328,9 +328,10 @@ bool SessionActions::refusedToDraw() {
     const auto isOn = [](const std::function<bool()>& guard) { return guard && guard(); };
     if (!isOn(m_runIsOn) && !isOn(m_recipeIsOn) && !isOn(m_rigIsActive))
         return false;
-    emit problem(tr("Figures and reports are drawn only while no run and no recipe is on, no heat is asked "
-                    "for and the robot stands still: the window, with its STOP, would have to wait for "
-                    "them. Nothing was written."));
+    emit problem(
+        tr("Figures and reports are drawn only while no run and no recipe is on or begins, no "
+           "heat is asked for and the robot stands still: the window, with its STOP, would have to wait for "
+           "them. Nothing was written."));
     return true;
 }
 

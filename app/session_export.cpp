@@ -88,20 +88,20 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
 }
 
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
-    write(to, [csv = csv.toStdString(), path = to.toStdString()](const std::stop_token&) {
+    write(m_small, to, [csv = csv.toStdString(), path = to.toStdString()](const std::stop_token&) {
         return fileWritten(
             csv, path, checkOwn(path, QString::fromLatin1(kComparisonMark), "a comparison written by Bask"));
     });
 }
 
 void SessionExport::writeFigure(const QByteArray& bytes, const QString& to) {
-    write(to, [bytes = bytes.toStdString(), path = to.toStdString()](const std::stop_token&) {
+    write(m_small, to, [bytes = bytes.toStdString(), path = to.toStdString()](const std::stop_token&) {
         return fileWritten(bytes, path, checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
     });
 }
 
 void SessionExport::writeTable(const PlotTable& table, const QString& to) {
-    write(to, [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
+    write(m_tables, to, [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
         if (auto place = checkOwnTable(path); !place) // before all that reading
             return place.error();
         const auto csv = plotTableCsv(table, stop);
@@ -113,19 +113,19 @@ void SessionExport::writeTable(const PlotTable& table, const QString& to) {
     });
 }
 
-void SessionExport::write(const QString& to, LatestJob<Files>::Work work) {
-    m_waiting.push_back({to, std::move(work)});
-    writeNext();
+void SessionExport::write(Queue& queue, const QString& to, LatestJob<Files>::Work work) {
+    queue.waiting.push_back({to, std::move(work)});
+    writeNext(queue);
 }
 
-void SessionExport::writeNext() {
-    if (m_writing.busy() || m_waiting.empty())
+void SessionExport::writeNext(Queue& queue) {
+    if (queue.job.busy() || queue.waiting.empty())
         return;
-    const Waiting next = std::move(m_waiting.front());
-    m_waiting.pop_front();
-    m_writing.run(next.work, [this, to = next.to](const Files& files) {
+    Waiting next = std::move(queue.waiting.front());
+    queue.waiting.pop_front();
+    queue.job.run(std::move(next.work), [this, &queue, to = next.to](const Files& files) {
         tell(files, to);
-        writeNext();
+        writeNext(queue);
     });
 }
 

@@ -54,19 +54,23 @@ signals:
 
 private:
     using Files = Result<std::vector<std::string>>;
-    /// One after another: each is written and told.
-    void write(const QString& to, LatestJob<Files>::Work work);
-    void writeNext();
-    void tell(const Files& files, const QString& to);
-
-    std::function<bool()> m_mayDraw;
-    std::map<SessionForm, LatestJob<Files>> m_files;
     struct Waiting {
         QString to;
         LatestJob<Files>::Work work;
     };
-    std::deque<Waiting> m_waiting;
-    LatestJob<Files> m_writing; ///< comparisons and plots
+    /// One after another: each is written and told.
+    struct Queue {
+        std::deque<Waiting> waiting;
+        LatestJob<Files> job;
+    };
+    void write(Queue& queue, const QString& to, LatestJob<Files>::Work work);
+    void writeNext(Queue& queue);
+    void tell(const Files& files, const QString& to);
+
+    std::function<bool()> m_mayDraw;
+    std::map<SessionForm, LatestJob<Files>> m_files;
+    Queue m_small;  ///< comparisons and figures
+    Queue m_tables; ///< a long run is read for minutes
     std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };
 

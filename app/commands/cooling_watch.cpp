@@ -17,10 +17,8 @@ constexpr double kSilent_s = 10.0; // nothing more is learnt from a source that 
 } // namespace
 
 bool CoolingWatch::isAlarmed(const Snapshot& snapshot) {
-    return std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
-        return alarm.isActive && (alarm.message.code == MessageCode::SafetySourceHeatsUnasked ||
-                                  alarm.message.code == MessageCode::SafetySourceNotCooling);
-    });
+    return isActive(snapshot.alarms, MessageCode::SafetySourceHeatsUnasked) ||
+           isActive(snapshot.alarms, MessageCode::SafetySourceNotCooling);
 }
 
 bool CoolingWatch::isOver(const Snapshot& snapshot) {

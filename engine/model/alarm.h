@@ -3,6 +3,7 @@
 
 #include "engine/base/result.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -35,5 +36,11 @@ struct Alarm {
     std::string seenBy{};
     bool operator==(const Alarm&) const = default;
 };
+
+/// Whether an alarm with this message is active, acknowledged or not.
+inline bool isActive(const std::vector<Alarm>& alarms, MessageCode code) {
+    return std::ranges::any_of(
+        alarms, [code](const Alarm& alarm) { return alarm.isActive && alarm.message.code == code; });
+}
 
 } // namespace bask

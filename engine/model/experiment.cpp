@@ -326,18 +326,22 @@ void checkThermalCalibration(Checker& check, const std::string& path, const Ther
                        kMaxUncertainty_mm);
 }
 
-/// A target has to be what the camera can tell, of a face that reflects the room: one of low emittance looks
+/// Refuses a target that the camera cannot tell, of a face that reflects the room: one of low emittance looks
 /// cooler than it is.
-void checkTold(Checker& check, const std::string& path, const ObjectSpec& object,
-               const ThermalProfile& profile, double environment_K) {
+Result<void> checkTold(const ObjectSpec& object, const ThermalProfile& profile, double environment_K) {
     const FaceSurroundings face{object.material.emittance, {}, environment_K};
-    const auto limit_degC = [&](double apparent_K, double otherwise_degC) {
+    const auto limit_K = [&](double apparent_K, double otherwise_degC) {
         const auto limit = faceTemperature(thermalBand(), face, apparent_K);
-        return limit ? celsiusFromKelvin(limit->T_K) : otherwise_degC;
+        return limit ? limit->T_K : kelvinFromCelsius(otherwise_degC);
     };
-    const double max_K = std::min(profile.max_K, profile.warnAbove_K.value_or(profile.max_K));
-    check.quantity(path, "target", EdgeUnit::Temperature, object.target_K,
-                   limit_degC(profile.min_K, kMinTemperature_degC), limit_degC(max_K, kMaxTemperature_degC));
+    const double min_K = limit_K(profile.min_K, kMinTemperature_degC);
+    const double max_K =
+        limit_K(std::min(profile.max_K, profile.warnAbove_K.value_or(profile.max_K)), kMaxTemperature_degC);
+    if (object.target_K >= min_K && object.target_K <= max_K)
+        return {};
+    return Error(
+        MessageCode::TargetNotTold, {},
+        {object.name, temperatureArg(object.target_K), temperatureArg(min_K), temperatureArg(max_K)});
 }
 
 void checkReadings(Checker& check, const Experiment& e) {
@@ -349,10 +353,6 @@ void checkReadings(Checker& check, const Experiment& e) {
             check.fail(MessageCode::ReadByNoCamera, "objects[" + to_string(i) + "].read_by",
                        {e.objects[i].name});
         check.range("sampling.period_s", e.sampling.period_s, kOldest_s / e.safety.stalePeriods, 60.0, "s");
-        if (check.failed() || e.objects[i].readBy == ReadBy::Both)
-            continue; // the sensor tells whether the target is met
-        if (const auto profile = thermalProfile(e, !e.rig))
-            checkTold(check, "objects[" + to_string(i) + "].", e.objects[i], *profile, e.environment_K);
     }
     if (!e.rig || !e.rig->thermalCamera)
         return;
@@ -547,6 +547,11 @@ Result<void> checkTargets(const Experiment& experiment) {
         if (const double limit_K = warningLimit_K(experiment, object); object.target_K > limit_K + 1e-6)
             return Error(MessageCode::TargetAboveWarning, {},
                          {object.name, temperatureArg(object.target_K, 6), temperatureArg(limit_K, 6)});
+    const auto profile = thermalProfile(experiment, !experiment.rig);
+    for (const ObjectSpec& object : experiment.objects)
+        if (profile && object.readBy == ReadBy::Camera) // else a sensor tells whether it is met
+            if (const auto told = checkTold(object, *profile, experiment.environment_K); !told)
+                return told;
     return {};
 }
 

@@ -217,7 +217,8 @@ double highestSetPoint_K(const SourceSpec& source);
 double warningLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double tripLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double sourceTripLimit_K(const Experiment& experiment);
-/// Refuses a target above its object's warning limit, because every run would pause there.
+/// Refuses a target above its object's warning limit, because every run would pause there, and one that the
+/// thermal camera alone would have to tell and cannot. Such an experiment can be edited, not run.
 Result<void> checkTargets(const Experiment& experiment);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the

@@ -48,11 +48,9 @@ Json celsius(const std::optional<double>& kelvin) {
     return kelvin ? celsius(*kelvin) : Json(nullptr);
 }
 
-/// Whether the device says that its heat is off, and the source warms all the same.
+/// Whether the source was found to warm with its heat off, also where its device is not heard any more.
 bool heatsUnasked(const Snapshot& snapshot) {
-    return snapshot.heat == HeatState::Off && std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
-               return alarm.isActive && alarm.message.code == MessageCode::SafetySourceHeatsUnasked;
-           });
+    return snapshot.heat != HeatState::On && isActive(snapshot.alarms, MessageCode::SafetySourceHeatsUnasked);
 }
 
 const char* heatWord(const Snapshot& snapshot) {

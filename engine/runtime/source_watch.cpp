@@ -33,18 +33,24 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_turned_s = time_s;
     const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
     const bool isAtRest = m_restSince_s && time_s - *m_restSince_s >= kAtRest_s;
-    const bool mayRest = !heatsUnasked() || temperature_K <= m_room_K + kHandWarm_K;
-    const bool isCooling =
-        temperature_K <= std::max(m_from_K, m_peak_K - SafetySpec::kSourceGain_K) || (isAtRest && mayRest);
+    const bool isUnasked = heatsUnasked().has_value();
+    const bool mayRest = !isUnasked || temperature_K <= m_room_K + kHandWarm_K;
+    // One that is stuck on swings about a set point of its own, and its readings have noise.
+    const double fall_K = isUnasked ? std::min(m_limits.sourceUnasked_K, kOverShare * (m_peak_K - m_from_K))
+                                    : SafetySpec::kSourceGain_K;
+    const bool isCooling = temperature_K <= std::max(m_from_K, m_peak_K - fall_K) || (isAtRest && mayRest);
     const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K : isCooling;
     if (isBegun || isNearEnough || isTurning || isProgress) {
         m_from_K = m_peak_K = temperature_K;
-        m_since_s = time_s;
+        m_since_s = m_peak_s = time_s;
     }
     if (isFirst && !isOn)
         m_from_K -= m_before_K;
     m_before_K = 0.0;
-    m_peak_K = std::max(m_peak_K, temperature_K);
+    if (temperature_K > m_peak_K) {
+        m_peak_K = temperature_K;
+        m_peak_s = time_s;
+    }
     if (isBegun || isOn || temperature_K <= m_coolFrom_K - SafetySpec::kSourceGain_K) {
         m_coolFrom_K = temperature_K;
         m_coolSince_s = time_s;
@@ -68,7 +74,7 @@ std::optional<double> SourceWatch::notHeatingFor_s() const {
 std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
     if (m_wasOn || m_time_s < -1e299 || m_peak_K < m_from_K + m_limits.sourceUnasked_K)
         return std::nullopt;
-    return Warming{m_peak_K - m_from_K, m_time_s - m_since_s};
+    return Warming{m_peak_K - m_from_K, m_peak_s - m_since_s};
 }
 
 std::optional<double> SourceWatch::roomInFahrenheit_degC() const {

@@ -22,8 +22,8 @@ public:
         double time_s = 0.0;
     };
     /// The warming from the minimum to the maximum with the heat off; empty if it is within the limit, and
-    /// once the source has become kSourceGain_K cooler than that maximum, or is at rest and no hotter than a
-    /// hand bears: one that is stuck on at a set point of its own rests as well.
+    /// once the source has lost half of it again, or as much as the limit, or is at rest and no hotter than a
+    /// hand bears: one that is stuck on at a set point of its own rests as well, after an overshoot.
     std::optional<Warming> heatsUnasked() const;
     /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
     /// if it cools, or if the time is too short to tell.
@@ -45,6 +45,7 @@ private:
     /// the source is at rest if it has kept its temperature for this time
     static constexpr double kAtRest_s = 120.0;
     static constexpr double kAtRest_K = 0.5;     ///< a cooling source changes by more
+    static constexpr double kOverShare = 0.5; ///< of an unasked warming: lost again, it is over
     static constexpr double kCoolingTimes = 3.0; ///< cooling may be slower than heating by this factor
     static constexpr double kOffTime_s = 1.5;    ///< until a command takes effect in the readings
     SafetySpec m_limits;
@@ -55,6 +56,7 @@ private:
     double m_since_s = 0.0;  ///< time of the last progress; with heat off, of the minimum
     double m_from_K = 0.0;   ///< temperature at m_since_s
     double m_peak_K = 0.0;   ///< maximum since then
+    double m_peak_s = 0.0;   ///< its time
     double m_before_K = 0.0; ///< warming that an earlier watch has found, until the first reading
     bool m_wasHeated = false;
     std::optional<double> m_restSince_s{}; ///< since when the temperature is within kAtRest_K of m_restAt_K

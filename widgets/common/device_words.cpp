@@ -161,9 +161,7 @@ ShownHeat shownHeat(const Snapshot& snapshot, bool isAnswering) {
         return ShownHeat::Unknown;
     if (snapshot.heat == HeatState::On)
         return ShownHeat::On;
-    const bool isUnasked = std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
-        return alarm.isActive && alarm.message.code == MessageCode::SafetySourceHeatsUnasked;
-    });
+    const bool isUnasked = isActive(snapshot.alarms, MessageCode::SafetySourceHeatsUnasked);
     return isUnasked ? ShownHeat::Unasked : ShownHeat::Off;
 }
 

@@ -58,14 +58,18 @@ double liveValue(const TraceStore& traces, std::size_t row, const PlotTable::Col
 }
 
 Result<void> readRows(PlotTable::Run& run, double from_s, double to_s, const std::stop_token& stop) {
+    std::stop_source end; // nothing is wanted of what follows the shown time
+    const std::stop_callback ended(stop, [&end] { end.request_stop(); });
     const auto take = [&](const TraceSample& sample) {
+        if (sample.time_s > to_s)
+            end.request_stop();
         if (sample.time_s < from_s || sample.time_s > to_s)
             return;
         run.times_s.push_back(sample.time_s);
         for (PlotTable::Column& column : run.columns)
             column.values.push_back(recordedValue(sample, column));
     };
-    return readSamples(run.path, take, stop);
+    return readSamples(run.path, take, end.get_token());
 }
 
 void addHeader(std::string& text, const PlotTable::Run& run, const QString& header) {

@@ -583,8 +583,8 @@ void SessionList::retranslate() {
                              tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});
     m_tree->headerItem()->setToolTip(
         kOutcome, tr("What each run told at its end. Damage of its file is found when the run is selected (a "
-                     "long one: when it is opened) and listed until Bask is closed; whether the file was "
-                     "altered says bask verify."));
+                     "long one: when it is opened) and listed until the file changes or Bask is "
+                     "closed; whether the file was altered says bask verify."));
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

@@ -401,6 +401,8 @@ RigSpec DeviceDialog::device() const {
 }
 
 void DeviceDialog::tryDevice() {
+    if (takeRefusalBy(m_try, *this)) // the device is tried with what the fields show
+        return;
     m_message->clear();
     endSearch(); // the trial needs the port
     m_isTried = true;

@@ -204,6 +204,8 @@ TEST(MonitorStatus, TellsASourceThatHeatsUnasked) {
 
     status.snapshot.heat = HeatState::Unknown;
     EXPECT_EQ(heat(), "unknown");
+    EXPECT_NE(statusMetrics(status).find("bask_heats_unasked 1\n"), std::string::npos)
+        << "its end was not seen";
     status.snapshot.heat = HeatState::On;
     EXPECT_EQ(heat(), "on");
     EXPECT_FALSE(isTold());

@@ -372,8 +372,8 @@ TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNoneOnlyOnceItDoesNot) {
             m.seen.source_K = *m.seen.source_K + then_K_s;
             (void)m.after(1.0);
         }
-        EXPECT_LE(for_s, then_K_s < 0.0 ? 10.0 : 130.0);
-        EXPECT_GE(for_s, then_K_s < 0.0 ? 6.0 : 100.0);
+        EXPECT_LE(for_s, then_K_s < 0.0 ? 34.0 : 130.0); // half of 18 K
+        EXPECT_GE(for_s, then_K_s < 0.0 ? 28.0 : 100.0);
     }
 }
 
@@ -393,10 +393,12 @@ TEST(SafetyMonitor, ASourceThatHeatsUnaskedAndRestsHotHeatsOn) {
     ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
     during(600, [&](double) { return hot_K - 1.0; }); // by now less than the limit over where it began
     ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
+    during(600, [&](double t) { return hot_K - 2.5 + 2.0 * std::sin(0.1 * t); }); // a thermostat's
+    ASSERT_TRUE(m.isActive(SafetyCondition::SourceHeatsUnasked));
     ASSERT_NE(m.monitor.forbidsReset(), nullptr);
     EXPECT_EQ(m.monitor.forbidsReset()->message.code, MessageCode::SafetySourceHeatsUnasked);
 
-    during(10, [&](double t) { return hot_K - 1.0 - 0.3 * t; }); // switched off at its mains
+    during(20, [&](double t) { return hot_K - 1.0 - 0.3 * t; }); // switched off at its mains
     EXPECT_FALSE(m.isActive(SafetyCondition::SourceHeatsUnasked));
     EXPECT_EQ(m.monitor.forbidsReset(), nullptr);
 }
