@@ -267,7 +267,7 @@ std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_
     const std::vector<Result<FacePixels>> asIfKnown = facePixels(rays, X_WC, objects, screens, known);
     for (std::size_t i = 0; i < objects.size(); ++i)
         if (!out[i])
-            out[i] = asIfKnown[i] ? Error{MessageCode::ThermalPoseUnknown, {}} : asIfKnown[i].error();
+            out[i] = asIfKnown[i] ? Error{MessageCode::ThermalPlaceVague, {}} : asIfKnown[i].error();
     return out;
 }
 

@@ -66,7 +66,7 @@ struct FacePixels {
 /// within `blur_px` of where an edge may be, its own or that of a nearer plate, and without what nearer
 /// objects and screens hide. A pixel counts by its centre; the nearer plate is told on each pixel's line of
 /// sight. `X_WC`: the camera (x right, y down, z forward). Errors: ThermalFaceOutside (not in the picture, or
-/// behind the camera), ThermalFaceGrazing, ThermalFaceHidden, ThermalFaceSmall; ThermalPoseUnknown for an
+/// behind the camera), ThermalFaceGrazing, ThermalFaceHidden, ThermalFaceSmall; ThermalPlaceVague for an
 /// object that could be read if `sight` were better known. Throws std::invalid_argument for options out of
 /// their range.
 std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_WC,

@@ -239,7 +239,7 @@ TEST(CameraThermometer, ReadsFewerPixelsTheLessItsPlaceIsKnown) {
     Bench unsure(experiment);
     for (const Reading& reading : unsure.read()) {
         EXPECT_FALSE(reading.valid);
-        EXPECT_EQ(reading.reason.code, MessageCode::ThermalPoseUnknown);
+        EXPECT_EQ(reading.reason.code, MessageCode::ThermalPlaceVague);
     }
 }
 
@@ -257,8 +257,8 @@ TEST(CameraThermometer, ReadsOnlyLargeObjectsFromAPlaceThatWasTyped) {
     Bench bench(experiment);
     const std::vector<Reading> readings = bench.read();
     EXPECT_TRUE(readings[0].valid) << describe(readings[0].reason);
-    EXPECT_EQ(readings[1].reason.code, MessageCode::ThermalPoseUnknown);
-    EXPECT_EQ(readings[2].reason.code, MessageCode::ThermalPoseUnknown);
+    EXPECT_EQ(readings[1].reason.code, MessageCode::ThermalPlaceVague);
+    EXPECT_EQ(readings[2].reason.code, MessageCode::ThermalPlaceVague);
     experiment.simulation.thermalCamera->calibration = {};
     EXPECT_EQ(believedThermalCamera(experiment, true)->sight.across_m, 0.0) << "known as it is";
 }

@@ -115,7 +115,7 @@ TEST(FacePixels, sayThatThePoseIsNotKnownWellEnough) {
     const auto found = facePixels(PixelRays(smallCamera()), Pose::Identity(), objects, {},
                                   {.sight = {.across_m = 0.005, .angle_rad = 0.0}});
     ASSERT_FALSE(found[0]);
-    EXPECT_EQ(found[0].error().code(), MessageCode::ThermalPoseUnknown);
+    EXPECT_EQ(found[0].error().code(), MessageCode::ThermalPlaceVague);
     ASSERT_FALSE(found[1]);
     EXPECT_EQ(found[1].error().code(), MessageCode::ThermalFaceOutside);
     EXPECT_TRUE(found[2]);
