@@ -73,7 +73,8 @@ Eigen::AlignedBox2d raysInPicture(const CameraModel& camera, double margin_px) {
         for (const Eigen::Vector2d& pixel : {Eigen::Vector2d(x, -0.5), {x, bottom}, {-0.5, y}, {right, y}}) {
             const auto ray = rayOf(lens, pixel);
             if (ray && ray->norm() < max) { // else the lens never shows anything there
-                bounds.extend(Eigen::AlignedBox2d(*ray - margin, *ray + margin));
+                bounds.extend(
+                    Eigen::AlignedBox2d((*ray - margin).cwiseMax(-max), (*ray + margin).cwiseMin(max)));
                 continue;
             }
             const Eigen::Vector2d ideal((pixel.x() - lens.cx) / lens.fx, (pixel.y() - lens.cy) / lens.fy);
@@ -83,9 +84,8 @@ Eigen::AlignedBox2d raysInPicture(const CameraModel& camera, double margin_px) {
     return bounds;
 }
 
-std::vector<Eigen::Vector2d> ringInPicture(const Lens& lens, const Eigen::AlignedBox2d& bounds,
-                                           const Pose& X_CO, const std::vector<Eigen::Vector2d>& ring_O,
-                                           double maxPiece_px) {
+std::vector<Eigen::Vector3d> ringWithin(const Eigen::AlignedBox2d& bounds, const Pose& X_CO,
+                                        const std::vector<Eigen::Vector2d>& ring_O) {
     std::vector<Eigen::Vector3d> points;
     points.reserve(ring_O.size());
     for (const Eigen::Vector2d& p : ring_O)
@@ -95,6 +95,13 @@ std::vector<Eigen::Vector2d> ringInPicture(const Lens& lens, const Eigen::Aligne
     cutRing(points, {-1, 0, bounds.max().x()}, 0.0);
     cutRing(points, {0, 1, -bounds.min().y()}, 0.0);
     cutRing(points, {0, -1, bounds.max().y()}, 0.0);
+    return points;
+}
+
+std::vector<Eigen::Vector2d> ringInPicture(const Lens& lens, const Eigen::AlignedBox2d& bounds,
+                                           const Pose& X_CO, const std::vector<Eigen::Vector2d>& ring_O,
+                                           double maxPiece_px) {
+    const std::vector<Eigen::Vector3d> points = ringWithin(bounds, X_CO, ring_O);
     std::vector<Eigen::Vector2d> shown;
     for (std::size_t k = 0; k < points.size(); ++k) {
         const Eigen::Vector2d a = points[k].hnormalized(), b = points[(k + 1) % points.size()].hnormalized();

@@ -17,13 +17,17 @@ namespace bask {
 std::optional<Eigen::Vector2d> rayOf(const Lens& lens, const Eigen::Vector2d& pixel);
 
 /// Returns the bounds of (X/Z, Y/Z) of everything in a picture, wider by `margin_px` of a pixel of its middle
-/// on each side. Beyond where the lens model turns back upon itself nothing is shown. Throws
+/// on each side, but not beyond where the lens model turns back upon itself: nothing is shown there. Throws
 /// std::invalid_argument for a camera without size or focal lengths.
 Eigen::AlignedBox2d raysInPicture(const CameraModel& camera, double margin_px);
 
-/// Returns a closed ring in the xy-plane of O (m) as the lens shows it, in pixels: cut off at the bounds of
-/// raysInPicture and 1 mm before the camera, its edges divided into pieces of at most about `maxPiece_px`,
-/// since the lens may bend them. Empty if nothing of it lies within the bounds.
+/// Returns a closed ring in the xy-plane of O (m) in camera axes (m), cut off at the bounds of raysInPicture
+/// and 1 mm before the camera. Empty if nothing of it lies within the bounds.
+std::vector<Eigen::Vector3d> ringWithin(const Eigen::AlignedBox2d& bounds, const Pose& X_CO,
+                                        const std::vector<Eigen::Vector2d>& ring_O);
+
+/// Returns ringWithin as the lens shows it, in pixels, its edges divided into pieces of at most about
+/// `maxPiece_px`, since the lens may bend them.
 std::vector<Eigen::Vector2d> ringInPicture(const Lens& lens, const Eigen::AlignedBox2d& bounds,
                                            const Pose& X_CO, const std::vector<Eigen::Vector2d>& ring_O,
                                            double maxPiece_px);

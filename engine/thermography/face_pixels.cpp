@@ -94,28 +94,52 @@ void markNear(Footprint& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b
         }
 }
 
-/// How far from a plate's edges a pixel has to lie, px: at most the picture's size, which leaves none.
-double marginOf(const CameraModel& camera, const Pose& X_CO, const FacePixelOptions& options) {
-    const double range_m = X_CO.translation().norm(), depth_m = X_CO.translation().z();
-    const double off_m = 2.0 * std::hypot(options.sight.across_m, options.sight.angle_rad * range_m);
-    if (off_m == 0.0)
-        return options.blur_px;
-    const double max_px = std::max({camera.width, camera.height, 1});
-    const double off_px =
-        depth_m > 0.0 ? std::max(camera.fx, camera.fy) * off_m * range_m / (depth_m * depth_m) : max_px;
-    return options.blur_px + std::min(off_px, max_px);
+/// By how many pixels an edge at p_C may be elsewhere: at most the picture's size, which leaves none.
+double offAt(const CameraModel& camera, const SightUncertainty& sight, const Eigen::Vector3d& p_C) {
+    const double range_m = p_C.norm();
+    const double off_m = 2.0 * std::hypot(sight.across_m, sight.angle_rad * range_m);
+    return std::min(std::max(camera.fx, camera.fy) * off_m * range_m / (p_C.z() * p_C.z()),
+                    static_cast<double>(std::max(camera.width, camera.height)));
 }
 
-Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, const PlacedPlate& plate,
-                      const Pose& X_CO, double margin_px) {
+/// At the rim of a picture a pixel can be twice as wide as in its middle. What cuts off then lies outside of
+/// the picture by the margin and more, so that no edge in it is one of cutting.
+Eigen::AlignedBox2d boundsFor(const CameraModel& camera, double margin_px) {
+    return raysInPicture(camera, 2.0 * (margin_px + 2.0));
+}
+
+/// How far from a plate's edges a pixel has to lie, px, by what of them may be in the picture.
+double marginOf(const CameraModel& camera, const std::vector<Ring2>& rings_O, const Pose& X_CO,
+                const FacePixelOptions& options) {
+    if (options.sight.across_m == 0.0 && options.sight.angle_rad == 0.0)
+        return options.blur_px;
+    double off_px = 0.0; // in the picture's middle, where it does not grow without bounds
+    for (const Ring2& ring_O : rings_O)
+        for (const Eigen::Vector2d& p : ring_O) {
+            const Eigen::Vector3d p_C = X_CO * Eigen::Vector3d(p.x(), p.y(), 0.0);
+            off_px = std::max(off_px, offAt(camera, options.sight, {0.0, 0.0, p_C.norm()}));
+        }
+    const Eigen::AlignedBox2d bounds = boundsFor(camera, options.blur_px + off_px);
+    off_px = 0.0;
+    for (const Ring2& ring_O : rings_O)
+        for (const Eigen::Vector3d& p_C : ringWithin(bounds, X_CO, ring_O))
+            off_px = std::max(off_px, offAt(camera, options.sight, p_C));
+    return options.blur_px + off_px;
+}
+
+Footprint footprintOf(const PixelRays& rays, const PlacedPlate& plate, const Pose& X_CO,
+                      const FacePixelOptions& options) {
     const CameraModel& camera = rays.camera();
     const Lens lens(camera);
+    const std::vector<Ring2> rings_O = shapeRings(plate.shape, kOutlinePoints);
+    const double margin_px = marginOf(camera, rings_O, X_CO, options);
+    const Eigen::AlignedBox2d bounds = boundsFor(camera, margin_px);
     Footprint out;
     out.normal = X_CO.linear().col(2);
     out.offset = out.normal.dot(X_CO.translation());
     std::vector<Ring2> rings;
     Eigen::Vector2d min = Eigen::Vector2d::Constant(std::numeric_limits<double>::max()), max = -min;
-    for (const std::vector<Eigen::Vector2d>& ring_O : shapeRings(plate.shape, kOutlinePoints)) {
+    for (const Ring2& ring_O : rings_O) {
         const Ring2 shown = thinned(ringInPicture(lens, bounds, X_CO, ring_O, kMaxBentEdge_px));
         for (const Eigen::Vector2d& p : shown) {
             min = min.cwiseMin(p);
@@ -137,9 +161,12 @@ Footprint footprintOf(const PixelRays& rays, const Eigen::AlignedBox2d& bounds, 
     out.bottom = std::min(camera.height - 1, within(std::ceil(max.y() + margin_px), camera.height));
     if (out.isEmpty())
         return out;
-    out.flags.assign(static_cast<std::size_t>(out.right - out.left + 1) *
-                         static_cast<std::size_t>(out.bottom - out.top + 1),
-                     0);
+    const int columns = out.right - out.left + 1, rows = out.bottom - out.top + 1;
+    out.flags.assign(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows), 0);
+    if (margin_px >= 0.5 * std::hypot(columns, rows)) {
+        std::ranges::fill(out.flags, Footprint::kNearEdge);
+        return out;
+    }
     fill(out, rings);
     for (const Ring2& ring : rings)
         for (std::size_t k = 0; k < ring.size(); ++k)
@@ -237,24 +264,13 @@ std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_
         throw std::invalid_argument("facePixels: a blur of 1.5 to 100 px, at least one pixel");
     const Pose X_CW = X_WC.inverse();
     std::vector<Pose> poses;
-    std::vector<double> margins_px;
+    std::vector<Footprint> footprints;
+    poses.reserve(objects.size() + screens.size());
+    footprints.reserve(objects.size() + screens.size());
     for (const auto& plates : {objects, screens})
         for (const PlacedPlate& plate : plates) {
             poses.push_back(X_CW * plate.X_WO);
-            margins_px.push_back(marginOf(rays.camera(), poses.back(), options));
-        }
-    // At the rim of a picture a pixel can be twice as wide as in its middle. What cuts off then lies outside
-    // of the picture by the margin and more, so that no edge in it is one of cutting.
-    double widest_px = options.blur_px;
-    for (const double margin_px : margins_px)
-        widest_px = std::max(widest_px, margin_px);
-    const Eigen::AlignedBox2d bounds = raysInPicture(rays.camera(), 2.0 * (widest_px + 2.0));
-    std::vector<Footprint> footprints;
-    footprints.reserve(poses.size());
-    for (const auto& plates : {objects, screens})
-        for (const PlacedPlate& plate : plates) {
-            const std::size_t k = footprints.size();
-            footprints.push_back(footprintOf(rays, bounds, plate, poses[k], margins_px[k]));
+            footprints.push_back(footprintOf(rays, plate, poses.back(), options));
         }
     std::vector<Result<FacePixels>> out;
     for (std::size_t i = 0; i < objects.size(); ++i)

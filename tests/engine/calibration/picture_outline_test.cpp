@@ -67,6 +67,19 @@ TEST(PictureOutline, IsEmptyBehindTheCameraAndBesideThePicture) {
     EXPECT_FALSE(outlineInPicture(cameraOf(), at(0.0, 0.0, 0.1, 1.5), Disk{0.3}).empty()); // partly behind
 }
 
+// Catches bounds by a wide margin that reach where Brown's formula shows what is outside as if it were
+// inside.
+TEST(PictureOutline, BoundsEndWhereTheLensTurnsBack) {
+    constexpr double kTurn = 0.9759; // 1 - 3 * 0.35 r^2 = 0
+    const CameraModel camera = cameraOf({-0.35, 0.0, 0.0, 0.0, 0.0});
+    const Eigen::AlignedBox2d bounds = raysInPicture(camera, 1000.0);
+    for (int axis = 0; axis < 2; ++axis) {
+        EXPECT_NEAR(bounds.max()[axis], kTurn, 0.02);
+        EXPECT_NEAR(bounds.min()[axis], -kTurn, 0.02);
+    }
+    EXPECT_NEAR(raysInPicture(cameraOf(), 20.0).max().x(), (80.0 + 20.0) / 200.0, 1e-7);
+}
+
 TEST(PictureOutline, RefusesACameraWithoutSize) {
     CameraModel camera = cameraOf();
     camera.width = 0;

@@ -82,14 +82,16 @@ TEST(FacePixels, ofADiskAreThePixelsWithinItsEdge) {
 // Catches: the uncertainty of the camera's pose left out, or not as large in the picture as before the
 // camera.
 TEST(FacePixels, keepOffWhereAnEdgeMayBe) {
-    const double radius = 200.0 * 0.05 / 0.5;
+    const double radius = 200.0 * 0.05 / 0.5, range_m = std::hypot(0.05, 0.5);
     for (const SightUncertainty& sight : {SightUncertainty{0.005, 0.0}, {0.0, 0.01}, {0.003, 0.008}}) {
+        const double off_m = 2.0 * std::hypot(sight.across_m, sight.angle_rad * range_m);
+        const double off_px = 200.0 * off_m * range_m / (0.5 * 0.5);
         const FacePixels found =
             seen({{Disk{0.05}, placed(0.0, 0.0, 0.5)}}, 0, {}, smallCamera(), {.sight = sight});
         const std::set<int> pixels(found.pixels.begin(), found.pixels.end());
         for (int row = 0; row < 120; ++row)
             for (int column = 0; column < 160; ++column) {
-                const double inside = radius - std::hypot(column - 79.5, row - 59.5) - 1.5 - 4.0;
+                const double inside = radius - std::hypot(column - 79.5, row - 59.5) - 1.5 - off_px;
                 if (std::abs(inside) > 0.02) {
                     EXPECT_EQ(pixels.contains(row * 160 + column), inside > 0.0) << column << ' ' << row;
                 }
@@ -120,6 +122,34 @@ TEST(FacePixels, sayThatThePoseIsNotKnownWellEnough) {
     EXPECT_EQ(found[1].error().code(), MessageCode::ThermalFaceOutside);
     EXPECT_TRUE(found[2]);
     EXPECT_EQ(refusal(objects, 0), MessageCode::None);
+}
+
+// Catches: a plate near the camera's plane, or behind it, that takes from others what it does not hide, or
+// that has one beside the picture drawn into it, where the lens model turns back.
+TEST(FacePixels, keepOffOnlyWhatMayBeInThePicture) {
+    const FacePixelOptions options{.sight = {.across_m = 0.002, .angle_rad = 0.0}};
+    const std::vector<PlacedPlate> objects{{Disk{0.05}, placed(0.0, 0.0, 0.5)}};
+    const PlacedPlate behind{Disk{0.05}, placed(0.3, 0.0, -0.2)}, beside{Disk{0.03}, placed(0.3, 0.0, 0.2)};
+    // From behind the camera up to z = 0.3 m, 14 px left of the disk's edge; farther on it would hide it.
+    const PlacedPlate wall{square(0.78), placed(-0.225, 0.0, -0.05, 0.0, -std::atan(2.0))};
+    for (const CameraModel& camera : {smallCamera(), smallCamera({-0.35, 0.0, 0.0, 0.0, 0.0})}) {
+        const FacePixels alone = seen(objects, 0, {}, camera, options);
+        EXPECT_GT(alone.pixels.size(), 500U);
+        EXPECT_EQ(seen(objects, 0, {behind, beside}, camera, options).pixels, alone.pixels);
+        EXPECT_EQ(seen(objects, 0, {wall}, camera, options).pixels, alone.pixels);
+    }
+}
+
+// Catches: a plate of which nobody knows where it is that is read or seen through.
+TEST(FacePixels, areNoneWhereAnEdgeMayBeAnywhere) {
+    const std::vector<PlacedPlate> objects{{Disk{0.05}, placed(0.0, 0.0, 0.5)},
+                                           {Disk{0.05}, placed(0.1, 0.0, 0.3)}};
+    const auto found = facePixels(PixelRays(smallCamera()), Pose::Identity(), objects, {},
+                                  {.sight = {.across_m = 1.0, .angle_rad = 0.0}});
+    for (const Result<FacePixels>& face : found) {
+        ASSERT_FALSE(face);
+        EXPECT_EQ(face.error().code(), MessageCode::ThermalPlaceVague);
+    }
 }
 
 // Catches: holes that are measured, and their edges.
