@@ -145,14 +145,15 @@ void readThermalCalibration(Fields& fields, Failure& failure, ThermalCalibration
         readCalibratedCamera(part, where, failure, out.lens.emplace());
     });
     fields.read("lens_date", out.lensDate);
-    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
-        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
-    });
-    fields.read("pose_date", out.poseDate);
     double uncertainty_m = std::numeric_limits<double>::quiet_NaN();
     fields.read("pose_uncertainty", EdgeUnit::LengthMm, uncertainty_m);
     if (!std::isnan(uncertainty_m))
         out.poseUncertainty_m = uncertainty_m;
+    readPart(fields, "pose", out.poseUncertainty_m.has_value(),
+             [&](const json& part, const std::string& where) {
+                 readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
+             });
+    fields.read("pose_date", out.poseDate);
 }
 
 void putThermalCalibration(Json& j, const ThermalCalibration& calibration) {

@@ -28,10 +28,10 @@ using std::to_string;
 constexpr int kOutlineSamples = 256;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxSourceRadius_m = 10.0;
-constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
-constexpr double kMaxUncertainty_mm = 1e2; // of a thermal camera's place, at the objects
-constexpr double kSamePlace = 1e-9;        // m, rad
-constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
+constexpr double kMaxPlace_cm = 500.0;      // of the robot's workspace and of the source
+constexpr double kMaxUncertainty_mm = 20.0; // of a thermal camera's place, at the objects
+constexpr double kSamePlace = 1e-9;         // m, rad
+constexpr double kMaxRendered_px = 4096.0;  // of a simulated camera, whose pictures are painted one by one
 constexpr double kMaxMarkers = 64.0;
 
 /// Calls checkValue(path of the point, value) for each point of a table; its times must not be negative and

@@ -472,7 +472,14 @@ TEST(ThermalCameraOfAnExperiment, IsRefusedWhereItDoesNotFit) {
     camera["pose"]["z_cm"] = 110;
     camera["pose_uncertainty_mm"] = -1;
     EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera.pose_uncertainty_mm");
-    camera["pose_uncertainty_mm"] = 0.4;
+    camera["pose_uncertainty_mm"] = 20.1;
+    EXPECT_EQ(refuse().code(), ValueOutOfRange);
+    camera["pose_uncertainty_mm"] = 20.0;
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
+    camera.erase("pose");
+    EXPECT_EQ(refuse().code(), JsonMissingKey);
+    EXPECT_EQ(refuse().where, "e.json: rig.thermal_camera");
+    camera.erase("pose_uncertainty_mm");
     EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
 }
 

@@ -234,7 +234,7 @@ TEST(CameraThermometer, ReadsFewerPixelsTheLessItsPlaceIsKnown) {
     ASSERT_TRUE(measured.read()[0].valid);
     EXPECT_EQ(exact.thermometer->sample(0).pixels, 16.0);   // of a circle of 3.72 px, less a rim of 1.5 px
     EXPECT_EQ(measured.thermometer->sample(0).pixels, 8.0); // and of twice 0.25 px more
-    believed.poseUncertainty_m = 0.03;
+    believed.poseUncertainty_m = 0.02;
     calibrateThermalCamera(experiment, believed);
     Bench unsure(experiment);
     for (const Reading& reading : unsure.read()) {
