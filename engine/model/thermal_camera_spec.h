@@ -16,8 +16,8 @@ struct ThermalCalibration {
     std::string lensDate;
     std::optional<Vector6d> pose; ///< coordinates of X_RC
     std::string poseDate;
-    /// Standard uncertainty of the objects' places by that of the pose, across the line of sight; if empty,
-    /// the pose was typed.
+    /// Standard uncertainty of the objects' places by that of the pose, across the line of sight; empty
+    /// for a pose that was typed, or measured by a version that did not keep it.
     std::optional<double> poseUncertainty_m;
     bool operator==(const ThermalCalibration&) const = default;
 };

@@ -149,16 +149,18 @@ void ThermalPanel::use() {
 void ThermalPanel::showPose() {
     const auto camera = thermalCameraOf(m_experiment);
     if (!m_found) {
-        const std::string date = calibration().poseDate;
+        const ThermalCalibration believed = calibration();
+        const std::string& date = believed.poseDate;
         const QString place = camera && camera->X_RC ? poseWords(*camera->X_RC) : QString();
-        return m_box->showState(place.isEmpty()       ? tr("Not measured")
-                                : !calibration().pose ? tr("As simulated")
-                                : date.empty()        ? tr("As typed")
-                                                      : tr("In use"),
-                                place.isEmpty() ? QString()
-                                : date.empty()
-                                    ? tr("The camera is at %1.").arg(place)
-                                    : tr("The camera is at %1, measured %2.").arg(place, ageText(date)));
+        return m_box->showState(
+            place.isEmpty()               ? tr("Not measured")
+            : !believed.pose              ? tr("As simulated")
+            : date.empty()                ? tr("As typed")
+            : !believed.poseUncertainty_m ? tr("Measured by an earlier version: measure it again")
+                                          : tr("In use"),
+            place.isEmpty() ? QString()
+            : date.empty()  ? tr("The camera is at %1.").arg(place)
+                            : tr("The camera is at %1, measured %2.").arg(place, ageText(date)));
     }
     const Judgement judgement = judged(*m_found);
     const bool isUsed = calibration().pose == coordinatesFromPose(m_found->X_RC);
