@@ -183,8 +183,7 @@ QScrollArea* CalibratePage::addPanel(QWidget* panel, const char* name) {
 
 void CalibratePage::setExperiment(const Experiment& experiment) {
     const bool areMarkersNew = experiment.vision.markers != m_experiment.vision.markers;
-    if (!haveSameThermalCamera(m_experiment, experiment))
-        m_lensPanel->startAgain();
+    const bool isCameraNew = !haveSameThermalCamera(m_experiment, experiment);
     m_experiment = experiment;
     m_picture->setCamera(experiment.vision.camera);
     m_cameraPanel->setCamera(experiment.vision.camera);
@@ -195,6 +194,10 @@ void CalibratePage::setExperiment(const Experiment& experiment) {
         names.push_back(QString::fromStdString(object.name));
     m_thermalPicture->setNames(names);
     m_lensPanel->setCamera(thermalCalibration(experiment, !experiment.rig).lens);
+    if (isCameraNew) {
+        m_lensPanel->changeCamera();
+        m_boardWatch->setBoard(m_thermalBoard); // forgets the picture that it looks at
+    }
     m_lensPanel->setDistance(thermalDistanceOf(experiment));
     m_thermalPanel->setExperiment(experiment);
     offerThermalCamera();

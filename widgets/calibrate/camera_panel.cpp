@@ -195,6 +195,13 @@ void CameraPanel::startAgain() {
     retranslate();
 }
 
+void CameraPanel::changeCamera() {
+    startAgain();
+    m_view = {};
+    m_take->setEnabled(false);
+    m_result->clear();
+}
+
 void CameraPanel::capture(bool on) {
     const Result<Board> board = m_board->board();
     if (on && !board) {
@@ -210,8 +217,8 @@ void CameraPanel::capture(bool on) {
 }
 
 void CameraPanel::setView(const VisionView& view) {
-    if (m_collector && view.cameraName != m_view.cameraName)
-        startAgain();
+    if (!m_view.cameraName.empty() && view.cameraName != m_view.cameraName)
+        changeCamera();
     const bool isNew = view.frame && (!m_view.frame || view.frame->number != m_view.frame->number);
     m_view = view;
     const bool answers = view.frame && view.problem.code == MessageCode::None;

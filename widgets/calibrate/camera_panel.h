@@ -42,11 +42,10 @@ public:
     explicit CameraPanel(QWidget* parent = nullptr);
     ~CameraPanel() override;
 
-    /// Takes what the camera shows; each frame counts once. The views of a camera of another name are
-    /// dropped.
+    /// Takes what the camera shows; each frame counts once. Another name is another camera.
     void setView(const VisionView& view);
-    /// Drops the views, as of another camera.
-    void startAgain();
+    /// Drops the views, and what was computed from them or read from a file: they are of another camera.
+    void changeCamera();
     /// Sets the distance from camera to source at which errors are given in mm; 0.6 m by default.
     void setDistance(double distance_m);
     /// The camera in use.
@@ -78,6 +77,7 @@ private:
     void connectAll();
     bool isCapturing() const;
     void changeBoard();
+    void startAgain();
     void capture(bool on);
     bool startCollector(const GreyPicture& picture);
     void look();

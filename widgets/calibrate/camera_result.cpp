@@ -113,7 +113,8 @@ void CameraResult::setCamera(const CameraModel& camera, const QString& file) {
 
 void CameraResult::clear() {
     m_calibration.reset();
-    m_camera.reset();
+    m_camera = m_inUse;
+    m_file.clear();
     showAll();
 }
 

@@ -27,6 +27,7 @@ public:
     void setCalibration(const CameraCalibration& calibration);
     /// Shows a camera from a file of that name; without a name, the camera in use.
     void setCamera(const CameraModel& camera, const QString& file);
+    /// Shows the camera in use, if there is one.
     void clear();
     /// Sets the distance at which errors are given in mm.
     void setDistance(double distance_m);

@@ -236,6 +236,26 @@ TEST_F(CameraPanelTest, ViewsOfAnotherCameraAreDropped) {
     EXPECT_EQ(list()->count(), 1) << "it is the same when it is back";
 }
 
+// Catches: a camera that is used, or saved, as that of another one.
+TEST_F(CameraPanelTest, WhatWasComputedOfAnotherCameraIsDropped) {
+    calibrate();
+    ASSERT_TRUE(child<QPushButton>("cameraUse")->isEnabled());
+    VisionView other = scene.look(test::patientPoses()[0]);
+    other.cameraName = "camera 1";
+    page.setView(other);
+    EXPECT_FALSE(child<QPushButton>("cameraUse")->isEnabled());
+    EXPECT_FALSE(child<QPushButton>("cameraSave")->isEnabled());
+    EXPECT_FALSE(child<QPushButton>("captureTake")->isEnabled());
+    EXPECT_EQ(text("cameraVerdict"), "No camera yet");
+
+    CameraModel inUse = scene.camera;
+    inUse.fx += 10.0;
+    child<CameraPanel>("cameraPanel")->setCamera(inUse);
+    page.setView(scene.look(test::patientPoses()[0]));
+    EXPECT_EQ(text("cameraVerdict"), "The camera in use");
+    EXPECT_FALSE(child<QPushButton>("cameraUse")->isEnabled());
+}
+
 // Catches: one frame shown twice that counts as two, and a view of another size mixed in.
 TEST_F(CameraPanelTest, EachFrameCountsOnceAndHasOneSize) {
     click("captureStart");

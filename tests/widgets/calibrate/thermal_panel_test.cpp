@@ -281,6 +281,19 @@ TEST_F(ThermalPanelTest, IsThereForTheThermalCameraOnly) {
     EXPECT_EQ(page.findChild<QComboBox*>("cameraChoice")->count(), 1);
 }
 
+// Catches a place that counts as typed and is told as if it were measured well enough.
+TEST_F(ThermalPanelTest, TellsAPlaceThatAnEarlierVersionMeasured) {
+    ThermalCalibration believed = thermalCalibration(experiment, true);
+    believed.poseDate = "2026-11-20T22:45:00Z";
+    calibrateThermalCamera(experiment, believed);
+    page.setExperiment(experiment);
+    EXPECT_EQ(text("thermalVerdict"), "Measured by an earlier version: measure it again");
+    believed.poseUncertainty_m = 0.0003;
+    calibrateThermalCamera(experiment, believed);
+    page.setExperiment(experiment);
+    EXPECT_EQ(text("thermalVerdict"), "In use");
+}
+
 // Catches views of a lens that are never taken from thermal pictures, or in another size.
 TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     ThermalCalibration measured = thermalCalibration(experiment, true);
@@ -294,6 +307,7 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     double time_s = 10.0;
     auto* list = lens.findChild<QTreeWidget*>();
     ASSERT_NE(list, nullptr);
+    ThermalView last;
     int looks = 0;
     QObject::connect(page.findChild<ThermalBoardWatch*>(), &ThermalBoardWatch::looked, &page,
                      [&looks] { ++looks; });
@@ -312,6 +326,7 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
             page.setThermalView(view);
             ASSERT_TRUE(test::waitFor([&] { return looks > before; }));
         }
+        last = view;
     }
     EXPECT_GE(list->topLevelItemCount(), 10);
     lens.findChild<QPushButton*>("solve")->click();
@@ -331,8 +346,24 @@ TEST_F(ThermalPanelTest, ItsLensIsCalibratedByABoard) {
     EXPECT_GE(list->topLevelItemCount(), 10);
     RigSpec& rig = experiment.rig.emplace(); // the same kind of camera, but another one
     rig.thermalCamera.emplace().profile = thermalProfile(experiment, true).value();
+    std::vector<std::string> lookedAt;
+    QObject::connect(page.findChild<ThermalBoardWatch*>(), &ThermalBoardWatch::looked, &page,
+                     [&lookedAt](const VisionView& view) { lookedAt.push_back(view.cameraName); });
+    last.cameraName = "before";
+    last.time_s = time_s += 0.2;
+    page.setThermalView(last);
     page.setExperiment(experiment);
     EXPECT_EQ(list->topLevelItemCount(), 0);
+    EXPECT_FALSE(use->isEnabled());
+    EXPECT_FALSE(lens.findChild<QPushButton*>("cameraSave")->isEnabled());
+    EXPECT_EQ(lens.findChild<QLabel*>("cameraVerdict")->text(), "No camera yet");
+    last.cameraName = "after";
+    ASSERT_TRUE(test::waitFor([&] {
+        last.time_s = time_s += 0.2;
+        page.setThermalView(last);
+        return !lookedAt.empty();
+    }));
+    EXPECT_EQ(lookedAt.front(), "after") << "a picture of the camera before counts no more";
 }
 
 } // namespace bask
