@@ -27,6 +27,7 @@ VerdictBox::VerdictBox(const QString& name, QWidget* parent)
     m_verdict->setObjectName(name + QStringLiteral("Verdict"));
     m_text->setObjectName(name + QStringLiteral("Text"));
     m_use->setObjectName(name + QStringLiteral("Use"));
+    m_verdict->setWordWrap(true); // beside the button there is little room
     m_text->setWordWrap(true);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto* head = new QHBoxLayout;
