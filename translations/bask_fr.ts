@@ -2019,6 +2019,14 @@
         <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
         <translation>L’enregistrement après l’essai s’est terminé avant que tout soit froid&#xa0;: l’expérience a été modifiée, une autre a été ouverte, une personne a chauffé la source, ou 6&#xa0;h se sont écoulées.</translation>
     </message>
+    <message>
+        <source>the thermal camera&apos;s place is not known well enough for so small an object; measure it on the Calibrate page, Place</source>
+        <translation>la position de la caméra thermique n’est pas connue assez précisément pour un objet aussi petit ; mesurez-la à la page Étalonner, onglet Place</translation>
+    </message>
+    <message>
+        <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
+        <translation>La consigne de « %1 », %2, n’est pas ce que la caméra thermique qui le lit peut indiquer : de %3 à %4 avec cette émissivité. Changez la consigne, ou laissez un capteur lire l’objet.</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -9619,12 +9627,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Enregistrer la figure</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours, si aucune chauffe n’est demandée et si le robot est immobile : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
-    </message>
-    <message>
         <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
         <translation>Aucun tableau n’a été écrit : les premiers échantillons du temps affiché ne sont que dans l’enregistrement. Ouvrez-le dans la page Relecture et exportez-y le tableau, ou affichez un intervalle de temps plus tardif.</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>Les figures et les rapports ne sont tracés que si aucun essai et aucune recette n’est en cours ni ne commence, si aucune chauffe n’est demandée et si le robot est immobile : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
     </message>
 </context>
 <context>
@@ -9825,8 +9833,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Les alarmes qu’ont eues les essais listés, combien de fois et quand</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>Ce que chaque essai a dit à sa fin. Un dommage de son fichier se trouve quand l’essai est sélectionné (un long : quand il est ouvert) et reste listé jusqu’à la fermeture de Bask ; si le fichier a été modifié, bask verify le dit.</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long : quand il est ouvert) et reste marqué jusqu’à ce que le fichier change ou que Bask soit fermé ; si le fichier a été modifié, bask verify le dit.</translation>
     </message>
 </context>
 <context>
@@ -10726,6 +10734,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>A calibration board is looked for. Stop looking first.</source>
         <translation>Une mire d’étalonnage est recherchée. Arrêtez d’abord la recherche.</translation>
+    </message>
+    <message>
+        <source>Measured by an earlier version: measure it again</source>
+        <translation>Mesurée par une version antérieure : mesurez-la à nouveau</translation>
     </message>
 </context>
 <context>

@@ -2019,6 +2019,14 @@
         <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
         <translation>运行之后的记录在一切冷却之前已结束：实验被修改、打开了另一个实验、有人手动加热了热源，或已过 6 h。</translation>
     </message>
+    <message>
+        <source>the thermal camera&apos;s place is not known well enough for so small an object; measure it on the Calibrate page, Place</source>
+        <translation>对于这么小的物体，热像仪的位置不够准确；请在“标定”页的“位置”中测量</translation>
+    </message>
+    <message>
+        <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
+        <translation>“%1”的目标 %2 不在读取它的热像仪所能测的范围内：以此发射率为 %3 至 %4。请更改目标，或改用传感器读取该物体。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -9602,12 +9610,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>保存图</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在没有运行、没有配方进行、没有要求加热且机器人静止时才绘制图和报告：否则窗口及其“软件停止”都要等待绘制完成。未写入任何文件。</translation>
-    </message>
-    <message>
         <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
         <translation>未写入表格：所显示时间内最初的采样只在记录中。请在“回顾”页打开该记录并在那里导出表格，或显示较晚的时间段。</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有没有运行或配方正在进行或开始、未要求加热且机器人静止时才绘制图形和报告：否则带有 STOP 的窗口必须等待。未写入任何内容。</translation>
     </message>
 </context>
 <context>
@@ -9804,8 +9812,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列运行中出现过哪些报警、多少次、何时</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>各次运行在结束时给出的结果。文件的损坏在选中该运行时（较长的在打开时）发现，并在列表中保留到 Bask 关闭；文件是否被改动过由 bask verify 指出。</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>各次运行结束时给出的结果。文件损坏在选中该运行时发现（较长的运行在打开时发现），并保留到文件改变或 Bask 关闭；文件是否被改动过由 bask verify 指出。</translation>
     </message>
 </context>
 <context>
@@ -10702,6 +10710,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A calibration board is looked for. Stop looking first.</source>
         <translation>正在寻找标定板。请先停止寻找。</translation>
+    </message>
+    <message>
+        <source>Measured by an earlier version: measure it again</source>
+        <translation>由早期版本测量：请重新测量</translation>
     </message>
 </context>
 <context>

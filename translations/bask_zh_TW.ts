@@ -2019,6 +2019,14 @@
         <source>The recording after the run has ended before all was cold: the experiment was changed, another one was opened, a person has heated the source, or 6 h have passed.</source>
         <translation>運轉之後的記錄在一切冷卻之前已結束：實驗被修改、開啟了另一個實驗、有人手動加熱了熱源，或已過 6 h。</translation>
     </message>
+    <message>
+        <source>the thermal camera&apos;s place is not known well enough for so small an object; measure it on the Calibrate page, Place</source>
+        <translation>對於這麼小的物體，熱像儀的位置不夠準確；請在「校正」頁的「位置」中測量</translation>
+    </message>
+    <message>
+        <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
+        <translation>「%1」的目標 %2 不在讀取它的熱像儀所能測的範圍內：以此發射率為 %3 至 %4。請更改目標，或改用感測器讀取該物體。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -9602,12 +9610,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>儲存圖</translation>
     </message>
     <message>
-        <source>Figures and reports are drawn only while no run and no recipe is on, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-        <translation>只有在沒有運轉、沒有配方進行、沒有要求加熱且機器人靜止時才繪製圖和報告：否則視窗及其「軟體停止」都要等待繪製完成。未寫入任何檔案。</translation>
-    </message>
-    <message>
         <source>No table was written: the first samples of the shown time are in the recording only. Open it on the Review page and export the table there, or show a later stretch of time.</source>
         <translation>未寫入表格：所顯示時間內最初的取樣只在記錄中。請在「回顧」頁開啟該記錄並在那裡匯出表格，或顯示較晚的時間段。</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>只有沒有運轉或配方正在進行或開始、未要求加熱且機器人靜止時才繪製圖形和報告：否則帶有 STOP 的視窗必須等待。未寫入任何內容。</translation>
     </message>
 </context>
 <context>
@@ -9804,8 +9812,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列運轉中出現過哪些警報、多少次、何時</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>各次運轉在結束時給出的結果。檔案的損壞在選取該運轉時（較長的在開啟時）發現，並在清單中保留到 Bask 關閉；檔案是否被改動過由 bask verify 指出。</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
+        <translation>各次運轉結束時給出的結果。檔案損壞在選取該運轉時發現（較長的運轉在開啟時發現），並保留到檔案改變或 Bask 關閉；檔案是否被改動過由 bask verify 指出。</translation>
     </message>
 </context>
 <context>
@@ -10702,6 +10710,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A calibration board is looked for. Stop looking first.</source>
         <translation>正在尋找校正板。請先停止尋找。</translation>
+    </message>
+    <message>
+        <source>Measured by an earlier version: measure it again</source>
+        <translation>由較早的版本測量：請重新測量</translation>
     </message>
 </context>
 <context>
