@@ -45,7 +45,7 @@ private:
     /// the source is at rest if it has kept its temperature for this time
     static constexpr double kAtRest_s = 120.0;
     static constexpr double kAtRest_K = 0.5;     ///< a cooling source changes by more
-    static constexpr double kOverShare = 0.5; ///< of an unasked warming: lost again, it is over
+    static constexpr double kOverShare = 0.5;    ///< of an unasked warming: lost again, it is over
     static constexpr double kCoolingTimes = 3.0; ///< cooling may be slower than heating by this factor
     static constexpr double kOffTime_s = 1.5;    ///< until a command takes effect in the readings
     SafetySpec m_limits;

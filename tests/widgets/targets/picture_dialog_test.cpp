@@ -43,7 +43,8 @@ TEST_F(PictureDialogTest, StartsWithTheViewAndOffersSizes) {
 // Catches a list that says another size than the fields, and sizes that no picture can have.
 TEST_F(PictureDialogTest, TakesATypedSizeWithinItsBounds) {
     dialog.show();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog)); // else no field loses the focus
+    dialog.activateWindow(); // else no field loses the focus
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&dialog));
     type(width, QStringLiteral("4000"));
     type(height, QStringLiteral("3000"));
     EXPECT_EQ(dialog.size_px(), QSize(4000, 3000));
