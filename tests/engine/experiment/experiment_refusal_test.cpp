@@ -495,6 +495,8 @@ TEST(ThermalCameraOfAnExperiment, TellsItsTargets) {
         object["read_by"] = readBy;
         object["material"]["emittance"] = emittance;
         object["target_degC"] = target_degC;
+        object["warning_degC"] = 390.0;
+        object["trip_degC"] = 400.0;
         const auto experiment = experimentFromJson(j.dump(), "e.json", "/nowhere");
         EXPECT_TRUE(experiment) << "a file, or a recording, that nobody could mend";
         const auto fit = checkTargets(experiment.value());

@@ -457,7 +457,7 @@ TEST(SafetyMonitor, ASourceThatHeatsUnaskedIsNotForgotten) {
     next.monitor.restart();
     warm(next, 3, 0.2);
     EXPECT_TRUE(next.isActive(SafetyCondition::SourceHeatsUnasked));
-    warm(next, 15, -0.3);
+    warm(next, 30, -0.3);
     EXPECT_FALSE(next.isActive(SafetyCondition::SourceHeatsUnasked)) << "it has cooled";
     EXPECT_EQ(next.monitor.unaskedWarming_K(), 0.0);
 }
