@@ -550,7 +550,7 @@ Result<void> checkTargets(const Experiment& experiment) {
     const auto profile = thermalProfile(experiment, !experiment.rig);
     for (const ObjectSpec& object : experiment.objects)
         if (profile && object.readBy == ReadBy::Camera) // else a sensor tells whether it is met
-            if (const auto told = checkTold(object, *profile, experiment.environment_K); !told)
+            if (auto told = checkTold(object, *profile, experiment.environment_K); !told)
                 return told;
     return {};
 }

@@ -149,7 +149,7 @@ TEST(ExperimentEdit, ACalibratedThermalCameraIsNoOtherCamera) {
         EXPECT_EQ(compared(before, after).kind, compared(after, before).kind);
         return compared(before, after).kind;
     };
-    const Experiment none = example();
+    const Experiment& none = example();
     Experiment simulated = none;
     simulated.simulation.thermalCamera.emplace().profile = "lepton-3.5";
     EXPECT_EQ(kind(none, simulated), EditKind::Other);
