@@ -547,6 +547,8 @@ Result<void> checkTargets(const Experiment& experiment) {
         if (const double limit_K = warningLimit_K(experiment, object); object.target_K > limit_K + 1e-6)
             return Error(MessageCode::TargetAboveWarning, {},
                          {object.name, temperatureArg(object.target_K, 6), temperatureArg(limit_K, 6)});
+    if (!readsByCamera(experiment))
+        return {};
     const auto profile = thermalProfile(experiment, !experiment.rig);
     for (const ObjectSpec& object : experiment.objects)
         if (profile && object.readBy == ReadBy::Camera) // else a sensor tells whether it is met

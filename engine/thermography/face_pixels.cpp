@@ -94,6 +94,10 @@ void markNear(Footprint& out, const Eigen::Vector2d& a, const Eigen::Vector2d& b
         }
 }
 
+bool isExact(const SightUncertainty& sight) {
+    return sight.across_m == 0.0 && sight.angle_rad == 0.0;
+}
+
 /// By how many pixels an edge at p_C may be elsewhere: at most the picture's size, which leaves none.
 double offAt(const CameraModel& camera, const SightUncertainty& sight, const Eigen::Vector3d& p_C) {
     const double range_m = p_C.norm();
@@ -111,7 +115,7 @@ Eigen::AlignedBox2d boundsFor(const CameraModel& camera, double margin_px) {
 /// How far from a plate's edges a pixel has to lie, px, by what of them may be in the picture.
 double marginOf(const CameraModel& camera, const std::vector<Ring2>& rings_O, const Pose& X_CO,
                 const FacePixelOptions& options) {
-    if (options.sight.across_m == 0.0 && options.sight.angle_rad == 0.0)
+    if (isExact(options.sight))
         return options.blur_px;
     double off_px = 0.0; // in the picture's middle, where it does not grow without bounds
     for (const Ring2& ring_O : rings_O)
@@ -275,8 +279,8 @@ std::vector<Result<FacePixels>> facePixels(const PixelRays& rays, const Pose& X_
     std::vector<Result<FacePixels>> out;
     for (std::size_t i = 0; i < objects.size(); ++i)
         out.push_back(pixelsOf(rays, footprints, i, poses[i], options));
-    if (std::ranges::all_of(out, [](const Result<FacePixels>& found) { return found.ok(); }) ||
-        (options.sight.across_m == 0.0 && options.sight.angle_rad == 0.0))
+    if (isExact(options.sight) ||
+        std::ranges::all_of(out, [](const Result<FacePixels>& found) { return found.ok(); }))
         return out;
     FacePixelOptions known = options;
     known.sight = {};
