@@ -145,11 +145,11 @@ std::vector<TakenLight> RigGeometry::takenLight(const Vector6d& q) const {
     return m_mounted.takenLight(m_source, X_SE(q));
 }
 
-std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {
+std::vector<Clearance> RigGeometry::clearances(const Vector6d& q, const Vector6d& lowestAt) const {
     const Pose X_RE = poseFromCoordinates(q);
     const Eigen::Vector3d n = away();
     const double origin_m = n.dot(X_RE.translation() - m_X_RS.translation()) - m_floor_m;
-    const Eigen::RowVector3d down = n.transpose() * X_RE.linear();
+    const Eigen::RowVector3d down = n.transpose() * poseFromCoordinates(lowestAt).linear();
     std::vector<Clearance> out;
     for (const auto& outline : m_outlines_E) {
         const auto lowest = std::ranges::min_element(

@@ -92,7 +92,10 @@ public:
     /// Returns the height of the floor over the source's plane, m; 0 without shields.
     double floor_m() const { return m_floor_m; }
     /// Returns the clearance of the lowest point of each object, then of each fixture.
-    std::vector<Clearance> clearances(const Vector6d& q) const;
+    std::vector<Clearance> clearances(const Vector6d& q) const { return clearances(q, q); }
+    /// Returns at pose q the clearance of the point of each object, then of each fixture, that is the lowest
+    /// one at pose `lowestAt`.
+    std::vector<Clearance> clearances(const Vector6d& q, const Vector6d& lowestAt) const;
     /// Returns the height over the floor of the lowest point of all objects and fixtures, m.
     double lowestPoint_m(const Vector6d& q) const;
     /// Returns whether the pose is inside the workspace and keeps the clearance from the floor, within 1e-9.

@@ -7,12 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 namespace bask {
 namespace {
 
-constexpr double kMinDamping = 1e-6; ///< keeps the normal matrix regular
+constexpr double kMinDamping = 1e-6;    ///< keeps the normal matrix regular
+constexpr double kHeightSlack_m = 1e-9; ///< by which a height may miss its bound
+constexpr int kMaxCuts = 6; ///< solves with further points of the outlines, before a step is shortened
 
 /// Rates after braking at full strength for dt_s, on a straight line.
 Vector6d brakedRates(const RigGeometry& geometry, const Vector6d& q, const Vector6d& lastRates, double dt_s) {
@@ -120,8 +123,25 @@ SmallVector scales(const RigGeometry& geometry, double dt_s) {
     return scale;
 }
 
+/// The rows G y >= h of a step: those of stepLimits, then those of `cuts`, points of the outlines that have
+/// to stay above `min_m`.
+void stepRows(const RigGeometry& geometry, const Vector6d& q, const std::vector<Clearance>& cuts,
+              double min_m, Eigen::MatrixXd& G, Eigen::VectorXd& h) {
+    stepLimits(geometry, q, G, h);
+    const auto& free = geometry.freeCoordinates();
+    const Eigen::Index first = h.size();
+    G.conservativeResize(first + static_cast<Eigen::Index>(cuts.size()), Eigen::NoChange);
+    h.conservativeResize(G.rows());
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        const Eigen::Index row = first + static_cast<Eigen::Index>(i);
+        for (std::size_t k = 0; k < free.size(); ++k)
+            G(row, static_cast<Eigen::Index>(k)) = cuts[i].gradient[free[k]];
+        h[row] = min_m - cuts[i].height_m;
+    }
+}
+
 Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& brakedRates,
-                     double largestSingularValue) {
+                     double largestSingularValue, const std::vector<Clearance>& cuts, double min_m) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Scaled s;
@@ -143,7 +163,7 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
 
     Eigen::MatrixXd G;
     Eigen::VectorXd h;
-    stepLimits(geometry, problem.coordinates, G, h);
+    stepRows(geometry, problem.coordinates, cuts, min_m, G, h);
     s.G = G * s.scale.asDiagonal();
     s.h = h / problem.dt_s - G * braked;
     if (geometry.limits().limitsAcceleration()) {
@@ -159,13 +179,17 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
     return s;
 }
 
-/// The pose keeps its clearance during one step and the braking after it, which the linearised rows may miss
-/// because of curvature.
-bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double dt_s,
-                double min_m) {
+/// Returns a pose at which a step, or the braking after it, is too low; empty if there is none.
+std::optional<Vector6d> tooLow(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates,
+                               double dt_s, double min_m) {
+    const auto isTooLow = [&](const Vector6d& pose) {
+        return geometry.lowestPoint_m(pose) < min_m - kHeightSlack_m;
+    };
     const RobotLimits& limits = geometry.limits();
-    if (!limits.limitsAcceleration())
-        return geometry.lowestPoint_m(q + dt_s * rates) >= min_m;
+    if (!limits.limitsAcceleration()) {
+        const Vector6d end = q + dt_s * rates;
+        return isTooLow(end) ? std::optional(end) : std::nullopt;
+    }
     double braking_s = 0.0;
     if (limits.maxAcceleration_m_s2 > 0.0)
         braking_s = rates.head<3>().norm() / limits.maxAcceleration_m_s2;
@@ -174,16 +198,32 @@ bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& 
                                             limits.maxAngularAcceleration_rad_s2);
     const double reach_s = 1.5 * dt_s + 0.5 * braking_s;
     for (const double share : {0.25, 0.5, 0.75, 1.0})
-        if (geometry.lowestPoint_m(q + share * reach_s * rates) < min_m)
-            return false;
-    return true;
+        if (const Vector6d pose = q + share * reach_s * rates; isTooLow(pose))
+            return pose;
+    return std::nullopt;
 }
 
-void keepClear(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& braked,
-               VelocitySolution& solution) {
-    const Vector6d& q = problem.coordinates;
-    const double min_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m) - 1e-9;
-    for (int i = 0; i < 30 && !staysClear(geometry, q, solution.rates, problem.dt_s, min_m); ++i) {
+/// Adds the points that are too low at the pose `low`, which the rows of the points that are lowest at q do
+/// not see: where a face is parallel to the floor, another side of it comes down with each tilt. If the way
+/// is curved downwards, their heights at q are those that a straight line from `low` has there.
+void addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& low, double min_m,
+             std::size_t room, std::vector<Clearance>& cuts) {
+    const std::vector<Clearance> there = geometry.clearances(low);
+    std::vector<Clearance> here = geometry.clearances(q, low);
+    for (std::size_t i = 0; i < here.size() && room > 0; ++i) {
+        if (there[i].height_m >= min_m - kHeightSlack_m)
+            continue;
+        here[i].height_m = std::min(here[i].height_m, there[i].height_m - here[i].gradient.dot(low - q));
+        cuts.push_back(here[i]);
+        --room;
+    }
+}
+
+/// Shortens a step that even the cuts do not keep clear.
+void shorten(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& braked,
+             double min_m, VelocitySolution& solution) {
+    for (int i = 0; i < 30 && tooLow(geometry, problem.coordinates, solution.rates, problem.dt_s, min_m);
+         ++i) {
         solution.rates = braked + 0.7 * (solution.rates - braked);
         solution.limits.add(Limit::Clearance);
     }
@@ -226,17 +266,14 @@ void stepLimits(const RigGeometry& geometry, const Vector6d& q, Eigen::MatrixXd&
         h[2 * n + static_cast<Eigen::Index>(i)] = std::min(0.0, limits.clearance_m - clearances[i].height_m);
 }
 
-VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProblem& problem) {
-    VelocitySolution out;
+namespace {
+
+/// Takes the rates and the active limits of a solution.
+void take(const RigGeometry& geometry, const Scaled& s, const NormBoundedSolution& solution,
+          const Vector6d& braked, VelocitySolution& out) {
     const auto& free = geometry.freeCoordinates();
-    if (free.empty())
-        return out;
-    const SingularRange range = singularRange(geometry, problem.rows, problem.rotationLength_m);
-    const Vector6d braked = brakedRates(geometry, problem.coordinates, problem.lastRates, problem.dt_s);
-    const Scaled s = scaledProblem(geometry, problem, braked, range.largest);
-    const NormBoundedSolution solution = solveNormBounded(s.H, s.f, s.G, s.h, s.norms);
-    out.smallestSingularValue = range.smallest;
     out.rates = braked;
+    out.limits = {};
     for (std::size_t k = 0; k < free.size() && solution.converged; ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         out.rates[free[k]] += s.scale[i] * solution.y[i];
@@ -252,7 +289,34 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
     }
     if (!solution.converged)
         out.limits.addUnnamed();
-    keepClear(geometry, problem, braked, out);
+}
+
+} // namespace
+
+VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProblem& problem) {
+    VelocitySolution out;
+    const auto& free = geometry.freeCoordinates();
+    if (free.empty())
+        return out;
+    const SingularRange range = singularRange(geometry, problem.rows, problem.rotationLength_m);
+    const Vector6d braked = brakedRates(geometry, problem.coordinates, problem.lastRates, problem.dt_s);
+    out.smallestSingularValue = range.smallest;
+    const Vector6d& q = problem.coordinates;
+    const double min_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m);
+    std::vector<Clearance> cuts;
+    for (int round = 0; round <= kMaxCuts; ++round) {
+        const Scaled s = scaledProblem(geometry, problem, braked, range.largest, cuts, min_m);
+        const NormBoundedSolution solution = solveNormBounded(s.H, s.f, s.G, s.h, s.norms);
+        if (!solution.converged && round > 0)
+            break; // no step satisfies the cuts: the one before is shortened
+        take(geometry, s, solution, braked, out);
+        const auto low = tooLow(geometry, q, out.rates, problem.dt_s, min_m);
+        if (!low)
+            return out;
+        addCuts(geometry, q, *low, min_m, kMaxRows - static_cast<std::size_t>(s.h.size()) - s.norms.size(),
+                cuts);
+    }
+    shorten(geometry, problem, braked, min_m, out);
     return out;
 }
 

@@ -58,6 +58,37 @@ TEST(VelocitySolve, SpeedLimitsHoldAndNoFeasibleVelocityIsBetter) {
     }
 }
 
+// Catches a robot that is stuck over a hot source: with a face parallel to the floor at its clearance each
+// tilt lowers some side, so that the row of one lowest point believes in a tilt that no step, however short,
+// allows.
+TEST(VelocitySolve, SlidesWhereEachTiltIsTooLow) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> u(-1.0, 1.0);
+    for (const double acceleration_m_s2 : {0.0, 0.3}) {
+        RobotLimits limits;
+        limits.maxAcceleration_m_s2 = acceleration_m_s2;
+        const RigGeometry geometry = twoDisks(limits);
+        for (int trial = 0; trial < 200; ++trial) {
+            const Vector6d q = somewhere(0.08 * u(random), 0.08 * u(random), limits.clearance_m, 0.0);
+            const auto problem = problemAt(geometry, q, {0.4 * u(random), 0.4 * u(random)});
+            const VelocitySolution solution = solveVelocity(geometry, problem);
+            EXPECT_TRUE(geometry.allowed(q + problem.dt_s * solution.rates)) << trial;
+            const double left = (problem.rows * solution.rates - problem.wanted).squaredNorm();
+            double best = problem.wanted.squaredNorm();
+            for (int probe = 0; probe < 400; ++probe) {
+                Vector6d rates = Vector6d::Zero();
+                rates.head<3>() =
+                    Eigen::Vector3d(u(random), u(random), std::max(0.0, u(random))).normalized() *
+                    limits.maxSpeed_m_s * std::abs(u(random));
+                rates[kThetaX] = probe % 2 == 0 ? 0.0 : limits.maxRotation_rad_s * u(random);
+                if (geometry.allowed(q + 2.0 * problem.dt_s * rates)) // and room to brake
+                    best = std::min(best, (problem.rows * rates - problem.wanted).squaredNorm());
+            }
+            EXPECT_LE(left, best + 0.1 * problem.wanted.squaredNorm()) << trial;
+        }
+    }
+}
+
 TEST(VelocitySolve, StopsAtTheWorkspaceAndTheClearance) {
     const RigGeometry geometry = twoDisks(RobotLimits());
     // Both disks are asked to see more of the source, which lies below the least height.
