@@ -13,6 +13,7 @@ constexpr int kMaxSteps = 60;
 constexpr double kGap = 1e-12;      ///< of the scaled objective
 constexpr double kResidual = 1e-9;  ///< of stationarity and of the bounds, scaled
 constexpr double kBoundary = 0.995; ///< of the way to the boundary of s, z > 0
+constexpr double kMaxChange = 1.0;  ///< of an unknown in one step: from farther off the norms look too flat
 
 /// The program with every row of unit size and an objective of slope about 1.
 class Program {
@@ -129,7 +130,8 @@ NormBoundedSolution solveNormBounded(const SmallMatrix& H, const SmallVector& f,
         const double ahead = (s + reach * ds).dot(z + reach * dz) / count;
         const double centring = std::pow(std::max(ahead, 0.0) / mu, 3);
         newton(RowVector::Constant(c.size(), centring * mu) - ds.cwiseProduct(dz));
-        const double length = std::min(1.0, kBoundary * std::min(longestStep(s, ds), longestStep(z, dz)));
+        const double reachable = kBoundary * std::min(longestStep(s, ds), longestStep(z, dz));
+        const double length = std::min({1.0, reachable, kMaxChange / dy.cwiseAbs().maxCoeff()});
         if (!std::isfinite(length) || !dy.allFinite())
             break;
         out.y += length * dy;

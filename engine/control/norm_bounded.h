@@ -30,7 +30,8 @@ struct NormBoundedSolution {
     bool converged = false;  ///< otherwise y may violate a bound
 };
 
-/// Solves the program. H: n x n symmetric positive definite, G: m x n, h: m; n at most 6, m and the norms
+/// Solves the program, whose unknowns should be of the size of their bounds (a step changes none by more than
+/// 1). H: n x n symmetric positive definite, G: m x n, h: m; n at most 6, m and the norms
 /// together at most 32 (throws std::invalid_argument otherwise). The bounds are satisfied within about 1e-9
 /// of their own size. The feasible set may be a single point, but not empty. Source: Nocedal & Wright,
 /// Numerical Optimization, section 16.6 (Mehrotra's predictor and corrector), with the norms' curvature in

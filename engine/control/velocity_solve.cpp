@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kMinDamping = 1e-6;    ///< keeps the normal matrix regular
 constexpr double kHeightSlack_m = 1e-9; ///< by which a height may miss its bound
-constexpr int kMaxCuts = 6; ///< solves with further points of the outlines, before a step is shortened
+/// solves, each with further points of the outlines, before a step is shortened
+constexpr int kMaxRounds = 7;
 
 /// Rates after braking at full strength for dt_s, on a straight line.
 Vector6d brakedRates(const RigGeometry& geometry, const Vector6d& q, const Vector6d& lastRates, double dt_s) {
@@ -123,25 +124,26 @@ SmallVector scales(const RigGeometry& geometry, double dt_s) {
     return scale;
 }
 
-/// The rows G y >= h of a step: those of stepLimits, then those of `cuts`, points of the outlines that have
-/// to stay above `min_m`.
-void stepRows(const RigGeometry& geometry, const Vector6d& q, const std::vector<Clearance>& cuts,
-              double min_m, Eigen::MatrixXd& G, Eigen::VectorXd& h) {
-    stepLimits(geometry, q, G, h);
-    const auto& free = geometry.freeCoordinates();
-    const Eigen::Index first = h.size();
-    G.conservativeResize(first + static_cast<Eigen::Index>(cuts.size()), Eigen::NoChange);
-    h.conservativeResize(G.rows());
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-        const Eigen::Index row = first + static_cast<Eigen::Index>(i);
-        for (std::size_t k = 0; k < free.size(); ++k)
-            G(row, static_cast<Eigen::Index>(k)) = cuts[i].gradient[free[k]];
-        h[row] = min_m - cuts[i].height_m;
+/// A point of an outline that has to stay above the floor: gradient . rates >= min_m_s.
+struct Cut {
+    Vector6d gradient;
+    double min_m_s = 0.0;
+};
+
+void addCutRows(const std::vector<Cut>& cuts, const std::vector<int>& free, const SmallVector& braked,
+                Scaled& s) {
+    Eigen::Index row = s.h.size();
+    s.G.conservativeResize(row + static_cast<Eigen::Index>(cuts.size()), Eigen::NoChange);
+    s.h.conservativeResize(s.G.rows());
+    for (const Cut& cut : cuts) {
+        const SmallVector gradient = freeOf(free, cut.gradient);
+        s.G.row(row) = gradient.cwiseProduct(s.scale).transpose();
+        s.h[row++] = cut.min_m_s - gradient.dot(braked);
     }
 }
 
 Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& brakedRates,
-                     double largestSingularValue, const std::vector<Clearance>& cuts, double min_m) {
+                     double largestSingularValue, const std::vector<Cut>& cuts) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Scaled s;
@@ -163,7 +165,7 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
 
     Eigen::MatrixXd G;
     Eigen::VectorXd h;
-    stepRows(geometry, problem.coordinates, cuts, min_m, G, h);
+    stepLimits(geometry, problem.coordinates, G, h);
     s.G = G * s.scale.asDiagonal();
     s.h = h / problem.dt_s - G * braked;
     if (geometry.limits().limitsAcceleration()) {
@@ -175,21 +177,21 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
             s.h[i] = -max - G.row(i).dot(braked);
         }
     }
+    addCutRows(cuts, free, braked, s);
     addNorms(s, geometry, problem, braked);
     return s;
 }
 
-/// Returns a pose at which a step, or the braking after it, is too low; empty if there is none.
-std::optional<Vector6d> tooLow(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates,
-                               double dt_s, double min_m) {
-    const auto isTooLow = [&](const Vector6d& pose) {
-        return geometry.lowestPoint_m(pose) < min_m - kHeightSlack_m;
+/// Returns after which time of going on with `rates` a step, or the braking after it, is too low; empty if it
+/// never is.
+std::optional<double> tooLowAfter_s(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates,
+                                    double dt_s, double min_m) {
+    const auto isTooLow = [&](double time_s) {
+        return geometry.lowestPoint_m(q + time_s * rates) < min_m - kHeightSlack_m;
     };
     const RobotLimits& limits = geometry.limits();
-    if (!limits.limitsAcceleration()) {
-        const Vector6d end = q + dt_s * rates;
-        return isTooLow(end) ? std::optional(end) : std::nullopt;
-    }
+    if (!limits.limitsAcceleration())
+        return isTooLow(dt_s) ? std::optional(dt_s) : std::nullopt;
     double braking_s = 0.0;
     if (limits.maxAcceleration_m_s2 > 0.0)
         braking_s = rates.head<3>().norm() / limits.maxAcceleration_m_s2;
@@ -197,24 +199,25 @@ std::optional<Vector6d> tooLow(const RigGeometry& geometry, const Vector6d& q, c
         braking_s = std::max(braking_s, (rotationAxes(q) * rates.tail<3>()).norm() /
                                             limits.maxAngularAcceleration_rad_s2);
     const double reach_s = 1.5 * dt_s + 0.5 * braking_s;
-    for (const double share : {0.25, 0.5, 0.75, 1.0})
-        if (const Vector6d pose = q + share * reach_s * rates; isTooLow(pose))
-            return pose;
+    for (const double share : {1.0, 0.75, 0.5, 0.25})
+        if (isTooLow(share * reach_s))
+            return share * reach_s;
     return std::nullopt;
 }
 
-/// Adds the points that are too low at the pose `low`, which the rows of the points that are lowest at q do
-/// not see: where a face is parallel to the floor, another side of it comes down with each tilt. If the way
-/// is curved downwards, their heights at q are those that a straight line from `low` has there.
-void addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& low, double min_m,
-             std::size_t room, std::vector<Clearance>& cuts) {
+/// Adds the points that are too low after so long, which the rows of the points that are lowest at q do not
+/// see: where a face is parallel to the floor, another side of it comes down with each tilt. If the way is
+/// curved downwards, the rates have to make up for it.
+void addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double time_s,
+             double min_m, std::size_t room, std::vector<Cut>& cuts) {
+    const Vector6d low = q + time_s * rates;
     const std::vector<Clearance> there = geometry.clearances(low);
-    std::vector<Clearance> here = geometry.clearances(q, low);
+    const std::vector<Clearance> here = geometry.clearances(q, low);
     for (std::size_t i = 0; i < here.size() && room > 0; ++i) {
         if (there[i].height_m >= min_m - kHeightSlack_m)
             continue;
-        here[i].height_m = std::min(here[i].height_m, there[i].height_m - here[i].gradient.dot(low - q));
-        cuts.push_back(here[i]);
+        const double straight_m = there[i].height_m - here[i].gradient.dot(low - q);
+        cuts.push_back({here[i].gradient, (min_m - std::min(here[i].height_m, straight_m)) / time_s});
         --room;
     }
 }
@@ -222,8 +225,10 @@ void addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& low
 /// Shortens a step that even the cuts do not keep clear.
 void shorten(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& braked,
              double min_m, VelocitySolution& solution) {
-    for (int i = 0; i < 30 && tooLow(geometry, problem.coordinates, solution.rates, problem.dt_s, min_m);
-         ++i) {
+    const auto isTooLow = [&] {
+        return tooLowAfter_s(geometry, problem.coordinates, solution.rates, problem.dt_s, min_m).has_value();
+    };
+    for (int i = 0; i < 30 && isTooLow(); ++i) {
         solution.rates = braked + 0.7 * (solution.rates - braked);
         solution.limits.add(Limit::Clearance);
     }
@@ -303,18 +308,18 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
     out.smallestSingularValue = range.smallest;
     const Vector6d& q = problem.coordinates;
     const double min_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m);
-    std::vector<Clearance> cuts;
-    for (int round = 0; round <= kMaxCuts; ++round) {
-        const Scaled s = scaledProblem(geometry, problem, braked, range.largest, cuts, min_m);
+    std::vector<Cut> cuts;
+    for (int round = 0; round < kMaxRounds; ++round) {
+        const Scaled s = scaledProblem(geometry, problem, braked, range.largest, cuts);
         const NormBoundedSolution solution = solveNormBounded(s.H, s.f, s.G, s.h, s.norms);
         if (!solution.converged && round > 0)
             break; // no step satisfies the cuts: the one before is shortened
         take(geometry, s, solution, braked, out);
-        const auto low = tooLow(geometry, q, out.rates, problem.dt_s, min_m);
-        if (!low)
+        const auto time_s = tooLowAfter_s(geometry, q, out.rates, problem.dt_s, min_m);
+        if (!time_s)
             return out;
-        addCuts(geometry, q, *low, min_m, kMaxRows - static_cast<std::size_t>(s.h.size()) - s.norms.size(),
-                cuts);
+        const std::size_t room = kMaxRows - static_cast<std::size_t>(s.h.size()) - s.norms.size();
+        addCuts(geometry, q, out.rates, *time_s, min_m, room, cuts);
     }
     shorten(geometry, problem, braked, min_m, out);
     return out;

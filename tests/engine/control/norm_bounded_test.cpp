@@ -120,6 +120,23 @@ TEST(NormBounded, AgreesWithProjectedGradient) {
     EXPECT_GT(clamped, 30); // several bounds at once in most
 }
 
+// Catches an iteration that circles far outside of the norms: rates that a flat tilt can hardly change ask
+// for steps of many times what the robot may do.
+TEST(NormBounded, ConvergesWhereMuchMoreIsWantedThanAllowed) {
+    std::mt19937 random(29);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 3000; ++trial) {
+        Program p = randomProgram(random);
+        const SmallMatrix A = SmallMatrix::NullaryExpr(3, 6, [&] { return normal(random); });
+        p.H = A.transpose() * A + 1e-6 * SmallMatrix::Identity(6, 6);
+        p.f = 10.0 * A.transpose() * SmallVector::NullaryExpr(3, [&] { return normal(random); });
+        if (trial % 2 == 0) // at the floor
+            p.h.tail(3).setZero();
+        const auto solution = solveNormBounded(p.H, p.f, p.G, p.h, {p.norms[0], p.norms[2]});
+        EXPECT_TRUE(solution.converged) << trial;
+    }
+}
+
 TEST(NormBounded, TellsWhichBoundsHoldItBack) {
     Program p;
     p.H = SmallMatrix::Identity(3, 3);
