@@ -34,10 +34,6 @@ QString plain(QString text) {
     return text.replace(u'&', QStringLiteral("&&"));
 }
 
-bool isOfTargets(const Message& reason) {
-    return reason.code == MessageCode::TargetAboveWarning || reason.code == MessageCode::TargetNotTold;
-}
-
 } // namespace
 
 bool allows(const Snapshot& snapshot, Verb verb) {
@@ -45,7 +41,8 @@ bool allows(const Snapshot& snapshot, Verb verb) {
     switch (verb) {
     case Verb::Arm:
         return state == RunState::Ready ||
-               (state == RunState::Stopped && std::ranges::none_of(snapshot.reasons, isOfTargets));
+               (state == RunState::Stopped &&
+                std::ranges::none_of(snapshot.reasons, isUnfitTarget, &Message::code));
     case Verb::Start:
         return state == RunState::Armed;
     case Verb::Hold:
@@ -67,6 +64,10 @@ bool allows(const Snapshot& snapshot, Verb verb) {
 
 bool allowsEdits(RunState state) {
     return state != RunState::Armed && !isRunOn(state);
+}
+
+bool isUnfitTarget(MessageCode reason) {
+    return reason == MessageCode::TargetAboveWarning || reason == MessageCode::TargetNotTold;
 }
 
 Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_deafKeys(window), m_faults(window) {

@@ -33,6 +33,9 @@ bool allows(const Snapshot& snapshot, Verb verb);
 /// Returns whether another experiment, or other sensors, robot or source may be used: no run is armed or on.
 bool allowsEdits(RunState state);
 
+/// Returns whether a reason is an error of checkTargets(): with these targets nothing can be armed.
+bool isUnfitTarget(MessageCode reason);
+
 class Actions : public QObject {
     Q_OBJECT
 

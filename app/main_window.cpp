@@ -70,10 +70,10 @@ bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
 
 /// Returns the page on which a reason is dealt with.
 Page pageOf(MessageCode reason) {
+    if (isUnfitTarget(reason))
+        return Page::Targets;
     switch (reason) {
     case MessageCode::ReasonTargetInfeasible:
-    case MessageCode::TargetAboveWarning:
-    case MessageCode::TargetNotTold:
     case MessageCode::EventCompromise:
         return Page::Targets;
     case MessageCode::ReasonSourcePoseLost:

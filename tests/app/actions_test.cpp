@@ -4,6 +4,7 @@
 #include "app/actions.h"
 
 #include "app/document.h"
+#include "app/examples.h"
 #include "app/resources.h"
 #include "app/undo_actions.h"
 #include "tests/app/mnemonics.h"
@@ -54,6 +55,30 @@ TEST(Actions, HoldIsOfferedWhileTheRobotMovesWithoutARun) {
         EXPECT_TRUE(actions.verb(Verb::EmergencyStop)->isEnabled());
         EXPECT_FALSE(actions.verb(Verb::Resume)->isEnabled());
     }
+}
+
+// Catches an error of targets that the window does not know: it offers to arm, and the engine refuses.
+TEST(Actions, ArmIsNotOfferedOverTargetsThatDoNotFit) {
+    initResources();
+    QWidget window;
+    Actions actions(&window);
+    Snapshot snapshot;
+    snapshot.state = RunState::Stopped;
+    actions.apply(snapshot);
+    EXPECT_TRUE(actions.verb(Verb::Arm)->isEnabled());
+    Experiment experiment = readExample(QStringLiteral("thermal-camera")).value();
+    ASSERT_TRUE(checkTargets(experiment));
+    experiment.objects[0].target_K = kelvinFromCelsius(180.0);
+    const auto tooHot = checkTargets(experiment);
+    experiment.objects[0].warning_K = kelvinFromCelsius(200.0);
+    const auto notTold = checkTargets(experiment);
+    for (const auto& fit : {tooHot, notTold}) {
+        ASSERT_FALSE(fit);
+        snapshot.reasons = {fit.error().message};
+        actions.apply(snapshot);
+        EXPECT_FALSE(actions.verb(Verb::Arm)->isEnabled()) << describe(fit.error());
+    }
+    EXPECT_NE(tooHot.error().code(), notTold.error().code());
 }
 
 // Catches a key that does nothing and says nothing, one that says why and acts, and a reason that stays when
