@@ -128,29 +128,20 @@ TEST(HeatByHand, OffIsOffInEveryState) {
 
 // Catches an order that is refused only after it was given, told to nobody and never given again.
 TEST(HeatByHand, AnOrderThatIsRefusedLaterIsRepeatedAndTold) {
-    const Experiment experiment = quickDisks();
-    SimulatedRig rig(simulatedRigConfig(experiment));
-    DeafSource source(rig.heatSource());
-    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
-    const auto periods = [&](int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    };
-    periods(40);
-    ASSERT_TRUE(loop.setHeat(kSetPoint_K));
-    periods(2);
-    source.isDeaf = true;
-    source.orders = 0;
-    ASSERT_TRUE(loop.setHeat(std::nullopt));
-    periods(10);
-    EXPECT_GT(source.orders, 5);
-    EXPECT_TRUE(isAlarm(loop, MessageCode::SafetyHeatNotOff));
-    source.isDeaf = false;
-    source.orders = -100;
-    periods(3);
-    EXPECT_FALSE(isAlarm(loop, MessageCode::SafetyHeatNotOff)) << "over once it is off";
+    LoopWithSource<DeafSource> rig(quickDisks());
+    rig.periods(40);
+    ASSERT_TRUE(rig.loop.setHeat(kSetPoint_K));
+    rig.periods(2);
+    rig.source.isDeaf = true;
+    rig.source.orders = 0;
+    ASSERT_TRUE(rig.loop.setHeat(std::nullopt));
+    rig.periods(10);
+    EXPECT_GT(rig.source.orders, 5);
+    EXPECT_TRUE(isAlarm(rig.loop, MessageCode::SafetyHeatNotOff));
+    rig.source.isDeaf = false;
+    rig.source.orders = -100;
+    rig.periods(3);
+    EXPECT_FALSE(isAlarm(rig.loop, MessageCode::SafetyHeatNotOff)) << "over once it is off";
 }
 
 } // namespace bask

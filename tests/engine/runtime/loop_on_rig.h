@@ -27,6 +27,14 @@ inline Experiment twoDisks(double target_degC) {
     return experiment;
 }
 
+/// Sets the clock of the rig forward by so many sampling periods, with a tick after each.
+inline void passPeriods(SimulatedRig& rig, ServoLoop& loop, double period_s, int count) {
+    for (int i = 0; i < count; ++i) {
+        rig.advance(period_s);
+        loop.tick();
+    }
+}
+
 struct LoopOnRig {
     /// `tracker`: instead of the rig's.
     explicit LoopOnRig(const Experiment& from, SourceTracker* tracker = nullptr)
@@ -36,12 +44,7 @@ struct LoopOnRig {
                 tracker ? tracker : &rig.sourceTracker()},
                rig.clock()) {}
 
-    void periods(int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    }
+    void periods(int count) { passPeriods(rig, loop, experiment.sampling.period_s, count); }
     void startRun(bool acceptInfeasible = false) {
         periods(10);
         ASSERT_TRUE(loop.arm());
@@ -57,6 +60,20 @@ struct LoopOnRig {
 
     Experiment experiment;
     SimulatedRig rig;
+    ServoLoop loop;
+};
+
+/// With a heat source of the test's own over the rig's, as one that does not obey.
+template <class Source> struct LoopWithSource {
+    explicit LoopWithSource(const Experiment& from)
+        : experiment(from), rig(simulatedRigConfig(experiment)), source(rig.heatSource()),
+          loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock()) {}
+
+    void periods(int count) { passPeriods(rig, loop, experiment.sampling.period_s, count); }
+
+    Experiment experiment;
+    SimulatedRig rig;
+    Source source;
     ServoLoop loop;
 };
 

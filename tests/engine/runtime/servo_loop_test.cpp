@@ -321,28 +321,19 @@ private:
 };
 
 TEST(ServoLoop, AControllerNeverOverridesTheRetreat) {
-    const Experiment experiment = twoDisks(35.0);
-    SimulatedRig rig(simulatedRigConfig(experiment));
-    DeafHeatSource source(rig.heatSource());
-    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
-    const auto periods = [&](int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    };
-    periods(10);
-    ASSERT_TRUE(loop.arm());
-    ASSERT_TRUE(loop.start(false));
-    periods(4);
-    source.deaf = true;
-    periods(1); // the failed heating command ends the run within the control step
-    ASSERT_EQ(loop.state(), RunState::Stopping);
-    const Vector6d at = rig.simulatedRobot().coordinates();
-    periods(1);
-    EXPECT_GT(rig.simulatedRobot().coordinates()[kZ], at[kZ]);
-    EXPECT_EQ(rig.simulatedRobot().coordinates()[kX], at[kX]);
-    EXPECT_EQ(rig.simulatedRobot().coordinates()[kY], at[kY]);
+    LoopWithSource<DeafHeatSource> rig(twoDisks(35.0));
+    rig.periods(10);
+    ASSERT_TRUE(rig.loop.arm());
+    ASSERT_TRUE(rig.loop.start(false));
+    rig.periods(4);
+    rig.source.deaf = true;
+    rig.periods(1); // the failed heating command ends the run within the control step
+    ASSERT_EQ(rig.loop.state(), RunState::Stopping);
+    const Vector6d at = rig.rig.simulatedRobot().coordinates();
+    rig.periods(1);
+    EXPECT_GT(rig.rig.simulatedRobot().coordinates()[kZ], at[kZ]);
+    EXPECT_EQ(rig.rig.simulatedRobot().coordinates()[kX], at[kX]);
+    EXPECT_EQ(rig.rig.simulatedRobot().coordinates()[kY], at[kY]);
 }
 
 TEST(ServoLoop, ARetreatEndsAlsoWhenTheRobotsStepsMissTheTop) {
