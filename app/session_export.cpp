@@ -45,7 +45,8 @@ Result<void> checkOwnTable(const std::string& path) {
     QFile old(QString::fromStdString(path));
     const QByteArray end = ',' + kPlotTableMark.toUtf8() + '\n';
     if (old.exists() && old.size() > 0 && (!old.open(QIODevice::ReadOnly) || !old.readLine().endsWith(end)))
-        return Error(MessageCode::OutputForeign, path, {"a table written by Bask"});
+        return Error(MessageCode::OutputForeign, path,
+                     {QT_TRANSLATE_NOOP("Parameter", "a table written by Bask")});
     return {};
 }
 
@@ -89,14 +90,17 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
 
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
     write(m_small, to, [csv = csv.toStdString(), path = to.toStdString()](const std::stop_token&) {
-        return fileWritten(
-            csv, path, checkOwn(path, QString::fromLatin1(kComparisonMark), "a comparison written by Bask"));
+        return fileWritten(csv, path,
+                           checkOwn(path, QString::fromLatin1(kComparisonMark),
+                                    QT_TRANSLATE_NOOP("Parameter", "a comparison written by Bask")));
     });
 }
 
 void SessionExport::writeFigure(const QByteArray& bytes, const QString& to) {
     write(m_small, to, [bytes = bytes.toStdString(), path = to.toStdString()](const std::stop_token&) {
-        return fileWritten(bytes, path, checkOwn(path, kRunFigureMark, "a figure drawn by Bask"));
+        return fileWritten(
+            bytes, path,
+            checkOwn(path, kRunFigureMark, QT_TRANSLATE_NOOP("Parameter", "a figure drawn by Bask")));
     });
 }
 

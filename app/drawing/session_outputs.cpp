@@ -48,7 +48,8 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
     for (const RunFigure figure : runFigures())
         for (const FigureFormat format : kFigureFormats) {
             const std::string name = runFigureStem(figure) + figureEnding(format);
-            auto done = checkOwn(files->target(name), kRunFigureMark, "a figure drawn by Bask");
+            auto done = checkOwn(files->target(name), kRunFigureMark,
+                                 QT_TRANSLATE_NOOP("Parameter", "a figure drawn by Bask"));
             if (done)
                 done = files->write(name, figures.draw(figure, format).toStdString());
             if (!done)
@@ -85,7 +86,8 @@ Result<void> checkReportFile(const std::string& path, const std::string& session
         return Error(MessageCode::ValueUnknown, path, {ending.toStdString(), "html, pdf"});
     if (auto place = checkOutputs({session}, {{path}}); !place)
         return place;
-    return checkOwn(path, QString::fromLatin1(kReportMark), "a report written by Bask");
+    return checkOwn(path, QString::fromLatin1(kReportMark),
+                    QT_TRANSLATE_NOOP("Parameter", "a report written by Bask"));
 }
 
 Result<void> writeReport(const RunReportInput& input, const std::string& path) {

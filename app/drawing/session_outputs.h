@@ -16,7 +16,7 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
                                                TemperatureUnit unit, const ShareDone& done = {});
 
 /// Refuses to replace a file that is not empty and does not hold the mark of what Bask writes; `kind` says
-/// what that is, in English. Error: OutputForeign.
+/// what that is, in English words marked for translation ("Parameter"). Error: OutputForeign.
 Result<void> checkOwn(const std::string& path, const QString& mark, const char* kind);
 
 /// Returns what a report needs besides the record: verdict and checksum. Takes about 0.1 s and the reading of

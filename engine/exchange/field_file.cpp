@@ -1,6 +1,7 @@
 #include "engine/exchange/field_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/exchange/vtk_inside.h"
 
 #include <vtkCellArray.h>
@@ -174,7 +175,7 @@ Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis
         return Error(MessageCode::FieldTooLarge,
                      std::string("fourth axis, ") + kCoordinateNames[axes[3].coordinate],
                      {std::to_string(axes[3].count), std::to_string(kMaxFourthAxisSamples)});
-    return vtkfile::checkOwn(path, "ImageData", "a field written by Bask");
+    return vtkfile::checkOwn(path, "ImageData", QT_TRANSLATE_NOOP("Parameter", "a field written by Bask"));
 }
 
 Result<void> writeField(const Field& field, const std::string& path, const std::string& title) {
@@ -188,7 +189,8 @@ Result<void> writeField(const Field& field, const std::string& path, const std::
 }
 
 Result<void> checkSurfaceFile(const std::string& path) {
-    return vtkfile::checkOwn(path, "PolyData", "a surface file written by Bask");
+    return vtkfile::checkOwn(path, "PolyData",
+                             QT_TRANSLATE_NOOP("Parameter", "a surface file written by Bask"));
 }
 
 Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path) {

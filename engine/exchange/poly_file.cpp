@@ -1,6 +1,7 @@
 #include "engine/exchange/poly_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/exchange/vtk_inside.h"
 
 #include <vtkCellArray.h>
@@ -40,7 +41,7 @@ void putArrays(vtkDataSetAttributes* where, const std::vector<PolyArray>& arrays
 } // namespace
 
 Result<void> checkPolyFile(const std::string& path) {
-    return vtkfile::checkOwn(path, "PolyData", "lines written by Bask");
+    return vtkfile::checkOwn(path, "PolyData", QT_TRANSLATE_NOOP("Parameter", "lines written by Bask"));
 }
 
 Result<void> writePolyFile(const PolyLines& poly, const std::string& path) {
@@ -86,7 +87,8 @@ Result<void> checkCollectionFile(const std::string& path) {
     std::string start(256, '\0');
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     if (start.find(kCollectionMark) == std::string::npos)
-        return Error(MessageCode::OutputForeign, path, {"a collection written by Bask"});
+        return Error(MessageCode::OutputForeign, path,
+                     {QT_TRANSLATE_NOOP("Parameter", "a collection written by Bask")});
     return {};
 }
 

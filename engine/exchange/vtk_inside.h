@@ -20,7 +20,8 @@ void addOrigin(vtkDataSet* data, const std::string& title);
 /// Writes a temporary file beside the target first; follows links.
 Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path);
 
-/// Refuses an existing, not empty file that is not Bask's own of this VTK type; `kind` is that type in words.
+/// Refuses an existing, not empty file that is not Bask's own of this VTK type; `kind` is that type in words,
+/// marked for translation ("Parameter").
 Result<void> checkOwn(const std::string& path, const std::string& type, const char* kind);
 
 } // namespace bask::vtkfile

@@ -1,6 +1,7 @@
 #include "engine/recording/nexus_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/recording/nexus_writer.h"
 #include "engine/recording/ro_crate.h"
 #include "engine/recording/staged_files.h"
@@ -24,7 +25,8 @@ Result<void> checkOwn(const std::string& path) {
     std::string start(kMarkWithin, '\0');
     file.read(start.data(), static_cast<std::streamsize>(start.size()));
     if (!start.starts_with("\x89HDF") || start.find("Bask ") == std::string::npos)
-        return Error(MessageCode::OutputForeign, path, {"a NeXus file written by Bask"});
+        return Error(MessageCode::OutputForeign, path,
+                     {QT_TRANSLATE_NOOP("Parameter", "a NeXus file written by Bask")});
     return {};
 }
 

@@ -35,6 +35,23 @@ TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
     EXPECT_TRUE(over.contains(QStringLiteral("capteur"))) << over.toStdString();
 }
 
+// Catches: English words for what an export may replace inside a translated refusal.
+TEST(ErrorText, WhatMayBeReplacedIsTranslated) {
+    initResources();
+    Language language;
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        for (const char* kind :
+             {"a table written by Bask", "a comparison written by Bask", "a figure drawn by Bask",
+              "a report written by Bask", "a NeXus file written by Bask", "lines written by Bask",
+              "a collection written by Bask", "a field written by Bask", "a surface file written by Bask"}) {
+            const QString refusal = sentence(Message{MessageCode::OutputForeign, {kind}});
+            EXPECT_EQ(refusal.contains(QLatin1String(kind)), code == QLatin1String("en"))
+                << refusal.toStdString();
+        }
+    }
+}
+
 // Catches: a headline that is the whole text where sentences end with a Chinese full stop.
 TEST(ErrorText, TheHeadlineIsTheFirstSentence) {
     initResources();
