@@ -119,6 +119,7 @@ void SessionLibrary::close(const QString& path) {
 void SessionLibrary::takeDamage(const Error& error) {
     if (error.code() != MessageCode::SessionDamaged)
         return;
+    ++m_damages;
     run(
         [error, known = m_known] {
             std::set<std::string> paths{error.where};
@@ -139,7 +140,8 @@ void SessionLibrary::takeDamage(const Error& error) {
             return isNew;
         },
         [this](bool isNew) {
-            if (isNew)
+            m_isDamageNew = m_isDamageNew || isNew;
+            if (--m_damages == 0 && std::exchange(m_isDamageNew, false)) // else more is looked at
                 refresh();
         });
 }

@@ -30,7 +30,7 @@ public:
     void setFolder(const QString& folder);
     void refresh();
     /// Lists the file that an error is about as damaged, if that is what the error says, in whichever folder
-    /// and until it changes.
+    /// and until it changes. Of many at once the list is read anew for the last.
     void takeDamage(const Error& error);
 
 signals:
@@ -59,7 +59,9 @@ private:
 
     SessionList& m_list;
     QString m_folder;
-    int m_listings = 0; ///< number of requested lists that are not answered yet
+    int m_listings = 0;         ///< number of requested lists that are not answered yet
+    int m_damages = 0;          ///< number of damaged files that are not looked at yet
+    bool m_isDamageNew = false; ///< one that was looked at is not listed as damaged yet
     std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< used by the pool's thread
     std::shared_ptr<std::atomic<int>> m_selections = std::make_shared<std::atomic<int>>(0); ///< until now
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);

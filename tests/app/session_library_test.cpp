@@ -20,6 +20,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace bask::test {
 namespace {
 
@@ -212,6 +214,40 @@ TEST_F(SessionLibraryTest, KnownDamageIsNotListedAnew) {
     ASSERT_TRUE(waitFor([&] { return isDone; }));
     EXPECT_FALSE(list.findChild<QLabel*>("sessionCount")->text().startsWith("Reading"));
     EXPECT_EQ(listed.count(), 1);
+}
+
+/// How often an object was called from another thread.
+class CallCount : public QObject {
+public:
+    int calls = 0;
+
+protected:
+    bool eventFilter(QObject* object, QEvent* event) override {
+        calls += event->type() == QEvent::MetaCall ? 1 : 0;
+        return QObject::eventFilter(object, event);
+    }
+};
+
+// Catches: a folder that is read anew for each of many damaged runs, and a list that is filled as often.
+TEST_F(SessionLibraryTest, ManyDamagedRunsAreListedAtOnce) {
+    constexpr int kRuns = 8;
+    const QString first = record("run0.bask", "settled");
+    for (int k = 1; k < kRuns; ++k)
+        ASSERT_TRUE(QFile::copy(first, folder.filePath(QStringLiteral("run%1.bask").arg(k))));
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(kRuns));
+    const QSignalSpy filled(tree->model(), &QAbstractItemModel::modelReset);
+    CallCount answers; // of the thread that looks at files
+    library.installEventFilter(&answers);
+    const std::vector<std::string> runs = sessionFiles(folder.path().toStdString());
+    for (const std::string& run : runs)
+        library.takeDamage(Error(MessageCode::SessionDamaged, run, {kNotWhole}));
+    ASSERT_TRUE(waitFor([&] {
+        return std::ranges::all_of(
+            runs, [&](const std::string& run) { return cell(QString::fromStdString(run), 2) == "Damaged"; });
+    }));
+    EXPECT_LE(answers.calls, kRuns + 1) << "of each file, and one list";
+    EXPECT_LE(filled.count(), 2) << "the first may be known before the others are asked about";
 }
 
 // Catches: a refused change that stays on the screen as if it had been written.
