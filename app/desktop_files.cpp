@@ -54,10 +54,13 @@ bool isShownByFileManager(const QStringList& addresses, const QString& bus) {
 
 } // namespace
 
-DesktopFiles::DesktopFiles() : DesktopFiles(&openOnDesktop, {}) {}
-
-DesktopFiles::DesktopFiles(Opener opener, const QString& bus) : m_opener(std::move(opener)), m_bus(bus) {
+DesktopFiles::DesktopFiles(const QString& bus) : m_opener(&openOnDesktop), m_bus(bus) {
     m_pool.setMaxThreadCount(1);
+}
+
+void DesktopFiles::openAddress(const QUrl& address) {
+    m_open.run([address, opener = m_opener] { return opener(address) ? Opening::Begun : Opening::NoProgram; },
+               [this, what = address.toString()](Opening opening) { tell(opening, what); });
 }
 
 void DesktopFiles::open(const QStringList& files) {
@@ -76,13 +79,20 @@ void DesktopFiles::showInFolder(const QStringList& files) {
 }
 
 void DesktopFiles::openPath(const QString& path) {
-    m_look.run([path] { return QFileInfo::exists(path); },
-               [this, path](bool isThere) {
-                   if (!isThere)
-                       emit problem(tr("%1 is no longer there.").arg(path));
-                   else if (!m_opener(QUrl::fromLocalFile(path)))
-                       emit problem(tr("The desktop has no program that opens %1.").arg(path));
-               });
+    m_open.run(
+        [path, opener = m_opener] {
+            if (!QFileInfo::exists(path))
+                return Opening::NotThere;
+            return opener(QUrl::fromLocalFile(path)) ? Opening::Begun : Opening::NoProgram;
+        },
+        [this, path](Opening opening) { tell(opening, path); });
+}
+
+void DesktopFiles::tell(Opening opening, const QString& what) {
+    if (opening == Opening::NotThere)
+        emit problem(tr("%1 is no longer there.").arg(what));
+    else if (opening == Opening::NoProgram)
+        emit problem(tr("The desktop has no program that opens %1.").arg(what));
 }
 
 } // namespace bask

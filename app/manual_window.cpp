@@ -1,6 +1,5 @@
 #include "app/manual_window.h"
 
-#include "widgets/common/desktop_opener.h"
 #include "widgets/common/language.h"
 #include "widgets/common/theme.h"
 
@@ -97,6 +96,7 @@ ManualWindow::ManualWindow(const Language& language, QWidget* parent)
     column->addLayout(bar);
     column->addWidget(m_text, 1);
 
+    connect(&m_desktop, &DesktopFiles::problem, this, &ManualWindow::problem);
     connect(m_text, &QTextBrowser::anchorClicked, this,
             [this](const QUrl& link) { follow(link.toString()); });
     connect(m_back, &QPushButton::clicked, this, &ManualWindow::back);
@@ -131,11 +131,8 @@ void ManualWindow::open(const QString& page) {
 }
 
 void ManualWindow::follow(const QString& link) {
-    if (link.startsWith(QLatin1String("http"))) {
-        if (!openOnDesktop(QUrl(link)))
-            emit problem(tr("The desktop has no program that opens %1.").arg(link));
-        return;
-    }
+    if (link.startsWith(QLatin1String("http")))
+        return m_desktop.openAddress(QUrl(link));
     open(link.startsWith(u'#') ? m_page + link : link);
 }
 

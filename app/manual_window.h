@@ -1,6 +1,8 @@
 #pragma once
 // Help > Manual: the files of docs/ inside the program, in the window's language if they are translated.
 
+#include "app/desktop_files.h"
+
 #include <QWidget>
 
 class QLineEdit;
@@ -26,6 +28,9 @@ public:
     /// are found in the page's own language or in English.
     void open(const QString& page);
 
+    /// What opens links into the web.
+    DesktopFiles& desktop() { return m_desktop; }
+
     /// Returns the names of all pages; each of them exists in English.
     static QStringList pages();
     /// Returns the link name of a heading: "The first five minutes" becomes "the-first-five-minutes".
@@ -49,6 +54,7 @@ private:
     void retranslate();
 
     const Language& m_language;
+    DesktopFiles m_desktop;
     QTextBrowser* m_text;
     QTextDocument* m_document = nullptr; ///< the page; null before the first
     QPushButton *m_back, *m_contents;

@@ -65,6 +65,8 @@ public:
     MessageBar& recipeBar() { return *m_recipe; }
     MessageBar& questionBar() { return *m_question; }
     MessageBar& coachBar() { return *m_coach; }
+    /// What opens exported files.
+    DesktopFiles& desktop() { return m_desktop; }
     const TargetJudge& judge() const { return m_judge; }
     RunForecast& forecast() { return m_forecast; }
     ObjectsPage* objects() const { return m_objects; }

@@ -81,8 +81,9 @@ TEST_F(MainWindowTest, ButtonsFollowTheReportedState) {
 // Catches: an export whose file has to be looked for, and buttons that stay at a message about something
 // else.
 TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
-    const FakeOpener desktop;
     openWindow();
+    const FakeOpener desktop;
+    window->pages().desktop().setOpener(desktop.opener());
     const QTemporaryDir folder;
     QFile file(folder.filePath(QStringLiteral("two.csv")));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));

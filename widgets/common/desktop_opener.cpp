@@ -1,6 +1,5 @@
 #include "widgets/common/desktop_opener.h"
 
-#include <QDesktopServices>
 #include <QProcess>
 #include <QStandardPaths>
 #include <QString>
@@ -10,11 +9,13 @@
 namespace bask {
 
 bool openOnDesktop(const QUrl& address) {
-    // QDesktopServices may ask services of the desktop itself and wait: the window would hang with its STOP.
-    const QString opener = QStandardPaths::findExecutable(QStringLiteral("xdg-open"));
-    if (opener.isEmpty())
-        return QDesktopServices::openUrl(address);
-    return QProcess::startDetached(opener, {address.toString(QUrl::FullyEncoded)});
+    // QDesktopServices belongs to the GUI thread, and may ask services of the desktop itself and wait.
+    return openBy(QStringLiteral("xdg-open"), address);
+}
+
+bool openBy(const QString& program, const QUrl& address) {
+    const QString file = QStandardPaths::findExecutable(program);
+    return !file.isEmpty() && QProcess::startDetached(file, {address.toString(QUrl::FullyEncoded)});
 }
 
 } // namespace bask

@@ -14,7 +14,7 @@ TEST(DesktopOpener, StartsTheDesktopsProgramAndDoesNotWaitForIt) {
         "for i in 1 2 3 4 5 6 7 8 9 10; do test -e \"${0%xdg-open}go\" && break; sleep 1; done\n"
         "> \"${0%xdg-open}ended\"");
     const QUrl file = QUrl::fromLocalFile(QStringLiteral("/tmp/a report \u00e9 #1 100%.pdf"));
-    EXPECT_TRUE(openOnDesktop(file));
+    EXPECT_TRUE(openBy(opener.program(), file));
     EXPECT_FALSE(QFile::exists(opener.pathOf(QStringLiteral("ended"))));
     ASSERT_TRUE(waitFor([&] { return !opener.asked().isEmpty(); }, 10000));
     EXPECT_EQ(opener.asked(), file);
@@ -27,8 +27,10 @@ TEST(DesktopOpener, StartsTheDesktopsProgramAndDoesNotWaitForIt) {
 // Catches: a program that does not start, without a word.
 TEST(DesktopOpener, TellsThatNothingWasStarted) {
     const FakeOpener opener({}, "/nowhere/sh");
-    EXPECT_FALSE(openOnDesktop(QUrl(QStringLiteral("https://example.org/"))));
+    const QUrl address(QStringLiteral("https://example.org/"));
+    EXPECT_FALSE(openBy(opener.program(), address));
     EXPECT_TRUE(opener.asked().isEmpty());
+    EXPECT_FALSE(openBy(QStringLiteral("no-such-program-of-a-desktop"), address));
 }
 
 } // namespace bask::test
