@@ -39,6 +39,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace bask {
 namespace {
@@ -104,6 +105,23 @@ std::size_t blocksHeld(const RecordedSession& session) {
     return count;
 }
 
+/// The record as a file of the folder.
+std::string written(const QTemporaryDir& folder, const SessionRecord& session) {
+    const std::string path = folder.filePath(QString::fromStdString(session.path)).toStdString();
+    auto writer = SessionWriter::create(path, session.experiment, session.simulated, 1e6);
+    EXPECT_TRUE(writer);
+    for (const TraceSample& sample : session.samples)
+        EXPECT_TRUE((*writer)->add(sample));
+    for (const TraceEvent& event : session.events)
+        EXPECT_TRUE((*writer)->add(event));
+    for (const TraceNote& note : session.notes)
+        EXPECT_TRUE((*writer)->add(note));
+    if (!session.interrupted()) {
+        EXPECT_TRUE((*writer)->finish(session.outcome));
+    }
+    return path;
+}
+
 struct ReviewPageTest : testing::Test {
     QTemporaryDir folder;
     ReviewPage page;
@@ -113,24 +131,8 @@ struct ReviewPageTest : testing::Test {
         page.show();
         QApplication::processEvents();
     }
-    /// The record as a file of the folder.
-    std::string written(const SessionRecord& session) {
-        const std::string path = folder.filePath(QString::fromStdString(session.path)).toStdString();
-        auto writer = SessionWriter::create(path, session.experiment, session.simulated, 1e6);
-        EXPECT_TRUE(writer);
-        for (const TraceSample& sample : session.samples)
-            EXPECT_TRUE((*writer)->add(sample));
-        for (const TraceEvent& event : session.events)
-            EXPECT_TRUE((*writer)->add(event));
-        for (const TraceNote& note : session.notes)
-            EXPECT_TRUE((*writer)->add(note));
-        if (!session.interrupted()) {
-            EXPECT_TRUE((*writer)->finish(session.outcome));
-        }
-        return path;
-    }
     std::shared_ptr<RecordedSession> opened(const SessionRecord& session) {
-        return RecordedSession::open(written(session)).value();
+        return RecordedSession::open(written(folder, session)).value();
     }
     /// With its metrics.
     std::shared_ptr<RecordedSession> show(const SessionRecord& session) {
@@ -147,6 +149,68 @@ struct ReviewPageTest : testing::Test {
     QString text(const char* name) { return child<QLabel>(name)->text(); }
     QString cell(int row, int column) {
         return child<FinalValuesTable>("finalValues")->item(row, column)->text().replace(QChar(0x00a0), ' ');
+    }
+};
+
+/// With a run that can be laid over the open one: it takes twice as long.
+struct ReviewOverlayTest : ReviewPageTest {
+    SessionRecord evening = record();
+    std::shared_ptr<RecordedSession> other;
+    TracePlot* plot = child<TracePlot>("review.measured_K");
+    QTabWidget* tabs = child<QTabWidget>("reviewTabs");
+    QTableWidget* comparison = child<QTableWidget>("comparisonTable");
+    const QStringList eveningAlone{"circle B", "bunny B", "hand B"};
+
+    ReviewOverlayTest() {
+        evening.path = "evening.bask";
+        for (TraceSample& sample : evening.samples)
+            sample.time_s *= 2.0;
+        show(record());
+        other = opened(evening);
+    }
+    /// The same run by another name.
+    std::shared_ptr<RecordedSession> renamed(const char* path) {
+        evening.path = path;
+        return opened(evening);
+    }
+    void takeAway(const char* button) {
+        QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton);
+        QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    bool isCompared() { return tabs->indexOf(page.replay()->comparison()) >= 0; }
+    QString heading(int column) { return comparison->horizontalHeaderItem(column)->text(); }
+};
+
+/// Two runs of 118 blocks, one over the other, with one hot sample in fifty minutes; recorded once.
+struct ReviewLongRunTest : ReviewPageTest {
+    static constexpr int kHot = 20'000; ///< at 2000 s
+    static constexpr double kHot_K = 350.0;
+    inline static std::unique_ptr<QTemporaryDir> recordings;
+    inline static std::string runPath, otherPath;
+    inline static RunMetrics metrics;
+    std::shared_ptr<RecordedSession> run = RecordedSession::open(runPath).value(),
+                                     other = RecordedSession::open(otherPath).value();
+    TracePlot* plot = child<TracePlot>("review.measured_K");
+
+    static void SetUpTestSuite() {
+        recordings = std::make_unique<QTemporaryDir>();
+        SessionRecord session = longRecord(30'000);
+        session.samples[kHot].objects[1].measured_K = kHot_K;
+        metrics = runMetrics(session);
+        runPath = written(*recordings, session);
+        session.path = "other.bask";
+        otherPath = written(*recordings, session);
+    }
+    static void TearDownTestSuite() { recordings.reset(); }
+
+    ReviewLongRunTest() {
+        page.setSession(run, sentences());
+        page.setMetrics(metrics);
+        EXPECT_TRUE(page.replay()->addOverlay(other));
+        plot->redraw();
+    }
+    QString tile(const char* object, const char* label) {
+        return child<QWidget>(object)->findChild<QLabel*>(label)->text();
     }
 };
 
@@ -503,118 +567,126 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     EXPECT_EQ(wanted.count(), 1);
 }
 
-// Catches an overlay without its mark, one that stays when another run is opened, or that cannot be taken
-// away.
-TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
-    show(record());
-    SessionRecord evening = record();
-    evening.path = "evening.bask";
-    for (TraceSample& sample : evening.samples)
-        sample.time_s *= 2.0;
-    const auto other = opened(evening);
-    auto* plot = child<TracePlot>("review.measured_K");
+// Catches a run that is laid over itself, or twice.
+TEST_F(ReviewOverlayTest, ARunIsLaidOverOnce) {
     ASSERT_TRUE(page.replay()->addOverlay(other));
     EXPECT_FALSE(page.replay()->addOverlay(other)) << "it is there";
     EXPECT_FALSE(page.replay()->addOverlay(opened(record()))) << "it is the open one";
-    EXPECT_EQ(plot->overlayLabels(), (QStringList{"circle B", "bunny B", "hand B"}));
+    EXPECT_EQ(plot->overlayLabels(), eveningAlone);
+}
+
+// Catches an overlay without its mark, out of view, or in the old unit.
+TEST_F(ReviewOverlayTest, EveryPlotHasIt) {
+    ASSERT_TRUE(page.replay()->addOverlay(other));
+    EXPECT_EQ(plot->overlayLabels(), eveningAlone);
     EXPECT_EQ(plot->visibleTo_s(), 400.0) << "the longer run is in view";
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
-    child<QTabWidget>("reviewTabs")->setCurrentIndex(2);
+    tabs->setCurrentIndex(2);
     EXPECT_EQ(child<TracePlot>("review.speed")->overlayLabels().size(), 2);
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(plot->overlayLabels().size(), 3);
+}
+
+// Catches a button beside the overlaid runs that nobody hears.
+TEST_F(ReviewOverlayTest, TheFigureIsExportedInEveryForm) {
+    ASSERT_TRUE(page.replay()->addOverlay(other));
     int asked = 0;
     QObject::connect(qobject_cast<PlotPlace*>(plot->parentWidget()), &PlotPlace::exportRequested,
                      [&] { ++asked; });
     for (QAction* form : child<QPushButton>("overlayExport")->menu()->actions())
         form->trigger();
     EXPECT_EQ(asked, 4);
-    evening.path = "night.bask";
-    ASSERT_TRUE(page.replay()->addOverlay(opened(evening)));
+}
+
+// Catches an overlay that cannot be taken away.
+TEST_F(ReviewOverlayTest, OneIsTakenAwayAndTheLettersMoveUp) {
+    ASSERT_TRUE(page.replay()->addOverlay(other));
+    ASSERT_TRUE(page.replay()->addOverlay(renamed("night.bask")));
     QTest::qWait(100);
     EXPECT_TRUE(page.grab().save("review_overlay.png"));
-    QTest::mouseClick(child<QPushButton>("overlay.B"), Qt::LeftButton);
-    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    EXPECT_EQ(plot->overlayLabels(), (QStringList{"circle B", "bunny B", "hand B"})) << "the letters move up";
+    takeAway("overlay.B");
+    EXPECT_EQ(plot->overlayLabels(), eveningAlone);
+}
+
+// Catches an overlay that stays when another run is opened.
+TEST_F(ReviewOverlayTest, AnotherRunHasNone) {
+    ASSERT_TRUE(page.replay()->addOverlay(other));
     SessionRecord next = record();
     next.path = "next.bask";
     show(next);
     EXPECT_TRUE(plot->overlayLabels().isEmpty());
 }
 
-// Catches a comparison that is there without overlays, lacks a run or its metrics, or cannot tell two files
-// of one name apart.
-TEST_F(ReviewPageTest, OverlaidRunsAreComparedInATable) {
-    const auto open = show(record());
-    auto* tabs = child<QTabWidget>("reviewTabs");
-    const auto isThere = [&] { return tabs->indexOf(page.replay()->comparison()) >= 0; };
-    EXPECT_FALSE(isThere());
-    SessionRecord evening = record();
-    evening.path = "evening.bask";
-    for (TraceSample& sample : evening.samples)
-        sample.time_s *= 2.0;
-    QSignalSpy changed(page.replay(), &ReplayView::overlaysChanged);
-    const auto other = opened(evening);
-    const QString path = QString::fromStdString(other->facts().path);
+// Catches a comparison that is there without overlays, and rows of runs that were taken away.
+TEST_F(ReviewOverlayTest, RunsAreComparedWhileSomeAreOverlaid) {
+    EXPECT_FALSE(isCompared());
+    const QSignalSpy changed(page.replay(), &ReplayView::overlaysChanged);
     ASSERT_TRUE(page.replay()->addOverlay(other));
-    ASSERT_TRUE(isThere());
+    EXPECT_TRUE(isCompared());
     EXPECT_EQ(changed.count(), 1);
+    takeAway("overlay.B");
+    EXPECT_FALSE(isCompared());
+    EXPECT_EQ(comparison->rowCount(), 0);
+}
+
+// Catches a comparison that lacks a run or its metrics, or has the old unit.
+TEST_F(ReviewOverlayTest, TheComparisonHasTheMetricsOfEachRun) {
+    constexpr int kSettling = 9; ///< the row, of the circle
+    ASSERT_TRUE(page.replay()->addOverlay(other));
+    const QString path = QString::fromStdString(other->facts().path);
     EXPECT_EQ(page.replay()->uncounted(), other);
     EXPECT_EQ(page.replay()->uncounted(path), nullptr);
-    auto* table = child<QTableWidget>("comparisonTable");
-    ASSERT_EQ(table->columnCount(), 3);
-    EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "A 2026-03-14 morning");
-    EXPECT_EQ(table->horizontalHeaderItem(1)->text(), "B evening");
-    const QString dash(QChar(0x2014)), alone = child<QTableWidget>("metricsTable")->item(3, 0)->text();
-    EXPECT_EQ(table->item(9, 0)->text(), alone) << "settling of the circle, counted already";
-    EXPECT_EQ(table->item(9, 1)->text(), dash);
+    ASSERT_EQ(comparison->columnCount(), 3);
+    EXPECT_EQ(heading(0), "A 2026-03-14 morning");
+    EXPECT_EQ(heading(1), "B evening");
+    EXPECT_EQ(comparison->item(kSettling, 0)->text(), child<QTableWidget>("metricsTable")->item(3, 0)->text())
+        << "counted already";
+    EXPECT_EQ(comparison->item(kSettling, 1)->text(), QString(QChar(0x2014)));
     const RunMetrics metrics = runMetrics(evening);
     page.replay()->setMetrics(path, &metrics);
     EXPECT_EQ(page.replay()->uncounted(), nullptr);
     const double settling_s = std::ceil(18.0 * std::log(30.0));
-    EXPECT_EQ(table->item(9, 1)->text(), QString("%1.0 s").arg(2.0 * settling_s));
-    EXPECT_EQ(table->item(9, 2)->text(), QString("+%1.0 s").arg(settling_s));
+    EXPECT_EQ(comparison->item(kSettling, 1)->text(), QString("%1.0 s").arg(2.0 * settling_s));
+    EXPECT_EQ(comparison->item(kSettling, 2)->text(), QString("+%1.0 s").arg(settling_s));
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
-    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.2"));
+    EXPECT_TRUE(comparison->item(0, 1)->text().startsWith("313.2"));
+}
 
+// Catches a comparison that cannot tell two files of one name apart.
+TEST_F(ReviewOverlayTest, FilesOfOneNameAreComparedByTheirFolders) {
+    ASSERT_TRUE(page.replay()->addOverlay(other));
     ASSERT_TRUE(QDir(folder.path()).mkdir("monday"));
-    evening.path = "monday/evening.bask";
-    ASSERT_TRUE(page.replay()->addOverlay(opened(evening)));
-    ASSERT_EQ(table->columnCount(), 5);
-    EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "C evening (monday)");
-    EXPECT_NE(table->horizontalHeaderItem(1)->text(), "B evening");
+    ASSERT_TRUE(page.replay()->addOverlay(renamed("monday/evening.bask")));
+    ASSERT_EQ(comparison->columnCount(), 5);
+    EXPECT_EQ(heading(3), "C evening (monday)");
+    EXPECT_NE(heading(1), "B evening");
     tabs->setCurrentWidget(page.replay()->comparison());
     QTest::qWait(100);
     EXPECT_TRUE(page.grab().save("review_comparison.png"));
-    QTest::mouseClick(child<QPushButton>("overlay.C"), Qt::LeftButton);
-    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
-    QTest::mouseClick(child<QPushButton>("overlay.B"), Qt::LeftButton);
-    EXPECT_FALSE(isThere());
-    EXPECT_EQ(table->rowCount(), 0);
 }
 
 // Catches a page that reads all of a long run, or of one laid over it, to show some of it.
-TEST_F(ReviewPageTest, ReadsOfALongRunWhatIsLookedAtOnly) {
-    SessionRecord session = longRecord(30'000);
-    session.samples[20'000].objects[1].measured_K = 350.0; // one sample in fifty minutes
-    const auto run = show(session);
-    session.path = "other.bask";
-    const auto other = opened(session);
-    ASSERT_TRUE(page.replay()->addOverlay(other));
-    auto* plot = child<TracePlot>("review.measured_K");
-    plot->redraw();
+TEST_F(ReviewLongRunTest, IsShownByItsOverview) {
     EXPECT_EQ(text("factDuration"), "49:59");
-    EXPECT_GT(plot->visibleHighest(), 350.0 - 273.15) << "the spike is in the picture";
+    EXPECT_GT(plot->visibleHighest(), kHot_K - 273.15) << "the spike is in the picture";
     EXPECT_LE(blocksHeld(*run), 8U) << "of 118";
     EXPECT_LE(blocksHeld(*other), 8U);
-    page.replay()->seek(2000.0);
-    EXPECT_EQ(child<QWidget>("reviewTile.1")->findChild<QLabel*>("tileTemperature")->text(),
-              formatTemperature(350.0, TemperatureUnit::Celsius));
-    EXPECT_EQ(child<QWidget>("reviewTile.0")->findChild<QLabel*>("tileState")->text(), "Settled");
-    plot->setTimeRange(1990.0, 2010.0);
+}
+
+// Catches a moment that is not read, or is taken from the overview.
+TEST_F(ReviewLongRunTest, ASeekReadsThatMoment) {
+    page.replay()->seek(0.1 * kHot);
+    EXPECT_EQ(tile("reviewTile.1", "tileTemperature"), formatTemperature(kHot_K, TemperatureUnit::Celsius));
+    EXPECT_EQ(tile("reviewTile.0", "tileState"), "Settled");
+    EXPECT_LE(blocksHeld(*run), 16U);
+}
+
+// Catches a short stretch that is drawn by the overview, or for which all of a run is read.
+TEST_F(ReviewLongRunTest, AShortStretchIsReadOfEachRun) {
+    plot->setTimeRange(0.1 * kHot - 10.0, 0.1 * kHot + 10.0);
     plot->redraw();
-    EXPECT_GT(plot->visibleHighest(), 350.0 - 273.15);
-    EXPECT_TRUE(other->holds(20'000 / RecordedSession::kBlock));
+    EXPECT_GT(plot->visibleHighest(), kHot_K - 273.15);
+    EXPECT_TRUE(other->holds(kHot / RecordedSession::kBlock));
     EXPECT_LE(blocksHeld(*run), 16U);
     EXPECT_LE(blocksHeld(*other), 8U);
 }
@@ -674,7 +746,7 @@ TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
     EXPECT_EQ(child<TracePlot>("review.measured_K")->seriesPoints(0).size(), 201);
     session = record();
     session.path = "first.bask";
-    const std::string path = written(session);
+    const std::string path = written(folder, session);
     ASSERT_TRUE(test::makeFirstVersion(path));
     page.setSession(RecordedSession::open(path).value(), sentences());
     EXPECT_EQ(text("sessionFile"), "first.bask");
@@ -704,7 +776,7 @@ TEST_F(ReviewPageTest, ARunThatWasCutOffAfterItsStopHadBeenStopped) {
 TEST_F(ReviewPageTest, ARunThatIsBeingRecordedIsNotInterrupted) {
     SessionRecord session = record();
     session.outcome.clear();
-    const std::string path = written(session);
+    const std::string path = written(folder, session);
     page.sessions()->setRecording(QString::fromStdString(path));
     page.setSession(RecordedSession::open(path).value(), sentences());
     EXPECT_TRUE(text("factOutcome").startsWith("Opened while")) << text("factOutcome").toStdString();
