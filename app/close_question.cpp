@@ -46,6 +46,23 @@ Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
     return box.clickedButton() == now ? Closing::Now : Closing::Keep;
 }
 
+bool askToLeaveExports(QWidget* window, const QStringList& places) {
+    QMessageBox box(QMessageBox::Warning, ClosingText::tr("An export is being written"),
+                    ClosingText::tr("Bask is still writing what is named below. If it closes now, some of it "
+                                    "may be missing; no file is left half written.") +
+                        QStringLiteral("\n\n") + places.join(u'\n'),
+                    QMessageBox::NoButton, window);
+    box.setObjectName(QStringLiteral("exportQuestion"));
+    box.setTextFormat(Qt::PlainText); // names are as they are
+    QPushButton* close = box.addButton(ClosingText::tr("Close anyway"), QMessageBox::DestructiveRole);
+    close->setObjectName(QStringLiteral("closeAnyway"));
+    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    return box.clickedButton() == close;
+}
+
 void tellHeatLeft(QWidget* window) {
     QMessageBox box(
         QMessageBox::Critical, ClosingText::tr("The heat is not known to be off"),

@@ -1,5 +1,7 @@
 #pragma once
-// The question before the window is closed during a run or a recipe.
+// The questions before the window is closed during a run or a recipe, or while something is written.
+
+#include <QStringList>
 
 class QWidget;
 
@@ -14,6 +16,10 @@ enum class Closing {
 /// Asks the person; Return and Escape end nothing. Object name: "closeQuestion", its buttons "closeStop" and
 /// "closeNow". `isRunOn`: a run is on, or in its retreat; otherwise a recipe waits between its runs.
 Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn);
+
+/// Asks whether to close although these files and folders are not written yet. Object name: "exportQuestion",
+/// its button "closeAnyway".
+bool askToLeaveExports(QWidget* window, const QStringList& places);
 
 /// Tells that the engine has ended and a real source was not seen to go off. Object name: "heatLeft".
 void tellHeatLeft(QWidget* window);

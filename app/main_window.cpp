@@ -146,6 +146,9 @@ MainWindow::MainWindow()
 
 MainWindow::~MainWindow() {
     endEngine(); // before anything is written
+    // A signal asks nobody.
+    for (const QString& place : m_files.unfinishedExports())
+        std::fprintf(stderr, "bask: ended while this was being written: %s\n", qPrintable(place));
     setFileFolders(nullptr);
 }
 
@@ -537,6 +540,11 @@ bool MainWindow::mayClose() {
     return closing == Closing::Now;
 }
 
+bool MainWindow::mayLeaveExports() {
+    const QStringList places = m_files.unfinishedExports();
+    return places.isEmpty() || askToLeaveExports(this, places);
+}
+
 void MainWindow::endRun() {
     if (runIsOn() && m_last.state != RunState::Stopping)
         perform(Verb::Stop);
@@ -553,7 +561,7 @@ void MainWindow::closeAtRest() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose() || !m_files.mayDiscard() || !m_recipe->mayDiscard()) {
+    if (!mayClose() || !m_files.mayDiscard() || !m_recipe->mayDiscard() || !mayLeaveExports()) {
         event->ignore();
         return;
     }

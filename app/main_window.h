@@ -102,6 +102,7 @@ private:
     void restyle();
     bool runIsOn() const;
     bool mayClose();
+    bool mayLeaveExports();
     void endRun();
     void closeAtRest();
     bool endEngine(); ///< returns false if it did not answer

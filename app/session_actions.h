@@ -90,6 +90,8 @@ public:
     /// Exports what a plot shows to a file that is asked for. No figure while a run, recipe, heat or motion
     /// is on or if one begins.
     void exportPlot(const PlotPlace& place, PlotForm form);
+    /// Returns the files and folders whose export is not finished.
+    QStringList unfinishedExports() const { return m_export.unfinished(); }
     /// Reads the devices of a rig file; saves those of the open experiment.
     void openRig();
     void saveRig();

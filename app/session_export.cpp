@@ -68,12 +68,12 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
                           const QString& language) {
     const std::string from = session.toStdString();
     if (!isDrawn(form))
-        return m_files[form].run(
-            [form, from, folder = to.toStdString()](const std::stop_token& stop) {
-                return written(form, from, folder, stop);
-            },
-            [this, to](const Files& files) { tell(files, to); });
-    m_inputs[form].run(
+        return write(m_files[form], to, [form, from, folder = to.toStdString()](const std::stop_token& stop) {
+            return written(form, from, folder, stop);
+        });
+    Drawing& drawing = m_drawings[form];
+    drawing.to = to;
+    drawing.input.run(
         [from, unit]() -> Result<RunReportInput> {
             auto record = readSession(from);
             return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();
@@ -118,19 +118,35 @@ void SessionExport::writeTable(const PlotTable& table, const QString& to) {
 }
 
 void SessionExport::write(Queue& queue, const QString& to, LatestJob<Files>::Work work) {
-    queue.waiting.push_back({to, std::move(work)});
+    queue.unfinished.push_back({to, std::move(work)});
     writeNext(queue);
 }
 
 void SessionExport::writeNext(Queue& queue) {
-    if (queue.job.busy() || queue.waiting.empty())
+    if (queue.job.busy() || queue.unfinished.empty())
         return;
-    Waiting next = std::move(queue.waiting.front());
-    queue.waiting.pop_front();
-    queue.job.run(std::move(next.work), [this, &queue, to = next.to](const Files& files) {
+    queue.job.run(std::move(queue.unfinished.front().work), [this, &queue](const Files& files) {
+        const QString to = queue.unfinished.front().to;
+        queue.unfinished.pop_front();
         tell(files, to);
         writeNext(queue);
     });
+}
+
+QStringList SessionExport::unfinished() const {
+    QStringList places;
+    const auto add = [&](const Queue& queue) {
+        for (const Output& output : queue.unfinished)
+            places << output.to;
+    };
+    add(m_small);
+    add(m_tables);
+    for (const auto& [form, queue] : m_files)
+        add(queue);
+    for (const auto& [form, drawing] : m_drawings)
+        if (drawing.input.busy())
+            places << drawing.to;
+    return places;
 }
 
 void SessionExport::tell(const Files& files, const QString& to) {

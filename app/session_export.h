@@ -47,6 +47,10 @@ public:
     void writeFigure(const QByteArray& bytes, const QString& to);
     void writeTable(const PlotTable& table, const QString& to);
 
+    /// Returns the files and folders that are not written yet. With this object what is not finished ends: a
+    /// file is written as a whole or not at all.
+    QStringList unfinished() const;
+
 signals:
     void problem(const QString& sentence);
     /// The files are there.
@@ -54,24 +58,29 @@ signals:
 
 private:
     using Files = Result<std::vector<std::string>>;
-    struct Waiting {
+    struct Output {
         QString to;
         LatestJob<Files>::Work work;
     };
     /// One after another: each is written and told.
     struct Queue {
-        std::deque<Waiting> waiting;
+        std::deque<Output> unfinished; ///< the first is being written
         LatestJob<Files> job;
+    };
+    /// What is read before it is drawn, and where it goes.
+    struct Drawing {
+        QString to;
+        LatestJob<Result<RunReportInput>> input;
     };
     void write(Queue& queue, const QString& to, LatestJob<Files>::Work work);
     void writeNext(Queue& queue);
     void tell(const Files& files, const QString& to);
 
     std::function<bool()> m_mayDraw;
-    std::map<SessionForm, LatestJob<Files>> m_files;
+    std::map<SessionForm, Queue> m_files;
     Queue m_small;  ///< comparisons and figures
     Queue m_tables; ///< a long run is read for minutes
-    std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
+    std::map<SessionForm, Drawing> m_drawings;
 };
 
 } // namespace bask

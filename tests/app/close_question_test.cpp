@@ -1,4 +1,4 @@
-// Heat that is not known to be off when a window closes.
+// Heat that is not known to be off, and exports that are not finished, when a window closes.
 
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
@@ -10,7 +10,12 @@
 #include "engine/drivers/driver_catalogue.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/guard_processes.h"
+#include "tests/support/held_pool.h"
+#include "widgets/plots/plot_place.h"
+#include "widgets/plots/trace_plot.h"
 
+#include <QAbstractButton>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QMessageBox>
 #include <QTimer>
@@ -149,6 +154,35 @@ protected:
         return boxes;
     }
 
+    /// Of what the Run page shows.
+    void exportTable(const QString& to) {
+        window->files().setFileChooser([to](const FileQuestion&) { return to; });
+        for (const PlotPlace* place : window->findChildren<PlotPlace*>())
+            if (place->plot()->objectName() == QLatin1String("plot.measured_K"))
+                window->files().exportPlot(*place, PlotForm::Csv);
+        EXPECT_EQ(window->files().unfinishedExports(), QStringList{to});
+    }
+    /// Closes, and answers the question about exports: by a button, or by Escape. Returns what it said.
+    QString closeOverExport(const char* button = nullptr) {
+        QString said;
+        QTimer answer;
+        QObject::connect(&answer, &QTimer::timeout, [&] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr || box->objectName() != QLatin1String("exportQuestion"))
+                return;
+            answer.stop();
+            said = box->text();
+            if (button == nullptr)
+                QTest::keyClick(box, Qt::Key_Escape);
+            else
+                box->findChild<QAbstractButton*>(QLatin1String(button))->click();
+        });
+        answer.start(20);
+        window->document().markSaved({}); // no question about changes
+        window->close();
+        return said;
+    }
+
     Message refusal; ///< the last one
 };
 
@@ -190,6 +224,39 @@ TEST_F(CloseQuestionTest, ARealRigThatIsSeenOffClosesWithoutAWord) {
     ASSERT_TRUE(comes([&] { return last.heat == HeatState::Off && !last.heatOn; }, SetHeat{}));
     EXPECT_EQ(boxesAtClosing(), 0);
     EXPECT_FALSE(devices.isPlateOn());
+}
+
+// Catches an export that is dropped without a word, and a question about one that is finished.
+TEST_F(CloseQuestionTest, AnExportThatIsNotFinishedIsAskedAbout) {
+    openWindow();
+    const QTemporaryDir folder;
+    const QString table = folder.filePath(QStringLiteral("the <b>day</b>.csv"));
+    HeldPool pool;
+    exportTable(table);
+    const QString said = closeOverExport();
+    EXPECT_TRUE(said.contains(table)) << said.toStdString();
+    EXPECT_TRUE(window->isVisible());
+    pool.release();
+    ASSERT_TRUE(waitFor([&] { return window->files().unfinishedExports().isEmpty(); }));
+    EXPECT_TRUE(QFile::exists(table)) << "it was waited for";
+    EXPECT_EQ(boxesAtClosing(), 0);
+}
+
+// Catches a window that cannot be closed over an export, and half a file of one.
+TEST_F(CloseQuestionTest, AnExportCanBeLeft) {
+    openWindow();
+    const QTemporaryDir folder;
+    const QString table = folder.filePath(QStringLiteral("day.csv"));
+    HeldPool pool;
+    exportTable(table);
+    EXPECT_FALSE(closeOverExport("closeAnyway").isEmpty());
+    EXPECT_FALSE(window->isVisible());
+    testing::internal::CaptureStderr();
+    window.reset();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find(table.toStdString()), std::string::npos);
+    pool.release();
+    ASSERT_TRUE(QThreadPool::globalInstance()->waitForDone(60'000));
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }
 
 // Catches an alarm over heat that is simulated: here it stays on, whatever it is told.

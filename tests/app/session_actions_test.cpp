@@ -2,6 +2,7 @@
 #include "app/resources.h"
 #include "app/session_actions.h"
 #include "app/settings_store.h"
+#include "tests/support/held_pool.h"
 #include "tests/support/wait_for.h"
 #include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
@@ -458,6 +459,42 @@ TEST_F(SessionActionsTest, PlotsExportedAtOnceAreAllTold) {
     EXPECT_EQ(written.size(), 3) << problems.join('\n').toStdString();
     for (const QString& file : written)
         EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
+}
+
+// Catches: an export that nobody knows to be under way, and one that is dropped for the next of its form.
+TEST_F(SessionActionsTest, AnExportIsUnfinishedUntilItIsTold) {
+    const QTemporaryDir folder, first, second;
+    PlotPlace place(new TracePlot);
+    int opened = 0, written = 0;
+    QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
+    QObject::connect(&files, &SessionActions::exported, [&] { ++written; });
+    files.open(recorded(folder));
+    ASSERT_TRUE(waitFor([&] { return opened == 1; }));
+    QString answer;
+    files.setFileChooser([&](const FileQuestion&) { return answer; });
+    EXPECT_TRUE(files.unfinishedExports().isEmpty());
+    HeldPool pool;
+    QStringList places{first.path(), second.path(), folder.filePath(QStringLiteral("run.html")),
+                       folder.filePath(QStringLiteral("plot.csv"))};
+    for (const QString& to : {places[0], places[1]}) {
+        answer = to;
+        files.exportSession(SessionForm::Csv);
+    }
+    answer = places[2];
+    files.exportSession(SessionForm::ReportHtml);
+    answer = places[3];
+    files.exportPlot(place, PlotForm::Csv);
+    QStringList unfinished = files.unfinishedExports();
+    places.sort();
+    unfinished.sort();
+    EXPECT_EQ(unfinished, places);
+    EXPECT_EQ(written, 0);
+    pool.release();
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 4; }));
+    EXPECT_EQ(written, 4) << problems.join('\n').toStdString();
+    EXPECT_TRUE(files.unfinishedExports().isEmpty());
+    for (const QTemporaryDir* each : {&first, &second})
+        EXPECT_TRUE(QFile::exists(each->filePath(QStringLiteral("traces.csv"))));
 }
 
 // Catches: a table of a long live run without its first samples, and nobody is told.

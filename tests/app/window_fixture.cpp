@@ -46,6 +46,7 @@ void WindowTest::openWindow(QSize size, const QString& file) {
 void WindowTest::closeWindow() {
     window->setCloseQuestion([] { return Closing::Now; });
     window->document().markSaved(window->document().path()); // no question about changes
+    EXPECT_TRUE(waitFor([this] { return window->files().unfinishedExports().isEmpty(); })); // nor about these
     EXPECT_TRUE(window->close());
     window.reset();
 }
