@@ -24,6 +24,7 @@
 #include "engine/base/words.h"
 #include "engine/experiment/rig_file.h"
 #include "engine/model/hand_warm.h"
+#include "engine/model/mounting_check.h"
 #include "engine/recipe/recipe.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/device_words.h"
@@ -79,6 +80,7 @@ Page pageOf(MessageCode reason) {
     case MessageCode::ReasonSourcePoseLost:
         return Page::Calibrate;
     case MessageCode::ReasonNoExperiment:
+    case MessageCode::MountingOverlap:
         return Page::Objects;
     case MessageCode::ReasonRobotLost:
     case MessageCode::ReasonSourceLost:
@@ -268,18 +270,20 @@ void MainWindow::armWithLabels(const Snapshot& snapshot) {
         askToArm();
 }
 
-void MainWindow::askToArm() {
-    return m_last.simulated ? arm() : askArm();
-}
-
 /// On the way up a person decides; STOP can be pressed meanwhile.
-void MainWindow::askArm() {
+void MainWindow::askToArm() {
+    QStringList questions;
+    if (!m_overlaps.isEmpty())
+        questions << m_overlaps.join(u' ') + u' ' + tr("Are they mounted so all the same?");
+    if (!m_last.simulated)
+        questions << tr("This rig is real: once the run is started, the robot moves and the source heats. Is "
+                        "everybody and everything out of the way?");
     delete findChild<QMessageBox*>(QStringLiteral("armQuestion"));
-    auto* box = new QMessageBox(
-        QMessageBox::Warning, tr("Arm the real rig"),
-        tr("This rig is real: once the run is started, the robot moves and the source heats. Is everybody "
-           "and everything out of the way?"),
-        QMessageBox::NoButton, this);
+    if (questions.isEmpty())
+        return arm();
+    auto* box = new QMessageBox(QMessageBox::Warning,
+                                m_last.simulated ? tr("Arm the simulated rig") : tr("Arm the real rig"),
+                                questions.join(QStringLiteral("\n\n")), QMessageBox::NoButton, this);
     box->setObjectName(QStringLiteral("armQuestion"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     const QPushButton* go = box->addButton(tr("Arm"), QMessageBox::AcceptRole);
@@ -444,6 +448,9 @@ void MainWindow::showTitle() {
 
 void MainWindow::takeAges() {
     m_ages = calibrationAges(m_document.experiment());
+    m_overlaps.clear();
+    for (const MountingRemark& remark : overlapsInPlane(m_document.experiment()))
+        m_overlaps << sentence(remark.message);
     showNotes();
 }
 
@@ -464,7 +471,7 @@ void MainWindow::showNotes() {
     const bool isCold = !isRunOn(m_last.state) && m_last.state != RunState::Fault && isSourceCold(m_last);
     if (isCold)
         notes << coldSourceText(m_last, unit);
-    m_stateBar->chip()->setNotes(notes + m_ages);
+    m_stateBar->chip()->setNotes(m_overlaps + notes + m_ages);
     QString caption;
     if (isOverHeat)
         caption = tr("over hot source: %1", "the objects are over it; its temperature")

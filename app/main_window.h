@@ -84,7 +84,6 @@ private:
     void askLabels(bool isBeforeArm);
     void armWithLabels(const Snapshot& snapshot);
     void askToArm();
-    void askArm();
     void askRetreat();
     void arm();
     void askInfeasible();
@@ -95,7 +94,7 @@ private:
     void showManual(const QString& page);
     void reportProblem();
     void showTitle();
-    void takeAges(); ///< updates the ages of the calibrations
+    void takeAges(); ///< updates the ages of the calibrations, and which objects overlap
     void showRemedy();
     void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();
@@ -133,6 +132,7 @@ private:
 
     Snapshot m_last;
     QStringList m_ages;                  ///< ages of the calibrations, in words
+    QStringList m_overlaps;              ///< what the experiment says of objects that overlap, in words
     std::optional<RunLabels> m_armsWith; ///< arms when the engine has these
     std::optional<Verb> m_refused;       ///< the verb that the message bar says is not possible
     std::function<Closing()> m_closeQuestion;

@@ -1,6 +1,7 @@
 #include "engine/runtime/servo_loop.h"
 
 #include "engine/experiment/controller_json.h"
+#include "engine/model/mounting_check.h"
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/alarm_causes.h"
 
@@ -14,8 +15,8 @@ bool isRunOn(RunState state) {
 }
 
 ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock)
-    : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
-      m_readings(m_experiment, m_devices, clock, m_latest),
+    : m_experiment(experiment), m_mounting(checkMounting(experiment)), m_devices(std::move(devices)),
+      m_clock(clock), m_readings(m_experiment, m_devices, clock, m_latest),
       m_motion(m_experiment, m_devices, m_readings, clock, m_latest,
                [this](const Message& reason) { refusedByRobot(reason); }),
       m_heat(m_experiment, m_devices, m_readings),
@@ -136,6 +137,8 @@ void ServoLoop::reportInfeasible(const Message& reason) {
 }
 
 Result<void> ServoLoop::mayArm() const {
+    if (!m_mounting)
+        return m_mounting;
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
@@ -503,7 +506,7 @@ std::vector<Message> ServoLoop::reasons() const {
     if (m_state == RunState::NotReady && !sensors.full())
         out.push_back({MessageCode::ReasonEstimatorFilling,
                        {std::to_string(sensors.minCount()), std::to_string(m_experiment.sampling.window)}});
-    for (const auto& fit : {checkTargets(m_experiment), m_motion.checkReach()})
+    for (const auto& fit : {m_mounting, checkTargets(m_experiment), m_motion.checkReach()})
         if (!fit)
             out.push_back(fit.error().message);
     if (m_state == RunState::Holding && !m_pausedBySafety && out.empty())
@@ -528,7 +531,8 @@ void ServoLoop::updateReadiness() {
     if (m_state != RunState::NotReady && m_state != RunState::Ready)
         return;
     const bool isReady = m_readings.sensors().full() && m_readings.missing().empty() &&
-                         requireFreshReadings() && checkTargets(m_experiment) && m_motion.checkReach();
+                         requireFreshReadings() && m_mounting && checkTargets(m_experiment) &&
+                         m_motion.checkReach();
     m_state = isReady ? RunState::Ready : RunState::NotReady;
 }
 

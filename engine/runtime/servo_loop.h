@@ -213,6 +213,7 @@ private:
     Error refusal(CommandVerb verb) const;
 
     Experiment m_experiment;
+    const Result<void> m_mounting; ///< of checkMounting(): an edit of the objects makes another loop
     RigDevices m_devices;
     const Clock& m_clock;
     TraceSample m_latest; ///< written by the members below

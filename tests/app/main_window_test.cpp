@@ -5,6 +5,7 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/experiment/rig_file.h"
+#include "engine/model/mounting_check.h"
 #include "engine/recording/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/fake_opener.h"
@@ -847,6 +848,26 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
         if (question()->buttonRole(button) == QMessageBox::AcceptRole)
             QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_TRUE(waitForState(RunState::Armed));
+}
+
+// Catches: a run with plates that overlap, started without a word.
+TEST_F(MainWindowTest, ArmAsksAboutObjectsThatOverlap) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Experiment edited = window->document().experiment();
+    ASSERT_GE(edited.objects.size(), 2U);
+    edited.objects[1].shape = edited.objects[0].shape;
+    edited.objects[1].mounting = edited.objects[0].mounting;
+    edited.objects[1].mounting[kX] += 0.01;
+    ASSERT_EQ(overlapsInPlane(edited).size(), 1U);
+    ASSERT_TRUE(window->document().edit(edited).ok());
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    window->actions().verb(Verb::Arm)->trigger();
+    auto* question = window->findChild<QMessageBox*>(QStringLiteral("armQuestion"));
+    ASSERT_TRUE(question);
+    EXPECT_TRUE(question->text().contains(QStringLiteral("overlap"))) << question->text().toStdString();
+    QTest::keyClick(question, Qt::Key_Return); // the default answer
+    EXPECT_EQ(state(), RunState::Ready);
 }
 
 // Catches: a key or a click that does nothing and says nothing, and a sentence that stays when it is no more

@@ -24,6 +24,19 @@ TEST_F(ServoLoopTest, IsNotReadyUntilTheEstimatorsAreFull) {
     EXPECT_TRUE(loop.arm());
 }
 
+// Catches: a run with plates that nobody can have mounted so, started without a word.
+TEST(ServoLoop, ObjectsInOnePlaceAreNotArmed) {
+    Experiment experiment = twoDisks(35.0);
+    experiment.objects[1].mounting = experiment.objects[0].mounting;
+    LoopOnRig rig(experiment);
+    rig.periods(20);
+    EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+    EXPECT_TRUE(rig.reasonGiven(MessageCode::MountingOverlap));
+    const auto armed = rig.loop.arm();
+    ASSERT_FALSE(armed);
+    EXPECT_EQ(armed.error().code(), MessageCode::MountingOverlap);
+}
+
 TEST_F(ServoLoopTest, NothingMovesOrHeatsBeforeStart) {
     periods(10);
     ASSERT_TRUE(loop.arm());
