@@ -70,6 +70,18 @@
         <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
         <translation>Un processus de garde continue d’éteindre une source sur un port série après la fermeture de Bask. L’alarme est de nouveau là au prochain démarrage.</translation>
     </message>
+    <message>
+        <source>An export is being written</source>
+        <translation>Un export est en cours d’écriture</translation>
+    </message>
+    <message>
+        <source>Bask is still writing what is named below. If it closes now, some of it may be missing; no file is left half written.</source>
+        <translation>Bask écrit encore ce qui est nommé ci-dessous. S’il se ferme maintenant, il peut en manquer une partie ; aucun fichier ne reste écrit à moitié.</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>Fermer quand même</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -2328,6 +2340,42 @@
     <message>
         <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
         <translation>Ce que l’air emporte de la face d’un objet, selon sa température au-dessus de la pièce</translation>
+    </message>
+    <message>
+        <source>a figure drawn by Bask</source>
+        <translation>une figure dessinée par Bask</translation>
+    </message>
+    <message>
+        <source>a report written by Bask</source>
+        <translation>un rapport écrit par Bask</translation>
+    </message>
+    <message>
+        <source>a table written by Bask</source>
+        <translation>un tableau écrit par Bask</translation>
+    </message>
+    <message>
+        <source>a comparison written by Bask</source>
+        <translation>une comparaison écrite par Bask</translation>
+    </message>
+    <message>
+        <source>a NeXus file written by Bask</source>
+        <translation>un fichier NeXus écrit par Bask</translation>
+    </message>
+    <message>
+        <source>lines written by Bask</source>
+        <translation>un fichier de lignes écrit par Bask</translation>
+    </message>
+    <message>
+        <source>a collection written by Bask</source>
+        <translation>une collection écrite par Bask</translation>
+    </message>
+    <message>
+        <source>a field written by Bask</source>
+        <translation>un champ écrit par Bask</translation>
+    </message>
+    <message>
+        <source>a surface file written by Bask</source>
+        <translation>un fichier de surfaces écrit par Bask</translation>
     </message>
 </context>
 <context>
@@ -5857,6 +5905,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <comment>the objects are over it; its temperature</comment>
         <translation>sur source chaude&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>Are they mounted so all the same?</source>
+        <translation>Sont-ils tout de même montés ainsi ?</translation>
+    </message>
+    <message>
+        <source>Arm the simulated rig</source>
+        <translation>Armer le banc simulé</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -5883,10 +5939,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>This page is in English only.</source>
         <translation>Cette page n’existe qu’en anglais.</translation>
-    </message>
-    <message>
-        <source>The desktop has no program that opens %1.</source>
-        <translation>Le bureau n’a pas de programme qui ouvre %1.</translation>
     </message>
 </context>
 <context>

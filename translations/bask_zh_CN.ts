@@ -70,6 +70,18 @@
         <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
         <translation>Bask 关闭后，守护进程会继续关闭串口上的热源。下次启动时该报警会再次出现。</translation>
     </message>
+    <message>
+        <source>An export is being written</source>
+        <translation>正在写出导出内容</translation>
+    </message>
+    <message>
+        <source>Bask is still writing what is named below. If it closes now, some of it may be missing; no file is left half written.</source>
+        <translation>Bask 仍在写出下列内容。现在关闭，其中一部分可能会缺失；不会留下只写了一半的文件。</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>仍然关闭</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -2328,6 +2340,42 @@
     <message>
         <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
         <translation>空气从物体表面带走的热量，按其高于室温的温度计</translation>
+    </message>
+    <message>
+        <source>a figure drawn by Bask</source>
+        <translation>Bask 绘制的图</translation>
+    </message>
+    <message>
+        <source>a report written by Bask</source>
+        <translation>Bask 写出的报告</translation>
+    </message>
+    <message>
+        <source>a table written by Bask</source>
+        <translation>Bask 写出的表格</translation>
+    </message>
+    <message>
+        <source>a comparison written by Bask</source>
+        <translation>Bask 写出的比较</translation>
+    </message>
+    <message>
+        <source>a NeXus file written by Bask</source>
+        <translation>Bask 写出的 NeXus 文件</translation>
+    </message>
+    <message>
+        <source>lines written by Bask</source>
+        <translation>Bask 写出的线条文件</translation>
+    </message>
+    <message>
+        <source>a collection written by Bask</source>
+        <translation>Bask 写出的集合文件</translation>
+    </message>
+    <message>
+        <source>a field written by Bask</source>
+        <translation>Bask 写出的场文件</translation>
+    </message>
+    <message>
+        <source>a surface file written by Bask</source>
+        <translation>Bask 写出的曲面文件</translation>
     </message>
 </context>
 <context>
@@ -5849,6 +5897,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <comment>the objects are over it; its temperature</comment>
         <translation>物体下方热源：%1</translation>
     </message>
+    <message>
+        <source>Are they mounted so all the same?</source>
+        <translation>它们确实是这样安装的吗？</translation>
+    </message>
+    <message>
+        <source>Arm the simulated rig</source>
+        <translation>使模拟装置进入待命</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -5875,10 +5931,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>This page is in English only.</source>
         <translation>本页只有英文版。</translation>
-    </message>
-    <message>
-        <source>The desktop has no program that opens %1.</source>
-        <translation>桌面没有能打开 %1 的程序。</translation>
     </message>
 </context>
 <context>

@@ -70,6 +70,18 @@
         <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
         <translation>Bask 關閉後，守護行程會繼續關閉串列埠上的熱源。下次啟動時該警報會再次出現。</translation>
     </message>
+    <message>
+        <source>An export is being written</source>
+        <translation>正在寫出匯出內容</translation>
+    </message>
+    <message>
+        <source>Bask is still writing what is named below. If it closes now, some of it may be missing; no file is left half written.</source>
+        <translation>Bask 仍在寫出下列內容。現在關閉，其中一部分可能會缺失；不會留下只寫了一半的檔案。</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>仍要關閉</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -2328,6 +2340,42 @@
     <message>
         <source>What the air takes from an object&apos;s face, by its temperature above the room</source>
         <translation>空氣從物體表面帶走的熱量，依其高於室溫的溫度計</translation>
+    </message>
+    <message>
+        <source>a figure drawn by Bask</source>
+        <translation>Bask 繪製的圖</translation>
+    </message>
+    <message>
+        <source>a report written by Bask</source>
+        <translation>Bask 寫出的報告</translation>
+    </message>
+    <message>
+        <source>a table written by Bask</source>
+        <translation>Bask 寫出的表格</translation>
+    </message>
+    <message>
+        <source>a comparison written by Bask</source>
+        <translation>Bask 寫出的比較</translation>
+    </message>
+    <message>
+        <source>a NeXus file written by Bask</source>
+        <translation>Bask 寫出的 NeXus 檔案</translation>
+    </message>
+    <message>
+        <source>lines written by Bask</source>
+        <translation>Bask 寫出的線條檔案</translation>
+    </message>
+    <message>
+        <source>a collection written by Bask</source>
+        <translation>Bask 寫出的集合檔案</translation>
+    </message>
+    <message>
+        <source>a field written by Bask</source>
+        <translation>Bask 寫出的場檔案</translation>
+    </message>
+    <message>
+        <source>a surface file written by Bask</source>
+        <translation>Bask 寫出的曲面檔案</translation>
     </message>
 </context>
 <context>
@@ -5849,6 +5897,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <comment>the objects are over it; its temperature</comment>
         <translation>物體下方熱源：%1</translation>
     </message>
+    <message>
+        <source>Are they mounted so all the same?</source>
+        <translation>它們確實是這樣安裝的嗎？</translation>
+    </message>
+    <message>
+        <source>Arm the simulated rig</source>
+        <translation>使模擬實驗台進入待命</translation>
+    </message>
 </context>
 <context>
     <name>bask::ManualWindow</name>
@@ -5875,10 +5931,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>This page is in English only.</source>
         <translation>本頁只有英文版。</translation>
-    </message>
-    <message>
-        <source>The desktop has no program that opens %1.</source>
-        <translation>桌面沒有能開啟 %1 的程式。</translation>
     </message>
 </context>
 <context>
