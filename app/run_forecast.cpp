@@ -23,21 +23,18 @@ bool isWithin(double a_K, double b_K, double near_K) {
     return std::abs(a_K - b_K) <= near_K;
 }
 
-/// One that cannot run, or is not to be computed, has no prediction.
-PredictedRun forecast(const Experiment& experiment, const RigCondition& from, int longest_ms,
-                      const std::stop_token& stop) {
+/// Calls `compute(stop, progress)`, which is stopped when nobody wants it any more or it takes too long.
+template <class F> void atMost(int longest_ms, const std::stop_token& stop, F&& compute) {
     giveWay();
     std::stop_source over;
     const std::stop_callback unwanted(stop, [&over] { over.request_stop(); });
     const QDeadlineTimer deadline(longest_ms);
     try {
-        auto run = predictedRun(experiment, from, over.get_token(), [&](double) {
+        compute(over.get_token(), [&](double) {
             if (deadline.hasExpired())
                 over.request_stop();
         });
-        return run ? std::move(*run) : PredictedRun();
-    } catch (const std::exception&) {
-        return {};
+    } catch (const std::exception&) { // one that cannot run has no prediction
     }
 }
 
@@ -154,14 +151,38 @@ void RunForecast::predict() {
                                      : object_K);
     if (!isWithin(m_from->source_K, sourceSetPoint_K(experiment.source, 0.0), SourceWarmUp::kWarm_K))
         from.source_K = m_from->source_K;
-    m_job.run([experiment, from, longest_ms = m_longest_ms](
-                  const std::stop_token& stop) { return forecast(experiment, from, longest_ms, stop); },
-              [this](const PredictedRun& run) {
-                  m_isMade = true;
-                  m_from->source_K = m_newest_K;
-                  m_predicted = run;
-                  emit changed();
-              });
+    const auto compute = [experiment, from, longest_ms = m_longest_ms](const std::stop_token& stop) {
+        PredictedRun made;
+        atMost(longest_ms, stop, [&](std::stop_token over, const auto& progress) {
+            if (auto run = predictedRun(experiment, from, std::move(over), progress))
+                made = std::move(*run);
+        });
+        return made;
+    };
+    m_job.run(compute, [this, experiment, from](const PredictedRun& run) {
+        m_isMade = true;
+        m_from->source_K = m_newest_K;
+        m_predicted = run;
+        emit changed();
+        if (run.end == PredictedEnd::Settled && !run.samples.empty())
+            spread(experiment, from);
+    });
+}
+
+/// Of a run that settles: another is told to be doubtful by its words.
+void RunForecast::spread(const Experiment& experiment, const RigCondition& from) {
+    const auto compute = [run = m_predicted, experiment, from,
+                          longest_ms = m_longest_ms](const std::stop_token& stop) {
+        PredictedRun wide = run;
+        atMost(longest_ms, stop, [&](std::stop_token over, const auto& progress) {
+            (void)addSpread(wide, experiment, from, kDraws, std::move(over), progress);
+        });
+        return wide;
+    };
+    m_job.run(compute, [this](const PredictedRun& run) {
+        m_predicted = run;
+        emit changed();
+    });
 }
 
 } // namespace bask

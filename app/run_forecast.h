@@ -16,6 +16,8 @@
 
 namespace bask {
 
+struct RigCondition;
+
 /// GUI thread; the run is simulated on a thread of its own, while nothing else wants the processor, from
 /// where the rig is and with objects and source as the experiment assumes them: a moment after the last
 /// change of experiment or rig, only while it is looked at, and before Start only. From Start on the last
@@ -27,6 +29,7 @@ public:
     static constexpr int kRest_ms = 500;              ///< without a change, before it is computed
     static constexpr int kLongest_ms = 20'000;        ///< of computing; the prediction ends where it is then
     static constexpr double kMaxPredicted_s = 1800.0; ///< simulated
+    static constexpr int kDraws = 4;                  ///< runs with other noise, which tell its spread
 
     RunForecast();
 
@@ -68,6 +71,7 @@ private:
     void pause();
     void drop();
     void predict();
+    void spread(const Experiment& experiment, const RigCondition& from);
 
     Experiment m_experiment;
     std::optional<Beginning> m_from; ///< of the prediction that is there, computed or waited for

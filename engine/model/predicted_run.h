@@ -15,6 +15,8 @@ struct PredictedSample {
     double time_s = 0.0;                     ///< since Start
     Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
     std::vector<double> temperatures_K;      ///< of each object, in the experiment's order
+    /// of runs whose sensors' noise is another; empty: not computed
+    std::vector<double> lowest_K{}, highest_K{};
 };
 
 /// How a predicted run ends.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace bask {
@@ -222,6 +223,37 @@ Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optio
         settling_s = std::max(settling_s, object.settlingTime_s.value_or(0.0));
     predicted.settling_s = settling_s;
     return predicted;
+}
+
+Result<void> addSpread(PredictedRun& run, const Experiment& experiment,
+                       const std::optional<RigCondition>& from, int draws, std::stop_token stop,
+                       const std::function<void(double time_s)>& progress) {
+    Experiment drawn = experiment;
+    const std::vector<HeatRates> estimates = estimatedRates(experiment, experiment.environment_K);
+    for (std::size_t i = 0; i < drawn.objects.size(); ++i) // the seed says how wrong they are
+        drawn.objects[i].estimatedRates = estimates[i];
+    std::vector<PredictedSample> wide = run.samples;
+    for (PredictedSample& sample : wide)
+        sample.lowest_K = sample.highest_K = sample.temperatures_K;
+    for (int draw = 1; draw <= draws; ++draw) {
+        drawn.simulation.seed = experiment.simulation.seed + static_cast<std::uint64_t>(draw);
+        const auto other = predictedRun(drawn, from, stop, progress);
+        if (!other)
+            return other.error();
+        if (stop.stop_requested() || other->samples.empty())
+            return {};
+        auto there = other->samples.begin();
+        for (PredictedSample& sample : wide) {
+            while (std::next(there) != other->samples.end() && std::next(there)->time_s <= sample.time_s)
+                ++there;
+            for (std::size_t i = 0; i < sample.temperatures_K.size(); ++i) {
+                sample.lowest_K[i] = std::min(sample.lowest_K[i], there->temperatures_K[i]);
+                sample.highest_K[i] = std::max(sample.highest_K[i], there->temperatures_K[i]);
+            }
+        }
+    }
+    run.samples = std::move(wide);
+    return {};
 }
 
 Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop,

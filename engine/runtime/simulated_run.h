@@ -69,6 +69,13 @@ Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optio
                                   std::stop_token stop = {},
                                   const std::function<void(double time_s)>& progress = {});
 
+/// Adds to a prediction of predictedRun how far apart its temperatures lie in `draws` runs that differ from
+/// it by the noise of their sensors alone: a controller that learns, or whose law is rough, may go another
+/// way. A run that ends sooner keeps its last temperatures. Adds nothing if it is stopped.
+Result<void> addSpread(PredictedRun& run, const Experiment& experiment,
+                       const std::optional<RigCondition>& from, int draws, std::stop_token stop = {},
+                       const std::function<void(double time_s)>& progress = {});
+
 /// Returns the time, s, after which the experiment's controller keeps all objects within kSettledBand_K of
 /// their targets, by predictedRun from the start. Empty if that does not happen within the experiment's
 /// duration limit, or if stopped. Errors: those of runSimulated.

@@ -293,7 +293,7 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
         }
     };
     const QCPRange time = xAxis->range();
-    QList<QCPGraph*> graphs = m_series + m_predicted;
+    QList<QCPGraph*> graphs = m_series + m_predicted + m_spreads;
     for (const Overlay& overlay : overlays)
         graphs << overlay.graphs;
     for (const QCPGraph* graph : std::as_const(graphs)) {

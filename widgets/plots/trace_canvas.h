@@ -85,6 +85,7 @@ public:
     void showPrediction(bool visible);
     bool hasPrediction() const; ///< whether it is drawn in a plot of temperatures
     void rebuildPrediction();
+    void addSpread(std::size_t object, const QVector<double>& keys);
     void stylePrediction();
     QString predictionWords() const; ///< empty if none is drawn
     void placePredictionWords();
@@ -170,6 +171,7 @@ private:
 
     QList<QCPGraph*> m_series;
     QList<QCPGraph*> m_predicted; ///< one for each object, or none
+    QList<QCPGraph*> m_spreads;   ///< lower and upper edge of each, or none
     QList<QCPGraph*> m_targets;
     QList<QCPGraph*> m_bandLow, m_bandHigh;
     QList<QCPItemText*> m_labels;

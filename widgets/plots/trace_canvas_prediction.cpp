@@ -1,4 +1,5 @@
-// The predicted run behind the measured one of a trace plot: pale dotted lines in the objects' colours.
+// The predicted run behind the measured one of a trace plot: pale dotted lines in the objects' colours, each
+// in the band that other noise of the sensors would make of it.
 
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kAfterSettling_s = 30.0; // shown of what is predicted
 constexpr double kPredictedWeight = 0.75; // of the object's colour
+constexpr float kSpreadWeight = 0.15F;    // opacity of a band
 constexpr double kFromLines = 4.0;        // px, of the words
 
 } // namespace
@@ -41,6 +43,7 @@ bool TracePlot::Canvas::hasPrediction() const {
 /// The graphs go with clearGraphs().
 void TracePlot::Canvas::rebuildPrediction() {
     m_predicted.clear();
+    m_spreads.clear();
     if (!hasPrediction() || quantity != Quantity::Temperature)
         return;
     for (std::size_t i = 0; i < traces->objects(); ++i) {
@@ -50,9 +53,27 @@ void TracePlot::Canvas::rebuildPrediction() {
             values << (i < sample.temperatures_K.size() ? displayed(sample.temperatures_K[i])
                                                         : std::numeric_limits<double>::quiet_NaN());
         }
+        addSpread(i, keys);
         m_predicted << addGraph();
         m_predicted.back()->setData(keys, values, true);
     }
+}
+
+void TracePlot::Canvas::addSpread(std::size_t object, const QVector<double>& keys) {
+    QVector<double> lowest, highest;
+    for (const PredictedSample& sample : prediction.samples)
+        if (object < sample.lowest_K.size() && object < sample.highest_K.size()) {
+            lowest << displayed(sample.lowest_K[object]);
+            highest << displayed(sample.highest_K[object]);
+        }
+    if (lowest.size() != keys.size())
+        return;
+    for (const QVector<double>& edge : {lowest, highest}) {
+        m_spreads << addGraph();
+        m_spreads.back()->setData(keys, edge, true);
+        m_spreads.back()->setPen(Qt::NoPen);
+    }
+    m_spreads.back()->setChannelFillGraph(m_spreads[m_spreads.size() - 2]);
 }
 
 void TracePlot::Canvas::stylePrediction() {
@@ -62,6 +83,11 @@ void TracePlot::Canvas::stylePrediction() {
         pen.setCapStyle(Qt::FlatCap);
         pen.setDashPattern({1.5, 4.0}); // sparser than those of any object's measured line
         m_predicted[i]->setPen(pen);
+    }
+    for (int i = 1; i < m_spreads.size(); i += 2) {
+        QColor band = seriesColor(i / 2, dark);
+        band.setAlphaF(kSpreadWeight);
+        m_spreads[i]->setBrush(band);
     }
 }
 

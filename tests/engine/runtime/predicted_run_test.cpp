@@ -45,6 +45,36 @@ TEST(PredictedRun, LeadsFromTheStartToTheTargets) {
     }
 }
 
+// Catches a band beside its line, one that is none, and one of runs that begin with other rates.
+TEST(PredictedRun, TellsHowFarOtherNoiseTakesIt) {
+    Experiment experiment = predictedExample();
+    experiment.controller.estimatedRateErrorFactor = 2.0;
+    auto run = predictedRun(experiment, std::nullopt);
+    ASSERT_TRUE(run) << describe(run.error());
+    const std::vector<PredictedSample> line = run->samples;
+    ASSERT_TRUE(addSpread(*run, experiment, std::nullopt, 2));
+    ASSERT_EQ(run->samples.size(), line.size());
+    double widest_K = 0.0, atStart_K = 0.0;
+    for (std::size_t k = 0; k < line.size(); ++k)
+        for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+            const PredictedSample& sample = run->samples[k];
+            EXPECT_EQ(sample.temperatures_K.at(i), line[k].temperatures_K[i]);
+            EXPECT_LE(sample.lowest_K.at(i), sample.temperatures_K[i]) << k;
+            EXPECT_GE(sample.highest_K.at(i), sample.temperatures_K[i]) << k;
+            const double width_K = sample.highest_K[i] - sample.lowest_K[i];
+            widest_K = std::max(widest_K, width_K);
+            if (sample.time_s < 3.0) // the first steps are those of the rates that it begins with
+                atStart_K = std::max(atStart_K, width_K);
+        }
+    EXPECT_GT(widest_K, 0.01);
+    EXPECT_LT(atStart_K, 1.0);
+    std::stop_source stopped;
+    stopped.request_stop();
+    run->samples = line;
+    ASSERT_TRUE(addSpread(*run, experiment, std::nullopt, 2, stopped.get_token()));
+    EXPECT_TRUE(run->samples.front().lowest_K.empty());
+}
+
 // Catches a prediction from the start although the robot stands elsewhere and an object is warm, or none
 // because that cannot be zeroed.
 TEST(PredictedRun, BeginsWhereTheRigIs) {
