@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/calibration/picture_outline.h"
 #include "engine/simulation/board_script.h"
 #include "engine/simulation/rig_faces.h"
 #include "engine/thermography/frame_picture_file.h"
@@ -93,6 +94,29 @@ void SimulatedThermalCamera::setUnplugged(bool unplugged) {
     m_isUnplugged = unplugged;
 }
 
+std::vector<PixelBox> SimulatedThermalCamera::parts(const ThermalMoment& moment) const {
+    constexpr double kMargin_px = 4.0; // farther than blur carries, and than edges are read
+    const CameraModel& camera = m_config.camera;
+    const Pose X_CE = m_config.X_RC.inverse() * moment.X_RE;
+    std::vector<PixelBox> out;
+    for (const auto& object : m_config.objects) {
+        const auto outline = outlineInPicture(camera, X_CE * object.X_EO, object.shape);
+        if (outline.empty())
+            continue;
+        Eigen::AlignedBox2d box;
+        for (const Eigen::Vector2d& p : outline)
+            box.extend(p);
+        const auto within = [](double value, int size) {
+            return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(size)));
+        };
+        out.push_back({within(box.min().x() - kMargin_px, camera.width),
+                       within(box.min().y() - kMargin_px, camera.height),
+                       within(box.max().x() + kMargin_px, camera.width),
+                       within(box.max().y() + kMargin_px, camera.height)});
+    }
+    return out;
+}
+
 const GreyCanvas& SimulatedThermalCamera::painted(const ThermalMoment& moment,
                                                   const std::optional<ShownBoard>& shown) {
     const Pose X_CR = m_config.X_RC.inverse();
@@ -153,7 +177,9 @@ Result<std::shared_ptr<const ThermalCameraFrame>> SimulatedThermalCamera::newest
     if (m_frame && m_sensor.isShut(time_s))
         return m_frame;
     const std::uint64_t number = m_frame ? m_frame->number + 1 : 1;
-    const ThermalPicture picture = m_sensor.caught(painted(seen, board), time_s, number);
+    const std::vector<PixelBox> all{{0, 0, m_config.camera.width, m_config.camera.height}};
+    const ThermalPicture picture =
+        m_sensor.caught(painted(seen, board), time_s, number, m_config.showsObjectsOnly ? parts(seen) : all);
     auto decoded = frameOfBytes(bytesOfFrame(picture, m_config.profile), m_config.profile, "simulated");
     if (!decoded)
         return decoded.error();

@@ -60,19 +60,23 @@ double ThermalSensor::offset_K(double time_s) const {
            m_errors.drift_K_min * normal(random) * (time_s - events * m_errors.shutterPeriod_s) / 60.0;
 }
 
-ThermalPicture ThermalSensor::caught(const GreyCanvas& radiance, double time_s, std::uint64_t number) const {
+ThermalPicture ThermalSensor::caught(const GreyCanvas& radiance, double time_s, std::uint64_t number,
+                                     std::span<const PixelBox> parts) const {
     const std::vector<float> seen = blurred(radiance, m_errors.blur_px);
     const double offset = offset_K(time_s), noise = m_errors.noise_K * m_band.derivative(kNoiseAt_K);
     const double least = m_band.radiance(kMinBand_K), most = m_band.radiance(kMaxBand_K);
     Engine random = engineFor(m_errors.seed + 2, number);
     std::normal_distribution<double> normal;
-    ThermalPicture out{radiance.width, radiance.height, {}};
-    out.T_K.reserve(seen.size());
-    for (std::size_t k = 0; k < seen.size(); ++k) {
-        const double noisy = static_cast<double>(seen[k]) + noise * normal(random);
-        const double T_K = m_band.temperature(std::clamp(noisy, least, most));
-        out.T_K.push_back(T_K + m_gain * (T_K - m_own_K) + static_cast<double>(m_fixed_K[k]) + offset);
-    }
+    ThermalPicture out{radiance.width, radiance.height, std::vector<double>(seen.size(), m_own_K)};
+    for (const PixelBox& part : parts)
+        for (int v = part.top; v < part.bottom; ++v)
+            for (int u = part.left; u < part.right; ++u) {
+                const std::size_t k = static_cast<std::size_t>(v) * static_cast<std::size_t>(radiance.width) +
+                                      static_cast<std::size_t>(u);
+                const double noisy = static_cast<double>(seen[k]) + noise * normal(random);
+                const double T_K = m_band.temperature(std::clamp(noisy, least, most));
+                out.T_K[k] = T_K + m_gain * (T_K - m_own_K) + static_cast<double>(m_fixed_K[k]) + offset;
+            }
     return out;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/thermography/thermal_picture.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace bask {
@@ -26,6 +27,11 @@ struct ThermalSensorErrors {
     std::uint64_t seed = 1;
 };
 
+/// A part of a picture; right and bottom are beyond its last pixels.
+struct PixelBox {
+    int left = 0, top = 0, right = 0, bottom = 0;
+};
+
 /// Not thread-safe.
 class ThermalSensor {
 public:
@@ -34,7 +40,9 @@ public:
                   double own_K);
 
     /// Returns the apparent temperatures for a picture of radiances, W/(m2 sr). `number` selects the noise.
-    ThermalPicture caught(const GreyCanvas& radiance, double time_s, std::uint64_t number) const;
+    /// Outside of the `parts`, which lie in the picture, it is as warm as the camera.
+    ThermalPicture caught(const GreyCanvas& radiance, double time_s, std::uint64_t number,
+                          std::span<const PixelBox> parts) const;
     /// Returns whether the shutter is closed: a camera then gives no new picture.
     bool isShut(double time_s) const;
 

@@ -71,6 +71,31 @@ double hottest(const ThermalPicture& picture) {
     return *std::ranges::max_element(picture.T_K);
 }
 
+// Catches a picture for the studies that leaves out what is read, or shows it without noise.
+TEST(SimulatedThermalCamera, ItsPictureOfTheObjectsOnlyTellsThemAsTheWholeOne) {
+    SimulatedThermalCameraConfig config = oneDisk();
+    SimulatedThermalCamera whole(config);
+    config.showsObjectsOnly = true;
+    SimulatedThermalCamera part(config);
+    const ThermalMoment moment = momentOf(0.0, kRoom_K + 40.0, face(0.9, 0.2, 473.15));
+    for (SimulatedThermalCamera* camera : {&whole, &part})
+        camera->observe(moment);
+    const ThermalPicture ofWhole = whole.newest().value()->frame.picture;
+    const ThermalPicture ofPart = part.newest().value()->frame.picture;
+    const PixelRays rays(config.camera);
+    const std::vector<PlacedPlate> disks{{config.objects[0].shape, moment.X_RE * config.objects[0].X_EO}};
+    const std::vector<int> pixels = facePixels(rays, config.X_RC, disks, {}, rigPixels())[0].value().pixels;
+    ASSERT_GT(pixels.size(), 20U);
+    const auto a = regionStatistics(ofWhole, pixels, 5), b = regionStatistics(ofPart, pixels, 5);
+    ASSERT_TRUE(a && b);
+    EXPECT_NEAR(b->mean_K, a->mean_K, 0.05);
+    EXPECT_NEAR(b->standardError_K, a->standardError_K, 0.5 * a->standardError_K);
+    EXPECT_NE(ofPart.T_K[static_cast<std::size_t>(pixels[0])],
+              ofWhole.T_K[static_cast<std::size_t>(pixels[0])]);
+    EXPECT_NEAR(ofPart.T_K.front(), kRoom_K, 0.02);
+    EXPECT_EQ(ofPart.T_K.front(), ofPart.T_K[1]);
+}
+
 // Number of the issue: below 60 % of 16 bits a pixel, without loss, as PNG and as TIFF.
 TEST(SimulatedThermalCamera, ItsPicturesAreStoredWithoutLossInLittleRoom) {
     for (const ThermalProfile& profile : shippedThermalProfiles()) {
