@@ -316,7 +316,7 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     ObjectWatch& watch = m_objects[i];
     const bool isNew = object.measured_K && object.age_s < 0.5 * m_experiment.sampling.period_s;
     const std::optional<double> new_K = isNew ? object.measured_K : std::nullopt;
-    watch.warming.add(seen.now_s, new_K, power_K_s(i, seen));
+    watch.warming.add(seen.now_s, new_K, power_K_s(i, seen), object.uncertainty_K);
     watch.frozen.add(seen.now_s, new_K, power_K_s(i, seen));
     if (isNew)
         watch.quiet.add(seen.now_s, *object.measured_K);

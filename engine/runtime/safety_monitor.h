@@ -36,6 +36,7 @@ struct ObservedObject {
     double largestRate_K_s = 0.0;
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
+    double uncertainty_K = 0.0;         ///< standard uncertainty, if the thermal camera alone reads it
     double viewFactor = 0.0;
     std::optional<CameraOpinion> opinion{}; ///< if it is read by a sensor and by the thermal camera
     Message unchecked{};                    ///< why the thermal camera cannot check its sensor, if it should

@@ -61,6 +61,9 @@ SafetyObservation ServoLoop::observe() const {
         object.largestRate_K_s = sensors.largestRate_K_s(i);
         if (m_latest.objects[i].valid)
             object.measured_K = m_latest.objects[i].measured_K;
+        const double ofCamera_K = m_latest.objects[i].camera.uncertainty_K;
+        if (m_experiment.objects[i].readBy == ReadBy::Camera && std::isfinite(ofCamera_K))
+            object.uncertainty_K = ofCamera_K;
         object.viewFactor = m_latest.objects[i].viewFactor;
         if (const HeatBounds* bounds = sensors.bounds(i))
             object.max_K = bounds->max_K();

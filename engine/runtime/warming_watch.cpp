@@ -16,6 +16,7 @@ constexpr double kNoiseShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // the change must exceed this many deviations in addition
 constexpr double kToleranceTimes = 5.0; // in deviations, for learnt changes: there are hundreds of them
 constexpr double kTolerance_K = 0.1;    // in addition, for the steps of a sensor
+constexpr double kUnsureTimes = 2.0;    // of a reading's own uncertainty
 constexpr double kMaxLaw = 2.4; // free convection of bare metal, with ΔT to the power of 1.25 up to 50 K
 // relative error of energy and losses while it learns, as pose and air change
 constexpr double kWrongThen = 0.06;
@@ -70,7 +71,8 @@ void WarmingWatch::integrate(double dt_s, double power_K_s) {
         (fourth(m_now.temperature_K) - fourth(m_environment_K)) / (4.0 * std::pow(m_environment_K, 3)) * dt_s;
 }
 
-void WarmingWatch::add(double time_s, std::optional<double> temperature_K, double power_K_s) {
+void WarmingWatch::add(double time_s, std::optional<double> temperature_K, double power_K_s,
+                       double uncertainty_K) {
     if (std::isnan(power_K_s)) // the object's position is not known
         return reset();
     const bool isFirst = m_now.count == 0;
@@ -91,6 +93,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     }
     m_before_K = m_now.temperature_K;
     m_now.temperature_K = *temperature_K;
+    m_now.uncertainty_K = uncertainty_K;
     ++m_now.count;
     if (!isSame)
         m_same = m_now;
@@ -104,6 +107,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     const auto approach = [&](double& mean, double value) { mean += share * (value - mean); };
     approach(bin.time_s, m_now.time_s);
     approach(bin.temperature_K, m_now.temperature_K);
+    approach(bin.uncertainty_K, m_now.uncertainty_K);
     approach(bin.linear_K_s, m_now.linear_K_s);
     approach(bin.radiated_K_s, m_now.radiated_K_s);
     for (std::size_t k = 0; k < LaggedPower::kLags_s.size(); ++k)
@@ -133,13 +137,18 @@ HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, d
     return span;
 }
 
+double WarmingWatch::unsure_K(const Mark& from, const Mark& to) {
+    return kUnsureTimes * (from.uncertainty_K + to.uncertainty_K);
+}
+
 void WarmingWatch::learn(Fits& fits, std::size_t end) const {
     for (const std::size_t bins : kSpans) {
         if (bins > end)
             continue;
         const Mark &from = m_bins[end - bins], &to = m_bins[end];
         const double readings = std::min(from.count, to.count);
-        const double tolerance_K = kTolerance_K + kToleranceTimes * m_noise_K * std::sqrt(2.0 / readings);
+        const double tolerance_K =
+            kTolerance_K + kToleranceTimes * m_noise_K * std::sqrt(2.0 / readings) + unsure_K(from, to);
         for (std::size_t fit = 0; fit < fits.size(); ++fit)
             fits[fit].learn(span(from, to, fit, kWrongThen), to.temperature_K - from.temperature_K,
                             tolerance_K);
@@ -181,7 +190,7 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
     const double expected_K = smallest_K(expected(fits, from, wrong));
     const double gained_K = m_now.temperature_K - from.temperature_K;
     const bool follows = gained_K * expected_K >= kMinShare * expected_K * expected_K;
-    if (follows || std::abs(expected_K) < min_K + kNoiseTimes * m_noise_K)
+    if (follows || std::abs(expected_K) < min_K + kNoiseTimes * m_noise_K + unsure_K(from, m_now))
         return std::nullopt;
     return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};
 }
@@ -191,7 +200,7 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
 std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     const HeatFit::Change change = expected(m_anything, from, kWrongNow);
     const double gained_K = m_now.temperature_K - from.temperature_K;
-    if (gained_K > std::min(change.min_K, 0.0) - m_min_K - kNoiseTimes * m_noise_K)
+    if (gained_K > std::min(change.min_K, 0.0) - m_min_K - kNoiseTimes * m_noise_K - unsure_K(from, m_now))
         return std::nullopt;
     return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
 }

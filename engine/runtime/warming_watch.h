@@ -35,8 +35,10 @@ public:
     WarmingWatch(LossRange losses, double environment_K, double min_K);
 
     /// Takes the absorbed power at a time, K/s, and a valid reading; empty if there is none. Times must
-    /// increase.
-    void add(double time_s, std::optional<double> temperature_K, double power_K_s);
+    /// increase. `uncertainty_K`: standard uncertainty of the reading that no mean makes smaller, as of a
+    /// thermal camera; what may come from it is neither learnt nor told.
+    void add(double time_s, std::optional<double> temperature_K, double power_K_s,
+             double uncertainty_K = 0.0);
     void reset();
     /// Call when the sensor has been zeroed: the object is at the room's temperature.
     void restAt(double time_s, double temperature_K);
@@ -59,6 +61,7 @@ private:
     struct Mark {
         double time_s = 0.0;
         double temperature_K = 0.0;
+        double uncertainty_K = 0.0;
         LaggedPower::Energies energy_K{};            ///< absorbed energy, as a sensor with this lag sees it
         double linear_K_s = 0.0, radiated_K_s = 0.0; ///< losses by the linear law and by the fourth power
         int count = 0;
@@ -66,6 +69,8 @@ private:
     void integrate(double dt_s, double power_K_s);
     /// `wrong` is the relative error of energy and losses.
     HeatSpan span(const Mark& from, const Mark& to, std::size_t fit, double wrong) const;
+    /// By how much a change between two marks may be wrong.
+    static double unsure_K(const Mark& from, const Mark& to);
     void learn(Fits& fits, std::size_t end) const;
     HeatFit::Change expected(const Fits& fits, const Mark& from, double wrong) const;
     std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double min_K, double wrong) const;

@@ -27,6 +27,7 @@ struct Object {
     double estimate = 1.0; ///< of the power, over the true one
     double lag_s = 0.0;    ///< of its sensor
     bool isFree = false;   ///< its losses grow with the 1.25th power, as much at 50 K
+    double uncertainty_K = 0.0;
 
     /// When an alarm was given, s: a contradiction for 30 s, or the same value for so long. Infinite: never.
     double alarm_s(const std::function<double(double)>& power_K_s,
@@ -44,7 +45,7 @@ struct Object {
             double value = felt + noise(random);
             if (resolution_K > 0.0)
                 value = std::round(value / resolution_K) * resolution_K;
-            watch.add(t, reading ? reading(t, value) : value, estimate * power_K_s(t));
+            watch.add(t, reading ? reading(t, value) : value, estimate * power_K_s(t), uncertainty_K);
             if (!watch.unfollowed())
                 followed_s = t;
             if (t - followed_s >= 30.0 || (watch.sameFor_s() >= 30.0 && watch.unfollowedWhileSame(0.5)))
@@ -92,6 +93,19 @@ TEST(WarmingWatch, GivesNoAlarmInFreeConvection) {
 TEST(WarmingWatch, GivesNoAlarmForAnObjectThatTakesHardlyAnything) {
     const Object object{0.02, 0.1, 1.0 / 4500.0, 8.0};
     EXPECT_GT(object.alarm_s([](double t) { return 0.1 * approach(t); }), 1500.0);
+}
+
+// Catches a thermal camera's error near the hot source taken for what the object does: it reads 1 K too much
+// while the object is near, and less far away.
+TEST(WarmingWatch, GivesNoAlarmForWhatACameraErrsBy) {
+    const auto near = [](double t) { return t > 20.0 && t < 45.0 ? 0.4 : 0.0; };
+    const auto reading = [&](double t, double value) { return value + 2.5 * near(t); };
+    Object object{0.02, 0.0};
+    EXPECT_LT(object.alarm_s(near, reading), 400.0);
+    object.uncertainty_K = 0.4;
+    EXPECT_GT(object.alarm_s(near, reading), 1500.0);
+    const auto strong = [](double t) { return 3.0 * approach(t); };
+    EXPECT_LT(object.alarm_s(strong, [](double, double) { return 298.0; }), 400.0);
 }
 
 // Catches a sensor that is off its object and shows the room.
