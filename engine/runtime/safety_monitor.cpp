@@ -160,14 +160,18 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
 
 // Two sensors that jump at once, each to what the other has read.
 void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
-    for (ObjectWatch& object : m_objects)
-        object.swappedWith.reset();
+    const auto isJumping = [&](std::size_t i) {
+        return seen.objects[i].jump.inARow >= m_experiment.safety.jumps;
+    };
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        if (auto& other = m_objects[i].swappedWith; other && !(isJumping(i) && isJumping(*other)))
+            other.reset();
     if (!isHeated(seen)) // somebody may exchange them by hand
         return;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         for (std::size_t j = i + 1; j < m_objects.size(); ++j) {
             const Jump &one = seen.objects[i].jump, &other = seen.objects[j].jump;
-            if (std::min(one.inARow, other.inARow) >= m_experiment.safety.jumps &&
+            if (isJumping(i) && isJumping(j) &&
                 std::abs(one.began_s - other.began_s) < 0.5 * m_experiment.sampling.period_s &&
                 std::abs(one.to_K - other.from_K) <= kSwapped_K &&
                 std::abs(other.to_K - one.from_K) <= kSwapped_K) {
@@ -272,6 +276,8 @@ void SafetyMonitor::addOpinion(std::size_t i, const SafetyObservation& seen) {
     const bool isOfSensor =
         found->verdict != OpinionVerdict::EmittanceOther && found->verdict != OpinionVerdict::CameraDiffers;
     if (isOfSensor && !isHeated(seen)) // during manual work, sensors are taken off
+        return;
+    if (!isOfSensor && seen.objects[i].isLost) // a sensor that is not trusted has an alarm of its own
         return;
     const MessageArg contact = roundedTemperatureArg(found->seen.contact_K);
     const MessageArg camera = roundedTemperatureArg(found->seen.camera_K);

@@ -76,6 +76,23 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
         EXPECT_EQ(alarmEntry(condition).priority, alarmPriority(code)) << messageName(code);
 }
 
+// Catches a camera that says of a sensor which jumps to and fro, each time, that it differs from it.
+TEST(SafetyMonitor, ACameraTellsNothingOfASensorThatIsNotTrusted) {
+    for (const bool isLost : {false, true}) {
+        Monitor m;
+        ObservedObject& object = m.seen.objects[0];
+        const double room_K = m.experiment.environment_K;
+        object.isLost = isLost;
+        bool isTold = false;
+        for (int i = 0; i < 20; ++i) {
+            object.opinion = CameraOpinion{room_K + 40.0, m.seen.now_s, room_K + 10.0, 0.3, room_K, 2.0};
+            m.after(1.0);
+            isTold = isTold || m.isActive(SafetyCondition::CameraDisagrees);
+        }
+        EXPECT_EQ(isTold, !isLost);
+    }
+}
+
 // Catches a controller in degC that is read as degF: a room of 25 degC is -3.9 degC then, and 200 degC 392.
 TEST(SafetyMonitor, ASourceColderThanTheRoomIsNotHeated) {
     Monitor m;
