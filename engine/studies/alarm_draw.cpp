@@ -4,6 +4,7 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/control/steady_states.h"
 #include "engine/rig/rig_setup.h"
+#include "engine/studies/camera_sight.h"
 #include "engine/studies/study_random.h"
 
 #include <algorithm>
@@ -43,8 +44,8 @@ Material drawMaterial(StudyRandom& random) {
     return material;
 }
 
-/// Targets that a pose holds; empty: none was found.
-std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry,
+/// Targets that a pose holds, which a camera that has to read the objects sees; empty: none was found.
+std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry, const CameraSight& sight,
                                 const Experiment& experiment) {
     const std::vector<HeatRates> rates = trueRates(experiment);
     for (int attempt = 0; attempt < kPosesPerSource; ++attempt) {
@@ -53,7 +54,7 @@ std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry
         const Eigen::VectorXd steady_K = steadyTemperatures_K(rates, geometry.neighbours(), F);
         std::vector<double> targets_K(steady_K.begin(), steady_K.end());
         if (std::ranges::min(targets_K) >= experiment.environment_K + kAlarmMinRise_K &&
-            std::ranges::max(targets_K) <= kAlarmMaxTarget_K)
+            std::ranges::max(targets_K) <= kAlarmMaxTarget_K && sight.isGood(q))
             return targets_K;
     }
     return {};
@@ -112,7 +113,10 @@ Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
         drawSource(random, experiment);
         const auto geometry = rigGeometry(experiment);
         experiment.start = drawAllowedPose(random, *geometry, rig.start);
-        const std::vector<double> targets_K = drawTargets(random, *geometry, experiment);
+        const CameraSight sight(experiment);
+        if (!sight.isGood(experiment.start))
+            continue;
+        const std::vector<double> targets_K = drawTargets(random, *geometry, sight, experiment);
         if (targets_K.empty())
             continue;
         for (std::size_t i = 0; i < targets_K.size(); ++i)
@@ -127,9 +131,10 @@ Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
 std::vector<AlarmAction> drawActions(StudyRandom& random, const Experiment& experiment) {
     using Kind = AlarmAction::Kind;
     const auto geometry = rigGeometry(experiment);
+    const CameraSight sight(experiment);
     std::vector<AlarmAction> actions;
     const auto newTargets = [&](double time_s, Kind kind) {
-        if (auto targets_K = drawTargets(random, *geometry, experiment); !targets_K.empty())
+        if (auto targets_K = drawTargets(random, *geometry, sight, experiment); !targets_K.empty())
             actions.push_back({time_s, kind, std::move(targets_K)});
     };
     for (std::size_t n = oneOf(random, 3); n > 0; --n)
@@ -145,9 +150,27 @@ std::vector<AlarmAction> drawActions(StudyRandom& random, const Experiment& expe
     return actions;
 }
 
-void addFault(StudyRandom& random, AlarmCase& drawn, int index) {
-    const auto& faults = alarmFaults();
-    drawn.fault.fault = faults[static_cast<std::size_t>(index) % faults.size()];
+/// The rig with the usual thermal camera at its usual place, which is known.
+Experiment readSo(Experiment rig, ReadBy readBy) {
+    if (readBy == ReadBy::Contact)
+        return rig;
+    rig.simulation.thermalCamera.emplace();
+    for (ObjectSpec& object : rig.objects)
+        object.readBy = readBy;
+    return rig;
+}
+
+void drawCamera(StudyRandom& random, Experiment& experiment) {
+    experiment.simulation.thermalCamera->noise_K = logUniform(random, 0.02, 0.1);
+    for (ObjectSpec& object : experiment.objects) {
+        object.simulatedMaterial = trueMaterial(object);
+        if (isLikely(random, 0.5))
+            object.material.emittance =
+                std::min(object.material.emittance + uniform(random, -kAlarmEmittance, kAlarmEmittance), 1.0);
+    }
+}
+
+void addFault(StudyRandom& random, AlarmCase& drawn) {
     drawn.fault.object = oneOf(random, drawn.experiment.objects.size());
     drawn.fault.time_s = uniform(random, 60.0, 900.0);
     // What happens before belongs to the draw; after it the operator is not there.
@@ -165,8 +188,10 @@ void addFault(StudyRandom& random, AlarmCase& drawn, int index) {
         drawn.offLag_s = isLikely(random, 0.25) ? 0.0 : logUniform(random, 1.0, kAlarmOffLag_s);
         break;
     case SimulatedFault::SourceCovered:
-    case SimulatedFault::CameraLost:
         drawn.experiment.source.tracked = true;
+        break;
+    case SimulatedFault::CameraLost: // the camera that follows the source, where there is no thermal one
+        drawn.experiment.source.tracked = !drawn.experiment.simulation.thermalCamera;
         break;
     default:
         break;
@@ -175,14 +200,15 @@ void addFault(StudyRandom& random, AlarmCase& drawn, int index) {
 
 } // namespace
 
-const std::vector<SimulatedFault>& alarmFaults() {
-    static const std::vector<SimulatedFault> faults = [] {
-        std::vector<SimulatedFault> all;
-        for (int i = 1; i < kSimulatedFaults; ++i)
-            if (const auto fault = static_cast<SimulatedFault>(i); fault != SimulatedFault::SensorsSwapped)
-                all.push_back(fault); // which only a thermal camera can tell
-        return all;
-    }();
+std::vector<SimulatedFault> alarmFaults(ReadBy readBy) {
+    std::vector<SimulatedFault> faults;
+    for (int i = 1; i < kSimulatedFaults; ++i) {
+        const auto fault = static_cast<SimulatedFault>(i);
+        const bool isOfSensor = isOfObject(fault) && fault != SimulatedFault::ObjectHot;
+        if (readBy == ReadBy::Both ||
+            (fault != SimulatedFault::SensorsSwapped && !(isOfSensor && readBy == ReadBy::Camera)))
+            faults.push_back(fault);
+    }
     return faults;
 }
 
@@ -224,23 +250,33 @@ double alarmFaultFrequency(SimulatedFault fault) {
     throw std::logic_error("alarmFaultFrequency: no such fault");
 }
 
-AlarmCase drawAlarmCase(const std::vector<Experiment>& rigs, AlarmDraw draw, std::uint64_t seed, int index) {
+AlarmCase drawAlarmCase(const std::vector<Experiment>& rigs, AlarmDraw draw, ReadBy readBy,
+                        std::uint64_t seed, int index) {
     StudyRandom random = studyRandom(seed, index);
+    const auto job = static_cast<std::size_t>(index);
     AlarmCase drawn;
     drawn.duration_s = kAlarmRun_s;
     if (draw == AlarmDraw::Paper) {
-        const std::size_t job = static_cast<std::size_t>(index);
-        drawn.experiment = rigs.at(job / 2 % rigs.size());
+        drawn.experiment = readSo(rigs.at(job / 2 % rigs.size()), readBy);
         if (job % 2 == 1)
             drawn.experiment.controller.kind = ControllerKind::LevelServo;
         drawn.experiment.simulation.seed = seed + job / (2 * rigs.size());
         drawn.duration_s = drawn.experiment.simulation.durationLimit_s;
-        return drawn;
+    } else {
+        if (draw == AlarmDraw::Faulty) {
+            const std::vector<SimulatedFault> faults = alarmFaults(readBy);
+            drawn.fault.fault = faults[job % faults.size()];
+        }
+        const std::size_t minObjects = drawn.fault.fault == SimulatedFault::SensorsSwapped ? 2 : 1;
+        do
+            drawn.experiment = drawExperiment(random, readSo(rigs.at(oneOf(random, rigs.size())), readBy));
+        while (drawn.experiment.objects.size() < minObjects);
+        drawn.actions = drawActions(random, drawn.experiment);
     }
-    drawn.experiment = drawExperiment(random, rigs.at(oneOf(random, rigs.size())));
-    drawn.actions = drawActions(random, drawn.experiment);
+    if (readBy != ReadBy::Contact)
+        drawCamera(random, drawn.experiment);
     if (draw == AlarmDraw::Faulty)
-        addFault(random, drawn, index);
+        addFault(random, drawn);
     return drawn;
 }
 

@@ -8,18 +8,21 @@
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
+#include "engine/studies/camera_sight.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <set>
 
 namespace bask {
 namespace {
 
-constexpr double kAfterFault_s = 900.0; // from a fault to the end of its run
-constexpr double kTellingOf_K = 1.0;    // a limit is truly met within this, of noise and offset
+constexpr double kAfterFault_s = 900.0;  // from a fault to the end of its run
+constexpr double kTellingOf_K = 1.0;     // a limit is truly met within this, of noise and offset
+constexpr std::size_t kTellingOf_px = 3; // an object is truly too small within this, of where the robot was
 constexpr double kWindow_s = 600.0;
 constexpr double kStudyTolerance = 1e-6; // of the plant's view factors
 
@@ -28,9 +31,17 @@ class AlarmRun {
 public:
     explicit AlarmRun(const AlarmCase& drawn)
         : m_drawn(drawn), m_experiment(drawn.experiment), m_rig(config(drawn.experiment)),
+          m_thermometer(objectThermometer(drawn.experiment, m_rig)),
           m_loop(drawn.experiment,
-                 {m_rig.robot(), m_rig.thermometer(), m_rig.heatSource(), {}, &m_rig.sourceTracker()},
-                 m_rig.clock()) {
+                 {m_rig.robot(),
+                  m_thermometer ? *m_thermometer : m_rig.thermometer(),
+                  m_rig.heatSource(),
+                  {},
+                  &m_rig.sourceTracker(),
+                  false,
+                  m_thermometer.get()},
+                 m_rig.clock()),
+          m_sight(drawn.experiment), m_wasReadCold(drawn.experiment.objects.size(), false) {
         m_row.drawn = factsOf(drawn);
         m_rig.simulatedThermometer().setOffLag(drawn.offLag_s);
     }
@@ -50,6 +61,12 @@ public:
 private:
     static AlarmRunFacts factsOf(const AlarmCase& drawn) {
         const Experiment& e = drawn.experiment;
+        const auto& camera = e.simulation.thermalCamera;
+        double emittanceError = 0.0;
+        for (const ObjectSpec& object : e.objects) {
+            const double error = object.material.emittance - trueMaterial(object).emittance;
+            emittanceError = std::abs(error) > std::abs(emittanceError) ? error : emittanceError;
+        }
         return {e.controller.kind.key(),
                 static_cast<int>(e.objects.size()),
                 e.source.temperature_K,
@@ -57,6 +74,9 @@ private:
                 e.simulation.sensorNoise_K,
                 e.simulation.sensorLag_s,
                 e.simulation.convection_W_m2K,
+                e.objects.front().readBy,
+                camera ? camera->noise_K : 0.0,
+                emittanceError,
                 drawn.fault.fault,
                 isOfObject(drawn.fault.fault) ? e.objects[drawn.fault.object].name : std::string(),
                 drawn.fault.time_s};
@@ -64,6 +84,8 @@ private:
     static SimulatedRigConfig config(const Experiment& experiment) {
         SimulatedRigConfig config = simulatedRigConfig(experiment);
         config.viewFactorTolerance = kStudyTolerance;
+        if (config.thermalCamera)
+            config.thermalCamera->showsObjectsOnly = true;
         return config;
     }
     bool isHealthy() const { return m_drawn.fault.fault == SimulatedFault::None; }
@@ -124,6 +146,14 @@ private:
         (void)m_loop.takeRecord();
         if (m_start_s >= 0.0)
             look();
+        else if (m_thermometer)
+            noteReadCold();
+    }
+
+    /// Which objects the camera could read before there was heat: only then it is zeroed.
+    void noteReadCold() {
+        for (std::size_t i = 0; i < m_wasReadCold.size(); ++i)
+            m_wasReadCold[i] = m_wasReadCold[i] || !isUnread(i, {MessageCode::ThermalFaceSmall, {}});
     }
 
     void look() {
@@ -154,6 +184,11 @@ private:
                     m_loop.readings().sensors().told_K(m_drawn.fault.object, m_rig.clock().now_s());
                 isHeated && std::isfinite(told_K))
                 m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - told_K));
+            isShown = m_row.unseen_K >= kAlarmShown_K;
+        } else if (m_drawn.fault.fault == SimulatedFault::SensorsSwapped) {
+            const Message small{MessageCode::ThermalFaceSmall, {}};
+            if (!isUnread(m_drawn.fault.object, small) && !isUnread(otherOfSwapped(), small))
+                m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - true_K[otherOfSwapped()]));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::ObjectHot) {
             isShown = of_K > warningLimit_K(m_experiment, m_experiment.objects[m_drawn.fault.object]);
@@ -193,13 +228,16 @@ private:
 
     /// Of a run without a fault: an object may truly be too warm. What a controller says of its targets is
     /// advice, not a condition of the rig.
-    bool isTrue(const Message& message, const std::vector<double>& true_K) const {
+    bool isTrue(const Message& message, const std::vector<double>& true_K) {
         if (message.code == MessageCode::EventCompromise)
             return true;
         for (std::size_t i = 0; i < true_K.size(); ++i) {
             const ObjectSpec& object = m_experiment.objects[i];
             if (message.args.empty() || message.args.front() != object.name)
                 continue;
+            if (message.code == MessageCode::SafetyCameraCannotCheck ||
+                message.code == MessageCode::SafetyCameraCannotRead)
+                return isUnread(i, message.args.at(1).sentences().at(0));
             if (message.code == MessageCode::SafetyObjectWarm)
                 return true_K[i] > warningLimit_K(m_experiment, object) - kTellingOf_K;
             if (message.code == MessageCode::SafetyObjectHot)
@@ -208,18 +246,45 @@ private:
         return false;
     }
 
+    /// Whether the camera truly cannot read an object for a reason.
+    bool isUnread(std::size_t object, const Message& reason) {
+        switch (reason.code) {
+        case MessageCode::ThermalFaceOutside:
+        case MessageCode::ThermalFaceGrazing:
+        case MessageCode::ThermalFaceSmall:
+        case MessageCode::ThermalFaceHidden:
+            return m_sight.pixels(m_rig.simulatedRobot().coordinates())[object] <
+                   static_cast<std::size_t>(rigPixels().minPixels) + kTellingOf_px;
+        case MessageCode::ThermalNotZeroed:
+            return !m_wasReadCold[object];
+        default:
+            return false;
+        }
+    }
+
     /// Whether an alarm is about what has the fault.
     bool isOfFault(const Message& message) const {
+        if (message.code == MessageCode::EventCompromise ||
+            message.code == MessageCode::SafetyCameraCannotCheck)
+            return false;
         if (!isOfObject(m_drawn.fault.fault))
-            return message.code != MessageCode::EventCompromise;
-        return !message.args.empty() &&
-               message.args.front() == m_experiment.objects[m_drawn.fault.object].name;
+            return true;
+        const auto isAbout = [&](std::size_t object) {
+            return !message.args.empty() && message.args.front() == m_experiment.objects[object].name;
+        };
+        return isAbout(m_drawn.fault.object) ||
+               (m_drawn.fault.fault == SimulatedFault::SensorsSwapped && isAbout(otherOfSwapped()));
     }
+
+    std::size_t otherOfSwapped() const { return (m_drawn.fault.object + 1) % m_experiment.objects.size(); }
 
     const AlarmCase m_drawn;
     const Experiment m_experiment;
     SimulatedRig m_rig;
+    std::unique_ptr<ObjectThermometer> m_thermometer; ///< null without a thermal camera
     ServoLoop m_loop;
+    CameraSight m_sight;
+    std::vector<bool> m_wasReadCold; ///< objects by the camera
     AlarmStudyRow m_row;
     double m_start_s = -1.0;
     std::size_t m_next = 0;
@@ -276,7 +341,10 @@ std::array<double, 3> sharesOfPriorities(const std::vector<FaultSummary>& faults
 void add(FaultSummary& summary, const AlarmStudyRow& row, std::vector<double>& delays_s) {
     ++summary.draws;
     summary.overTrip_K = std::max(summary.overTrip_K, row.overTrip_K);
-    const auto found_s = row.drawn.fault == SimulatedFault::SensorFrozen ? row.told_s : row.acted_s;
+    const bool isToldOnly =
+        row.drawn.fault == SimulatedFault::SensorFrozen ||
+        (row.drawn.fault == SimulatedFault::CameraLost && row.drawn.readBy == ReadBy::Both);
+    const auto found_s = isToldOnly ? row.told_s : row.acted_s;
     summary.shown += row.shown_s || found_s;
     summary.acted += row.acted_s.has_value();
     if (!found_s) {
@@ -300,7 +368,8 @@ Result<void> check(const AlarmStudy& study) {
 }
 
 AlarmStudyRow runAlarmCase(const AlarmStudy& study, int index) {
-    return AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, study.first - 1 + index)).run();
+    return AlarmRun(drawAlarmCase(study.rigs, study.draw, study.readBy, study.seed, study.first - 1 + index))
+        .run();
 }
 
 Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int threads,
@@ -316,10 +385,10 @@ Result<std::vector<AlarmStudyRow>> runAlarmStudy(const AlarmStudy& study, int th
 
 AlarmSummary summarize(const std::vector<AlarmStudyRow>& rows) {
     AlarmSummary summary;
-    std::vector<std::vector<double>> delays_s(alarmFaults().size());
-    std::vector<std::array<int, 3>> ofFault(alarmFaults().size());
-    for (const SimulatedFault fault : alarmFaults())
-        summary.faults.push_back({fault});
+    for (int i = 1; i < kSimulatedFaults; ++i)
+        summary.faults.push_back({static_cast<SimulatedFault>(i)});
+    std::vector<std::vector<double>> delays_s(summary.faults.size());
+    std::vector<std::array<int, 3>> ofFault(summary.faults.size());
     for (const AlarmStudyRow& row : rows) {
         summary.hours += row.simulated_s / 3600.0;
         summary.refused += !row.refusal.empty();
@@ -362,13 +431,15 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmStudyRow>& 
         "# Times since the first Start. shown_s, told_s, acted_s: since the fault began; shown: its sensor "
         "is " +
         decimal(kAlarmShown_K) +
-        " K from its object (frozen, off), the object over its warning limit, else at once;\n"
+        " K from its object (frozen, off), both objects so far apart (swapped), the object over its warning "
+        "limit, else at once;\n"
         "# told: an alarm is of it; acted: and the run holds or has ended. over_trip_K: hottest true "
         "temperature "
         "over its object's trip limit. false: alarms that state what is not so. Each alarm: time, priority, "
         "follows (from another).\n"
-        "run,simulated_s,controller,objects,source_degC,source_model,noise_K,lag_s,convection_W_m2K,fault,"
-        "object,fault_s,shown_s,told_s,acted_s,unseen_K,tripped,false,over_trip_K,over_target_K,alarms\n";
+        "run,simulated_s,controller,objects,source_degC,source_model,noise_K,lag_s,convection_W_m2K,read_by,"
+        "camera_noise_K,emittance_error,fault,object,fault_s,shown_s,told_s,acted_s,unseen_K,tripped,false,"
+        "over_trip_K,over_target_K,alarms\n";
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const AlarmStudyRow& row = rows[k];
         const AlarmRunFacts& drawn = row.drawn;
@@ -386,7 +457,8 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmStudyRow>& 
                 decimal(celsiusFromKelvin(drawn.source_K)) + ',' +
                 (drawn.sourceModel == SourceModel::Gray ? "gray" : "paper") + ',' + decimal(drawn.noise_K) +
                 ',' + decimal(drawn.lag_s) + ',' + decimal(drawn.convection_W_m2K) + ',' +
-                simulatedFaultName(drawn.fault) + ',' +
+                readByName(drawn.readBy) + ',' + decimal(drawn.cameraNoise_K) + ',' +
+                decimal(drawn.emittanceError) + ',' + simulatedFaultName(drawn.fault) + ',' +
                 (drawn.object.empty() ? std::string() : inQuotes(drawn.object)) + ',' +
                 (isFaulty ? decimal(drawn.fault_s) : std::string()) + ',' + optional(row.shown_s) + ',' +
                 optional(row.told_s) + ',' + optional(row.acted_s) + ',' + decimal(row.unseen_K) + ',' +

@@ -19,10 +19,12 @@ struct AlarmStudy {
     int count = 200;
     std::uint64_t seed = 1;
     int first = 1; ///< first draw to run, counted from 1
+    ReadBy readBy = ReadBy::Contact;
 };
 
-/// A sensor that froze or came off is visible when its object is farther than this from the reading. Below
-/// this it cannot be detected with rates that are known only within kAlarmEstimateFactor.
+/// A sensor that froze or came off is visible when its object is farther than this from the reading, two that
+/// were swapped when their objects are farther than this from one another and the thermal camera reads both.
+/// Below this it cannot be detected with rates that are known only within kAlarmEstimateFactor.
 inline constexpr double kAlarmShown_K = 10.0;
 /// A sensor that came off is visible only if its object has at least this view factor: without heat the
 /// object cools as its sensor says, by itself or in moving air.
@@ -45,6 +47,9 @@ struct AlarmRunFacts {
     double source_K = 0.0;
     SourceModel sourceModel = SourceModel::Gray;
     double noise_K = 0.0, lag_s = 0.0, convection_W_m2K = 0.0;
+    ReadBy readBy = ReadBy::Contact;
+    double cameraNoise_K = 0.0;
+    double emittanceError = 0.0; ///< largest of the objects', of what is believed
     SimulatedFault fault = SimulatedFault::None;
     std::string object; ///< that has the fault; empty: none
     double fault_s = 0.0;
@@ -80,8 +85,8 @@ struct FaultSummary {
     SimulatedFault fault = SimulatedFault::None;
     int draws = 0;
     int shown = 0; ///< faults that became visible, or were found
-    /// Faults with an alarm and a reaction; for a frozen sensor only the alarm, because nothing more can be
-    /// known at rest.
+    /// Faults with an alarm and a reaction; only the alarm for a frozen sensor, because nothing more can be
+    /// known at rest, and for a lost thermal camera where sensors tell the temperatures.
     int found = 0;
     int acted = 0;                        ///< runs that were paused or ended by it
     double median_s = 0.0, worst_s = 0.0; ///< of those found, since they became visible

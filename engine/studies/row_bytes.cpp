@@ -34,7 +34,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClosedLoopCase, seed, mountings, start, goal,
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ClosedLoopRow, drawn, settling_s, overshoot_K, way_m, restSpeed_m_s,
                                    commandAcceleration_m_s2, final_K, toldCompromise, failure)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmRunFacts, controller, objects, source_K, sourceModel, noise_K, lag_s,
-                                   convection_W_m2K, fault, object, fault_s)
+                                   convection_W_m2K, readBy, cameraNoise_K, emittanceError, fault, object,
+                                   fault_s)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RaisedAlarm, time_s, priority, name, sentence, isConsequence, isFalse)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(AlarmStudyRow, drawn, simulated_s, alarms, isTripped, overTrip_K,
                                    overTarget_K, shown_s, told_s, acted_s, unseen_K, refusal)
