@@ -129,7 +129,8 @@ int alarmStudyCommand(const QString& folder, const AlarmRequest& request, const 
     auto rigs = alarmRigs(request.draw);
     if (!rigs)
         return refuse(way.command(), rigs.error());
-    const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed, request.first};
+    const AlarmStudy study{std::move(*rigs), request.draw,  request.count,
+                           request.seed,     request.first, request.readBy};
     if (way.shard.shard)
         return runShardOf(study, QDir(folder).filePath(stem).toStdString(), request, way.shard);
     const auto rows = rowsOf(study, way);

@@ -41,6 +41,7 @@ int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& reque
 
 struct AlarmRequest {
     AlarmDraw draw = AlarmDraw::Healthy;
+    ReadBy readBy = ReadBy::Contact;
     int count = 200;
     std::uint64_t seed = 1;
     int first = 1;          ///< first random draw

@@ -101,7 +101,7 @@ QStringList controllers() {
 
 const QStringList kClosedLoopOptions{"controller", "source-model", "mounting", "rate-error", "convection",
                                      "lag",        "latency",      "uneven",   "count",      "seed"};
-const QStringList kAlarmOptions{"kind", "count", "seed", "first"};
+const QStringList kAlarmOptions{"kind", "read-by", "count", "seed", "first"};
 
 /// What was asked for, of a study that can be divided, as PartHeader::work.
 std::string asked(const QCommandLineParser& parser, const QString& study, const QStringList& options) {
@@ -137,8 +137,10 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder, const
 int runAlarms(const QCommandLineParser& parser, const QString& folder, const StudyWay& way) {
     Options options(parser, kAlarms, kAlarmOptions + kHow);
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
+    static constexpr ReadBy kReadBy[] = {ReadBy::Contact, ReadBy::Camera, ReadBy::Both};
     AlarmRequest request;
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
+    request.readBy = kReadBy[options.oneOf("read-by", {"contact", "camera", "both"})];
     request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     request.first = options.wholeNumber("first", 1, kMaxCount);
@@ -170,6 +172,10 @@ void addStudyOptions(QCommandLineParser& parser) {
           "alarms: healthy, faulty (each fault in turn) or paper (the paper's experiments, each by its own\n"
           "controller and by the level servo, seed after seed).",
           "NAME", "healthy"},
+         {"read-by",
+          "alarms: what tells the objects' temperatures: contact (sensors), camera (a simulated thermal\n"
+          "camera) or both (sensors, with the camera as a second opinion).",
+          "NAME", "contact"},
          {"source-model", "closed-loop: gray or paper.", "NAME", "gray"},
          {"rate-error", "closed-loop: estimated rates are wrong by random factors within this one, 1 to 8.",
           "FACTOR", "4"},

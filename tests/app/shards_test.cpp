@@ -70,6 +70,17 @@ TEST_F(Shards, ofTheAlarmsGiveTheBytesOfOneProcess) {
     EXPECT_EQ(contents(at("merged/alarm_study_faulty.csv")), table);
 }
 
+TEST_F(Shards, ofTheAlarmsKnowWhatReadsTheObjects) {
+    const QStringList study{"study", "alarms", "--count",   "1",       "--first",
+                            "6",     "-o",     at("parts"), "--shard", "1/1"};
+    ASSERT_EQ(answerOf(study + QStringList{"--read-by", "both"}).exitCode, 0);
+    const Answer other = answerOf(study + QStringList{"--resume"});
+    EXPECT_EQ(other.exitCode, 2);
+    EXPECT_TRUE(other.err.contains("read-by is contact here and both there")) << other.err.toStdString();
+    ASSERT_EQ(answerOf({"merge", at("parts"), "-o", at("merged")}).exitCode, 0);
+    EXPECT_TRUE(contents(at("merged/alarm_study_healthy.csv")).contains(",both,"));
+}
+
 // Catches: a case that is lost or counted twice when its process is killed, and a status that says more than
 // is there.
 TEST_F(Shards, areKilledAtAnyMomentAndGoOn) {

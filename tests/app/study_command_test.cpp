@@ -192,6 +192,8 @@ TEST_F(StudyCommand, RefusesWrongWords) {
                                          QStringList{"closed-loop", "-o", to, "--lag", "soon"},
                                          QStringList{"alarms", "-o", to, "--latency", "0.1"},
                                          QStringList{"alarms", "-o", to, "--uneven", "5"},
+                                         QStringList{"alarms", "-o", to, "--read-by", "hand"},
+                                         QStringList{"closed-loop", "-o", to, "--read-by", "both"},
                                          QStringList{"closed-loop", "-o", to, "--uneven", "60"},
                                          QStringList{"closed-loop", "-o", to, "--count", "0"},
                                          QStringList{"closed-loop", "-o", to, "--seed", "-1"},
