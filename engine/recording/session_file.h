@@ -17,6 +17,8 @@ namespace bask {
 
 inline constexpr int kSessionApplicationId = 0x4261736b; ///< "Bask"
 inline constexpr int kSessionVersion = 2;                ///< PRAGMA user_version
+/// A number further on is of no Bask to come: a byte of the file was changed.
+inline constexpr int kMaxVersionsToCome = 100;
 
 /// The commands that were sent, as text: one row for each ("targets", "gains", "hold" ...), with its value as
 /// JSON.
@@ -78,8 +80,9 @@ struct SessionRecord {
     std::string finished; ///< the same; empty if it has no end
     std::string software; ///< "Bask 0.1.0"
     bool simulated = false;
-    RunLabels labels;    ///< when the recording began; each command and note has its own operator
-    std::string outcome; ///< empty: interrupted
+    RunLabels labels;         ///< when the recording began; each command and note has its own operator
+    std::string outcome;      ///< empty: interrupted
+    std::string verification; ///< verificationOf() the file, where an export tells it; empty: not verified
     std::vector<TraceSample> samples;
     std::vector<TraceEvent> events;
     std::vector<TraceNote> notes;

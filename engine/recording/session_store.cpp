@@ -297,10 +297,14 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     const auto version = impl->pragma("user_version");
     if (!version)
         return version.error();
-    if (*version > kSessionVersion)
+    const bool isPossible = *version > 0 && *version <= kSessionVersion + kMaxVersionsToCome;
+    if (!isPossible && !isDamaged)
+        return Error(MessageCode::SessionDamaged, path, {kNoVersion});
+    if (isPossible && *version > kSessionVersion)
         return Error(MessageCode::VersionTooNew, path,
                      {std::to_string(*version), std::to_string(kSessionVersion)});
-    impl->version = static_cast<int>(*version);
+    if (isPossible)
+        impl->version = static_cast<int>(*version);
     std::unique_ptr<SessionStore> store(new SessionStore(std::move(impl)));
     std::string foreign;
     auto read = store->select("SELECT sql, type, name FROM sqlite_master", [&](Row row) {

@@ -34,6 +34,7 @@ std::string textOf(const SqlValue& value);
 
 /// What a file says that the database cannot read, as the argument of SessionDamaged.
 inline constexpr const char* kNotWhole = "its database is not whole";
+inline constexpr const char* kNoVersion = "it has a format number that no version has";
 
 /// Returns a text as an SQL literal.
 std::string sqlText(const std::string& text);
