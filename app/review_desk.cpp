@@ -2,11 +2,13 @@
 
 #include "app/error_text.h"
 #include "engine/base/message_code.h"
+#include "engine/recording/session_store.h"
 #include "widgets/review/comparison_view.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
 #include "widgets/review/session_list.h"
+#include "widgets/review/verification_words.h"
 
 #include <QFileInfo>
 
@@ -19,6 +21,7 @@ ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& fil
       m_overlayCount(*page.replay()), m_alarms(*page.sessions()) {
     connectList();
     connectCount();
+    connectVerification();
     connect(&m_page, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
     connect(&m_page, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
     connect(m_page.replay()->comparison(), &ComparisonView::exportRequested, &m_files,
@@ -41,6 +44,7 @@ void ReviewDesk::open(std::shared_ptr<RecordedSession> session, std::optional<do
     if (at_s)
         m_page.replay()->seek(*at_s);
     m_count.start(*m_session);
+    m_verification.start(QString::fromStdString(m_session->facts().path));
     emit opened();
 }
 
@@ -84,6 +88,7 @@ void ReviewDesk::connectList() {
     connect(&m_library, &SessionLibrary::problem, this, &ReviewDesk::problem);
     connect(&m_library, &SessionLibrary::closing, this, [this](const QString& path) {
         m_overlayCount.release(path);
+        m_verification.release(path);
         if (!isOpen(path))
             return;
         m_count.stop();
@@ -98,12 +103,17 @@ void ReviewDesk::connectList() {
             return;
         if (isDone)
             m_files.open(path);
-        else if (!m_numbers)
-            m_count.start(*m_session);
+        else {
+            m_verification.add(path);
+            if (!m_numbers)
+                m_count.start(*m_session);
+        }
     });
     connect(&m_library, &SessionLibrary::overlayRead, this,
             [this](const std::shared_ptr<RecordedSession>& session) {
-                if (!m_page.replay()->addOverlay(session))
+                if (m_page.replay()->addOverlay(session))
+                    m_verification.add(QString::fromStdString(session->facts().path));
+                else
                     emit told(tr(
                         "It is shown already, or there are %n runs over the open one: take one away first.",
                         nullptr, ReplayView::kMaxOverlays));
@@ -139,6 +149,31 @@ void ReviewDesk::connectCount() {
         m_library.takeDamage(error);
         emit problem(sentence(error));
     });
+}
+
+/// Whether the open run, and what is laid over it, is as it was recorded.
+void ReviewDesk::connectVerification() {
+    connect(&m_verification, &SessionVerification::verified, this,
+            [this](const QString& path, const SessionVerdict& verdict) {
+                if (verdict.isDamaged)
+                    m_library.takeDamage(Error(MessageCode::SessionDamaged, path.toStdString(), {kNotWhole}));
+                if (isAltered(verdict))
+                    m_library.takeAlteration(path, verdict);
+                if (!isOpen(path)) {
+                    if (isAltered(verdict))
+                        emit problem(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(),
+                                                                  verificationText(verdict)));
+                    return;
+                }
+                if (verdict.isDamaged)
+                    m_page.setDamaged();
+                m_page.setVerdict(verdict);
+            });
+    connect(&m_verification, &SessionVerification::failed, this,
+            [this](const QString& path, const Error& error) {
+                if (isOpen(path))
+                    m_page.setVerificationFailed(sentence(error));
+            });
 }
 
 void ReviewDesk::showSession() {

@@ -7,6 +7,7 @@
 #include "app/session_actions.h"
 #include "app/session_count.h"
 #include "app/session_library.h"
+#include "app/session_verification.h"
 
 #include <QObject>
 
@@ -39,6 +40,7 @@ signals:
 private:
     void connectList();
     void connectCount();
+    void connectVerification();
     void open(std::shared_ptr<RecordedSession> session, std::optional<double> at_s);
     bool isOpen(const QString& path) const;
     void showSession();
@@ -51,6 +53,7 @@ private:
     SessionLibrary m_library;
     SessionCount m_count;
     OverlayCount m_overlayCount;
+    SessionVerification m_verification;
     AlarmHistoryControl m_alarms;
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;

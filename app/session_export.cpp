@@ -5,6 +5,7 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/text_file.h"
 #include "engine/recording/nexus_file.h"
+#include "engine/recording/session_verify.h"
 #include "engine/recording/session_vtk.h"
 #include "widgets/review/metric_comparison.h"
 
@@ -22,9 +23,10 @@ Result<std::vector<std::string>> written(SessionForm form, const std::string& se
     if (form == SessionForm::Csv || form == SessionForm::CsvAllDigits)
         return exportSessionCsv(session, folder, {},
                                 form == SessionForm::Csv ? CsvDigits::Meaningful : CsvDigits::All);
-    const auto record = readSession(session);
+    auto record = readSession(session);
     if (!record)
         return record.error();
+    record->verification = verificationOf(session);
     if (form == SessionForm::Vtk)
         return exportVtk(*record, folder, stop);
     const auto file = exportNexus(*record, folder);

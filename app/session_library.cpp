@@ -87,8 +87,9 @@ std::vector<SessionHeader> SessionLibrary::read(const std::string& folder, Heade
         headers.push_back(isSame ? before->second.header : readSessionHeader(path));
         now[path] = {std::move(stamp), headers.back(), isSame && before->second.isChecked};
     }
-    std::erase_if(known, [](const auto& each) { return !each.second.header.damage; });
-    now.merge(known); // the damaged ones of other folders
+    std::erase_if(
+        known, [](const auto& each) { return !each.second.header.damage && !each.second.header.alteration; });
+    now.merge(known); // the bad ones of other folders
     known = std::move(now);
     return headers;
 }
@@ -119,29 +120,43 @@ void SessionLibrary::close(const QString& path) {
 void SessionLibrary::takeDamage(const Error& error) {
     if (error.code() != MessageCode::SessionDamaged)
         return;
-    ++m_damages;
+    take(error.where, [error](SessionHeader& header) {
+        const bool isNew = !header.error && !header.damage;
+        if (isNew)
+            header.damage = error;
+        return isNew;
+    });
+}
+
+void SessionLibrary::takeAlteration(const QString& path, const SessionVerdict& verdict) {
+    take(path.toStdString(),
+         [verdict](SessionHeader& header) { return !std::exchange(header.alteration, verdict); });
+}
+
+void SessionLibrary::take(const std::string& where, Finding put) {
+    ++m_findings;
     run(
-        [error, known = m_known] {
-            std::set<std::string> paths{error.where};
+        [where, put = std::move(put), known = m_known] {
+            std::set<std::string> paths{where};
             std::error_code failed;
             for (const auto& [path, listed] : *known)
-                if (std::filesystem::equivalent(path, error.where, failed)) // opened through a link, too
+                if (std::filesystem::equivalent(path, where, failed)) // opened through a link, too
                     paths.insert(path);
             bool isNew = false;
             for (const std::string& path : paths) {
                 Known& file = (*known)[path];
-                std::string stamp = stampOf(path);
-                if (file.stamp == stamp && (file.header.error || file.header.damage))
-                    continue;
-                file = {std::move(stamp), readSessionHeader(path), true};
-                file.header.damage = error;
-                isNew = true;
+                if (std::string stamp = stampOf(path); file.stamp != stamp) {
+                    file = {std::move(stamp), readSessionHeader(path)};
+                    isNew = true;
+                }
+                file.isChecked = true;
+                isNew = put(file.header) || isNew;
             }
             return isNew;
         },
         [this](bool isNew) {
-            m_isDamageNew = m_isDamageNew || isNew;
-            if (--m_damages == 0 && std::exchange(m_isDamageNew, false)) // else more is looked at
+            m_isFindingNew = m_isFindingNew || isNew;
+            if (--m_findings == 0 && std::exchange(m_isFindingNew, false)) // else more is looked at
                 refresh();
         });
 }

@@ -8,6 +8,7 @@
 #include <QThreadPool>
 
 #include <atomic>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -32,6 +33,8 @@ public:
     /// Lists the file that an error is about as damaged, if that is what the error says, in whichever folder
     /// and until it changes. Of many at once the list is read anew for the last.
     void takeDamage(const Error& error);
+    /// Lists a file as altered in the same way.
+    void takeAlteration(const QString& path, const SessionVerdict& verdict);
 
 signals:
     void problem(const QString& sentence);
@@ -47,9 +50,13 @@ private:
         SessionHeader header;
         bool isChecked = false; ///< its structure was looked at
     };
-    using Headers = std::map<std::string, Known>; ///< of the folder, and damaged ones of others
+    using Headers = std::map<std::string, Known>; ///< of the folder, and bad ones of others
+
+    /// Puts what was found down for a file; returns whether it is new.
+    using Finding = std::function<bool(SessionHeader& header)>;
 
     template <class Work, class Done> void run(Work work, Done done);
+    void take(const std::string& where, Finding put);
     void writeTags(const QString& path, const QStringList& tags);
     void close(const QString& path);
     void check(const QString& path);
@@ -59,9 +66,9 @@ private:
 
     SessionList& m_list;
     QString m_folder;
-    int m_listings = 0;         ///< number of requested lists that are not answered yet
-    int m_damages = 0;          ///< number of damaged files that are not looked at yet
-    bool m_isDamageNew = false; ///< one that was looked at is not listed as damaged yet
+    int m_listings = 0;          ///< number of requested lists that are not answered yet
+    int m_findings = 0;          ///< number of damaged and altered files that are not looked at yet
+    bool m_isFindingNew = false; ///< one that was looked at is not listed as such yet
     std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< used by the pool's thread
     std::shared_ptr<std::atomic<int>> m_selections = std::make_shared<std::atomic<int>>(0); ///< until now
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);

@@ -6,6 +6,7 @@
 #include "app/drawing/session_outputs.h"
 #include "app/drawing/study_output.h"
 #include "engine/recording/nexus_file.h"
+#include "engine/recording/session_verify.h"
 #include "engine/recording/session_vtk.h"
 
 #include <QCommandLineParser>
@@ -36,6 +37,7 @@ Files exported(const QString& kind, const std::string& path, std::optional<Sessi
         if (!read)
             return read.error();
         session = std::move(*read);
+        session->verification = verificationOf(path);
     }
     const ShareDone rest = partOf(done, begin, 1.0);
     if (kind == QLatin1String("vtk"))

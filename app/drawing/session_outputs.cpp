@@ -72,8 +72,10 @@ RunReportInput reportInput(SessionRecord session, TemperatureUnit unit) {
         input.sha256 = QString::fromLatin1(hash.result().toHex());
         input.fileBytes = file.size();
     }
-    if (auto looked = verifySession(session.path))
+    if (auto looked = verifyOpenSession(session.path)) {
+        session.verification = verificationWord(*looked);
         input.integrity = std::move(*looked);
+    }
     input.session = std::move(session);
     input.now = QDateTime::currentDateTimeUtc();
     input.unit = unit;

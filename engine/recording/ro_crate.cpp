@@ -20,6 +20,7 @@ using Json = nlohmann::json;
 
 constexpr const char* kSpecification = "https://w3id.org/ro/crate/1.1";
 constexpr const char* kExporter = "#exporter";
+constexpr const char* kVerification = "#verification";
 constexpr std::uintmax_t kMaxCrateBytes = 64 << 20;
 constexpr std::size_t kMaxDescribed = 1000; ///< of more files, pictures are not described one by one
 
@@ -44,6 +45,10 @@ Json fileEntity(const std::string& name, const std::string& path) {
             {"encodingFormat", mediaType(name)},
             {"contentSize", std::to_string(file.size())},
             {"sha256", hash.result().toHex().toStdString()}};
+}
+
+std::string verificationIn(const SessionRecord& session) {
+    return session.verification.empty() ? "not verified" : session.verification;
 }
 
 std::string sessionId(const SessionRecord& session) {
@@ -112,7 +117,8 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
                      {"description", std::string("A recorded run of radiation-based thermal servoing on ") +
                                          (session.simulated ? "a simulated rig" : "a real rig") +
                                          ", exported by Bask. Outcome: " +
-                                         (session.interrupted() ? "interrupted" : session.outcome) + "."},
+                                         (session.interrupted() ? "interrupted" : session.outcome) +
+                                         ". Verification of the recording: " + verificationIn(session) + "."},
                      {"datePublished", session.created},
                      {"hasPart", parts},
                      {"mentions", {{"@id", id}}}});
@@ -120,6 +126,7 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
              {"@type", "CreateAction"},
              {"name", std::filesystem::path(session.path).filename().string()},
              {"startTime", session.created},
+             {"additionalProperty", {{"@id", kVerification}}},
              {"instrument", Json::array({{{"@id", "#recorder"}}, {{"@id", kExporter}}})}};
     const auto& [operatorName, sample, batch] = session.labels;
     if (!operatorName.empty()) {
@@ -134,6 +141,10 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
                          {"description", batch.empty() ? "the sample that was heated" : "batch " + batch}});
     }
     graph.push_back(std::move(run));
+    graph.push_back({{"@id", kVerification},
+                     {"@type", "PropertyValue"},
+                     {"name", "verification"},
+                     {"value", verificationIn(session)}});
     graph.push_back({{"@id", "#recorder"},
                      {"@type", "SoftwareApplication"},
                      {"name", session.software.empty() ? "Bask" : session.software}});

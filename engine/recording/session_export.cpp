@@ -4,6 +4,7 @@
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/ro_crate.h"
 #include "engine/recording/session_facts.h"
+#include "engine/recording/session_verify.h"
 #include "engine/recording/staged_files.h"
 
 #include <QFile>
@@ -152,8 +153,10 @@ double roughRowsOf(const SessionStore& store, const std::string& table, std::siz
     return roughRows(store, "step") * static_cast<double>(isOfObjects ? objects : 1);
 }
 
+/// meta.csv tells, too, what the file itself cannot: whether it is as it was recorded.
 Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files,
-                         std::size_t objects, const ShareDone& told) {
+                         const SessionRecord& facts, const ShareDone& told) {
+    const std::size_t objects = facts.experiment.objects.size();
     double rows = 0.0;
     for (const std::string& table : tables)
         rows += roughRowsOf(store, table, objects);
@@ -163,6 +166,8 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
             files[i]->add(row);
             count.add();
         });
+        if (tables[i] == "meta")
+            files[i]->add(std::array<SqlValue, 2>{std::string("verification"), facts.verification});
         if (done)
             done = files[i]->end();
         if (!done)
@@ -260,9 +265,10 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
-    const auto facts = readFacts(**store, path);
+    auto facts = readFacts(**store, path);
     if (!facts)
         return facts.error();
+    facts->verification = verificationOf(path);
     auto tables = (*store)->tables();
     if (!tables)
         return tables.error();
@@ -280,8 +286,7 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     if (done)
         done = writeTraces(*facts, TraceCells(digits), traces, partOf(told, 0.0, kAfterTraces));
     if (done)
-        done = writeTables(**store, *tables, files, facts->experiment.objects.size(),
-                           partOf(told, kAfterTraces, 1.0));
+        done = writeTables(**store, *tables, files, *facts, partOf(told, kAfterTraces, 1.0));
     if (done)
         done = addCrate(*stage, *facts);
     if (done)

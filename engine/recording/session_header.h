@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/model/run_labels.h"
+#include "engine/recording/session_verify.h"
 
 #include <cstdint>
 #include <limits>
@@ -41,6 +42,7 @@ struct SessionHeader {
     std::vector<std::string> tags;
     std::optional<Error> error;  ///< why it cannot be read; all other members except the path are then empty
     std::optional<Error> damage; ///< in what a list does not read: never set by readSessionHeader()
+    std::optional<SessionVerdict> alteration; ///< of a recording that is not as it was: nor set by that
 };
 
 /// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession()

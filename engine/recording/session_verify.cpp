@@ -37,8 +37,8 @@ constexpr bool isUnordered(ChainTable table) {
 class Verifier {
 public:
     Verifier(const SessionStore& store, bool isDamaged, const std::string& expectedHead,
-             const ShareDone& done)
-        : m_store(store), m_expectedHead(expectedHead), m_done(done) {
+             const ShareDone& done, const std::stop_token& stop)
+        : m_store(store), m_expectedHead(expectedHead), m_done(done), m_stop(stop) {
         m_verdict.isDamaged = isDamaged;
     }
 
@@ -54,6 +54,8 @@ public:
         for (const auto part : {&Verifier::readRows, &Verifier::readLinks}) {
             if (done = (this->*part)(); !done)
                 return done.error();
+            if (m_stop.stop_requested()) // rows that were not read would be told as removed
+                return m_verdict;
         }
         if (m_verdict.isDamaged)
             tellMissing();
@@ -115,15 +117,18 @@ private:
             TableRows& rows = rowsOf(table);
             const std::size_t max = isUnordered(table) ? kMaxUnordered : SIZE_MAX;
             const std::string limit = isUnordered(table) ? " LIMIT " + std::to_string(kMaxUnordered + 1) : "";
-            auto done = m_store.select(selectRows(table) + limit, [&](Row row) {
-                count.add();
-                rows.digests.push_back(digestOf(table, row));
-                rows.times_s.push_back(time >= 0 && at < row.size() ? numberOf(row[at]) : NAN);
-                if (table == ChainTable::Step)
-                    rows.numbers.push_back(SessionTables::numberOfStep(row));
-                if (table == ChainTable::Meta && textOf(row[0]) == "finished")
-                    m_verdict.isClosed = true;
-            });
+            auto done = m_store.select(
+                selectRows(table) + limit,
+                [&](Row row) {
+                    count.add();
+                    rows.digests.push_back(digestOf(table, row));
+                    rows.times_s.push_back(time >= 0 && at < row.size() ? numberOf(row[at]) : NAN);
+                    if (table == ChainTable::Step)
+                        rows.numbers.push_back(SessionTables::numberOfStep(row));
+                    if (table == ChainTable::Meta && textOf(row[0]) == "finished")
+                        m_verdict.isClosed = true;
+                },
+                m_stop);
             const bool isCut = isDamage(done);
             if (isCut && !isListed)
                 continue; // tellMissing()
@@ -329,6 +334,7 @@ private:
     const SessionStore& m_store;
     const std::string& m_expectedHead;
     const ShareDone& m_done;
+    const std::stop_token& m_stop;
     std::vector<std::string> m_tables;
     bool m_isListWhole = true; ///< m_tables could be read to its end
     std::array<TableRows, kChainTables> m_rows;
@@ -337,11 +343,9 @@ private:
     SessionVerdict m_verdict;
 };
 
-} // namespace
-
-Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead,
-                                     const ShareDone& told) {
-    const auto seal = lookAtSeal(path, true, partOf(told, 0.0, kAfterSeal));
+Result<SessionVerdict> verified(const std::string& path, const std::string& expectedHead, bool isAlone,
+                                const ShareDone& told, const std::stop_token& stop) {
+    const auto seal = lookAtSeal(path, isAlone, partOf(told, 0.0, kAfterSeal));
     bool isDamaged = !seal && seal.error().code() == MessageCode::SessionDamaged;
     if (!seal && !isDamaged)
         return seal.error();
@@ -356,11 +360,37 @@ Result<SessionVerdict> verifySession(const std::string& path, const std::string&
     if (!done && !isDamaged)
         return done.error();
     tellShare(told, kAfterStructure);
-    auto verdict = Verifier(**store, isDamaged, expectedHead, told).verdict();
+    auto verdict = Verifier(**store, isDamaged, expectedHead, told, stop).verdict();
     if (verdict)
         verdict->seal = seal ? *seal : Seal::None;
     tellShare(told, 1.0);
     return verdict;
+}
+
+} // namespace
+
+Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead,
+                                     const ShareDone& told) {
+    return verified(path, expectedHead, true, told, {});
+}
+
+Result<SessionVerdict> verifyOpenSession(const std::string& path, const std::stop_token& stop) {
+    return verified(path, {}, false, {}, stop);
+}
+
+const char* verificationWord(const SessionVerdict& verdict) {
+    if (verdict.isDamaged)
+        return "damaged";
+    if (!verdict.hasChain)
+        return "no hash chain";
+    if (!verdict.isIntact())
+        return "altered";
+    return verdict.seal == Seal::Holds ? "intact" : "not sealed";
+}
+
+std::string verificationOf(const std::string& path) {
+    const auto verdict = verifyOpenSession(path);
+    return verdict ? verificationWord(*verdict) : "not verified";
 }
 
 Result<std::string> chainHead(const std::string& path) {

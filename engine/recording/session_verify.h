@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,15 @@ inline constexpr std::size_t kMaxFindings = 1000;
 /// SessionDamaged for one that holds what Bask does not make.
 Result<SessionVerdict> verifySession(const std::string& path, const std::string& expectedHead = {},
                                      const ShareDone& done = {});
+/// The same of a file that this process may have open: one with a log beside it counts as not sealed. Once
+/// it is asked to stop, the verdict means nothing.
+Result<SessionVerdict> verifyOpenSession(const std::string& path, const std::stop_token& stop = {});
+
+/// Returns the verdict in a word for metadata: "intact", "not sealed" (its rows are intact), "altered",
+/// "damaged", or "no hash chain".
+const char* verificationWord(const SessionVerdict& verdict);
+/// The word of a session that this process may have open; "not verified" where it cannot be read.
+std::string verificationOf(const std::string& path);
 
 /// Returns the head of a session's chain, empty if it has none. Looks at nothing else.
 Result<std::string> chainHead(const std::string& path);

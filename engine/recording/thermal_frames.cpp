@@ -5,6 +5,7 @@
 #include "engine/recording/session_facts.h"
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_store.h"
+#include "engine/recording/session_verify.h"
 #include "engine/recording/staged_files.h"
 #include "engine/thermography/frame_picture_file.h"
 
@@ -52,9 +53,10 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
-    const auto facts = readFacts(**store, path);
+    auto facts = readFacts(**store, path);
     if (!facts)
         return facts.error();
+    facts->verification = verificationOf(path);
     const auto profile = thermalProfile(facts->experiment, facts->simulated);
     if (!profile)
         return Error(MessageCode::NoThermalFrames, path);

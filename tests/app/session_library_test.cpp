@@ -141,6 +141,28 @@ TEST_F(SessionLibraryTest, ADamagedRunIsListedAsSuchOnceItIsSelected) {
     EXPECT_EQ(cell(b, 2), "Settled");
 }
 
+// Catches: an altered run that is listed as settled once it is known, and one that stays so as another file.
+TEST_F(SessionLibraryTest, AnAlteredRunIsListedAsSuch) {
+    const QString a = record("a.bask", "settled"), b = record("b.bask", "settled");
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(2));
+    SessionVerdict verdict;
+    verdict.hasChain = true;
+    verdict.findings = {{SessionFinding::Kind::Changed, "step", 12, 1.1}};
+    verdict.allFindings = 1;
+    library.takeAlteration(a, verdict);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Altered"; }));
+    EXPECT_EQ(cell(b, 2), "Settled");
+    library.refresh();
+    choose(a);
+    ASSERT_TRUE(waitFor([&] { return cell(a, 2) == "Altered"; }));
+    EXPECT_TRUE(list.findChild<QLabel*>("message")->text().contains("row 12"));
+    ASSERT_TRUE(QFile::remove(a));
+    ASSERT_TRUE(QFile::copy(b, a));
+    library.refresh();
+    EXPECT_TRUE(waitFor([&] { return cell(a, 2) == "Settled"; })) << "another file";
+}
+
 // Catches: a walk through the list with the arrow keys that has each run on the way looked at.
 TEST_F(SessionLibraryTest, ARunThatIsNoLongerSelectedIsNotLookedAt) {
     const QString a = record("a.bask", "settled"), b = record("b.bask", "settled"),

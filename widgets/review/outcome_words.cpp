@@ -47,6 +47,8 @@ QString outcomeWord(Outcome outcome) {
         return Words::tr("Recording");
     case Outcome::Damaged:
         return Words::tr("Damaged");
+    case Outcome::Altered:
+        return Words::tr("Altered");
     case Outcome::Unreadable:
         return Words::tr("Unreadable");
     case Outcome::Other:
@@ -63,8 +65,8 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isAlarm =
-        outcome == Outcome::Damaged || outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
+    const bool isAlarm = outcome == Outcome::Damaged || outcome == Outcome::Altered ||
+                         outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
     const QColor colour = isAlarm ? alarmColor(1, dark) : secondaryText(dark);
     painter.setPen(QPen(colour, size * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto at = [size](double x, double y) { return QPointF(x * size, y * size); };
@@ -90,6 +92,11 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     case Outcome::Recording: // disk
         painter.setBrush(colour);
         painter.drawEllipse(QRectF(at(0.24, 0.24), at(0.76, 0.76)));
+        break;
+    case Outcome::Altered: // not equal
+        painter.drawLine(at(0.16, 0.38), at(0.84, 0.38));
+        painter.drawLine(at(0.16, 0.64), at(0.84, 0.64));
+        painter.drawLine(at(0.66, 0.16), at(0.34, 0.86));
         break;
     case Outcome::Damaged:
     case Outcome::Unreadable: // cross

@@ -17,6 +17,7 @@ enum class Outcome {
     Interrupted,
     Recording,
     Damaged,
+    Altered,
     Unreadable,
     Other
 };

@@ -5,6 +5,7 @@
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/run_label_words.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/common/theme.h"
@@ -14,6 +15,7 @@
 #include "widgets/review/outcome_words.h"
 #include "widgets/review/replay_view.h"
 #include "widgets/review/session_list.h"
+#include "widgets/review/verification_words.h"
 
 #include <QComboBox>
 #include <QDateTime>
@@ -111,6 +113,8 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_outcomeIcon = new QLabel(header);
     m_outcomeWord = new QLabel(header);
     m_outcomeWord->setObjectName("outcomeWord");
+    m_altered = new MessageBar(header);
+    m_altered->setObjectName("sessionAltered");
     m_open = new QPushButton(header);
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
@@ -132,6 +136,7 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     auto* layout = new QVBoxLayout(header);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(title);
+    layout->addWidget(m_altered);
     return header;
 }
 
@@ -148,6 +153,7 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
         form->addRow(fact.caption, fact.value);
     };
     add(m_outcome, "factOutcome");
+    add(m_verification, "factVerification");
     add(m_duration, "factDuration");
     add(m_controller, "factController");
     add(m_created, "factCreated");
@@ -250,6 +256,8 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_identifying = true;
     m_counted_percent.reset();
     m_isCountFailed = m_isDamaged = false;
+    m_verdict.reset();
+    m_unverified.clear();
     m_final->setValues({});
     m_metrics->clear();
     m_replay->setRun(m_session);
@@ -332,6 +340,18 @@ void ReviewPage::setDamaged() {
         showOutcome();
 }
 
+void ReviewPage::setVerdict(const SessionVerdict& verdict) {
+    m_verdict = verdict;
+    if (m_session)
+        showOutcome();
+}
+
+void ReviewPage::setVerificationFailed(const QString& sentence) {
+    m_unverified = tr("Not verified: %1").arg(sentence);
+    if (m_session)
+        showVerification();
+}
+
 void ReviewPage::clear() {
     m_session.reset();
     m_sentences.clear();
@@ -374,6 +394,7 @@ void ReviewPage::showEvents() {
 void ReviewPage::showOutcome() {
     const bool isDamaged = m_isDamaged || m_sessions->isDamaged(m_session->facts().path);
     const Outcome outcome = isDamaged        ? Outcome::Damaged
+                            : isAlteredNow() ? Outcome::Altered
                             : m_wasRecording ? Outcome::Recording
                                              : outcomeOf(m_session->facts().outcome);
     m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
@@ -383,6 +404,26 @@ void ReviewPage::showOutcome() {
     const QString text = labels.isEmpty() ? outcomeText() : outcomeText() + u'\n' + labels;
     m_outcomeWord->setToolTip(text);
     m_outcome.value->setText(text);
+    showVerification();
+}
+
+bool ReviewPage::isAlteredNow() const {
+    return m_verdict && isAltered(*m_verdict);
+}
+
+void ReviewPage::showVerification() {
+    const QString text = m_verdict                 ? verificationText(*m_verdict)
+                         : !m_unverified.isEmpty() ? m_unverified
+                                                   : tr("Being verified\u2026");
+    m_verification.value->setText(text);
+    m_verification.value->setToolTip(
+        m_verdict && !m_verdict->head.empty() && !isAlteredNow()
+            ? tr("Head of the hash chain: %1").arg(QString::fromStdString(m_verdict->head))
+            : QString());
+    if (isAlteredNow())
+        m_altered->say(MessageBar::Kind::Problem, text, {}, false);
+    else
+        m_altered->clear();
 }
 
 QString ReviewPage::outcomeText() const {
@@ -448,11 +489,9 @@ void ReviewPage::refreshTexts() {
         m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
     showCounting();
     const QPalette caption = captionPalette(palette());
-    const std::initializer_list<std::pair<Fact, QString>> facts{{m_outcome, tr("Outcome")},
-                                                                {m_duration, tr("Duration")},
-                                                                {m_controller, tr("Controller")},
-                                                                {m_created, tr("Recorded")},
-                                                                {m_software, tr("Software")}};
+    const std::initializer_list<std::pair<Fact, QString>> facts{
+        {m_outcome, tr("Outcome")},       {m_verification, tr("Verification")}, {m_duration, tr("Duration")},
+        {m_controller, tr("Controller")}, {m_created, tr("Recorded")},          {m_software, tr("Software")}};
     for (const auto& [fact, text] : facts) {
         fact.caption->setText(text);
         fact.caption->setPalette(caption);

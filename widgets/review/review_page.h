@@ -5,6 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/run_metrics.h"
+#include "engine/recording/session_verify.h"
 #include "widgets/review/session_form.h"
 
 #include <QWidget>
@@ -24,6 +25,7 @@ class EventList;
 class FinalValuesTable;
 class IdentifiedLosses;
 class IdentifiedTable;
+class MessageBar;
 class MetricsPanel;
 class ReplayView;
 class SessionList;
@@ -31,9 +33,9 @@ struct IdentifiedRow;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
-/// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedLosses", "identifiedNote",
-/// "useIdentified", "useExperiment", "reviewEvents", "reviewDetails" (which of these is shown),
-/// "reviewCounting", and those of SessionList, ReplayView and MetricsPanel.
+/// "factOutcome", "factVerification", "factSoftware", "sessionAltered", "finalValues", "identifiedRates",
+/// "identifiedLosses", "identifiedNote", "useIdentified", "useExperiment", "reviewEvents", "reviewDetails"
+/// (which of these is shown), "reviewCounting", and those of SessionList, ReplayView and MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -56,6 +58,9 @@ public:
     void setCountFailed();
     /// The file of the run is damaged: its header says so, as the list does.
     void setDamaged();
+    /// Tells whether a run is as it was recorded; until then the page says that it is being looked at.
+    void setVerdict(const SessionVerdict& verdict);
+    void setVerificationFailed(const QString& sentence);
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -94,11 +99,15 @@ private:
     void showEvents();
     void refreshTexts();
     void showOutcome();
+    void showVerification();
+    bool isAlteredNow() const;
     QString outcomeText() const;
 
     std::shared_ptr<RecordedSession> m_session; ///< null if none is open
     bool m_wasRecording = false; ///< it was still being recorded when it was opened: its rest is missing
     bool m_isDamaged = false;    ///< found since it was opened
+    std::optional<SessionVerdict> m_verdict;
+    QString m_unverified; ///< why there is no verdict
     QStringList m_sentences;
 
     QSplitter* m_splitter;
@@ -114,8 +123,9 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
-    Fact m_created, m_duration, m_controller, m_outcome, m_software;
+    Fact m_created, m_duration, m_controller, m_outcome, m_verification, m_software;
     QLabel *m_outcomeIcon, *m_outcomeWord;
+    MessageBar* m_altered;
     ReplayView* m_replay;
     MetricsPanel* m_metrics;
     FinalValuesTable* m_final;

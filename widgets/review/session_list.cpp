@@ -7,6 +7,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/review/run_differences.h"
 #include "widgets/review/two_line_delegate.h"
+#include "widgets/review/verification_words.h"
 
 #include <QDateTime>
 #include <QEvent>
@@ -382,6 +383,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     const Error* problem = problemOf(session);
     const Outcome outcome = isListedDamaged(session)    ? Outcome::Damaged
                             : problem != nullptr        ? Outcome::Unreadable
+                            : session.alteration        ? Outcome::Altered
                             : isRecording(session.path) ? Outcome::Recording
                                                         : outcomeOf(session.outcome);
     const QString given = session.error ? QString() : givenName(session), title = text(session.title);
@@ -433,6 +435,8 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     row->setIcon(kOutcome, outcomeIcon(outcome));
     if (problem != nullptr)
         row->setToolTip(kOutcome, sentenceText(problem->message));
+    else if (session.alteration)
+        row->setToolTip(kOutcome, verificationText(*session.alteration));
     row->setData(0, kPathRole, text(session.path));
     markOpened(row);
     QStringList all = texts;
@@ -502,6 +506,11 @@ void SessionList::showSelected() {
             MessageBar::Kind::Problem,
             QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), sentenceText(problem->message)), {},
             false);
+    if (session->alteration)
+        return m_message->say(
+            MessageBar::Kind::Problem,
+            QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), verificationText(*session->alteration)),
+            {}, false);
     if (isOn)
         return m_message->say(MessageBar::Kind::Note, tr("This run is being recorded now."), {}, false);
     if (!session->outcome.empty())
@@ -583,8 +592,8 @@ void SessionList::retranslate() {
                              tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});
     m_tree->headerItem()->setToolTip(
         kOutcome, tr("What each run told at its end. Damage of its file is found when the run is selected (a "
-                     "long one: when it is opened) and listed until the file changes or Bask is "
-                     "closed; whether the file was altered says bask verify."));
+                     "long one: when it is opened), whether it was altered when it is opened; both are "
+                     "listed until the file changes or Bask is closed."));
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

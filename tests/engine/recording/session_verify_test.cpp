@@ -97,6 +97,57 @@ TEST_F(SessionVerify, tellsHowFarItIs) {
     shares.expectAWhole(50);
 }
 
+// Catches: an altered recording that is exported without a word, and a verdict that an export does not tell.
+TEST_F(SessionVerify, exportsTellIt) {
+    const auto told = [&](const std::string& session) {
+        const QString folder = m_folder.filePath("csv of " + QFileInfo(session.c_str()).baseName());
+        EXPECT_TRUE(exportSessionCsv(session, folder.toStdString()));
+        QFile table(folder + "/meta.csv"), crate(folder + "/ro-crate-metadata.json");
+        EXPECT_TRUE(table.open(QIODevice::ReadOnly) && crate.open(QIODevice::ReadOnly));
+        const QByteArray row = table.readAll().trimmed().split('\n').last();
+        const QByteArray word = row.mid(row.indexOf(',') + 1);
+        EXPECT_TRUE(row.startsWith("verification,")) << row.toStdString();
+        EXPECT_TRUE(crate.readAll().contains("Verification of the recording: " + word + '.'));
+        return word.toStdString();
+    };
+    record(path());
+    EXPECT_EQ(told(path()), "intact");
+    record(path("cut.bask"), false);
+    EXPECT_EQ(told(path("cut.bask")), "not sealed");
+    tamper(path(), "UPDATE step SET source_K = source_K + 1 WHERE number = 123");
+    EXPECT_EQ(told(path()), "altered");
+    EXPECT_EQ(verificationOf(path("none.bask")), "not verified");
+}
+
+// Catches: a verdict on rows that nobody waited for, which would tell the others as removed.
+TEST_F(SessionVerify, endsWhenItIsAskedTo) {
+    record(path());
+    std::stop_source stop;
+    stop.request_stop();
+    const auto verdict = verifyOpenSession(path(), stop.get_token());
+    ASSERT_TRUE(verdict);
+    EXPECT_EQ(verdict->allFindings, 0);
+    EXPECT_TRUE(verifyOpenSession(path())->isIntact());
+}
+
+// Catches: one changed byte that is taken for a version to come.
+TEST_F(SessionVerify, namesAFormatNumberThatNoVersionHasAsDamage) {
+    record(path());
+    QFile file(QString::fromStdString(path()));
+    ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+    constexpr qint64 kVersion = 60; // in the database's header
+    ASSERT_TRUE(file.seek(kVersion));
+    ASSERT_EQ(file.write("\x01", 1), 1);
+    file.close();
+    const auto record = readSession(path());
+    ASSERT_FALSE(record);
+    EXPECT_EQ(record.error().message, (Message{MessageCode::SessionDamaged, {kNoVersion}}));
+    const SessionVerdict verdict = verified(path());
+    EXPECT_TRUE(verdict.isDamaged);
+    EXPECT_GT(verdict.rows, kSamples) << "what is in it can be read";
+    EXPECT_STREQ(verificationWord(verdict), "damaged");
+}
+
 // Catches: what Bask itself does with a session afterwards taken for tampering.
 TEST_F(SessionVerify, staysIntactThroughTagsCopiesAndTheClosingOfAnInterruptedRun) {
     record(path());

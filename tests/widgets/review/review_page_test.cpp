@@ -10,6 +10,7 @@
 #include "tests/support/wait_for.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
@@ -487,6 +488,18 @@ TEST_F(ReviewPageTest, ASeekMovesAllToThatMoment) {
     EXPECT_EQ(page.replay()->position_s(), 75.0);
 }
 
+// Catches a tile and a cursor that tell different temperatures of one moment between two samples.
+TEST_F(ReviewPageTest, TileAndCursorReadTheSameSample) {
+    show(record());
+    for (const double moment_s : {10.0, 10.2, 10.8}) {
+        page.replay()->seek(moment_s);
+        const QString tile = child<QWidget>("reviewTile.0")->findChild<QLabel*>("tileTemperature")->text();
+        const QString read = child<TracePlot>("review.measured_K")->readout(moment_s);
+        EXPECT_TRUE(read.startsWith("0:10")) << read.toStdString();
+        EXPECT_TRUE(read.contains(tile)) << read.toStdString() << ", tile " << tile.toStdString();
+    }
+}
+
 // Catches events and notes that cannot be gone to, and a zoomed plot that stays behind.
 TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     show(record());
@@ -735,6 +748,40 @@ TEST_F(ReviewPageTest, TheHeaderOfADamagedRunSaysSo) {
     listed.damage = Error(MessageCode::SessionDamaged, path, {"its database is not whole"});
     page.sessions()->setSessions({listed});
     EXPECT_EQ(text("outcomeWord"), "Damaged") << "it was found when the run was selected";
+}
+
+// Catches: an altered run without a word about it, one whose verdict is told of the next, and a page that
+// does not say that a run is intact.
+TEST_F(ReviewPageTest, TellsWhetherTheRunIsAsItWasRecorded) {
+    show(record());
+    const QString recorded = text("outcomeWord");
+    EXPECT_EQ(text("factVerification"), QStringLiteral("Being verified\u2026"));
+    SessionVerdict verdict;
+    verdict.hasChain = true;
+    verdict.seal = Seal::Holds;
+    verdict.rows = 700;
+    verdict.head = "3f2a91c0" + std::string(56, '0');
+    page.setVerdict(verdict);
+    EXPECT_EQ(text("factVerification"), QStringLiteral("Intact: 700 rows, sealed, head 3f2a91c0\u2026"));
+    EXPECT_TRUE(child<QLabel>("factVerification")->toolTip().contains(QString::fromStdString(verdict.head)));
+    EXPECT_EQ(text("outcomeWord"), recorded);
+    EXPECT_TRUE(child<MessageBar>("sessionAltered")->isHidden());
+
+    verdict.seal = Seal::Broken;
+    verdict.findings = {{SessionFinding::Kind::Changed, "step", 123, 187.2}};
+    verdict.allFindings = 3;
+    page.setVerdict(verdict);
+    const QString told = QStringLiteral("Altered: table step, row 123, at 3:07, and 2 more; see bask verify");
+    EXPECT_EQ(text("outcomeWord"), "Altered");
+    EXPECT_EQ(text("factVerification"), told);
+    EXPECT_EQ(child<MessageBar>("sessionAltered")->sentence(), told);
+    EXPECT_TRUE(child<QLabel>("factVerification")->toolTip().isEmpty()) << "a head that proves nothing";
+
+    show(record());
+    EXPECT_EQ(text("outcomeWord"), recorded);
+    EXPECT_TRUE(child<MessageBar>("sessionAltered")->isHidden());
+    page.setVerificationFailed("gone");
+    EXPECT_EQ(text("factVerification"), "Not verified: gone");
 }
 
 // Catches files that the page could show before and cannot now.
