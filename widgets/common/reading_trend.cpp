@@ -10,6 +10,8 @@ namespace {
 constexpr double kSteadyRate_K_s = 1.0 / 60.0; ///< slower than this is neither heating nor cooling
 constexpr double kMinScatter_K = 0.029;        ///< of readings rounded to 0.1 K
 constexpr double kStandardErrors = 2.5;
+constexpr double kMinSpan_s = 4.0;
+constexpr double kStep_K = 0.15; ///< times the span: the slope of readings that step once by 0.1 K, at most
 constexpr std::size_t kMinReadings = 3;
 
 } // namespace
@@ -52,7 +54,8 @@ ReadingTrend::Line ReadingTrend::fitted() const {
         yy += y * y;
     }
     const double slope_K_s = ty / tt;
-    return {slope_K_s, std::sqrt(std::max(0.0, yy - ty * slope_K_s) / (n - 2.0)), std::sqrt(tt)};
+    const double scatter_K = std::sqrt(std::max(0.0, yy - ty * slope_K_s) / std::max(n - 2.0, 1.0));
+    return {slope_K_s, scatter_K, std::sqrt(tt)};
 }
 
 double ReadingTrend::slope_K_s() const {
@@ -60,12 +63,14 @@ double ReadingTrend::slope_K_s() const {
 }
 
 double ReadingTrend::told_K_s() const {
-    if (m_readings.size() < kMinReadings) {
-        const double rate_K_s = meanRate_K_s();
-        return std::abs(rate_K_s) > kSteadyRate_K_s ? rate_K_s : 0.0;
-    }
+    if (m_readings.size() < 2)
+        return 0.0;
+    const double span_s = m_readings.back().time_s - m_readings.front().time_s;
+    if (span_s < kMinSpan_s)
+        return 0.0;
     const Line line = fitted();
-    const double noise_K_s = kStandardErrors * std::max(line.scatter_K, kMinScatter_K) / line.spread_s;
+    const double noise_K_s =
+        std::max(kStandardErrors * std::max(line.scatter_K, kMinScatter_K) / line.spread_s, kStep_K / span_s);
     return std::abs(line.slope_K_s) > std::max(noise_K_s, kSteadyRate_K_s) ? line.slope_K_s : 0.0;
 }
 

@@ -64,21 +64,42 @@ TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
 
 TEST(ObjectTile, StateInAWord) {
     Shown shown;
+    const auto ramp = [&](double begin_s, double from_K, double rate_K_s) {
+        for (int k = 0; k <= 5; ++k)
+            shown.feed(begin_s + k, from_K + rate_K_s * k, rate_K_s);
+    };
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("No reading yet"));
-    shown.feed(1.0, 303.15, 0.1);
+    ramp(1.0, 303.15, 0.1);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating"));
-    shown.feed(12.0, 323.15, -0.1);
+    ramp(20.0, 323.15, -0.1);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Cooling"));
-    shown.feed(23.0, 311.15, 0.0);
+    ramp(40.0, 311.15, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Off target"));
-    shown.feed(30.0, 313.0, 0.01);
+    shown.feed(60.0, 313.0, 0.01);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling"));
-    shown.feed(40.0, 313.2, 0.0);
+    shown.feed(70.0, 313.2, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settled"));
-    shown.feed(41.0, 313.9, 0.05);
+    ramp(71.0, 313.9, 0.05);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating")) << "left the band";
-    shown.feed(42.0, 313.3, 0.0);
+    shown.feed(77.0, 313.3, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling")) << "the ten seconds begin again";
+}
+
+// Catches: "Heating +2.4 K/min" at the begin of a run, of an object that is at rest.
+TEST(ObjectTile, TheFirstSampleTellsNoHeating) {
+    Shown shown;
+    shown.feed(0.0, 298.0, 2.4 / 60.0);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady);
+    ObjectSample object;
+    object.measured_K = 298.0;
+    object.rate_K_s = -3.3 / 60.0;
+    object.target_K = 313.15;
+    object.valid = true;
+    TraceSample first;
+    first.objects = {object};
+    Shown replayed;
+    replayed.tile.setMoment({first}, 0, 0);
+    EXPECT_EQ(replayed.tile.activity(), ObjectActivity::Steady);
 }
 
 // Catches a word and a number that follow the noise of single samples.

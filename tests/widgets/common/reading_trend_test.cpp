@@ -32,6 +32,30 @@ TEST(ReadingTrend, TellsWhatIsBeyondTheSteps) {
     EXPECT_NEAR(fed(0.3, 60).slope_K_s(), 0.3, 0.01);
     EXPECT_TRUE(std::isnan(fed(0.3, 2).slope_K_s()));
     EXPECT_EQ(fed(0.3, 2).told_K_s(), 0.0);
+    EXPECT_NEAR(fed(0.3, 5).told_K_s(), 0.3, 0.03);
+}
+
+// Catches: "Heating" of the first samples of an object at rest, by the estimate of one of them, or by a few
+// readings that step once by 0.1 K.
+TEST(ReadingTrend, TheFirstReadingsOfWhatIsAtRestTellNothing) {
+    for (int before = 0; before <= 12; ++before) {
+        ReadingTrend trend;
+        for (int k = 0; k <= 12; ++k) {
+            trend.passTo(k);
+            trend.add(k, k < before ? 298.0 : 298.1, 2.4 / 60.0);
+            EXPECT_EQ(trend.told_K_s(), 0.0) << before << " readings before the step, at " << k << " s";
+        }
+    }
+}
+
+// Catches: a rig that is read every five seconds, of which no word would ever be told.
+TEST(ReadingTrend, TwoReadingsFarApartAreEnough) {
+    ReadingTrend trend;
+    for (int k = 0; k < 4; ++k) {
+        trend.passTo(5.0 * k);
+        trend.add(5.0 * k, 300.0 + 1.5 * k, kNone);
+    }
+    EXPECT_NEAR(trend.told_K_s(), 0.3, 1e-9);
 }
 
 // Catches readings of a while ago, of another clock, or the same one taken twice.
