@@ -22,9 +22,9 @@ constexpr std::size_t kFineStretch = 3; // px
 constexpr int kReadsPerFrame = 3;       // blocks of a recorded run, 3 ms each
 constexpr double kAfterEnd_s = 1.0;     // of a run, until it has no values any more
 
-/// The value of a run at its sample nearest to a time; NaN if the run was over by then.
-double valueNear(const TraceStore& traces, Quantity quantity, std::size_t series, double time_s) {
-    const std::size_t row = traces.nearestRow(time_s);
+/// The value of a run at its newest sample until a time; NaN if the run was over by then.
+double valueAt(const TraceStore& traces, Quantity quantity, std::size_t series, double time_s) {
+    const std::size_t row = traces.rowAt(time_s);
     return row < traces.rows() && time_s <= traces.lastTime_s() + kAfterEnd_s
                ? traces.value(quantity, series, row)
                : std::numeric_limits<double>::quiet_NaN();
@@ -348,23 +348,23 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
 }
 
-std::optional<double> TracePlot::Canvas::momentNear(double time_s) const {
-    const TraceStore* nearest = traces.get();
+std::optional<double> TracePlot::Canvas::momentAt(double time_s) const {
+    const TraceStore* longest = traces.get();
     for (const Overlay& overlay : overlays) // one that goes on after the end of those before it
-        if (time_s > nearest->lastTime_s() && overlay.traces.lastTime_s() > nearest->lastTime_s())
-            nearest = &overlay.traces;
-    const std::size_t row = nearest->nearestRow(time_s);
-    if (row >= nearest->rows() || !std::isfinite(nearest->time_s(row))) // not finite: of a damaged file
+        if (time_s > longest->lastTime_s() && overlay.traces.lastTime_s() > longest->lastTime_s())
+            longest = &overlay.traces;
+    const std::size_t row = longest->rowAt(time_s);
+    if (row >= longest->rows() || !std::isfinite(longest->time_s(row))) // not finite: of a damaged file
         return std::nullopt;
-    return nearest->time_s(row);
+    return longest->time_s(row);
 }
 
 QList<TracePlot::Canvas::ReadValue> TracePlot::Canvas::readout(double time_s,
                                                                std::optional<double> from_s) const {
-    const std::optional<double> then_s = momentNear(time_s);
+    const std::optional<double> then_s = momentAt(time_s);
     if (!then_s)
         return {};
-    const std::optional<double> first_s = from_s ? momentNear(*from_s) : std::nullopt;
+    const std::optional<double> first_s = from_s ? momentAt(*from_s) : std::nullopt;
     const auto withChange = [](const QString& first, const QString& then, const QString& change) {
         return QStringLiteral("%1 \u2192 %2 (\u0394 %3)").arg(first, then, change);
     };
@@ -377,11 +377,11 @@ QList<TracePlot::Canvas::ReadValue> TracePlot::Canvas::readout(double time_s,
     const auto add = [&](const QString& name, const QColor& color, const TraceStore& from, Quantity of,
                          int index) {
         const auto series = static_cast<std::size_t>(index);
-        const double value = valueNear(from, of, series, *then_s);
+        const double value = valueAt(from, of, series, *then_s);
         QString text = quantityText(value, of, series, unit);
         if (first_s) {
             const QuantityChange change =
-                quantityChange(valueNear(from, of, series, *first_s), value, of, series, unit);
+                quantityChange(valueAt(from, of, series, *first_s), value, of, series, unit);
             text = withChange(change.first, change.then, change.by);
         }
         out.append({QStringLiteral("%1 %2").arg(name, text), color});

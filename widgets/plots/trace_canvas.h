@@ -47,8 +47,9 @@ public:
     };
     /// Time, then each line of the run, of the right axis and of the runs over it.
     QList<ReadValue> readout(double time_s, std::optional<double> from_s) const;
-    /// Returns the nearest moment that has values, of any of the runs; empty if there is none.
-    std::optional<double> momentNear(double time_s) const;
+    /// Returns the newest moment until then that has values, of any of the runs, else the first; empty if
+    /// there is none.
+    std::optional<double> momentAt(double time_s) const;
     double factor(Quantity of, int series) const;            ///< of displayed values
     QList<QPointF> allPoints(Quantity of, int series) const; ///< of the whole run, as displayed
 

@@ -59,9 +59,10 @@ void TracePlot::Canvas::connectInteraction() {
             return;
         if (event->button() != Qt::LeftButton || traces->rows() == 0)
             return;
-        const double clicked_s = xAxis->pixelToCoord(event->pos().x());
-        pinCursor(momentNear(clicked_s));
-        emit owner->momentClicked(clicked_s);
+        const std::optional<double> clicked_s = momentAt(xAxis->pixelToCoord(event->pos().x()));
+        pinCursor(clicked_s);
+        if (clicked_s)
+            emit owner->momentClicked(*clicked_s);
     });
     connect(this, &QCustomPlot::mouseDoubleClick, this, [this] {
         pinCursor(std::nullopt);
@@ -222,7 +223,7 @@ bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
 }
 
 void TracePlot::Canvas::showCursor(double time_s) {
-    m_cursor_s = momentNear(time_s);
+    m_cursor_s = momentAt(time_s);
     if (!m_cursor_s)
         return hideCursor();
     m_cursor->start->setCoords(*m_cursor_s, 1.0);

@@ -115,7 +115,7 @@ public:
     std::optional<double> position_s() const;
     /// Returns the time of the pinned cursor; none if there is none.
     std::optional<double> cursor_s() const;
-    /// Returns the values at the row nearest to a time in one line, as the cursor shows them, of each run
+    /// Returns the values at the newest row until a time in one line, as the cursor shows them, of each run
     /// that is drawn; with the time of a pinned cursor also the values there, and the differences from them.
     QString readout(double time_s, std::optional<double> pinned_s = std::nullopt) const;
 

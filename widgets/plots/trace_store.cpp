@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+constexpr double kSameMoment_s = 1e-6; ///< of two runs whose times were rounded in different ways
 
 void add(TraceStore::Line& line, double time_s, double value) {
     line.times_s.push_back(time_s);
@@ -147,12 +148,9 @@ std::size_t TraceStore::lowerRow(double time_s) const {
     return found ? *found : kNowhere;
 }
 
-std::size_t TraceStore::nearestRow(double at_s) const {
-    const std::size_t found = lowerRow(at_s);
-    if (rows() == 0 || found == kNowhere)
-        return rows();
-    const std::size_t after = std::min(found, rows() - 1);
-    return after > 0 && at_s - time_s(after - 1) < time_s(after) - at_s ? after - 1 : after;
+std::size_t TraceStore::rowAt(double at_s) const {
+    const std::size_t after = lowerRow(at_s + kSameMoment_s);
+    return rows() == 0 || after == kNowhere ? rows() : after - std::min<std::size_t>(after, 1);
 }
 
 std::size_t TraceStore::samplesBetween(double from_s, double to_s) const {

@@ -52,8 +52,9 @@ public:
     double value(Quantity quantity, std::size_t series, std::size_t row) const;
     bool hasValues(Quantity quantity) const { return overview().hasValues(quantity); }
 
-    /// Returns the row nearest in time; rows() if there is none.
-    std::size_t nearestRow(double time_s) const;
+    /// Returns the newest row at or before a time, as a replay shows it, else the first; rows() if there is
+    /// none.
+    std::size_t rowAt(double time_s) const;
 
     /// Returns the approximate number of samples in a time range.
     std::size_t samplesBetween(double from_s, double to_s) const;

@@ -51,15 +51,18 @@ TEST(TraceStore, TimeGrowsAndObjectsMayBeMissing) {
     EXPECT_TRUE(columns.targetSteps(1).empty());
 }
 
-TEST(TraceStore, NearestRow) {
+// Catches a cursor that reads the sample after a moment of which a replay shows the one before.
+TEST(TraceStore, ARowIsTheNewestUntilThen) {
     TraceStore columns;
     columns.reset(1);
-    EXPECT_EQ(columns.nearestRow(3.0), 0u);
+    EXPECT_EQ(columns.rowAt(3.0), 0u);
     columns.append({sampleAt(1, 300, 313), sampleAt(2, 300, 313), sampleAt(4, 300, 313)});
-    EXPECT_EQ(columns.nearestRow(-5.0), 0u);
-    EXPECT_EQ(columns.nearestRow(2.9), 1u);
-    EXPECT_EQ(columns.nearestRow(3.1), 2u);
-    EXPECT_EQ(columns.nearestRow(99.0), 2u);
+    EXPECT_EQ(columns.rowAt(-5.0), 0u);
+    EXPECT_EQ(columns.rowAt(2.9), 1u);
+    EXPECT_EQ(columns.rowAt(3.9), 1u);
+    EXPECT_EQ(columns.rowAt(4.0 - 1e-9), 2u) << "the same moment";
+    EXPECT_EQ(columns.rowAt(4.0), 2u);
+    EXPECT_EQ(columns.rowAt(99.0), 2u);
 }
 
 namespace {
