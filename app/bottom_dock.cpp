@@ -114,7 +114,7 @@ void BottomDock::takeRows(const Snapshot& snapshot) {
         m_runId = snapshot.runId;
         m_events.clear();
         m_notes.clear();
-        m_eventList->clear();
+        beginExperiment();
     }
     for (const TraceEvent& event : snapshot.newEvents) {
         m_events.push_back(event);
@@ -134,13 +134,19 @@ void BottomDock::addNote(const TraceNote& note) {
     m_eventList->add(note.time_s, noteText(note), EventKind::Note);
 }
 
+void BottomDock::beginExperiment() {
+    m_firstEvent = m_events.size();
+    m_firstNote = m_notes.size();
+    m_eventList->clear();
+}
+
 void BottomDock::showEvents() {
     m_eventList->clear();
-    auto note = m_notes.begin();
-    for (const TraceEvent& event : m_events) {
-        for (; note != m_notes.end() && note->time_s < event.time_s; ++note)
+    auto note = m_notes.begin() + static_cast<std::ptrdiff_t>(m_firstNote);
+    for (std::size_t k = m_firstEvent; k < m_events.size(); ++k) {
+        for (; note != m_notes.end() && note->time_s < m_events[k].time_s; ++note)
             addNote(*note);
-        addEvent(event);
+        addEvent(m_events[k]);
     }
     for (; note != m_notes.end(); ++note)
         addNote(*note);

@@ -31,7 +31,9 @@ public:
     void showAlarm(std::uint64_t id);
     RecipePanel& recipe() { return *m_recipe; }
     void showRecipe();
-    /// Events of the current or last run.
+    /// Another experiment is open: what happened before is listed no more.
+    void beginExperiment();
+    /// Events of the current or last run, also those that are listed no more.
     const std::vector<TraceEvent>& events() const { return m_events; }
 
 signals:
@@ -65,6 +67,7 @@ private:
     std::uint64_t m_runId = 0;
     std::vector<TraceEvent> m_events;
     std::vector<TraceNote> m_notes;
+    std::size_t m_firstEvent = 0, m_firstNote = 0; ///< that are listed
     bool m_isReviewing = false;
     int m_height = 0;              ///< height before it was hidden
     int m_lowHeight = 0;           ///< height before the recipe was in front; 0 if it is not

@@ -193,6 +193,7 @@ void MainWindow::connectParts() {
             [this] { m_actions.setRecent(m_settings.recentFiles()); });
     connect(&m_files, &SessionActions::recordingChanged, this,
             [this] { m_actions.saveSession->setEnabled(true); });
+    connect(&m_document, &Document::opened, m_dock, &BottomDock::beginExperiment);
     connect(&m_document, &Document::changed, this, &MainWindow::showTitle);
     const auto faults = [this] { m_actions.faults().setExperiment(m_document.experiment()); };
     connect(&m_document, &Document::changed, this, &MainWindow::takeAges);

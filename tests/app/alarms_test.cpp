@@ -121,6 +121,29 @@ TEST_F(AlarmsTest, SpeakTheUnitThatTheReaderChose) {
         << recorded->topLevelItem(0)->text(2).toStdString();
 }
 
+// Catches: events of the run before under an experiment that was opened since, also after another unit was
+// chosen, and a report of a problem without them.
+TEST(BottomDockTest, EventsOfTheRunBeforeAreNotListedUnderANewExperiment) {
+    BottomDock dock;
+    const auto* events = dock.findChild<QTreeWidget*>("eventListTree");
+    Snapshot snapshot;
+    snapshot.newEvents = {{1.0, {MessageCode::EventStarted, {}}}, {9.0, {MessageCode::EventHeld, {}}}};
+    snapshot.newNotes = {{5.0, "door opened"}};
+    dock.apply(snapshot);
+    ASSERT_EQ(events->topLevelItemCount(), 3);
+    dock.beginExperiment();
+    EXPECT_EQ(events->topLevelItemCount(), 0);
+    EXPECT_EQ(dock.events().size(), 2U);
+    dock.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(events->topLevelItemCount(), 0);
+    snapshot.newEvents = {{0.0, {MessageCode::EventZeroed, {}}}};
+    snapshot.newNotes.clear();
+    dock.apply(snapshot);
+    EXPECT_EQ(events->topLevelItemCount(), 1);
+    dock.setTemperatureUnit(TemperatureUnit::Celsius);
+    EXPECT_EQ(events->topLevelItemCount(), 1);
+}
+
 // Catches: alarms out of sight while a recorded run is looked at, and its events mixed with the present ones.
 TEST_F(AlarmsTest, AlarmsAloneAreUnderAReview) {
     ASSERT_NO_FATAL_FAILURE(openAt10Hz());
