@@ -539,7 +539,7 @@ bool MainWindow::mayClose() {
         m_recipe->isOn() ? m_recipe->stopNow() : endRun();
         closeAtRest(); // the run may have ended behind the question
         if (m_closesAtRest)
-            m_pages->showNote(tr("Bask closes when the objects are away from the source."));
+            m_pages->messages().showNote(tr("Bask closes when the objects are away from the source."));
         return false;
     }
     if (closing == Closing::Now)
@@ -564,7 +564,7 @@ void MainWindow::closeAtRest() {
     if (m_last.state != RunState::Fault)
         QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
     else
-        m_pages->showNote(tr("Bask stays open: the run ended by a fault. Look at the alarms."));
+        m_pages->messages().showNote(tr("Bask stays open: the run ended by a fault. Look at the alarms."));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -234,7 +234,8 @@ void MainWindow::connectRecipe() {
     m_recipe = new RecipeControl(m_document, m_files, m_dock->recipe(), m_pages->recipeBar(), this);
     connect(m_recipe, &RecipeControl::commandIssued, &m_engine, &EngineClient::send);
     connect(m_recipe, &RecipeControl::problem, m_pages, &PageHost::showProblem);
-    connect(m_recipe, &RecipeControl::told, m_pages, &PageHost::showNote);
+    connect(m_recipe, &RecipeControl::told, this, // also of its end, to who comes back later
+            [this](const QString& sentence) { m_pages->messages().showNote(sentence); });
     connect(m_recipe, &RecipeControl::showWanted, m_dock, &BottomDock::showRecipe);
     m_files.setRecipeGuard([this] { return m_recipe->isOn(); });
     connect(&m_files, &SessionActions::recipeChosen, m_recipe, &RecipeControl::open);

@@ -59,7 +59,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->addWidget(m_coach);
     column->addWidget(below, 1);
 
-    new FloatingPlace(*m_bar, *below);
+    m_place = new FloatingPlace(*m_bar, *below);
     connectRig();
     connectObjects();
     connectCalibrate();
@@ -328,6 +328,7 @@ QSize PageHost::minimumSizeHint() const {
 
 void PageHost::show(Page page) {
     m_pages->setCurrentIndex(static_cast<int>(page));
+    m_place->place();
     if (page == Page::Review)
         m_reviewDesk.showList();
     emit pageChanged(page);

@@ -25,6 +25,7 @@ namespace bask {
 
 class CalibratePage;
 class CountdownBar;
+class FloatingPlace;
 class MessageBar;
 class ObjectsPage;
 class ReviewPage;
@@ -58,7 +59,7 @@ public:
 
     PageMessages& messages() { return m_messages; }
     void showProblem(const QString& sentence) { m_messages.showProblem(sentence); }
-    void showNote(const QString& sentence) { m_messages.showNote(sentence); }
+    void showNote(const QString& sentence) { m_messages.showBriefly(sentence); }
 
     /// The bar above all others, for questions that wait for an answer.
     MessageBar& cutOffBar() { return *m_cutOff; }
@@ -105,6 +106,7 @@ private:
     SessionActions& m_files;
     CountdownBar* m_countdown;
     MessageBar *m_cutOff, *m_recipe, *m_question, *m_coach, *m_bar;
+    FloatingPlace* m_place; ///< of m_bar
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

@@ -52,7 +52,7 @@ void PageMessages::clear() {
 
 void PageMessages::showOfEdit(const QString& note) {
     m_ofEdit = note;
-    showNote(note);
+    showBriefly(note);
 }
 
 void PageMessages::dropOfEdit() {

@@ -14,7 +14,8 @@ class MessageBar;
 
 class PageMessages {
 public:
-    /// A refusal is shown for so long at most, or as long as the pointer is on it: a sentence read twice.
+    /// A refusal, or a note, is shown for so long at most, or as long as the pointer is on it: a sentence
+    /// read twice.
     static constexpr std::chrono::milliseconds kRefusal{12'000};
 
     explicit PageMessages(MessageBar& bar, std::chrono::milliseconds longest = kRefusal);
@@ -27,7 +28,7 @@ public:
     void showWritten(const QString& sentence, const QString& open, const QString& other);
     void clear();
 
-    void showOfEdit(const QString& note); ///< gone with the next edit
+    void showOfEdit(const QString& note); ///< gone with the next edit, or after kRefusal
     void dropOfEdit();
     void showRefusal(const QString& sentence); ///< gone with the next edit, or after kRefusal
     /// Shows a refusal of the engine: it disappears with the next edit or command, when its state or reason

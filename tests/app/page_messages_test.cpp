@@ -60,6 +60,21 @@ TEST(PageMessages, ARefusalGoesInTime) {
     EXPECT_FALSE(waitFor(isGone, 100)) << "that is for a person to close";
 }
 
+// Catches: a note that stays for minutes over what is below it, and one for who comes back later that does
+// not.
+TEST(PageMessages, ANoteGoesInTime) {
+    QWidget page;
+    MessageBar bar(&page);
+    PageMessages messages(bar, 20ms);
+    const auto isGone = [&] { return bar.sentence().isEmpty(); };
+    messages.showBriefly(QStringLiteral("The experiment is open as a new one."));
+    EXPECT_TRUE(waitFor(isGone));
+    messages.showOfEdit(QStringLiteral("Undone: title"));
+    EXPECT_TRUE(waitFor(isGone));
+    messages.showNote(QStringLiteral("The recipe has ended."));
+    EXPECT_FALSE(waitFor(isGone, 100));
+}
+
 // Catches: a refusal that goes while somebody reads it.
 TEST(PageMessages, ARefusalStaysUnderThePointer) {
     MessageBar bar;

@@ -21,6 +21,26 @@ QRect seenOf(const QWidget& page) {
     return seen.isEmpty() ? page.rect() : seen;
 }
 
+/// Moves a bar up, past what has to be seen, as long as there is room.
+QRect above(const QWidget& page, QRect bar, int highest) {
+    for (bool isFree = false; !isFree;) {
+        isFree = true;
+        for (const QWidget* each : page.findChildren<QWidget*>()) {
+            const int wanted = each->property(kKeptFree_px).toInt();
+            if (wanted <= 0 || !each->isVisible())
+                continue;
+            const int height = std::min(wanted, each->height());
+            const QRect kept(each->mapTo(&page, QPoint(0, each->height() - height)),
+                             QSize(each->width(), height));
+            if (!kept.intersects(bar) || kept.top() - bar.height() < highest)
+                continue;
+            bar.moveBottom(kept.top() - 1);
+            isFree = false;
+        }
+    }
+    return bar;
+}
+
 } // namespace
 
 FloatingPlace::FloatingPlace(QWidget& bar, QWidget& page) : QObject(&bar), m_bar(bar), m_page(page) {
@@ -33,17 +53,19 @@ bool FloatingPlace::eventFilter(QObject* watched, QEvent* event) {
     const bool isOfBar = watched == &m_bar && (type == QEvent::ShowToParent || type == QEvent::LayoutRequest);
     const bool isOfPage =
         watched == &m_page && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::Show);
-    if ((isOfBar || isOfPage) && !m_bar.isHidden())
+    if (isOfBar || isOfPage)
         place();
     return false;
 }
 
 void FloatingPlace::place() {
+    if (m_bar.isHidden())
+        return;
     const QRect seen = seenOf(m_page);
     const int width = std::min(seen.width() - 2 * kMargin_px, kMaxWidth_px);
     const int height = m_bar.hasHeightForWidth() ? m_bar.heightForWidth(width) : m_bar.sizeHint().height();
     const int top = std::max(seen.top(), seen.bottom() - kMargin_px - height); // it begins in sight
-    m_bar.setGeometry(seen.center().x() - width / 2, top, width, height);
+    m_bar.setGeometry(above(m_page, QRect(seen.center().x() - width / 2, top, width, height), seen.top()));
     m_bar.raise();
 }
 

@@ -7,6 +7,11 @@ class QWidget;
 
 namespace bask {
 
+/// What a bar must not hide, if there is room above it: a property of widgets with so many px from their
+/// lower edge, such as a plot's axis, or kWholeWidget.
+inline constexpr const char* kKeptFree_px = "keptFree_px";
+inline constexpr int kWholeWidget_px = 1 << 20;
+
 /// Places `bar`, a child of `page` in no layout, over what is seen of the page, in its middle, as high as its
 /// words need. It belongs to the bar.
 class FloatingPlace : public QObject {
@@ -15,12 +20,13 @@ class FloatingPlace : public QObject {
 public:
     FloatingPlace(QWidget& bar, QWidget& page);
 
+    /// Places a bar that is shown anew: something else is on the page.
+    void place();
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void place();
-
     QWidget& m_bar;
     QWidget& m_page;
 };

@@ -3,6 +3,7 @@
 #include "widgets/plots/trace_canvas.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/floating_place.h"
 #include "widgets/common/theme.h"
 
 #include <QKeyEvent>
@@ -31,7 +32,9 @@ void TracePlot::Canvas::connectInteraction() {
     connect(&m_rest, &QTimer::timeout, this, [this] { schedule(); });
     connect(this, &QCustomPlot::afterReplot, this, [this] { m_isDrawn = true; });
     connect(this, &QCustomPlot::beforeReplot, this, [this] { updatePoints(); }); // dragging draws by itself
+    setProperty(kKeptFree_px, 3 * fontMetrics().height());                       // until it is known
     connect(this, &QCustomPlot::afterLayout, this, [this] {
+        setProperty(kKeptFree_px, height() - axisRect()->bottom());
         placeLabels();
         placePredictionWords();
         placeMarkerTexts();

@@ -1,5 +1,6 @@
 // How the Run page is put together: its parts, their arrangement and their texts.
 
+#include "widgets/common/floating_place.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
 #include "widgets/plots/plot_place.h"
@@ -142,6 +143,8 @@ QWidget* RunPage::makePlots() {
     m_noteAdd = new QPushButton(side);
     m_noteAdd->setObjectName(QStringLiteral("noteAdd"));
     m_noteAdd->setEnabled(false);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_note, m_noteAdd})
+        part->setProperty(kKeptFree_px, kWholeWidget_px);
     connect(m_note, &QLineEdit::textChanged, m_noteAdd,
             [this](const QString& text) { m_noteAdd->setEnabled(!text.trimmed().isEmpty()); });
     connect(m_note, &QLineEdit::returnPressed, this, &RunPage::addNote);

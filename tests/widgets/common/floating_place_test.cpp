@@ -87,6 +87,31 @@ TEST_F(FloatingPlaceTest, LiesOverWhatHidesThePage) {
     EXPECT_LT(page.rect().bottom() - bar->geometry().bottom(), 30);
 }
 
+// Catches: a message over the time axis of a plot or over a field at the page's foot, and one that leaves the
+// page for their sake.
+TEST_F(FloatingPlaceTest, LeavesFreeWhatHasToBeSeen) {
+    QWidget plot(&page), field(&page);
+    plot.setProperty(kKeptFree_px, 50);
+    field.setProperty(kKeptFree_px, kWholeWidget_px);
+    plot.setGeometry(0, 60, 600, 310);
+    field.setGeometry(0, 370, 600, 30);
+    plot.show();
+    field.show();
+    bar->say(MessageBar::Kind::Note, QStringLiteral("Open as a new one."));
+    settle();
+    EXPECT_EQ(bar->geometry().bottom(), 319) << "above the axis";
+    field.hide();
+    plot.setGeometry(0, 0, 600, 40); // elsewhere
+    page.resize(600, 401);
+    settle();
+    EXPECT_LT(page.rect().bottom() - bar->geometry().bottom(), 30);
+    plot.setProperty(kKeptFree_px, kWholeWidget_px);
+    plot.setGeometry(0, 0, 600, 401);
+    page.resize(600, 400);
+    settle();
+    EXPECT_TRUE(page.rect().contains(bar->geometry())) << "there is no room above it";
+}
+
 // Catches: a message at the foot of a long page, below what is seen of it.
 TEST(FloatingPlaceInAScrollArea, StaysInSight) {
     QScrollArea area;
