@@ -46,6 +46,10 @@ void ReviewDesk::open(std::shared_ptr<RecordedSession> session, std::optional<do
     m_count.start(*m_session);
     m_verification.start(QString::fromStdString(m_session->facts().path));
     emit opened();
+    const QStringList over = std::exchange(m_comparedOver, {});
+    if (isOpen(m_comparedPath))
+        for (const QString& path : over)
+            m_library.readOverlay(path);
 }
 
 bool ReviewDesk::isOpen(const QString& path) const {
@@ -74,6 +78,12 @@ void ReviewDesk::retranslate() {
 void ReviewDesk::connectList() {
     SessionList* list = m_page.sessions();
     connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
+    connect(list, &SessionList::comparisonRequested, this,
+            [this](const QString& path, const QStringList& over) {
+                m_comparedPath = path;
+                m_comparedOver = over;
+                m_files.open(path);
+            });
     connect(&m_alarms, &AlarmHistoryControl::runChosen, this,
             [this](const QString& path, double raised_s) { m_files.openSession(path, raised_s); });
     connect(&m_alarms, &AlarmHistoryControl::readFailed, &m_library, &SessionLibrary::takeDamage);

@@ -57,6 +57,8 @@ private:
     AlarmHistoryControl m_alarms;
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
+    QString m_comparedPath; ///< the run that is being opened for a comparison with m_comparedOver
+    QStringList m_comparedOver;
     /// numbers of m_session; null if they are being computed or not available
     std::shared_ptr<const SessionNumbers> m_numbers;
     bool m_isDamageTold = false; ///< the damage of m_session was reported

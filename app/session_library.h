@@ -30,6 +30,8 @@ public:
 
     void setFolder(const QString& folder);
     void refresh();
+    /// Reads a run that is to be laid over the open one.
+    void readOverlay(const QString& path);
     /// Lists the file that an error is about as damaged, if that is what the error says, in whichever folder
     /// and until it changes. Of many at once the list is read anew for the last.
     void takeDamage(const Error& error);
@@ -60,7 +62,6 @@ private:
     void writeTags(const QString& path, const QStringList& tags);
     void close(const QString& path);
     void check(const QString& path);
-    void readOverlay(const QString& path);
     static std::vector<SessionHeader> read(const std::string& folder, Headers& known,
                                            const std::atomic<bool>& isOver);
 

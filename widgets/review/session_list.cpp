@@ -127,6 +127,7 @@ SessionList::SessionList(QWidget* parent)
     m_tree->setUniformRowHeights(true);
     m_tree->setAlternatingRowColors(true);
     m_tree->setAllColumnsShowFocus(true);
+    m_tree->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_tree->setSortingEnabled(true);
     m_tree->sortByColumn(kDate, Qt::DescendingOrder);
     m_tree->header()->setStretchLastSection(true);
@@ -177,16 +178,14 @@ void SessionList::connectTree() {
         if (const SessionHeader* session = selected())
             emit selectionChanged(text(session->path));
     });
+    connect(m_tree, &QTreeWidget::itemSelectionChanged, this, &SessionList::showSelected);
     const auto open = [this] {
         if (const SessionHeader* session = selected(); session != nullptr && !session->error)
             emit sessionChosen(text(session->path));
     };
     connect(m_tree, &QTreeWidget::itemActivated, this, open);
     connect(m_open, &QPushButton::clicked, this, open);
-    connect(m_compare, &QPushButton::clicked, this, [this] {
-        if (const SessionHeader* session = selected())
-            emit compareRequested(text(session->path));
-    });
+    connect(m_compare, &QPushButton::clicked, this, &SessionList::overlay);
     connect(m_tree, &QTreeWidget::customContextMenuRequested, this, &SessionList::showMenu);
     connect(m_tree->header(), &QHeaderView::sortIndicatorChanged, this,
             [this] { emit sortingChanged(sorting()); });
@@ -302,6 +301,7 @@ bool SessionList::isRecording(const std::string& path) const {
 void SessionList::showRows() {
     const SessionHeader* before = selected();
     const std::string chosen = before != nullptr ? before->path : m_opened.toStdString();
+    const QStringList others = chosenPaths();
     const QSignalBlocker quiet(m_tree);
     const int dateWidth = m_tree->columnWidth(kDate);
     const bool isFirst = m_tree->topLevelItemCount() == 0;
@@ -323,6 +323,9 @@ void SessionList::showRows() {
     m_tree->setSortingEnabled(true);
     if (current != nullptr)
         m_tree->setCurrentItem(current);
+    for (QTreeWidgetItem* row : rows)
+        if (others.contains(row->data(0, kPathRole).toString()))
+            row->setSelected(true);
     if (isFirst)
         for (const ListColumn column : {kDate, kRunName, kOperator, kSample, kRig})
             m_tree->resizeColumnToContents(column);
@@ -479,6 +482,35 @@ const SessionHeader* SessionList::selected() const {
     return found != m_sessions.end() ? &*found : nullptr;
 }
 
+/// The selected runs that can be read, from the top of the list.
+QStringList SessionList::chosenPaths() const {
+    QStringList paths;
+    for (int k = 0; k < m_tree->topLevelItemCount(); ++k) {
+        const QTreeWidgetItem* row = m_tree->topLevelItem(k);
+        if (!row->isSelected() || row->isHidden())
+            continue;
+        const QString path = row->data(0, kPathRole).toString();
+        const auto found = std::ranges::find(m_sessions, path.toStdString(), &SessionHeader::path);
+        if (found != m_sessions.end() && !found->error)
+            paths << path;
+    }
+    return paths;
+}
+
+void SessionList::overlay() {
+    QStringList paths = chosenPaths();
+    if (m_opened.isEmpty() && paths.size() > 1) {
+        const QString first = paths.takeFirst();
+        return emit comparisonRequested(first, paths);
+    }
+    if (const SessionHeader* session = selected(); session != nullptr && paths.isEmpty())
+        paths << text(session->path); // the keyboard is on it
+    if (paths.size() > 1)
+        paths.removeAll(m_opened); // selected together with those that go over it
+    for (const QString& path : paths)
+        emit compareRequested(path);
+}
+
 void SessionList::showSelected() {
     const SessionHeader* session = selected();
     const bool isReadable = session != nullptr && !session->error;
@@ -486,7 +518,7 @@ void SessionList::showSelected() {
     const Error* problem = session != nullptr ? problemOf(*session) : nullptr;
     const bool hasEnd = isReadable && problem == nullptr && !isOn && !session->outcome.empty();
     m_open->setEnabled(isReadable);
-    m_compare->setEnabled(isReadable && !m_opened.isEmpty());
+    m_compare->setEnabled(isReadable && (!m_opened.isEmpty() || chosenPaths().size() > 1));
     m_tags->setEnabled(hasEnd);
     m_tagsLabel->setEnabled(hasEnd);
     const QString path = session != nullptr ? text(session->path) : QString();
@@ -532,8 +564,7 @@ void SessionList::showMenu(const QPoint& at) {
     if (const SessionHeader* session = selected(); session != nullptr && !session->error) {
         const QString path = text(session->path);
         menu->addAction(tr("&Open"), this, [this, path] { emit sessionChosen(path); });
-        menu->addAction(tr("O&verlay"), this, [this, path] { emit compareRequested(path); })
-            ->setEnabled(!m_opened.isEmpty());
+        menu->addAction(tr("O&verlay"), this, &SessionList::overlay)->setEnabled(m_compare->isEnabled());
         menu->addAction(tr("Open as &new experiment"), this,
                         [this, path] { emit experimentRequested(path); });
         menu->addSeparator();
@@ -602,8 +633,10 @@ void SessionList::retranslate() {
     m_open->setText(tr("Open"));
     m_open->setAccessibleName(tr("Open the selected run"));
     m_compare->setText(tr("Overlay"));
-    m_compare->setAccessibleName(tr("Lay the selected run over the open one"));
-    m_compare->setToolTip(tr("Draws the selected run over the one that is open, both from their Start."));
+    m_compare->setAccessibleName(tr("Lay the selected runs over the open one"));
+    m_compare->setToolTip(
+        tr("Draws the selected runs over the one that is open, all from their Start. Without "
+           "an open one, select several (Ctrl and click): the first of them is opened."));
     m_count->setPalette(captionPalette(palette()));
     showRows();
 }

@@ -59,6 +59,8 @@ public:
 signals:
     void sessionChosen(const QString& path);
     void compareRequested(const QString& path);
+    /// Several runs were selected while none is open: the first is to be opened, the others laid over it.
+    void comparisonRequested(const QString& path, const QStringList& over);
     void folderRequested();
     void alarmsRequested(); ///< of the runs that are listed
     void tagsEdited(const QString& path, const QStringList& tags);
@@ -90,6 +92,8 @@ private:
     void takeTags();
     void retranslate();
     const SessionHeader* selected() const;
+    QStringList chosenPaths() const;
+    void overlay();
 
     std::vector<SessionHeader> m_sessions;
     QString m_recording, m_opened;

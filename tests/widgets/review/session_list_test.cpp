@@ -393,6 +393,38 @@ TEST_F(SessionListTest, WhatTheSearchHidesIsNotSelected) {
     EXPECT_TRUE(list.findChild<QPushButton*>("sessionOpen")->isEnabled());
 }
 
+// Catches a list in which Ctrl and a click leave one run selected, and several that cannot be laid over each
+// other without opening one first.
+TEST_F(SessionListTest, SeveralSelectedRunsAreLaidOverEachOther) {
+    QSignalSpy compared(&list, &SessionList::comparisonRequested),
+        added(&list, &SessionList::compareRequested);
+    auto* overlay = list.findChild<QPushButton*>("sessionCompare");
+    const auto click = [&](const char* name, Qt::KeyboardModifiers keys) {
+        tree->scrollToItem(row(name));
+        QTest::mouseClick(tree->viewport(), Qt::LeftButton, keys, tree->visualItemRect(row(name)).center());
+    };
+    click("a", {});
+    EXPECT_FALSE(overlay->isEnabled()) << "over what";
+    click("b", Qt::ControlModifier);
+    EXPECT_TRUE(row("a")->isSelected() && row("b")->isSelected());
+    ASSERT_TRUE(overlay->isEnabled());
+    QTest::mouseClick(overlay, Qt::LeftButton);
+    ASSERT_EQ(compared.count(), 1);
+    const bool isAFirst = tree->indexOfTopLevelItem(row("a")) < tree->indexOfTopLevelItem(row("b"));
+    const QString first = isAFirst ? "/runs/a.bask" : "/runs/b.bask";
+    const QString second = isAFirst ? "/runs/b.bask" : "/runs/a.bask";
+    EXPECT_EQ(compared.first().at(0).toString(), first);
+    EXPECT_EQ(compared.first().at(1).toStringList(), QStringList{second});
+    EXPECT_EQ(added.count(), 0);
+
+    list.setOpened(first);
+    click("a", {});
+    click("b", Qt::ControlModifier);
+    QTest::mouseClick(overlay, Qt::LeftButton);
+    ASSERT_EQ(added.count(), 1) << "not the open one over itself";
+    EXPECT_EQ(added.first().at(0).toString(), second);
+}
+
 // Catches outcomes and durations that are cut short, also when longer ones come later.
 TEST_F(SessionListTest, OutcomesAreNotCutShort) {
     list.setSessions({header("a", "2026-03-14T09:26:53Z", "fault")});
