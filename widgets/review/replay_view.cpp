@@ -279,7 +279,7 @@ void ReplayView::showMoment(double time_s) {
         each.plot->setPosition(time_s);
     if (m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) { // turn the page
         const double width_s = m_visible_s->second - m_visible_s->first;
-        const double from_s = std::max(0.0, time_s - 0.1 * width_s);
+        const double from_s = std::max(0.0, std::min(time_s - 0.1 * width_s, m_run->lastTime_s() - width_s));
         m_visible_s = std::pair{from_s, from_s + width_s};
         for (const Plot& each : m_plots)
             each.plot->setTimeRange(from_s, from_s + width_s);

@@ -500,6 +500,18 @@ TEST_F(ReviewPageTest, TileAndCursorReadTheSameSample) {
     }
 }
 
+// Catches a zoomed plot that is turned over to the time after the last sample.
+TEST_F(ReviewPageTest, TheEndStaysAtTheRightEdge) {
+    show(record());
+    auto* plot = child<TracePlot>("review.measured_K");
+    emit plot->timeRangeChosen(100.0, 120.0);
+    page.replay()->seek(199.0);
+    EXPECT_NEAR(plot->visibleFrom_s(), 180.0, 1e-9);
+    EXPECT_NEAR(plot->visibleTo_s(), 200.0, 1e-9);
+    page.replay()->seek(50.0);
+    EXPECT_NEAR(plot->visibleFrom_s(), 48.0, 1e-9) << "a page of which the moment is at the begin";
+}
+
 // Catches events and notes that cannot be gone to, and a zoomed plot that stays behind.
 TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     show(record());
