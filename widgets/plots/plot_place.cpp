@@ -14,6 +14,11 @@
 #include <QVBoxLayout>
 
 namespace bask {
+namespace {
+
+constexpr Qt::Key kMeasureKey = Qt::Key_M;
+
+} // namespace
 
 PlotPlace::PlotPlace(TracePlot* plot, QWidget* parent)
     : QWidget(parent), m_plot(plot), m_layout(new QVBoxLayout(this)), m_note(new QWidget(this)),
@@ -36,6 +41,11 @@ PlotPlace::PlotPlace(TracePlot* plot, QWidget* parent)
     m_ownWindow->setShortcutContext(Qt::WidgetShortcut); // in a field W is a letter
     m_ownWindow->setAutoRepeat(false);                   // a key that is held would take it out and back
     m_plot->addAction(m_ownWindow);
+    auto* measure = new QAction(this);
+    measure->setShortcut(kMeasureKey);
+    measure->setShortcutContext(Qt::WidgetShortcut);
+    m_plot->addAction(measure);
+    connect(measure, &QAction::triggered, m_plot, [this] { m_plot->measureFrom(); });
     m_plot->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_ownWindow, &QAction::triggered, this, [this] { isOut() ? putBack() : takeOut(); });
     connect(m_plot, &QWidget::customContextMenuRequested, this, &PlotPlace::openMenu);
@@ -115,6 +125,11 @@ void PlotPlace::openMenu(const QPoint& at) {
     menu->setObjectName(QStringLiteral("plotMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(m_ownWindow);
+    QAction* measure =
+        menu->addAction(tr("Measure from here"), m_plot, [this, at] { m_plot->measureFrom(at); });
+    measure->setObjectName(QStringLiteral("plotMeasure"));
+    measure->setText(measure->text() + u'\t' + QKeySequence(kMeasureKey).toString(QKeySequence::NativeText));
+    measure->setEnabled(!m_plot->isEmpty());
     QAction* away = menu->addAction(tr("Take the cursor away"), m_plot, &TracePlot::takeCursorAway);
     away->setObjectName(QStringLiteral("plotCursorAway"));
     away->setEnabled(m_plot->cursor_s().has_value());

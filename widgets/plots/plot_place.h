@@ -20,11 +20,11 @@ class PlotWindow;
 class TracePlot;
 
 /// Holds a plot, whose menu (right click, menu key) and key W take it out and put it back; closing its window
-/// puts it back, too. It is the same plot in either: with its data, cursor and stretch of time. Meanwhile the
-/// place says where it is. The menu also chooses a second quantity for the right axis, and exports what
-/// is shown. Object names: "plotOwnWindow" and "plotCursorAway" in its menu "plotMenu", "plotRight." and the
-/// key of a quantity or "none" in that menu's "plotRightMenu", "plotExport.pdf" and so on in its
-/// "plotExportMenu"; "plotPutBack".
+/// puts it back, too. M measures from the cursor. It is the same plot in either: with its data, cursor and
+/// stretch of time. Meanwhile the place says where it is. The menu also chooses a second quantity for the
+/// right axis, and exports what is shown. Object names: "plotOwnWindow", "plotMeasure" and "plotCursorAway"
+/// in its menu "plotMenu", "plotRight." and the key of a quantity or "none" in that menu's "plotRightMenu",
+/// "plotExport.pdf" and so on in its "plotExportMenu"; "plotPutBack".
 class PlotPlace : public QWidget {
     Q_OBJECT
 public:

@@ -46,6 +46,8 @@ void PlotWindow::keyPressEvent(QKeyEvent* event) {
         setWindowState(windowState() ^ Qt::WindowFullScreen);
     else if (event->key() == Qt::Key_Escape && isFullScreen())
         setWindowState(windowState() & ~Qt::WindowFullScreen);
+    else if (event->key() == Qt::Key_Escape && !event->isAutoRepeat()) // one that is held has done its work
+        close();
     else
         QWidget::keyPressEvent(event);
 }

@@ -106,6 +106,7 @@ public:
     void showCursor(double time_s);
     void hideCursor();
     void pinCursor(std::optional<double> time_s);
+    void measureFrom(std::optional<int> x);
     void setPosition(std::optional<double> time_s);
 
     // A second quantity (trace_canvas_right.cpp)

@@ -270,6 +270,14 @@ void TracePlot::Canvas::pinCursor(std::optional<double> time_s) {
     layer(QStringLiteral("cursor"))->replot();
 }
 
+void TracePlot::Canvas::measureFrom(std::optional<int> x) {
+    updateRanges();
+    if (traces->rows() == 0)
+        return;
+    const std::optional<double> there_s = x ? std::optional(xAxis->pixelToCoord(*x)) : m_cursor_s;
+    pinCursor(momentAt(there_s ? *there_s : position_s.value_or(traces->lastTime_s())));
+}
+
 void TracePlot::Canvas::setPosition(std::optional<double> time_s) {
     if (position_s == time_s)
         return;

@@ -228,6 +228,10 @@ QString TracePlot::readout(double time_s, std::optional<double> pinned_s) const 
     return parts.join(QStringLiteral("   "));
 }
 
+void TracePlot::measureFrom(std::optional<QPoint> at) {
+    m_canvas->measureFrom(at ? std::optional(m_canvas->mapFrom(this, *at).x()) : std::nullopt);
+}
+
 void TracePlot::takeCursorAway() {
     m_canvas->pinCursor(std::nullopt);
 }

@@ -121,6 +121,9 @@ public:
 
     /// Draws at once, also while hidden; only needed for pictures and measurements.
     void redraw();
+    /// Pins the first cursor under a point of the plot; without one where the other cursor is, else at the
+    /// moment of the replay or of the newest sample.
+    void measureFrom(std::optional<QPoint> at = std::nullopt);
     /// Takes the pinned cursor away.
     void takeCursorAway();
     /// Whether there is nothing to export: no samples, overlays or predicted lines.

@@ -169,6 +169,21 @@ TEST(PlotPlace, KeysTakeOutPutBackAndFillTheScreen) {
               plot);
 }
 
+// Catches a window that Escape does not close, and one that is closed where Escape was to end a cursor.
+TEST(PlotPlace, EscapeClosesTheWindow) {
+    ShownPage shown;
+    TracePlot* plot = shown.temperature->plot();
+    shown.temperature->takeOut();
+    plot->measureFrom();
+    ASSERT_TRUE(plot->cursor_s());
+    QTest::keyClick(plot, Qt::Key_Escape);
+    EXPECT_FALSE(plot->cursor_s());
+    EXPECT_TRUE(shown.temperature->isOut());
+    QTest::keyClick(plot, Qt::Key_Escape);
+    EXPECT_FALSE(shown.temperature->isOut());
+    EXPECT_EQ(plot->window(), &shown.page);
+}
+
 // Catches a key that is held and takes the plot out and back and out.
 TEST(PlotPlace, AHeldKeyTakesOutOnce) {
     ShownPage shown;
@@ -265,8 +280,19 @@ TEST(PlotPlace, CursorsWorkInTheWindow) {
     auto* told = canvas->findChild<QLabel*>(QStringLiteral("tracePlotReadout"));
     EXPECT_TRUE(told->text().contains(QStringLiteral("\u0394"))) << told->text().toStdString();
 
+    const std::optional<double> middle_s = plot->cursor_s();
     choose(shown.temperature, "plotCursorAway");
     EXPECT_FALSE(plot->cursor_s());
+    choose(shown.temperature, "plotMeasure"); // where the menu was opened
+    EXPECT_EQ(plot->cursor_s(), middle_s);
+    plot->takeCursorAway();
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(canvas, &leave);
+    plot->setPosition(7.4);
+    plot->setFocus();
+    QTest::keyClick(plot, Qt::Key_M);
+    EXPECT_EQ(plot->cursor_s(), std::optional(7.0)) << "at the moment of the replay";
+    plot->takeCursorAway();
     QMenu* menu = openMenuOf(shown.temperature);
     ASSERT_NE(menu, nullptr);
     for (const QAction* action : menu->actions())
