@@ -302,10 +302,6 @@ void ObjectProperties::setReadOnly(bool readOnly) {
     m_saveMaterial->setEnabled(!readOnly);
 }
 
-int ObjectProperties::mountingTop() const {
-    return m_headings[2]->y();
-}
-
 void ObjectProperties::showObject() {
     m_showing = true;
     const Material& material = m_object.material;

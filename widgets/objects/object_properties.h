@@ -41,8 +41,6 @@ public:
     void setReadOnly(bool readOnly);
     /// Gives the keyboard to the name, which is selected.
     void focusName();
-    /// Returns where the fields of the mounting begin, in pixels.
-    int mountingTop() const;
 
 signals:
     void objectEdited(const bask::ObjectSpec& object);

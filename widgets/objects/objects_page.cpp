@@ -244,11 +244,7 @@ void ObjectsPage::connectAll() {
         m_experiment.air = air;
         emitEdited();
     });
-    connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
-        m_centre->setCurrentIndex(tab);
-        m_form->verticalScrollBar()->setValue(
-            tab == kMountingTab ? m_properties->mountingTop() + m_properties->y() : 0);
-    });
+    connect(m_tabs, &QTabBar::currentChanged, m_centre, &QStackedWidget::setCurrentIndex);
     connect(m_mounting, &MountingViews::objectClicked, this, &ObjectsPage::selectObject);
     connect(m_mounting, &MountingViews::objectDragged, this, &ObjectsPage::showDragged);
     connect(m_mounting, &MountingViews::objectMoved, this, [this](int index, const Vector6d& mounting) {
