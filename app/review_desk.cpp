@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "engine/base/message_code.h"
+#include "engine/radiation/mounted_objects.h"
 #include "engine/recording/session_store.h"
 #include "widgets/review/comparison_view.h"
 #include "widgets/review/identified_table.h"
@@ -151,6 +152,7 @@ void ReviewDesk::connectCount() {
             [this](const std::shared_ptr<const SessionNumbers>& numbers) {
                 m_numbers = numbers;
                 m_page.setMetrics(numbers->metrics);
+                m_page.setShade(numbers->shade < kMinToldShare ? 0.0 : numbers->shade);
                 m_page.replay()->setWay(numbers->way);
                 showIdentified();
             });

@@ -1,12 +1,21 @@
 #include "app/session_count.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace bask {
 namespace {
 
 constexpr std::size_t kMaxOfWay = 10'000; // samples; nobody could tell more of them in the scene
+
+/// The larger one of a share and those of a sample.
+double largerShade(double shade, const TraceSample& sample) {
+    for (const ObjectSample& object : sample.objects)
+        if (object.unshadedViewFactor > 0.0) // not NaN, of an older file
+            shade = std::fmax(shade, 1.0 - object.viewFactor / object.unshadedViewFactor);
+    return shade;
+}
 
 } // namespace
 
@@ -15,12 +24,14 @@ Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samp
     RunMetricsCount metrics(facts);
     HeatRecords heat(facts);
     std::vector<TraceSample> way;
+    double shade = std::numeric_limits<double>::quiet_NaN();
     const std::size_t every = samples / kMaxOfWay + 1;
     const auto read = readSamples(
         facts.path,
         [&](const TraceSample& sample) {
             metrics.add(sample);
             heat.add(sample);
+            shade = largerShade(shade, sample);
             if (done++ % every == 0)
                 way.push_back(sample);
         },
@@ -28,8 +39,8 @@ Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samp
     if (!read)
         return read.error();
     if (stop.stop_requested()) // nobody will hear of it
-        return SessionNumbers{metrics.metrics(), {}, SessionRates()};
-    return SessionNumbers{metrics.metrics(), std::move(way), sessionRates(facts, heat)};
+        return SessionNumbers{metrics.metrics(), {}, SessionRates(), shade};
+    return SessionNumbers{metrics.metrics(), std::move(way), sessionRates(facts, heat), shade};
 }
 
 SessionCount::SessionCount() {

@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct SessionNumbers {
     RunMetrics metrics;
     std::vector<TraceSample> way; ///< a selection of samples from the whole run
     Result<SessionRates> rates;
+    /// The largest share of its view factor that an object lost to the others; NaN: not known.
+    double shade = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// Any thread; `done` increases up to the number of samples. Errors: those of readSamples.

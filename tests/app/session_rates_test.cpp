@@ -49,6 +49,7 @@ TEST(SessionCount, MetricsAndWayAreThoseOfTheRun) {
     EXPECT_LE(numbers.metrics.last.time_s, controlledUntil_s(recorded().facts));
     ASSERT_GE(numbers.way.size(), numbers.metrics.samples) << "all of a short run";
     EXPECT_EQ(numbers.way.front().objects.size(), 3U);
+    EXPECT_LT(numbers.shade, 0.005) << "they are side by side";
 }
 
 // Catches numbers of a run that is no longer open, a count that is not told of, and damage that is not found.

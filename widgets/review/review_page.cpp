@@ -35,6 +35,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace bask {
 
@@ -156,6 +157,7 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
     add(m_verification, "factVerification");
     add(m_duration, "factDuration");
     add(m_controller, "factController");
+    add(m_shade, "factShade");
     add(m_created, "factCreated");
     add(m_software, "factSoftware");
     m_useExperiment = new QPushButton(facts);
@@ -258,6 +260,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_isCountFailed = m_isDamaged = false;
     m_verdict.reset();
     m_unverified.clear();
+    m_shadeShare = std::numeric_limits<double>::quiet_NaN();
     m_final->setValues({});
     m_metrics->clear();
     m_replay->setRun(m_session);
@@ -350,6 +353,19 @@ void ReviewPage::setVerificationFailed(const QString& sentence) {
     m_unverified = tr("Not verified: %1").arg(sentence);
     if (m_session)
         showVerification();
+}
+
+void ReviewPage::setShade(double share) {
+    m_shadeShare = share;
+    showShade();
+}
+
+void ReviewPage::showShade() {
+    m_shade.value->setText(std::isnan(m_shadeShare) ? kNoValue
+                           : m_shadeShare == 0.0
+                               ? tr("No object shades another")
+                               : tr("At most %1 % of an object's view factor is taken by the others")
+                                     .arg(QLocale().toString(100.0 * m_shadeShare, 'f', 1)));
 }
 
 void ReviewPage::clear() {
@@ -490,8 +506,10 @@ void ReviewPage::refreshTexts() {
     showCounting();
     const QPalette caption = captionPalette(palette());
     const std::initializer_list<std::pair<Fact, QString>> facts{
-        {m_outcome, tr("Outcome")},       {m_verification, tr("Verification")}, {m_duration, tr("Duration")},
-        {m_controller, tr("Controller")}, {m_created, tr("Recorded")},          {m_software, tr("Software")}};
+        {m_outcome, tr("Outcome")},   {m_verification, tr("Verification")},
+        {m_duration, tr("Duration")}, {m_controller, tr("Controller")},
+        {m_shade, tr("Shade")},       {m_created, tr("Recorded")},
+        {m_software, tr("Software")}};
     for (const auto& [fact, text] : facts) {
         fact.caption->setText(text);
         fact.caption->setPalette(caption);
@@ -503,6 +521,7 @@ void ReviewPage::refreshTexts() {
     m_file->setToolTip(path);
     m_tag->setText(m_session->facts().simulated ? tr("SIMULATED") : tr("LIVE"));
     showOutcome();
+    showShade();
     m_duration.value->setText(m_session->size() == 0 ? kNoValue : formatDuration(m_session->lastTime_s()));
     m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
     const QDateTime created =

@@ -10,6 +10,7 @@
 
 #include <QWidget>
 
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -33,9 +34,10 @@ struct IdentifiedRow;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
-/// "factOutcome", "factVerification", "factSoftware", "sessionAltered", "finalValues", "identifiedRates",
-/// "identifiedLosses", "identifiedNote", "useIdentified", "useExperiment", "reviewEvents", "reviewDetails"
-/// (which of these is shown), "reviewCounting", and those of SessionList, ReplayView and MetricsPanel.
+/// "factOutcome", "factVerification", "factShade", "factSoftware", "sessionAltered", "finalValues",
+/// "identifiedRates", "identifiedLosses", "identifiedNote", "useIdentified", "useExperiment", "reviewEvents",
+/// "reviewDetails" (which of these is shown), "reviewCounting", and those of SessionList, ReplayView and
+/// MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -50,6 +52,9 @@ public:
     /// Shows the progress of that work.
     void setCounting(int percent);
     void setMetrics(const RunMetrics& metrics);
+    /// Sets the largest share of its view factor that an object lost to the others; 0: no object shades
+    /// another; NaN: not known.
+    void setShade(double share);
     /// Sets the heat rates, computed from the record by the receiver after setSession; until then the page
     /// shows that they are being computed.
     void setIdentified(const std::vector<IdentifiedRow>& rows);
@@ -100,6 +105,7 @@ private:
     void refreshTexts();
     void showOutcome();
     void showVerification();
+    void showShade();
     bool isAlteredNow() const;
     QString outcomeText() const;
 
@@ -108,6 +114,7 @@ private:
     bool m_isDamaged = false;    ///< found since it was opened
     std::optional<SessionVerdict> m_verdict;
     QString m_unverified; ///< why there is no verdict
+    double m_shadeShare = std::numeric_limits<double>::quiet_NaN();
     QStringList m_sentences;
 
     QSplitter* m_splitter;
@@ -123,7 +130,7 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
-    Fact m_created, m_duration, m_controller, m_outcome, m_verification, m_software;
+    Fact m_created, m_duration, m_controller, m_outcome, m_verification, m_shade, m_software;
     QLabel *m_outcomeIcon, *m_outcomeWord;
     MessageBar* m_altered;
     ReplayView* m_replay;

@@ -467,6 +467,8 @@ void TargetsPage::showJoint() {
     if (!detail.isEmpty())
         for (const MountingRemark& remark : m_shade)
             detail += QStringLiteral("\n\u2022 ") + messageText(remark.message, m_unit);
+    if (!detail.isEmpty() && m_shade.empty() && m_rows.size() > 1)
+        detail += QLatin1Char('\n') + tr("No object shades another at this pose.");
     m_jointDetail->setText(detail);
     m_jointDetail->setPalette(captionPalette(palette()));
     m_useNearest->setText(tr("Use nearest feasible"));

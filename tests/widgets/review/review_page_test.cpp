@@ -796,6 +796,18 @@ TEST_F(ReviewPageTest, TellsWhetherTheRunIsAsItWasRecorded) {
     EXPECT_EQ(text("factVerification"), "Not verified: gone");
 }
 
+// Catches: shade that nobody is told of, "nobody" where it is not known, and that of the run before.
+TEST_F(ReviewPageTest, TellsWhetherAnObjectShadesAnother) {
+    show(record());
+    EXPECT_EQ(text("factShade"), kNoValue);
+    page.setShade(0.0);
+    EXPECT_EQ(text("factShade"), "No object shades another");
+    page.setShade(0.123);
+    EXPECT_EQ(text("factShade"), "At most 12.3 % of an object's view factor is taken by the others");
+    show(record());
+    EXPECT_EQ(text("factShade"), kNoValue);
+}
+
 // Catches files that the page could show before and cannot now.
 TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
     SessionRecord session = record();

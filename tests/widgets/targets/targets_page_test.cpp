@@ -154,6 +154,7 @@ TEST_F(TargetsPageTest, HeldTogether) {
     EXPECT_EQ(text("jointVerdict"), "All targets can be held together.");
     EXPECT_TRUE(text("jointDetail").contains("z +6.0 cm")) << text("jointDetail").toStdString();
     EXPECT_TRUE(text("jointDetail").contains("2.1 cm from the nearest limit: clearance"));
+    EXPECT_TRUE(text("jointDetail").contains("No object shades another at this pose."));
     PoseMargin angle;
     angle.distance_m = 0.05;
     angle.coordinate = kThetaX;
