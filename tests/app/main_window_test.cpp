@@ -517,6 +517,46 @@ TEST_F(MainWindowTest, ASampleThatIsMissingIsToldWhenTheRunIsOpened) {
         << message().toStdString();
 }
 
+// Catches: one changed value of a recording that the window shows without a word, and runs that are selected
+// together and not laid over each other.
+TEST_F(MainWindowTest, AnAlteredRunSaysSoWhereverItIsShown) {
+    openWindow();
+    const QTemporaryDir folder;
+    const auto record = [&](const char* name) {
+        const QString path = folder.filePath(QLatin1String(name));
+        auto writer = SessionWriter::create(path.toStdString(), window->document().experiment(), true);
+        EXPECT_TRUE(writer);
+        TraceSample sample;
+        sample.objects.resize(window->document().experiment().objects.size());
+        for (int i = 0; i < 40; ++i) {
+            sample.time_s = i;
+            EXPECT_TRUE((*writer)->add(sample));
+        }
+        EXPECT_TRUE((*writer)->finish("stopped"));
+        return path;
+    };
+    const QString whole = record("whole.bask"), changed = record("changed.bask");
+    {
+        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), changed);
+        database.setDatabaseName(changed);
+        ASSERT_TRUE(database.open());
+        QSqlQuery query(database);
+        ASSERT_TRUE(query.exec(QStringLiteral("UPDATE step SET measured_K_1 = 300 WHERE number = 12")));
+    }
+    QSqlDatabase::removeDatabase(changed);
+    const auto* altered = window->pages().review()->findChild<MessageBar*>(QStringLiteral("sessionAltered"));
+    window->files().open(changed);
+    ASSERT_TRUE(waitFor([&] { return altered->sentence().contains(QStringLiteral("row 12, at 0:11")); }));
+    EXPECT_EQ(find<QLabel>("outcomeWord")->text(), QStringLiteral("Altered"));
+    window->files().open(whole);
+    const auto* verdict = window->pages().review()->findChild<QLabel*>(QStringLiteral("factVerification"));
+    ASSERT_TRUE(waitFor([&] { return verdict->text().startsWith(QStringLiteral("Intact")); }));
+    EXPECT_TRUE(altered->isHidden());
+    emit window->pages().review()->sessions()->comparisonRequested(whole, {changed});
+    EXPECT_TRUE(waitFor([&] { return message().contains(QStringLiteral("changed.bask: Altered")); }));
+    EXPECT_TRUE(altered->isHidden()) << "the open one is not";
+}
+
 // Catches: a run that is opened for an alarm and begins at Start, and one that begins where another one was
 // left, or at an alarm that could not be opened.
 TEST_F(MainWindowTest, ARunOpenedForAnAlarmBeginsAtIt) {
