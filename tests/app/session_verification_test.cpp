@@ -55,7 +55,7 @@ TEST_F(SessionVerificationTest, TheOpenRunAndThoseOverItAreVerified) {
     const QString open = record("open.bask"), over = record("over.bask"), last = record("last.bask");
     {
         const auto store = SessionStore::create(over.toStdString());
-        ASSERT_TRUE((*store)->execute("UPDATE step SET source_K = 300 WHERE number = 7"));
+        ASSERT_TRUE((*store)->execute("UPDATE step SET measured_K_1 = 300 WHERE number = 7"));
     }
     verification.start(open);
     verification.add(over);

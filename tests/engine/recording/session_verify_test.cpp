@@ -114,7 +114,7 @@ TEST_F(SessionVerify, exportsTellIt) {
     EXPECT_EQ(told(path()), "intact");
     record(path("cut.bask"), false);
     EXPECT_EQ(told(path("cut.bask")), "not sealed");
-    tamper(path(), "UPDATE step SET source_K = source_K + 1 WHERE number = 123");
+    tamper(path(), "UPDATE step SET measured_K_1 = measured_K_1 + 1 WHERE number = 123");
     EXPECT_EQ(told(path()), "altered");
     EXPECT_EQ(verificationOf(path("none.bask")), "not verified");
 }
