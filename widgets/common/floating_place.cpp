@@ -22,7 +22,7 @@ QRect seenOf(const QWidget& page) {
 }
 
 /// Moves a bar up, past what has to be seen, as long as there is room.
-QRect above(const QWidget& page, QRect bar, int highest) {
+QRect movedAbove(const QWidget& page, QRect bar, int highest) {
     for (bool isFree = false; !isFree;) {
         isFree = true;
         for (const QWidget* each : page.findChildren<QWidget*>()) {
@@ -65,7 +65,8 @@ void FloatingPlace::place() {
     const int width = std::min(seen.width() - 2 * kMargin_px, kMaxWidth_px);
     const int height = m_bar.hasHeightForWidth() ? m_bar.heightForWidth(width) : m_bar.sizeHint().height();
     const int top = std::max(seen.top(), seen.bottom() - kMargin_px - height); // it begins in sight
-    m_bar.setGeometry(above(m_page, QRect(seen.center().x() - width / 2, top, width, height), seen.top()));
+    m_bar.setGeometry(
+        movedAbove(m_page, QRect(seen.center().x() - width / 2, top, width, height), seen.top()));
     m_bar.raise();
 }
 

@@ -163,7 +163,7 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
     m_useExperiment = new QPushButton(facts);
     m_useExperiment->setObjectName("useExperiment");
     form->addRow(m_useExperiment);
-    return facts;
+    return scrolled(facts);
 }
 
 QWidget* ReviewPage::buildIdentified(QWidget* parent) {
