@@ -115,6 +115,7 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     EXPECT_EQ(read.text("/entry/start_time"), "2026-11-22T10:17:49Z");
     EXPECT_EQ(read.text("/entry/run/simulated"), "true");
     EXPECT_EQ(read.text("/entry/run/recorded_by"), "Bask 0.0.9");
+    EXPECT_EQ(read.text("/entry/run/verification"), "not verified") << "there is no file";
     EXPECT_EQ(read.text("/entry/end_time"), "2026-11-22T11:41:09Z");
     EXPECT_EQ(read.numbers("/entry/collection_time").at(0), session.samples.back().time_s);
     EXPECT_EQ(read.text("/entry/note_1/data"), session.notes[0].text);
