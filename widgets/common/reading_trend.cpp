@@ -17,8 +17,8 @@ constexpr std::size_t kMinReadings = 3;
 } // namespace
 
 void ReadingTrend::passTo(double time_s) {
-    if (!m_readings.empty() && time_s < m_readings.back().time_s)
-        m_readings.clear();
+    if (time_s < (m_readings.empty() ? m_begin_s.value_or(time_s) : m_readings.back().time_s))
+        clear();
     while (!m_readings.empty() && m_readings.front().time_s <= time_s - kOver_s)
         m_readings.pop_front();
 }
@@ -26,9 +26,13 @@ void ReadingTrend::passTo(double time_s) {
 void ReadingTrend::add(double time_s, double reading_K, double rate_K_s) {
     if (m_readings.empty() || time_s > m_readings.back().time_s)
         m_readings.push_back({time_s, reading_K, rate_K_s});
+    m_begin_s = m_begin_s.value_or(time_s);
 }
 
+/// Not of the first few: from one to the next the noise of an estimate is several K/min.
 double ReadingTrend::meanRate_K_s() const {
+    if (m_readings.empty() || m_readings.back().time_s - *m_begin_s < kMinSpan_s)
+        return std::numeric_limits<double>::quiet_NaN();
     double sum_K_s = 0.0;
     int count = 0;
     for (const Reading& each : m_readings)

@@ -34,6 +34,8 @@ struct Shown {
 TEST(ObjectTile, NumbersWithUnits) {
     Shown shown;
     shown.feed(1.0, 303.15, 0.1);
+    EXPECT_EQ(shown.text("tileRate"), QStringLiteral("\u2014")) << "of one estimate";
+    shown.feed(6.0, 303.15, 0.1);
     EXPECT_EQ(shown.text("tileName"), QStringLiteral("bunny"));
     EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.0\u00a0°C"));
     EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
@@ -100,6 +102,7 @@ TEST(ObjectTile, TheFirstSampleTellsNoHeating) {
     Shown replayed;
     replayed.tile.setMoment({first}, 0, 0);
     EXPECT_EQ(replayed.tile.activity(), ObjectActivity::Steady);
+    EXPECT_EQ(replayed.text("tileRate"), QStringLiteral("\u2014"));
 }
 
 // Catches a word and a number that follow the noise of single samples.
