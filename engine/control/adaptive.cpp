@@ -50,9 +50,10 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
         lossRates_K4_s[row] += lossSlope_K3(i, T) * v;
         wanted[row] = -gains.mu * estimate.a1 * v - gains.K * zeta[i] + estimate.a2 * lossRates_K4_s[row];
     }
-    const auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
+    const ViewFactors seen = m_model.geometry->viewFactors(observation.coordinates);
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s,
-                                     rows * observation.sourceStrength, wanted);
+                                     seen.dF * observation.sourceStrength, wanted);
+    leaveDark(*m_model.geometry, observation, seen, m_model.targets_K, dt_s, out);
     for (std::size_t i = 0; i < N; ++i) {
         if (!out.limits.any())
             adapt(m_estimates[i], observation.objects[i].rate_K_s, zeta[i],

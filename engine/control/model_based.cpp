@@ -15,7 +15,8 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
     if (observation.objects.size() != N)
         throw std::invalid_argument("ModelBasedController: wrong number of objects");
     const ModelBasedGains& gains = m_settings.modelBased;
-    auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
+    const ViewFactors seen = m_model.geometry->viewFactors(observation.coordinates);
+    auto rows = seen.dF;
     Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
     const Eigen::VectorXd gainRates_K4_s = neighbourGainRates_K4_s(*m_model.geometry, observation);
     for (std::size_t i = 0; i < N; ++i) {
@@ -27,6 +28,7 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
                       rates.lambda2 * gainRates_K4_s[row];
     }
     ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s, rows, wanted);
+    leaveDark(*m_model.geometry, observation, seen, m_model.targets_K, dt_s, out);
     out.estimate = m_model.estimated;
     return out;
 }

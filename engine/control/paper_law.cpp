@@ -37,4 +37,26 @@ ControlOutput followWanted(const RigGeometry& geometry, const ControllerSettings
     return out;
 }
 
+void leaveDark(const RigGeometry& geometry, const Observation& observation, const ViewFactors& seen,
+               const std::vector<double>& targets_K, double dt_s, ControlOutput& out) {
+    constexpr double kDark = 1e-9;  // view factor, and its derivatives
+    constexpr double kCold_K = 0.5; // that noise alone leads nowhere
+    constexpr double kStands = 1e-6;
+    if (out.rates.cwiseAbs().maxCoeff() > kStands)
+        return;
+    bool isInDark = false;
+    for (std::size_t i = 0; i < targets_K.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        isInDark = isInDark || (seen.F[row] <= kDark && seen.dF.row(row).cwiseAbs().maxCoeff() <= kDark &&
+                                observation.objects[i].temperature_K < targets_K[i] - kCold_K);
+    }
+    if (!isInDark)
+        return;
+    const Vector6d& q = observation.coordinates;
+    const VelocitySolution way =
+        velocityTowards(geometry, q, poseFacingSource(geometry, q), dt_s, observation.lastRates);
+    out.rates = way.rates;
+    out.limits = way.limits;
+}
+
 } // namespace bask

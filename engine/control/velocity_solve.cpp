@@ -349,6 +349,17 @@ Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
     return goal;
 }
 
+Vector6d poseFacingSource(const RigGeometry& geometry, const Vector6d& q) {
+    const RobotLimits& limits = geometry.limits();
+    const Pose& X_RS = geometry.X_RS();
+    const double height_m = geometry.away().dot(q.head<3>() - X_RS.translation());
+    const Vector6d facing = coordinatesFromPose(X_RS * Eigen::Translation3d(0.0, 0.0, height_m));
+    Vector6d goal = q;
+    for (const int k : geometry.freeCoordinates())
+        goal[k] = std::clamp(facing[k], limits.lower[k], limits.upper[k]);
+    return goal;
+}
+
 namespace {
 
 /// Share of full speed that still lets the robot stop after `path_s` seconds of full speed; braking from full

@@ -58,6 +58,10 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
 /// angles.
 Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q);
 
+/// Returns the pose at the height of q on the source's axis, parallel to the source, as far as the free
+/// coordinates and the workspace allow.
+Vector6d poseFacingSource(const RigGeometry& geometry, const Vector6d& q);
+
 /// Returns the time from a to b at the robot's limits of speed, s.
 double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d& b);
 

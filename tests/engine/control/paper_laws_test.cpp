@@ -68,6 +68,25 @@ double lyapunov(const AdaptiveGains& gains, const HeatRates& truth, const HeatRa
            0.5 * da2 * da2 / gains.gamma2;
 }
 
+/// Whether a law finds back from a pose at which the circle does not see the source at all.
+bool comesOutOfTheDark(ControllerKind kind) {
+    RobotLimits limits;
+    const RigGeometry geometry(Disk{0.1}, {Disk{0.015}}, {Vector6d::Zero()}, limits);
+    Vector6d q;
+    q << -0.0671, 0.2, 0.061, limits.upper[kThetaX], 0.0, 0.0;
+    EXPECT_EQ(geometry.viewFactors(q).F[0], 0.0);
+    const PaperBench bench;
+    const auto law = makeController(
+        paperSettings(kind), {std::make_shared<RigGeometry>(geometry), {bench.rates}, {kPaperT3_K + 5.0}});
+    Vector6d rates = Vector6d::Zero();
+    for (int k = 0; k < 30 && geometry.viewFactors(q).F[0] < 0.01; ++k) {
+        rates = law->step({1.0 * k, q, 1.0, {{kPaperT3_K, 0.0}}, rates}, 1.0).rates;
+        q += rates;
+        EXPECT_TRUE(geometry.allowed(q));
+    }
+    return geometry.viewFactors(q).F[0] >= 0.01;
+}
+
 Observation moving(const PaperBench& bench, double T_K, double v_K_s) {
     return {0.0, bench.q, 1.0, {{T_K, v_K_s}}};
 }
@@ -188,6 +207,12 @@ TEST(AdaptiveLaw, NoiseBelowTheDeadZoneTeachesNothing) {
     };
     EXPECT_DOUBLE_EQ(estimateAfter(0.9 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
     EXPECT_NE(estimateAfter(1.1 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
+}
+
+// Catches: a run that stands for ever beside the source with an object that is too cold.
+TEST(PaperLaws, ComeOutOfTheDark) {
+    EXPECT_TRUE(comesOutOfTheDark(ControllerKind::ModelBased));
+    EXPECT_TRUE(comesOutOfTheDark(ControllerKind::Adaptive));
 }
 
 TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
