@@ -23,7 +23,8 @@ Vector6d at(double x, double y, double z, double theta_x = 0.0) {
     return q;
 }
 
-const Vector6d kParallel = at(0.04, 0.03, 0.05);                // sees the whole source
+const Vector6d kParallel = at(0.04, 0.03, 0.05); // sees the whole source
+const Vector6d kTilted = at(0.04, 0.03, 0.05, 0.2);
 const Vector6d kCut = at(0.0, 0.0, 0.05, 80.0 * kDegree);       // its plane cuts the source
 const Vector6d kDipping = at(0.0, -0.2, 0.005, 45.0 * kDegree); // half of it below the source plane
 const Vector6d kNear = at(0.10, 0.0, 0.0003);                   // over the rim, gap about 1 % of its size
@@ -168,6 +169,8 @@ BENCHMARK_CAPTURE(fixed32, gradient, kParallel, true);
 BENCHMARK_CAPTURE(gradient, disk_1e9, kDiskSource, kDisk, kParallel, 1e-9);
 BENCHMARK_CAPTURE(gradient, disk_1e12, kDiskSource, kDisk, kParallel, 1e-12);
 BENCHMARK_CAPTURE(value, disk_1e9, kDiskSource, kDisk, kParallel, 1e-9);
+BENCHMARK_CAPTURE(value, disk_tilted_1e9, kDiskSource, kDisk, kTilted, 1e-9);
+BENCHMARK_CAPTURE(gradient, disk_tilted_1e9, kDiskSource, kDisk, kTilted, 1e-9);
 BENCHMARK_CAPTURE(gradient, disk_source_cut_1e9, kDiskSource, kDisk, kCut, 1e-9);
 BENCHMARK_CAPTURE(gradient, disk_dipping_1e9, kDiskSource, kDisk, kDipping, 1e-9);
 BENCHMARK_CAPTURE(paperSimpson64, bunny5, kDiskSource, bunny(5), kParallel);

@@ -208,21 +208,6 @@ const GaussTable* RadiatingContour::Impl::gauss(double distance_m) const {
     return nullptr;
 }
 
-void RadiatingContour::Impl::tabulateQuick() {
-    constexpr std::array kPoints{24, 32};
-    static_assert(std::tuple_size_v<decltype(m_quick)> == kPoints.size());
-    for (std::size_t i = 0; i < kPoints.size(); ++i) {
-        const TrapezoidTable& rule = *trapezoid(kPoints[i]);
-        m_quick[i].table = static_cast<std::size_t>(&rule - m_trapezoids.data());
-        m_quick[i].from_m.fill(std::numeric_limits<double>::infinity());
-        for (int step = AnalyticStrip::kSteps - 1; step >= 0; --step) {
-            const double reached = rule.points * AnalyticStrip::width(step) - strip.growth(step);
-            for (int exponent = 0; exponent <= kMaxQuickExponent && exponent <= reached; ++exponent)
-                m_quick[i].from_m[static_cast<std::size_t>(exponent)] = strip.reach_m(step);
-        }
-    }
-}
-
 void RadiatingContour::Impl::tabulateSmooth() {
     for (const int n : kTrapezoidPoints) {
         TrapezoidTable& made = m_trapezoids.emplace_back();
@@ -238,6 +223,8 @@ void RadiatingContour::Impl::tabulateSmooth() {
         if (!disk && std::has_single_bit(static_cast<unsigned>(n)))
             fill(made.shifted, 0.5);
     }
+    for (std::size_t i = 0; i < m_quick.size(); ++i)
+        m_quick[i] = trapezoid(8.0 * static_cast<double>(i + 1))->table.view();
     const int scan = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(128, 16 * harmonics))));
     for (int i = 0; i < scan; ++i)
         m_scan.push_back(at(static_cast<double>(i) / scan));
@@ -257,8 +244,6 @@ void RadiatingContour::Impl::tabulateSmooth() {
     maxSpeed_m *= disk ? 1.0 : 1.1; // between the scanned points, too
     reach += disk ? 0.0 : 0.5 * maxSpeed_m / scan;
     strip = AnalyticStrip(m_coefficients, harmonics, perimeter);
-    if (disk)
-        tabulateQuick();
 }
 
 // Number of points on an edge for which a rule of order n leaves only rounding errors: the ratio of half

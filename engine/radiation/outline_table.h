@@ -89,9 +89,6 @@ public:
     /// Returns the smallest distance (m) at which radius() is at least `radius`; infinite if none is.
     double distanceFor(double radius) const;
 
-    /// Returns the smallest distance (m) of a singularity from O's origin at which fromCentre() is `step`.
-    double reach_m(int step) const { return m_reach[static_cast<std::size_t>(step)]; }
-
     static double width(int step); ///< b, rad
     /// Returns the log of the largest |dp/dphi| in the strip divided by the perimeter: the cost of a wide
     /// strip.
@@ -159,16 +156,12 @@ struct RadiatingContour::Impl {
     /// Returns a trapezoidal rule on a whole smooth outline for an error exp(-exponent), where the source's
     /// outline is at least `fromCentre` from O's origin and `nearest` from the outline (m).
     ForeseenRule foreseen(double fromCentre, double nearest, double exponent) const;
-    /// Returns the smallest of a few rules of a disk's outline that are exact to exp(-exponent) where the
-    /// source's outline is `away` (m) from O's origin; without points if none is. The exponent is from 0 to
-    /// kMaxQuickExponent.
-    kernels::Outline quick(int exponent, double away) const {
-        for (const QuickRule& rule : m_quick)
-            if (away >= rule.from_m[static_cast<std::size_t>(exponent)])
-                return m_trapezoids[rule.table].table.view();
-        return {};
+    /// Returns the trapezoidal rule of 8, 16, 24 or 32 points of a smooth outline, as it stays in memory: a
+    /// view that is made for a call would keep the kernel waiting.
+    const kernels::Outline& quick(int points) const {
+        return m_quick[static_cast<std::size_t>(points / 8 - 1)];
     }
-    static constexpr int kMaxQuickExponent = 63;
+    static constexpr int kMaxQuickPoints = 32;
     /// Returns Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding;
     /// null if none do.
     const GaussTable* gauss(double distance_m) const;
@@ -206,7 +199,6 @@ struct RadiatingContour::Impl {
 private:
     kernels::SeriesPoints seriesAt(double from, double width, std::span<const double> nodes) const;
     void tabulateSmooth();
-    void tabulateQuick();
     void tabulatePolygon(const Contour& polygon);
     std::vector<double> crossings(const HeightPlane& height) const;
     std::vector<OutlinePiece> smoothPieces(const HeightPlane& height) const;
@@ -216,12 +208,8 @@ private:
     static std::shared_ptr<LatePlate> latePlate();
     std::shared_ptr<LatePlate> m_plate = latePlate();
 
-    std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
-    struct QuickRule {
-        std::size_t table = 0;                              ///< of m_trapezoids
-        std::array<double, kMaxQuickExponent + 1> from_m{}; ///< from here on it is exact, by the exponent
-    };
-    std::array<QuickRule, 2> m_quick{};
+    std::vector<std::complex<double>> m_coefficients;          // j = -harmonics .. harmonics
+    std::array<kernels::Outline, kMaxQuickPoints / 8> m_quick; // views of the first trapezoids
     std::vector<TrapezoidTable> m_trapezoids; // of a smooth outline, in ascending order of points
     std::vector<GaussTable> m_gauss;          // of a polygon, in descending order of distance
     std::vector<double> m_speeds;             // bounds from each scanned point to the next

@@ -1,12 +1,14 @@
 #include "engine/radiation/view_factor.h"
 
 #include "engine/radiation/coplanar.h"
+#include "engine/radiation/disk_strip.h"
 #include "engine/radiation/outline_integral.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace bask {
@@ -29,8 +31,8 @@ void refuseOverlapInPlane(const RadiatingContour::Impl& source, const RadiatingC
 // Rounding error, m2: a few relative epsilons times the size of the potential and the length of the path;
 // larger than any observed error.
 double roundingFloor(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
-                     const Sight& sight) {
-    const Eigen::Vector3d p = sight.X_SO.translation();
+                     const Pose& X_SO) {
+    const Eigen::Vector3d p = X_SO.translation();
     const double potential =
         std::min(0.5 * source.perimeter, 2.0 * source.area * (p.norm() + object.reach) / p.squaredNorm());
     return 64.0 * kEpsilon * object.perimeter * potential;
@@ -73,7 +75,7 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
     if (side == PlaneSide::Behind)
         return {};
     Outcome outcome;
-    outcome.floor_m2 = roundingFloor(source, object, sight);
+    outcome.floor_m2 = roundingFloor(source, object, sight.X_SO);
     outcome.visibility =
         seen == PlaneSide::Front && side == PlaneSide::Front ? Visibility::Full : Visibility::Partial;
     // The visible part of each face bounds A2 F21: a sliver does not justify the many points that it would
@@ -89,8 +91,8 @@ Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingCon
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
                                                sight, side, goal);
     else if (seen == PlaneSide::Front)
-        outcome.integral =
-            integrate<kMoments>(WholeDiskSource(source.disk->radius_m, sight), object, sight, side, goal);
+        outcome.integral = integrate<kMoments>(WholeDiskSource(source.disk->radius_m, sight.X_SO), object,
+                                               sight, side, goal);
     else
         outcome.integral =
             integrate<kMoments>(DiskSegmentSource(source.disk->radius_m, sight), object, sight, side, goal);
@@ -123,9 +125,10 @@ Outcome withHoles(const RadiatingContour::Impl& source, const RadiatingContour::
     return sum;
 }
 
+// Not inlined: its frame would be the quick way's, too.
 template <bool kMoments>
-Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
-                 double tolerance, int maxPoints) {
+[[gnu::noinline]] Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
+                                   const Pose& X_SO, double tolerance, int maxPoints) {
     constexpr double kFarthest2 = 1e100; // m2; beyond, squares of squares overflow
     if (!(X_SO.translation().squaredNorm() < kFarthest2) || !std::isfinite(X_SO.linear().sum()))
         throw std::invalid_argument("viewFactor: the pose is not finite");
@@ -139,33 +142,52 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
     return withHoles<kMoments>(source, object, sight, allowed_m2, maxPoints);
 }
 
-// The value of one disk over another that are wholly seen, so far apart that a quick rule is enough: nearly
-// all calls. The sum does not wait for the distances, which the processor looks at meanwhile. NaN: not so.
-double quickValue(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
-                  const Pose& X_SO, double tolerance) {
-    constexpr double kNotSo = std::numeric_limits<double>::quiet_NaN();
+/// Sums in O axes, in units of `factor`.
+struct QuickSum {
+    double factor = 0.0; ///< m2
+    double error_m2 = 0.0;
+    kernels::Sums sums;
+};
+
+// One disk over another that are wholly seen, so far apart that a quick rule is enough: nearly all calls. The
+// processor sums while it looks at the conditions, which no pose meets that is not finite. Empty if they are
+// not met.
+template <bool kMoments>
+std::optional<QuickSum> quick(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
+                              const Pose& X_SO, double tolerance, int maxPoints) {
+    if (!source.isPlainDisk() || !object.isPlainDisk())
+        return std::nullopt;
+    const double R = source.disk->radius_m, r = object.disk->radius_m;
     const double perimeters = source.perimeter * object.perimeter;
     const double allowed_m2 = kRuleShare * 2.0 * std::numbers::pi * object.area * tolerance;
     if (!(allowed_m2 >= 32.0 * kEpsilon * perimeters)) // roundingFloor() is never more
-        return kNotSo;
-    const int exponent = static_cast<int>(logAbove(kRuleSafety * perimeters / allowed_m2) + kHalfError) + 1;
-    if (exponent < 0 || exponent > RadiatingContour::Impl::kMaxQuickExponent)
-        return kNotSo;
-    const Sight sight(X_SO);
-    const Eigen::Vector3d o = X_SO.translation();
-    const WholeDiskSource disk(source.disk->radius_m, sight);
-    const double least = kInFront * (source.reach + object.reach);
-    const double away = disk.distance_m(o);
-    const kernels::Outline points = object.quick(exponent, away);
-    if (!(sight.overObject.z0 - source.reach * sight.overObject.slope > least &&
-          sight.overSource.z0 - object.reach * sight.overSource.slope > least && points.count > 0 &&
-          away < 1e50))
-        return kNotSo;
-    return disk.circulation(disk.value(points));
+        return std::nullopt;
+    const kernels::WholeDisk disk = WholeDiskSource::seen(R, X_SO);
+    const auto& [R2, o, k] = disk;
+    const double z = X_SO.translation().z();
+    const double overObject = o[2] - kInFront * (R + r), overSource = z - kInFront * (R + r);
+    const DiskRule<8> rule(wideStripExp(stripCosh(R, r, o[0], o[1], o[2], k[0], k[1], z)),
+                           kRuleSafety * perimeters, allowed_m2, RadiatingContour::Impl::kMaxQuickPoints);
+    if (!(rule.points <= std::min(RadiatingContour::Impl::kMaxQuickPoints, maxPoints) && overObject > 0.0 &&
+          overSource > 0.0 && overObject * overObject > R2 * X_SO.linear().col(2).head<2>().squaredNorm() &&
+          overSource * overSource > r * r * (k[0] * k[0] + k[1] * k[1]) &&
+          o[0] * o[0] + o[1] * o[1] + o[2] * o[2] < kFarthestStrip_m * kFarthestStrip_m))
+        return std::nullopt;
+    const kernels::Outline& points = object.quick(rule.points);
+    QuickSum sum{-2.0 * std::numbers::pi * R2, kRuleSafety * perimeters / rule.gain, {}};
+    if constexpr (kMoments)
+        sum.sums = kernels::kernels().diskSums(disk, points);
+    else
+        sum.sums.value = kernels::kernels().diskValue(disk, points);
+    return sum;
 }
 
-double asFraction(double circulation, double area) {
-    return std::clamp(-circulation / (2.0 * std::numbers::pi * area), 0.0, 1.0) + 0.0; // avoids minus zero
+double perCirculation(double area) {
+    return -1.0 / (2.0 * std::numbers::pi * area);
+}
+
+double asFraction(double factor) {
+    return std::clamp(factor, 0.0, 1.0) + 0.0; // avoids minus zero
 }
 
 } // namespace
@@ -197,13 +219,25 @@ const Shape& RadiatingContour::shape() const {
 
 ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options) {
-    const double area = object.area_m2();
+    const double area = object.impl().netArea;
+    const double scale = perCirculation(area);
+    ViewFactor factor;
+    if (const auto sum =
+            quick<true>(source.impl(), object.impl(), X_SO, options.tolerance, options.maxPoints)) {
+        const double scaled = scale * sum->factor;
+        const auto R = X_SO.linear();
+        factor.value = asFraction(scaled * sum->sums.value);
+        factor.gradient.head<3>() = scaled * (R * Eigen::Map<const Eigen::Vector3d>(sum->sums.moments));
+        factor.gradient.tail<3>() = scaled * (R * Eigen::Map<const Eigen::Vector3d>(sum->sums.moments + 3));
+        factor.visibility = Visibility::Full;
+        factor.errorEstimate =
+            std::min(-scale * (sum->error_m2 + roundingFloor(source.impl(), object.impl(), X_SO)), 1.0);
+        return factor;
+    }
     const Outcome outcome =
         evaluate<true>(source.impl(), object.impl(), X_SO, options.tolerance, options.maxPoints);
-    const double perCirculation = 1.0 / (2.0 * std::numbers::pi * area);
-    ViewFactor factor;
-    factor.value = asFraction(outcome.integral.circulation_m2, area);
-    factor.gradient = -perCirculation * outcome.integral.moments;
+    factor.value = asFraction(scale * outcome.integral.circulation_m2);
+    factor.gradient = scale * outcome.integral.moments;
     factor.visibility = outcome.visibility;
     factor.errorEstimate = outcome.error(area);
     return factor;
@@ -211,16 +245,15 @@ ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& ob
 
 double viewFactorValue(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                        double tolerance, double* errorEstimate) {
-    const double area = object.area_m2();
-    if (errorEstimate == nullptr && source.impl().isPlainDisk() && object.impl().isPlainDisk())
-        if (const double value = quickValue(source.impl(), object.impl(), X_SO, tolerance);
-            !std::isnan(value))
-            return asFraction(value, area);
-    const Outcome outcome =
-        evaluate<false>(source.impl(), object.impl(), X_SO, tolerance, ViewFactorOptions{}.maxPoints);
+    constexpr int kMaxPoints = ViewFactorOptions{}.maxPoints;
+    const double scale = perCirculation(object.impl().netArea); // before the sum, which does not wait for it
+    if (errorEstimate == nullptr)
+        if (const auto sum = quick<false>(source.impl(), object.impl(), X_SO, tolerance, kMaxPoints))
+            return asFraction(scale * sum->factor * sum->sums.value);
+    const Outcome outcome = evaluate<false>(source.impl(), object.impl(), X_SO, tolerance, kMaxPoints);
     if (errorEstimate)
-        *errorEstimate = outcome.error(area);
-    return asFraction(outcome.integral.circulation_m2, area);
+        *errorEstimate = outcome.error(object.impl().netArea);
+    return asFraction(scale * outcome.integral.circulation_m2);
 }
 
 Vector6d gradientAbout(const Vector6d& gradient, const Eigen::Vector3d& p_SO, const Eigen::Vector3d& p_SE) {

@@ -30,12 +30,17 @@ struct Sight {
 /// Whole disk, closed form.
 class WholeDiskSource {
 public:
-    WholeDiskSource(double radius_m, const Sight& sight)
-        : m_radius(radius_m), m_factor(-2.0 * std::numbers::pi * radius_m * radius_m),
-          m_R(sight.X_SO.linear()) {
-        m_disk.radius2 = radius_m * radius_m;
-        Eigen::Map<Eigen::Vector3d>(m_disk.o) = m_R.transpose() * sight.X_SO.translation();
-        Eigen::Map<Eigen::Vector3d>(m_disk.k) = m_R.row(2).transpose();
+    WholeDiskSource(double radius_m, const Pose& X_SO)
+        : m_radius(radius_m), m_factor(-2.0 * std::numbers::pi * radius_m * radius_m), m_R(X_SO.linear()),
+          m_disk(seen(radius_m, X_SO)) {}
+
+    /// The disk in O axes; inlined, so that it gets to the kernel in registers.
+    [[gnu::always_inline]] static kernels::WholeDisk seen(double radius_m, const Pose& X_SO) {
+        const auto R = X_SO.linear();
+        const auto p = X_SO.translation();
+        return {radius_m * radius_m,
+                {R.col(0).dot(p), R.col(1).dot(p), R.col(2).dot(p)},
+                {R(2, 0), R(2, 1), R(2, 2)}};
     }
 
     /// Returns a lower bound of the distance (m) of a point of S to the visible outline, without the edges

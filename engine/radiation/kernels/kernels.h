@@ -90,12 +90,20 @@ struct DiskPoses {
 /// line.
 struct Kernels {
     const char* name;
-    double (*diskValue)(const WholeDisk&, const Outline&);
-    Sums (*diskSums)(const WholeDisk&, const Outline&);
+    /// Of a WholeDisk in registers: to read its numbers from where they were just written in pairs would take
+    /// as long as the sum.
+    double (*wholeDiskValue)(double radius2, double o1, double o2, double o3, double k1, double k2, double k3,
+                             const Outline&);
+    Sums (*wholeDiskSums)(double radius2, double o1, double o2, double o3, double k1, double k2, double k3,
+                          const Outline&);
     /// The same for eight poses at once, whose points are those of one outline; sums[0] are values, then
     /// moments.
     void (*diskPoseValues)(double radius2, const DiskPoses&, const Outline&, double* values);
     void (*diskPoseSums)(double radius2, const DiskPoses&, const Outline&, double (*sums)[kPoses]);
+    /// For eight disks parallel to the source's, at x, y and z (m) from its centre: writes their distances
+    /// from its axis and returns the smallest stripCosh() (disk_strip.h) of those higher than `least`.
+    double (*parallelDiskStrips)(double radius, double objectRadius, double least, const double* x,
+                                 const double* y, const double* z, double* away);
     /// For eight disks parallel to the source's, whose centres are `away` from its axis and `height` from its
     /// plane (m): sums[0] are sums of (r + away * cosine) / (a + S) over points at the given cosines, r being
     /// their radius.
@@ -112,6 +120,13 @@ struct Kernels {
     Sums (*loopSums)(const Loop&, const Placement&, const Outline&, bool onCut);
     /// The points at phi of the given cosines and sines; `count` is a multiple of kPadding.
     void (*seriesPoints)(const Series&, const double* cosines, const double* sines, int count, SeriesPoints&);
+
+    double diskValue(const WholeDisk& d, const Outline& outline) const {
+        return wholeDiskValue(d.radius2, d.o[0], d.o[1], d.o[2], d.k[0], d.k[1], d.k[2], outline);
+    }
+    Sums diskSums(const WholeDisk& d, const Outline& outline) const {
+        return wholeDiskSums(d.radius2, d.o[0], d.o[1], d.o[2], d.k[0], d.k[1], d.k[2], outline);
+    }
 };
 
 extern const Kernels kBaselineKernels; ///< any processor of the platform

@@ -28,10 +28,13 @@ BASK_INLINE Lanes laneSqrt(Lanes x) {
     return result;
 }
 BASK_INLINE double laneSum(Lanes x) {
-    double sum = 0.0;
+    double part[kLanes];
     for (int i = 0; i < kLanes; ++i)
-        sum += x[i];
-    return sum;
+        part[i] = x[i];
+    for (int half = kLanes / 2; half > 0; half /= 2) // in pairs: a third of the steps
+        for (int i = 0; i < half; ++i)
+            part[i] += part[i + half];
+    return part[0];
 }
 BASK_INLINE Lanes select(LaneMask which, Lanes yes, Lanes no) {
     return which ? yes : no;

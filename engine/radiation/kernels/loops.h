@@ -13,20 +13,24 @@ BASK_INLINE Sums sumsOf(const Term& term) {
              laneSum(term.t3)}};
 }
 
-double diskValue(const WholeDisk& disk, const Outline& outline) {
+template <bool kMoments>
+BASK_INLINE Term diskTerm(double radius2, const double (&o)[3], const double (&k)[3],
+                          const Outline& outline) {
     Term term;
     for (int i = 0; i < outline.count; i += kLanes)
-        addWholeDisk<false>(disk.radius2, disk.o, disk.k, load(outline.x + i), load(outline.y + i),
-                            load(outline.dx + i), load(outline.dy + i), term);
-    return laneSum(term.value);
+        addWholeDisk<kMoments>(radius2, o, k, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
+                               load(outline.dy + i), term);
+    return term;
 }
 
-Sums diskSums(const WholeDisk& disk, const Outline& outline) {
-    Term term;
-    for (int i = 0; i < outline.count; i += kLanes)
-        addWholeDisk<true>(disk.radius2, disk.o, disk.k, load(outline.x + i), load(outline.y + i),
-                           load(outline.dx + i), load(outline.dy + i), term);
-    return sumsOf(term);
+double wholeDiskValue(double radius2, double o1, double o2, double o3, double k1, double k2, double k3,
+                      const Outline& outline) {
+    return laneSum(diskTerm<false>(radius2, {o1, o2, o3}, {k1, k2, k3}, outline).value);
+}
+
+Sums wholeDiskSums(double radius2, double o1, double o2, double o3, double k1, double k2, double k3,
+                   const Outline& outline) {
+    return sumsOf(diskTerm<true>(radius2, {o1, o2, o3}, {k1, k2, k3}, outline));
 }
 
 /// The sums of the poses from number `from` on.
@@ -54,8 +58,34 @@ void diskPoseSums(double radius2, const DiskPoses& poses, const Outline& outline
     }
 }
 
+double parallelDiskStrips(double radius, double objectRadius, double least, const double* xs,
+                          const double* ys, const double* zs, double* aways) {
+    Lanes narrowest = Lanes{} + 1e300;
+    for (int from = 0; from < kPoses; from += kLanes) {
+        const Lanes x = load(xs + from), y = load(ys + from), z = load(zs + from);
+        const Lanes away2 = x * x + y * y;
+        store(aways + from, laneSqrt(away2));
+        const Lanes twice2 = (4.0 * objectRadius * objectRadius) * away2; // (2 m)^2
+        const Lanes real = away2 + z * z + (objectRadius * objectRadius - radius * radius);
+        const Lanes imag = (2.0 * radius) * z;
+        const Lanes root1 = laneAbs(real * real - imag * imag - twice2);
+        const Lanes root2 = laneAbs(2.0 * real * imag);
+        const Lanes root = laneMax(laneMax(root1, root2), 0.7071 * (root1 + root2));
+        const Lanes cosh = (real * real + imag * imag + root) / (twice2 + 1e-300);
+        narrowest = select((z > least) & (cosh < narrowest), cosh, narrowest);
+    }
+    double part[kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        part[i] = narrowest[i];
+    for (int half = kLanes / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; ++i)
+            part[i] = part[i + half] < part[i] ? part[i + half] : part[i];
+    return part[0];
+}
+
 /// The closed form of addWholeDisk where the planes are parallel: the outline is the same on both sides of
-/// the line of centres, so that half of it will do. `sums` has one row, or four with kMoments.
+/// the line of centres, so that half of it will do. An even number of cosines; `sums` has one row, or four
+/// with kMoments.
 template <bool kMoments>
 void addParallelDisks(double radius2, double objectRadius, const double* aways, const double* heights,
                       const double* cosines, int count, double (*sums)[kPoses]) {
@@ -66,16 +96,27 @@ void addParallelDisks(double radius2, double objectRadius, const double* aways, 
         const Lanes middle = away * away + objectRadius * objectRadius + z2;
         const Lanes swing = (2.0 * objectRadius) * away;
         const Lanes rim = (4.0 * radius2) * z2 + 1e-300;
-        Lanes value{}, along{}, normal{}, across{};
-        for (int i = 0; i < count; ++i) {
-            const Lanes square = middle + swing * cosines[i];
+        const auto rootAt = [&](Lanes square) {
             const Lanes t = square - radius2;
-            const Lanes s = laneSqrt(t * t + rim);
-            const Lanes a = square + radius2;
-            const Lanes step = objectRadius + away * cosines[i];
-            if constexpr (!kMoments) {
-                value += step / (a + s);
-            } else {
+            return laneSqrt(t * t + rim);
+        };
+        Lanes value{}, along{}, normal{}, across{};
+        if constexpr (!kMoments) {
+            for (int i = 0; i < count; i += 2) { // two steps share a division
+                const Lanes square1 = middle + swing * cosines[i], square2 = middle + swing * cosines[i + 1];
+                const Lanes sum1 = square1 + radius2 + rootAt(square1);
+                const Lanes sum2 = square2 + radius2 + rootAt(square2);
+                const Lanes step1 = objectRadius + away * cosines[i];
+                const Lanes step2 = objectRadius + away * cosines[i + 1];
+                value += (step1 * sum2 + step2 * sum1) / (sum1 * sum2);
+            }
+        } else {
+            for (int i = 0; i < count; ++i) {
+                const Lanes square = middle + swing * cosines[i];
+                const Lanes t = square - radius2;
+                const Lanes s = rootAt(square);
+                const Lanes a = square + radius2;
+                const Lanes step = objectRadius + away * cosines[i];
                 const Lanes both = 1.0 / (s * (a + s));
                 const Lanes u = s * both;
                 const Lanes v = (a + s) * both;
@@ -172,10 +213,11 @@ void seriesPoints(const Series& series, const double* cosines, const double* sin
 
 constexpr Kernels kernelsNamed(const char* name) {
     return {name,
-            diskValue,
-            diskSums,
+            wholeDiskValue,
+            wholeDiskSums,
             diskPoseValues,
             diskPoseSums,
+            parallelDiskStrips,
             addParallelDisks<false>,
             addParallelDisks<true>,
             segmentValue,

@@ -264,6 +264,35 @@ TEST(ViewFactor, valueAloneOfDisksIsWithinTheTolerance) {
     }
 }
 
+// Catches: a rule whose gradient is worse than its value, and a strip wider than it is, at tilts and
+// parallel.
+TEST(ViewFactor, quickSumOfDisksAgreesWithTheGeneralOne) {
+    Draw draw(41);
+    int quick = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const double r1 = draw.between(0.05, 0.2);
+        const double r2 = std::exp(draw.between(std::log(0.02), std::log(0.2)));
+        const RadiatingContour source(Disk{r1}), object(Disk{r2});
+        Pose X_SO = poseFromRotationVector(draw.vector(0.3), draw.vector(i % 2 == 0 ? 0.0 : 1.2));
+        X_SO.translation().z() = draw.between(0.005, 0.4);
+        if (i % 16 == 0) // above the centre
+            X_SO.translation().head<2>().setZero();
+        const ViewFactor general = viewFactor(source, object, X_SO, {1e-15, 100000});
+        if (general.visibility != Visibility::Full)
+            continue;
+        const ViewFactor fine = viewFactor(source, object, X_SO, {.tolerance = 1e-12});
+        EXPECT_NEAR(fine.value, general.value, 2e-14) << "pose " << i;
+        EXPECT_LE((fine.gradient - general.gradient).norm(), 1e-11 / r2) << "pose " << i;
+        const ViewFactor rough = viewFactor(source, object, X_SO, {.tolerance = 1e-5});
+        EXPECT_EQ(rough.visibility, Visibility::Full);
+        EXPECT_NEAR(rough.value, general.value, rough.errorEstimate) << "pose " << i;
+        EXPECT_LE(rough.errorEstimate, 1e-5) << "pose " << i;
+        EXPECT_LE((rough.gradient - general.gradient).norm(), 1e-4 / r2) << "pose " << i;
+        quick += rough.value != general.value;
+    }
+    EXPECT_GT(quick, 1000);
+}
+
 // Catches: a result with few points allowed that claims more than it has.
 TEST(ViewFactor, saysWhatWasReachedWhenPointsRunOut) {
     const RadiatingContour object(Disk{0.05});
