@@ -393,13 +393,13 @@ void FieldSampler::sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j)
                 poses.R[i][j][k] = cursor.X_SO().linear()(i, j);
-        if (gradient != nullptr)
-            turned.push_back(cursor);
     };
     takePlace(0);
     takeTurn(0);
     if (!cursor.goAlong(poses, count)) {
         const unsigned turns = cursor.turns();
+        if (gradient != nullptr)
+            turned.push_back(cursor);
         for (std::size_t k = 1; k < count; ++k) {
             cursor.advance();
             takePlace(k);
@@ -411,8 +411,11 @@ void FieldSampler::sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t
                         turned.push_back(turned.front());
                 }
             }
-            if (!poses.isOneRotation)
+            if (!poses.isOneRotation) {
                 takeTurn(k);
+                if (gradient != nullptr)
+                    turned.push_back(cursor);
+            }
         }
     }
     for (std::size_t k = count; k < kRow; ++k) // of a short row
@@ -420,7 +423,7 @@ void FieldSampler::sampleRow(const PoseBatch& batch, Cursor& cursor, std::size_t
     PoseBatch::Factors factors;
     batch.compute(poses, static_cast<int>(count), gradient != nullptr, factors);
     for (std::size_t k = 0; k < count; ++k) {
-        const Cursor* const at = gradient == nullptr ? nullptr : &turned[poses.isOneRotation ? 0 : k];
+        const Cursor* const at = turned.empty() ? &cursor : &turned[poses.isOneRotation ? 0 : k];
         double* const slopes = gradient != nullptr ? gradient + 6 * k : nullptr;
         if ((factors.computed >> k & 1U) != 0U) {
             values[k] = factors.values[k];

@@ -1,51 +1,41 @@
 #include "engine/radiation/pose_batch.h"
 
+#include "engine/radiation/disk_strip.h"
 #include "engine/radiation/outline_table.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr double kBatchSafety = 2.0 * kRuleSafety; // object and source share the error
-constexpr int kWorthIt = 3;                        // poses; fewer are as fast one by one
 
-/// Cosines of half a circle's points, (k + 1/2) 2 pi / n: the other half has the same.
-template <int kPoints> std::array<double, kPoints / 2> halfCircle() {
-    std::array<double, kPoints / 2> cosines;
-    for (int k = 0; k < kPoints / 2; ++k)
-        cosines[static_cast<std::size_t>(k)] = std::cos((2 * k + 1) * std::numbers::pi / kPoints);
-    return cosines;
+/// Fewer poses are as fast one by one.
+bool areFewerThanThree(unsigned bits) {
+    const unsigned butOne = bits & (bits - 1);
+    return (butOne & (butOne - 1)) == 0;
 }
 
-std::span<const double> cosinesOf(int points) {
-    static const auto k8 = halfCircle<8>();
-    static const auto k16 = halfCircle<16>();
-    static const auto k24 = halfCircle<24>();
-    static const auto k32 = halfCircle<32>();
-    static const auto k48 = halfCircle<48>();
-    static const auto k64 = halfCircle<64>();
-    switch (points) {
-    case 8:
-        return k8;
-    case 16:
-        return k16;
-    case 24:
-        return k24;
-    case 32:
-        return k32;
-    case 48:
-        return k48;
-    case 64:
-        return k64;
-    default:
-        return {};
-    }
+/// Of a rule for parallel disks that are not near the source's outline: to that F is exact whatever the
+/// tolerance, at the price of hardly more points.
+constexpr double kParallelError = 1e-12;
+constexpr int kParallelStep = 4, kMaxParallelPoints = 128; // half of the points are an even number
+
+/// Cosines of half a circle's points, (k + 1/2) 2 pi / n: the other half has the same. One rule after
+/// another, the one of n points from n (n - kParallelStep) / (4 kParallelStep) on.
+const double* cosinesOf(int points) {
+    static const auto cosines = [] {
+        std::vector<double> made;
+        for (int n = kParallelStep; n <= kMaxParallelPoints; n += kParallelStep)
+            for (int k = 0; k < n / 2; ++k)
+                made.push_back(std::cos((2 * k + 1) * std::numbers::pi / n));
+        return made;
+    }();
+    return &cosines[static_cast<std::size_t>(points * (points - kParallelStep) / (4 * kParallelStep))];
 }
 
 } // namespace
@@ -56,7 +46,8 @@ PoseBatch::PoseBatch(const RadiatingContour& source, const RadiatingContour& obj
     const double perCirculation = 1.0 / (2.0 * std::numbers::pi * m_object.area_m2());
     m_floor = 32.0 * std::numeric_limits<double>::epsilon() * perimeters * perCirculation;
     m_bound = kBatchSafety * perimeters * perCirculation;
-    m_exponent = std::log(m_bound / std::max(kRuleShare * tolerance, m_floor));
+    m_allowed = std::max(kRuleShare * tolerance, m_floor);
+    m_exponent = std::log(m_bound / m_allowed);
 }
 
 std::optional<PoseBatch> PoseBatch::of(const RadiatingSource& source, const RadiatingContour& object,
@@ -67,6 +58,10 @@ std::optional<PoseBatch> PoseBatch::of(const RadiatingSource& source, const Radi
         !(tolerance > 0.0))
         return std::nullopt;
     return PoseBatch(only.contour, object, tolerance);
+}
+
+double PoseBatch::leastHeight_m() const {
+    return kInFront * (m_radius + m_object.impl().reach);
 }
 
 Pose PoseBatch::Poses::pose(std::size_t k) const {
@@ -93,90 +88,98 @@ void PoseBatch::Poses::copy(std::size_t from, std::size_t to) {
         copyRotation(from, to);
 }
 
-/// Of the object's centre from the source's axis and outline, and of its outline from the source's (m).
-struct PoseBatch::Distances {
-    double fromAxis[kPoses], fromOutline[kPoses], nearest[kPoses];
-};
-
-/// Returns the poses at which both faces are wholly in front of the other's plane, as bits.
-unsigned PoseBatch::seen(const Poses& poses, Distances& distances) const {
+/// Returns the poses at which both faces are wholly in front of the other's plane, as bits, and writes how
+/// high the object's lowest point is over the source's plane (m).
+unsigned PoseBatch::seen(const Poses& poses, double (&overSource)[kPoses]) const {
     const double reach = m_object.impl().reach;
-    const double least = kInFront * (m_radius + reach);
-    double overObject[kPoses], overSource[kPoses]; // lowest point of the one face over the other's plane
+    const double least = leastHeight_m();
+    double overObject[kPoses]; // lowest point of the source over the object's plane
     const double(&x)[kPoses] = poses.p[0];
     const double(&y)[kPoses] = poses.p[1];
     const double(&z)[kPoses] = poses.p[2];
-    const auto heights = [&](int k, int turn) {
-        const auto R = [&](int i, int j) { return poses.R[i][j][turn]; };
-        const double sourceSlope = std::sqrt(R(0, 2) * R(0, 2) + R(1, 2) * R(1, 2));
-        const double slope = std::sqrt(R(2, 0) * R(2, 0) + R(2, 1) * R(2, 1));
-        overObject[k] = R(0, 2) * x[k] + R(1, 2) * y[k] + R(2, 2) * z[k] - m_radius * sourceSlope;
-        overSource[k] = z[k] - reach * slope;
+    const auto R = [&](int i, int j, int turn) { return poses.R[i][j][turn]; };
+    const auto below = [&](int turn) { // of the source's and the object's centre
+        return std::pair(m_radius * std::sqrt(R(0, 2, turn) * R(0, 2, turn) + R(1, 2, turn) * R(1, 2, turn)),
+                         reach * std::sqrt(R(2, 0, turn) * R(2, 0, turn) + R(2, 1, turn) * R(2, 1, turn)));
     };
-    if (poses.isOneRotation)
+    const auto heights = [&](int k, int turn, const std::pair<double, double>& low) {
+        overObject[k] = R(0, 2, turn) * x[k] + R(1, 2, turn) * y[k] + R(2, 2, turn) * z[k] - low.first;
+        overSource[k] = z[k] - low.second;
+    };
+    if (poses.isOneRotation) {
+        const auto low = below(0);
         for (int k = 0; k < kPoses; ++k)
-            heights(k, 0);
-    else
+            heights(k, 0, low);
+    } else {
         for (int k = 0; k < kPoses; ++k)
-            heights(k, k);
-    for (int k = 0; k < kPoses; ++k) {
-        distances.fromAxis[k] = std::sqrt(x[k] * x[k] + y[k] * y[k]);
-        const double aside = distances.fromAxis[k] - m_radius;
-        distances.fromOutline[k] = std::sqrt(aside * aside + z[k] * z[k]);
-        distances.nearest[k] = std::max(distances.fromOutline[k] - reach, overSource[k]);
+            heights(k, k, below(k));
     }
     unsigned bits = 0;
     for (int k = 0; k < kPoses; ++k) { // comparisons that numbers which are not finite do not pass
-        const bool isSeen = overObject[k] > least && overSource[k] > least && distances.fromOutline[k] < 1e50;
+        const bool isSeen = overObject[k] > least && overSource[k] > least &&
+                            x[k] * x[k] + y[k] * y[k] + z[k] * z[k] < kFarthestStrip_m * kFarthestStrip_m;
         bits |= static_cast<unsigned>(isSeen) << k;
     }
     return bits;
 }
 
 void PoseBatch::compute(const Poses& poses, int count, bool withGradient, Factors& factors) const {
-    Distances distances;
-    const unsigned bits = seen(poses, distances) & ((1U << count) - 1U);
-    double fromOutline = INFINITY, nearest = INFINITY;
-    for (int k = 0; k < kPoses; ++k)
-        if ((bits >> k & 1U) != 0U) {
-            fromOutline = std::min(fromOutline, distances.fromOutline[k]);
-            nearest = std::min(nearest, distances.nearest[k]);
-        }
-    const auto [rule, exponent] = std::popcount(bits) >= kWorthIt
-                                      ? m_object.impl().foreseen(fromOutline, nearest, m_exponent)
-                                      : ForeseenRule();
-    factors.computed = rule ? bits : 0;
-    if (!rule)
+    double overSource[kPoses];
+    const unsigned bits = seen(poses, overSource) & ((1U << count) - 1U);
+    factors.computed = 0;
+    if (areFewerThanThree(bits))
         return;
-    factors.error = std::min(m_floor + m_bound * std::exp(-exponent), 1.0);
     const bool isParallel = poses.isOneRotation && poses.R[0][2][0] == 0.0 && poses.R[1][2][0] == 0.0;
-    if (isParallel && m_object.impl().disk != nullptr && !cosinesOf(rule->points).empty()) {
-        parallel(poses, distances, rule->points, withGradient, factors);
-    } else {
+    if (!isParallel || m_object.impl().disk == nullptr || !parallel(poses, withGradient, factors)) {
+        double away[kPoses], lowest[kPoses]; // from the source's outline, all at once
+        for (int k = 0; k < kPoses; ++k) {
+            const double x = poses.p[0][k], y = poses.p[1][k], z = poses.p[2][k];
+            const double aside = std::sqrt(x * x + y * y) - m_radius;
+            away[k] = std::sqrt(aside * aside + z * z);
+            lowest[k] = std::max(away[k] - m_object.impl().reach, overSource[k]);
+        }
+        double fromOutline = INFINITY, nearest = INFINITY;
+        for (int k = 0; k < kPoses; ++k)
+            if ((bits >> k & 1U) != 0U) {
+                fromOutline = std::min(fromOutline, away[k]);
+                nearest = std::min(nearest, lowest[k]);
+            }
+        const auto [rule, exponent] = m_object.impl().foreseen(fromOutline, nearest, m_exponent);
+        if (!rule)
+            return;
+        factors.error = std::min(m_floor + m_bound * std::exp(-exponent), 1.0);
         kernels::Outline points = rule->table.view();
         points.count = rule->points; // without those that fill it up
         tilted(poses, points, withGradient, factors);
     }
-    for (double& value : factors.values)
-        value = std::clamp(value, 0.0, 1.0) + 0.0;
+    factors.computed = bits;
 }
 
-void PoseBatch::parallel(const Poses& poses, const Distances& distances, int points, bool withGradient,
-                         Factors& factors) const {
+/// Returns false where that would take too many points.
+bool PoseBatch::parallel(const Poses& poses, bool withGradient, Factors& factors) const {
     const double radius = m_object.impl().disk->radius_m;
-    const double perSum = 4.0 * m_radius * m_radius / (radius * points);
-    const std::span<const double> cosines = cosinesOf(points);
-    const auto count = static_cast<int>(cosines.size());
     const kernels::Kernels& kernel = kernels::kernels();
+    const double(&z)[kPoses] = poses.p[2];
+    double fromAxis[kPoses];
+    const double narrowest =
+        kernel.parallelDiskStrips(m_radius, radius, leastHeight_m(), poses.p[0], poses.p[1], z, fromAxis);
+    const double exact = std::max(std::min(m_allowed, kParallelError), m_floor);
+    DiskRule<kParallelStep> rule(wideStripExp(narrowest), m_bound, exact, kMaxParallelPoints);
+    if (rule.points > kMaxParallelPoints) // near the source's outline
+        rule = {stripExp(narrowest), m_bound, m_allowed, kMaxParallelPoints};
+    if (rule.points > kMaxParallelPoints)
+        return false;
+    factors.error = std::min(m_floor + m_bound / rule.gain, 1.0);
+    const double perSum = 4.0 * m_radius * m_radius / (radius * rule.points);
     double sums[4][kPoses];
     (withGradient ? kernel.parallelDiskSums : kernel.parallelDiskValues)(
-        m_radius * m_radius, radius, distances.fromAxis, poses.p[2], cosines.data(), count, sums);
+        m_radius * m_radius, radius, fromAxis, z, cosinesOf(rule.points), rule.points / 2, sums);
     for (int k = 0; k < kPoses; ++k)
-        factors.values[k] = perSum * sums[0][k];
+        factors.values[k] = std::clamp(perSum * sums[0][k], 0.0, 1.0) + 0.0;
     if (!withGradient)
-        return;
+        return true;
     for (int k = 0; k < kPoses; ++k) {
-        const double away = distances.fromAxis[k];
+        const double away = fromAxis[k];
         const double c = away > 0.0 ? poses.p[0][k] / away : 1.0, s = away > 0.0 ? poses.p[1][k] / away : 0.0;
         factors.gradients[0][k] = perSum * c * sums[1][k];
         factors.gradients[1][k] = perSum * s * sums[1][k];
@@ -185,6 +188,7 @@ void PoseBatch::parallel(const Poses& poses, const Distances& distances, int poi
         factors.gradients[4][k] = perSum * c * sums[3][k];
         factors.gradients[5][k] = 0.0;
     }
+    return true;
 }
 
 void PoseBatch::tilted(const Poses& poses, const kernels::Outline& points, bool withGradient,
@@ -205,7 +209,7 @@ void PoseBatch::tilted(const Poses& poses, const kernels::Outline& points, bool 
     else
         kernels::kernels().diskPoseValues(m_radius * m_radius, disk, points, sums[0]);
     for (int k = 0; k < kPoses; ++k)
-        factors.values[k] = perSum * sums[0][k];
+        factors.values[k] = std::clamp(perSum * sums[0][k], 0.0, 1.0) + 0.0;
     if (!withGradient)
         return;
     for (int i = 0; i < 3; ++i) // from O axes to S axes

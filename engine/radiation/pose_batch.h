@@ -45,10 +45,9 @@ public:
 
 private:
     PoseBatch(const RadiatingContour& source, const RadiatingContour& object, double tolerance);
-    struct Distances;
-    unsigned seen(const Poses& poses, Distances& distances) const;
-    void parallel(const Poses& poses, const Distances& distances, int points, bool withGradient,
-                  Factors& factors) const;
+    double leastHeight_m() const;
+    unsigned seen(const Poses& poses, double (&overSource)[kPoses]) const;
+    bool parallel(const Poses& poses, bool withGradient, Factors& factors) const;
     void tilted(const Poses& poses, const kernels::Outline& points, bool withGradient,
                 Factors& factors) const;
 
@@ -56,6 +55,7 @@ private:
     double m_radius = 0.0;   ///< of the source, m
     double m_floor = 0.0;    ///< error of rounding
     double m_bound = 0.0;    ///< error of a rule: this times exp(-exponent)
+    double m_allowed = 0.0;  ///< error of a rule
     double m_exponent = 0.0; ///< that is asked for
 };
 

@@ -103,6 +103,33 @@ TEST(PoseBatchTest, GivesWhatEachPoseGivesByItself) {
     kernels::useKernels(usual);
 }
 
+// Catches: a strip of parallel disks that is wider than it is for the nearest of the eight.
+TEST(PoseBatchTest, ParallelDisksAreExactWhateverTheTolerance) {
+    const RadiatingContour source(Disk{0.10});
+    const auto poses = randomPoses(31, 0.0, 1600);
+    for (const RadiatingContour& object : {RadiatingContour(Disk{0.015}), RadiatingContour(Disk{0.15})}) {
+        const auto batch = PoseBatch::of(source, object, 1e-4);
+        ASSERT_TRUE(batch);
+        int exact = 0;
+        for (std::size_t at = 0; at < poses.size(); at += PoseBatch::kPoses) {
+            Factors factors;
+            batch->compute(rowOf(std::span(poses).subspan(at, PoseBatch::kPoses)), PoseBatch::kPoses, true,
+                           factors);
+            for (std::size_t k = 0; k < PoseBatch::kPoses && factors.error < 2e-12; ++k) {
+                if ((factors.computed >> k & 1U) == 0U)
+                    continue;
+                ++exact;
+                const ViewFactor alone = viewFactor(source, object, poses[at + k], {.tolerance = 1e-15});
+                EXPECT_NEAR(factors.values[k], alone.value, 2e-14);
+                for (int i = 0; i < 6; ++i)
+                    EXPECT_NEAR(factors.gradients[i][k], alone.gradient[i],
+                                1e-11 + 1e-11 * alone.gradient.norm());
+            }
+        }
+        EXPECT_GT(exact, 100);
+    }
+}
+
 TEST(PoseBatchTest, LeavesOutWhatIsCutHiddenOrNotThere) {
     const RadiatingContour source(Disk{0.10}), object(Disk{0.015});
     const auto batch = PoseBatch::of(source, object, 1e-9);
