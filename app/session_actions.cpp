@@ -11,8 +11,8 @@
 #include "engine/recipe/recipe.h"
 #include "engine/recording/recording_name.h"
 #include "widgets/common/file_folders.h"
+#include "widgets/plots/figure_dialog.h"
 #include "widgets/plots/plot_place.h"
-#include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/rig/way_up_question.h"
 
@@ -335,10 +335,27 @@ bool SessionActions::refusedToDraw() {
     return true;
 }
 
+std::optional<FigureLayout> SessionActions::askFigure() {
+    const FigureLayout last = m_settings.figureLayout();
+    std::optional<FigureLayout> chosen = last;
+    if (m_figureChooser) {
+        chosen = m_figureChooser(last);
+    } else if (!m_chooser) {
+        FigureDialog dialog(last, m_window);
+        chosen = dialog.exec() == QDialog::Accepted ? std::optional(dialog.chosen()) : std::nullopt;
+    }
+    if (chosen)
+        m_settings.setFigureLayout(*chosen);
+    return chosen;
+}
+
 void SessionActions::exportSession(SessionForm form) {
     if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
+    const auto layout = form == SessionForm::Figures ? askFigure() : FigureLayout();
+    if (!layout)
+        return;
     const QString folder = m_settings.lastFolder(FileFolder::Exports);
     QString to;
     if (SessionExport::isReport(form)) {
@@ -357,7 +374,7 @@ void SessionActions::exportSession(SessionForm form) {
                   FileFolder::Exports});
     }
     if (!to.isEmpty())
-        m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language());
+        m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language(), *layout);
 }
 
 void SessionActions::exportComparison(const QString& csv) {
@@ -377,8 +394,11 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
     const FigureFormat format = form == PlotForm::Pdf   ? FigureFormat::Pdf
                                 : form == PlotForm::Svg ? FigureFormat::Svg
                                                         : FigureFormat::Png;
+    const auto layout = askFigure();
+    if (!layout)
+        return;
     const QString ending = QLatin1String(figureEnding(format));
-    const QString name = quantityKey(place.plot()->quantity()) + ending;
+    const QString name = QString::fromStdString(runFigureStem(place.plot()->quantity())) + ending;
     const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the figure"),
                             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
                             tr("Figures (*%1)").arg(ending), ending.mid(1), FileFolder::Exports});
@@ -386,7 +406,7 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     const auto restored = qScopeGuard(&QGuiApplication::restoreOverrideCursor);
-    m_export.writeFigure(place.plot()->figure(place.words(), format, kRunFigureMark), to);
+    m_export.writeFigure(place.plot()->figure(place.words(), format, kRunFigureMark, *layout), to);
 }
 
 void SessionActions::exportTable(const TracePlot& plot) {
@@ -396,7 +416,7 @@ void SessionActions::exportTable(const TracePlot& plot) {
             tr("No table was written: the first samples of the shown time are in the recording "
                "only. Open it on the Review page and export the table there, or show a later "
                "stretch of time."));
-    const QString name = quantityKey(plot.quantity()) + QStringLiteral(".csv");
+    const QString name = QString::fromStdString(runFigureStem(plot.quantity())) + QStringLiteral(".csv");
     const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the table"),
                             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
                             tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});

@@ -45,6 +45,11 @@ public:
     void setFileChooser(std::function<QString(const FileQuestion&)> chooser) {
         m_chooser = std::move(chooser);
     }
+    /// Answers the question for the size of a figure; empty means cancelled. Without it, where files are not
+    /// asked for by dialogs, a figure is as the last one.
+    void setFigureChooser(std::function<std::optional<FigureLayout>(const FigureLayout&)> chooser) {
+        m_figureChooser = std::move(chooser);
+    }
     /// Sets the check whether a run forbids another experiment, called before one is opened.
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
     /// Sets the check whether a recipe is on: also between its runs, nothing is drawn that takes long.
@@ -87,8 +92,8 @@ public:
     void exportSession(SessionForm form);
     /// Saves a comparison of metrics (CSV) as a file that is asked for.
     void exportComparison(const QString& csv);
-    /// Exports what a plot shows to a file that is asked for. No figure while a run, recipe, heat or motion
-    /// is on or if one begins.
+    /// Exports what a plot shows to a file that is asked for, a figure in a size that is asked for. No figure
+    /// while a run, recipe, heat or motion is on or if one begins.
     void exportPlot(const PlotPlace& place, PlotForm form);
     /// Returns the files and folders whose export is not finished.
     QStringList unfinishedExports() const { return m_export.unfinished(); }
@@ -142,12 +147,14 @@ private:
     void readRig(const QString& path);
     bool write(const QString& path);
     bool refusedToDraw();
+    std::optional<FigureLayout> askFigure();
     void exportTable(const TracePlot& plot);
 
     Document& m_document;
     SettingsStore& m_settings;
     QWidget* m_window;
     std::function<QString(const FileQuestion&)> m_chooser;
+    std::function<std::optional<FigureLayout>(const FigureLayout&)> m_figureChooser;
     std::function<bool()> m_runIsOn, m_recipeIsOn, m_rigIsActive;
     QString m_recording;
     QString m_openSession;

@@ -33,11 +33,12 @@ Result<std::vector<std::string>> written(SessionForm form, const std::string& se
     return file ? Result<std::vector<std::string>>(std::vector{*file}) : file.error();
 }
 
-Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& input, const std::string& to) {
+Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& input, const std::string& to,
+                                       const FigureLayout& layout) {
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
     const auto restored = qScopeGuard(&QGuiApplication::restoreOverrideCursor);
     if (form == SessionForm::Figures)
-        return exportFigures(input.session, to, input.unit);
+        return exportFigures(input.session, to, input.unit, layout);
     const auto done = writeReport(input, to);
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
 }
@@ -67,7 +68,7 @@ bool SessionExport::isReport(SessionForm form) {
 }
 
 void SessionExport::start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
-                          const QString& language) {
+                          const QString& language, const FigureLayout& layout) {
     const std::string from = session.toStdString();
     if (!isDrawn(form))
         return write(m_files[form], to, [form, from, folder = to.toStdString()](const std::stop_token& stop) {
@@ -80,13 +81,13 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
             auto record = readSession(from);
             return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();
         },
-        [this, form, to, language](Result<RunReportInput> input) {
+        [this, form, to, language, layout](Result<RunReportInput> input) {
             if (!input)
                 return tell(input.error(), to);
             if (m_mayDraw && !m_mayDraw())
                 return;
             input->language = language;
-            tell(drawn(form, *input, to.toStdString()), to);
+            tell(drawn(form, *input, to.toStdString(), layout), to);
         });
 }
 

@@ -36,10 +36,10 @@ public:
     /// the check itself tells the person.
     void setDrawGuard(std::function<bool()> mayDraw) { m_mayDraw = std::move(mayDraw); }
 
-    /// Exports to a folder, or a report to a file that ends in .html or .pdf. `language` is the window's.
-    /// Several forms may be exported at the same time.
+    /// Exports to a folder, or a report to a file that ends in .html or .pdf. `language` is the window's,
+    /// `layout` that of figures. Several forms may be exported at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
-               const QString& language);
+               const QString& language, const FigureLayout& layout = {});
     /// Writes a comparison of metrics, as ComparisonView makes it.
     void writeComparison(const QString& csv, const QString& to);
     /// Writes what a plot shows: its figure, with kRunFigureMark, or its table, with kPlotTableMark, for

@@ -199,6 +199,19 @@ void SettingsStore::setSessionSorting(const QString& sorting) {
     m_settings.setValue(QStringLiteral("sessionSorting"), sorting);
 }
 
+FigureLayout SettingsStore::figureLayout() const {
+    const FigureLayout usual;
+    const double width_mm = m_settings.value(QStringLiteral("figureWidth_mm"), usual.width_mm).toDouble();
+    const bool isPossible = width_mm >= kNarrowest_mm && width_mm <= kWidest_mm;
+    return {isPossible ? width_mm : usual.width_mm,
+            m_settings.value(QStringLiteral("figureHeading"), usual.hasHeading).toBool()};
+}
+
+void SettingsStore::setFigureLayout(const FigureLayout& layout) {
+    m_settings.setValue(QStringLiteral("figureWidth_mm"), layout.width_mm);
+    m_settings.setValue(QStringLiteral("figureHeading"), layout.hasHeading);
+}
+
 QByteArray SettingsStore::windowGeometry() const {
     return m_settings.value(windowKey("geometry")).toByteArray();
 }

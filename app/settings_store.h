@@ -6,6 +6,7 @@
 #include "engine/base/units.h"
 #include "widgets/common/file_folders.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/figure_format.h"
 
 #include <QByteArray>
 #include <QSettings>
@@ -71,6 +72,10 @@ public:
     /// What these runs are sorted by, a word of SessionList; empty if nothing was chosen.
     QString sessionSorting() const;
     void setSessionSorting(const QString& sorting);
+
+    /// Size and heading of the last exported figure.
+    FigureLayout figureLayout() const;
+    void setFigureLayout(const FigureLayout& layout);
 
     QByteArray windowGeometry() const;
     QByteArray windowState() const;

@@ -24,11 +24,17 @@ constexpr std::array kKinds{"csv", "nexus", "vtk", "figures", "frames"};
 
 using Files = Result<std::vector<std::string>>;
 
+/// How what is asked for is written.
+struct Ways {
+    CsvDigits digits = CsvDigits::Meaningful;
+    FigureLayout layout;
+};
+
 /// The tables are written as they are read; the other forms want the whole run.
 Files exported(const QString& kind, const std::string& path, std::optional<SessionRecord>& session,
-               const std::string& folder, CsvDigits digits, const ShareDone& done) {
+               const std::string& folder, const Ways& ways, const ShareDone& done) {
     if (kind == QLatin1String("csv"))
-        return exportSessionCsv(path, folder, done, digits);
+        return exportSessionCsv(path, folder, done, ways.digits);
     if (kind == QLatin1String("frames"))
         return exportThermalFrames(path, folder, done);
     const double begin = session ? 0.0 : kAfterRecord;
@@ -43,21 +49,20 @@ Files exported(const QString& kind, const std::string& path, std::optional<Sessi
     if (kind == QLatin1String("vtk"))
         return exportVtk(*session, folder, {}, rest);
     if (kind == QLatin1String("figures"))
-        return exportFigures(*session, folder, TemperatureUnit::Celsius, rest);
+        return exportFigures(*session, folder, TemperatureUnit::Celsius, ways.layout, rest);
     const auto file = exportNexus(*session, folder, rest);
     return file ? Files(std::vector{*file}) : file.error();
 }
 
 /// All of them, or those before the first that failed.
-Result<void> exportAll(const QStringList& kinds, const QCommandLineParser& parser,
+Result<void> exportAll(const QStringList& kinds, const QCommandLineParser& parser, const Ways& ways,
                        std::vector<std::string>& files) {
     Progress progress(static_cast<double>(kinds.size()));
     const std::string path = parser.positionalArguments().front().toStdString();
-    const CsvDigits digits = parser.isSet("all-digits") ? CsvDigits::All : CsvDigits::Meaningful;
     std::optional<SessionRecord> session;
     double done = 0.0;
     for (const QString& kind : kinds) {
-        const auto some = exported(kind, path, session, parser.value(kind).toStdString(), digits,
+        const auto some = exported(kind, path, session, parser.value(kind).toStdString(), ways,
                                    [&](double share) { progress.tell(done + share); });
         if (!some)
             return some.error();
@@ -84,7 +89,14 @@ int exportCommand(const QStringList& arguments) {
          {"all-digits", "All digits in traces.csv, too."},
          {"nexus", "One HDF5 file in NeXus layout, *.nxs, with recorded thermal pictures.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
-         {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
+         {"figures", "Traces and trajectories as PNG, SVG and PDF, each of one size on paper.", "DIR"},
+         {"figure-width",
+          QStringLiteral("Of the figures on paper, %1 to %2; one column of a journal has about %3.")
+              .arg(kNarrowest_mm)
+              .arg(kWidest_mm)
+              .arg(kOneColumn_mm),
+          "MM", QString::number(kTwoColumns_mm)},
+         {"no-heading", "Figures without title and note; \"SIMULATED\" stands in the corner then."},
          {"frames", "Recorded pictures of the thermal camera: TIFF of 16 bits, and times.csv.", "DIR"},
          {"language", "Of the figures: en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
@@ -101,14 +113,26 @@ int exportCommand(const QStringList& arguments) {
         return refuse(kExport, QStringLiteral("--csv, --nexus, --vtk, --figures or --frames DIR is needed"));
     if (const auto code = refuseIdle(parser, kExport,
                                      {{"all-digits", parser.isSet("csv"), "is for --csv"},
+                                      {"figure-width", parser.isSet("figures"), "is for --figures"},
+                                      {"no-heading", parser.isSet("figures"), "is for --figures"},
                                       {"language", parser.isSet("figures"),
                                        "is for --figures; the other forms have no words in a language"}}))
         return *code;
+    Ways ways;
+    ways.digits = parser.isSet("all-digits") ? CsvDigits::All : CsvDigits::Meaningful;
+    ways.layout.hasHeading = !parser.isSet("no-heading");
+    bool isNumber = false;
+    ways.layout.width_mm = parser.value("figure-width").toDouble(&isNumber);
+    if (!isNumber || !(ways.layout.width_mm >= kNarrowest_mm && ways.layout.width_mm <= kWidest_mm))
+        return refuse(kExport, QStringLiteral("--figure-width: \"%1\" is not a width of %2 to %3 mm")
+                                   .arg(parser.value("figure-width"))
+                                   .arg(kNarrowest_mm)
+                                   .arg(kWidest_mm));
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kExport, spoken.error());
     std::vector<std::string> files;
-    const auto done = exportAll(wanted, parser, files);
+    const auto done = exportAll(wanted, parser, ways, files);
     for (const std::string& file : files)
         std::printf("%s\n", file.c_str());
     return done ? kExitDone : refuse(kExport, done.error());

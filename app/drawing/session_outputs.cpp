@@ -39,11 +39,12 @@ Result<void> checkOwn(const std::string& path, const QString& mark, const char* 
 }
 
 Result<std::vector<std::string>> exportFigures(const SessionRecord& session, const std::string& folder,
-                                               TemperatureUnit unit, const ShareDone& told) {
+                                               TemperatureUnit unit, const FigureLayout& layout,
+                                               const ShareDone& told) {
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
-    const RunFigures figures(session, unit);
+    const RunFigures figures(session, unit, layout);
     ShareCount count(told, static_cast<double>(runFigures().size() * std::size(kFigureFormats)));
     for (const RunFigure figure : runFigures())
         for (const FigureFormat format : kFigureFormats) {

@@ -4,16 +4,18 @@
 #include "app/report/run_report.h"
 #include "engine/base/share_done.h"
 #include "widgets/common/language.h"
+#include "widgets/plots/figure_format.h"
 
 #include <string>
 #include <vector>
 
 namespace bask {
 
-/// Draws every figure as PNG, SVG and PDF into the folder, all or none, and returns the files. Needs the
-/// QApplication's thread. Errors: FileUnwritable, OutputForeign.
+/// Draws every figure as PNG, SVG and PDF of one size into the folder, all or none, and returns the files.
+/// Needs the QApplication's thread. Errors: FileUnwritable, OutputForeign.
 Result<std::vector<std::string>> exportFigures(const SessionRecord& session, const std::string& folder,
-                                               TemperatureUnit unit, const ShareDone& done = {});
+                                               TemperatureUnit unit, const FigureLayout& layout = {},
+                                               const ShareDone& done = {});
 
 /// Refuses to replace a file that is not empty and does not hold the mark of what Bask writes; `kind` says
 /// what that is, in English words marked for translation ("Parameter"). Error: OutputForeign.

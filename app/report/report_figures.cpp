@@ -20,8 +20,13 @@ struct FigureText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
-constexpr double kLabelRoom = 0.022;         // of the time axis
-constexpr std::size_t kMaxPathPoints = 4000; // of an object in the figure of trajectories
+constexpr double kLabelRoom = 0.022;                        // of the time axis
+constexpr std::size_t kMaxPathPoints = 4000;                // of an object in the figure of trajectories
+constexpr double kViewAspect = 0.32, kAboutViews_mm = 26.0; // of that figure
+
+int pixels(double mm) {
+    return qRound(mm / 25.4 * kFigureDots);
+}
 
 bool isMarked(MessageCode code) {
     switch (code) {
@@ -111,21 +116,25 @@ QString runFigureCaption(RunFigure figure, const SessionRecord& session, Tempera
 struct RunFigures::Impl {
     const SessionRecord& session;
     TemperatureUnit unit;
+    FigureLayout layout;
     TraceStore store;
     QStringList names;
     QList<FigureMoment> moments;
     QString note;
+    QString corner;
 
     QByteArray traces(const QString& title, Quantity quantity, FigureFormat format) const {
         TraceFigure figure;
+        figure.layout = layout;
         figure.title = title;
         figure.note = note;
+        figure.corner = corner;
         figure.quantity = quantity;
         figure.names = names;
         figure.unit = unit;
         figure.limits = {session.experiment.robot.maxSpeed_m_s, session.experiment.robot.maxRotation_rad_s};
         figure.moments = moments;
-        figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 780 : 650);
+        figure.aspect = quantity == Quantity::Temperature ? 0.26 : 0.2;
         return traceFigure(figure, store, format, kRunFigureMark);
     }
 
@@ -149,6 +158,10 @@ struct RunFigures::Impl {
         PathsFigure figure;
         figure.title = FigureText::tr("Trajectories of the objects");
         figure.note = note;
+        figure.hasHeading = layout.hasHeading;
+        figure.corner = corner;
+        figure.size_px =
+            QSize(pixels(layout.width_mm), pixels(kViewAspect * layout.width_mm + kAboutViews_mm));
         figure.above = FigureText::tr("seen along \u2212z of the source");
         figure.aside = FigureText::tr("seen along x of the source");
         figure.temperature = FigureText::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
@@ -171,8 +184,8 @@ struct RunFigures::Impl {
     }
 };
 
-RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
-    : m_impl(new Impl{session, unit, {}, {}, {}, {}}) {
+RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout)
+    : m_impl(new Impl{session, unit, layout, {}, {}, {}, {}, {}}) {
     for (const ObjectSpec& object : session.experiment.objects)
         m_impl->names << QString::fromStdString(object.name);
     m_impl->store.reset(session.experiment.objects.size());
@@ -180,7 +193,7 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
     m_impl->store.append(session.samples);
     const std::vector<int> numbers = markedEvents(session.events);
     double labelled_s = -1e300; // numbers that would overlap are left out, lines are not
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
+    for (std::size_t k = 0; k < numbers.size() && layout.hasHeading; ++k) {
         if (numbers[k] == 0)
             continue;
         const double time_s = session.events[k].time_s;
@@ -189,9 +202,10 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
         labelled_s = hasRoom ? time_s : labelled_s;
     }
     m_impl->note = QString::fromStdString(session.experiment.title);
-    if (session.simulated)
-        m_impl->note =
-            (QStringList(FigureText::tr("SIMULATED")) << m_impl->note).join(QStringLiteral(" \u00b7 "));
+    if (session.simulated) {
+        m_impl->corner = FigureText::tr("SIMULATED");
+        m_impl->note = (QStringList(m_impl->corner) << m_impl->note).join(QStringLiteral(" \u00b7 "));
+    }
     if (session.samples.empty())
         m_impl->note += QStringLiteral(" \u00b7 ") + FigureText::tr("no samples were recorded");
 }

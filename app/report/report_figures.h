@@ -30,10 +30,10 @@ QString runFigureCaption(RunFigure figure, const SessionRecord& session, Tempera
 inline const QString kRunFigureMark = QStringLiteral("Bask figure of a run");
 
 /// Draws figures of one record in the window's language; numbers at dotted lines are those of the marked
-/// events. Needs a QApplication and its thread, but no display.
+/// events, and need the heading. Needs a QApplication and its thread, but no display.
 class RunFigures {
 public:
-    RunFigures(const SessionRecord& session, TemperatureUnit unit);
+    RunFigures(const SessionRecord& session, TemperatureUnit unit, const FigureLayout& layout = {});
     ~RunFigures();
 
     /// Draws a figure; without samples, empty axes.

@@ -20,6 +20,7 @@
 #include <QTemporaryDir>
 #include <QTextDocument>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -336,6 +337,30 @@ TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("mine") > 0);
     mine.close();
     EXPECT_EQ(test::captured(exportCommand, {session, "--figures", path("figures")}).code, kExitBadInput);
+}
+
+// Catches: a width that is not taken, or that no paper has, and options without an effect.
+TEST_F(RunReport, FiguresHaveTheWidthThatIsAskedFor) {
+    const QString session = recorded(test::twoDisks(), 12, "settled");
+    const auto done = test::captured(
+        exportCommand, {session, "--figures", path("narrow"), "--figure-width", "89", "--no-heading"});
+    ASSERT_EQ(done.code, kExitDone) << done.err;
+    for (const char* name : {"temperatures", "errors", "trajectory"}) {
+        const QImage png(path("narrow") + '/' + name + ".png");
+        EXPECT_NEAR(1e3 * png.width() / std::max(1, png.dotsPerMeterX()), 89.0, 0.2) << name;
+        QFile svg(path("narrow") + '/' + name + ".svg");
+        ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
+        const QByteArray drawn = svg.readAll();
+        EXPECT_TRUE(drawn.contains("<svg width=\"88.9")) << name << drawn.left(200).toStdString();
+        EXPECT_EQ(drawn.count("SIMULATED"), 1) << name;
+    }
+    for (const char* width : {"5", "1000", "wide", "nan", ""})
+        EXPECT_EQ(
+            test::captured(exportCommand, {session, "--figures", path("no"), "--figure-width", width}).code,
+            kExitBadInput)
+            << width;
+    EXPECT_EQ(test::captured(exportCommand, {session, "--csv", path("no"), "--no-heading"}).code,
+              kExitBadInput);
 }
 
 TEST_F(RunReport, EveryFormOfExportAtOnce) {

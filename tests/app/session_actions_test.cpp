@@ -11,6 +11,7 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QImage>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -19,8 +20,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <utility>
 
 namespace bask::test {
@@ -415,7 +418,7 @@ TEST_F(SessionActionsTest, APlotIsExported) {
             ASSERT_TRUE(waitFor([&] { return written.size() + problems.size() > 0; }));
             EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
             EXPECT_EQ(written, QStringList{folder.filePath(QStringLiteral("plot.") + QLatin1String(ending))});
-            EXPECT_EQ(proposed, QStringLiteral("measured_K.") + QLatin1String(ending));
+            EXPECT_EQ(proposed, QStringLiteral("temperatures.") + QLatin1String(ending));
         }
     }
     QFile foreign(folder.filePath(QStringLiteral("plot.svg")));
@@ -442,6 +445,35 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     files.exportPlot(place, PlotForm::Pdf);
     EXPECT_EQ(problems.size(), 2);
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
+}
+
+// Catches: a figure whose size is not the chosen one, is forgotten, or is asked for where it is of no use.
+TEST_F(SessionActionsTest, TheSizeOfAFigureIsAskedForAndKept) {
+    const QTemporaryDir folder;
+    PlotPlace place(new TracePlot);
+    int written = 0, asked = 0;
+    QObject::connect(&files, &SessionActions::exported, [&] { ++written; });
+    files.setFileChooser([&](const FileQuestion&) { return folder.filePath(QStringLiteral("plot")); });
+    std::optional<FigureLayout> answer = FigureLayout{89.0, false};
+    FigureLayout offered;
+    files.setFigureChooser([&](const FigureLayout& last) {
+        ++asked;
+        offered = last;
+        return answer;
+    });
+    files.exportPlot(place, PlotForm::Png);
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 1; }));
+    const QImage image(folder.filePath(QStringLiteral("plot.png")));
+    EXPECT_NEAR(1e3 * image.width() / std::max(1, image.dotsPerMeterX()), 89.0, 0.2);
+    EXPECT_EQ(settings.figureLayout(), *answer);
+    answer.reset();
+    files.exportPlot(place, PlotForm::Pdf);
+    EXPECT_EQ(offered, (FigureLayout{89.0, false})) << "the last one";
+    EXPECT_FALSE(QFile::exists(folder.filePath(QStringLiteral("plot.pdf")))) << "cancelled";
+    asked = 0;
+    files.exportPlot(place, PlotForm::Csv);
+    EXPECT_EQ(asked, 0) << "a table has no size on paper";
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 2; }));
 }
 
 // Catches: a plot that is written while another is, and of which nobody is told.

@@ -161,7 +161,7 @@ private:
         name->setPadding({kNamePadding, 0, kNamePadding, 0});
         name->setBrush(QColor(255, 255, 255, 200));
         name->setText(names.join(QStringLiteral(", ")));
-        name->setFont(figureFont(14));
+        name->setFont(figureFont(kSmallLetters));
         name->setColor(themePalette(false).color(QPalette::Text));
         m_names.push_back({name, view.rect, start});
     }
@@ -235,7 +235,7 @@ QCPAxisRect* addRect(QCustomPlot& plot, QCPLayoutGrid& views, int column, const 
         rect->axis(side)->setBasePen(QPen(secondaryText(false), 1));
     }
     rect->setMinimumMargins({12, 4, 16, 0});
-    auto* words = new QCPTextElement(&plot, title, figureFont(14));
+    auto* words = new QCPTextElement(&plot, title, figureFont(kSmallLetters));
     words->setTextColor(secondaryText(false));
     views.addElement(0, column, words);
     views.addElement(1, column, rect);
@@ -295,15 +295,17 @@ QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QS
     addColours(plot, *views, figure);
     if (figure.paths.size() > 1)
         drawing.addMarkerNames(above);
-    addHead(plot, figure.title, figure.note);
-    const int width = static_cast<int>(figure.size_px.width() / kFigureScale);
-    const int height = static_cast<int>(figure.size_px.height() / kFigureScale);
-    plot.toPixmap(width, height); // lays out: the scales depend on it
+    const QSize size = figureUnits(figure.size_px);
+    if (figure.hasHeading)
+        addHead(plot, figure.title, figure.note, size.width());
+    else if (!figure.corner.isEmpty())
+        addCorner(plot, figure.corner, size.width());
+    plot.toPixmap(size.width(), size.height()); // lays out: the scales depend on it
     const Extents extents = extentsOf(figure);
     setEqualScales(above.rect, {-extents.side, extents.side}, {-extents.side, extents.side});
     setEqualScales(aside.rect, {-extents.side, extents.side}, {-0.08 * extents.top, extents.top});
     drawing.settleNames();
-    return pictureOf(plot, figure.size_px, format, comment);
+    return pictureOf(plot, size, format, comment);
 }
 
 } // namespace bask

@@ -28,10 +28,12 @@ struct FigurePath {
 /// the source is a line).
 struct PathsFigure {
     QString title, note;
+    bool hasHeading = true; ///< title and note
+    QString corner;         ///< small words at the upper right where there is no heading
     QList<FigurePath> paths;
     QList<QPointF> source_cm;                        ///< outline of the source
     double coldest_degC = 0.0, hottest_degC = 100.0; ///< ends of the colours, blue and red
-    QSize size_px{1800, 900};
+    QSize size_px{1800, 900};                        ///< at kFigureDots
     // Texts, in English unless set
     QString above = QStringLiteral("seen along -z of the source");
     QString aside = QStringLiteral("seen along x of the source");

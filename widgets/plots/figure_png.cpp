@@ -85,8 +85,9 @@ QByteArray figurePng(const Figure& figure, const QString& comment) {
     setRanges(plot, figure);
     shadeAboutZero(plot, figure.band);
     addLegend(plot);
-    addHead(plot, figure.title, figure.note);
-    return pictureOf(plot, figure.size_px, FigureFormat::Png, comment);
+    const QSize size = figureUnits(figure.size_px);
+    addHead(plot, figure.title, figure.note, size.width());
+    return pictureOf(plot, size, FigureFormat::Png, comment);
 }
 
 } // namespace bask

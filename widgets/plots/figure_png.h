@@ -2,6 +2,8 @@
 // A figure for a report: labelled series against each other, drawn to a PNG. Needs a QApplication, no
 // display.
 
+#include "widgets/plots/figure_format.h"
+
 #include <QByteArray>
 #include <QList>
 #include <QPointF>
@@ -40,7 +42,7 @@ struct Figure {
     double smallest = 1e-16;
     std::optional<FigureRange> xRange, yRange;        ///< ranges of linear axes; empty: from the points
     double band = 0.0;                                ///< shades the linear y-axis from -band to band
-    QSize size_px{kFigureWidth_px, kFigureHeight_px}; ///< two pixels a unit of letters and lines
+    QSize size_px{kFigureWidth_px, kFigureHeight_px}; ///< at kFigureDots
     QList<FigureSeries> series;                       ///< at most 5 have colours of their own
 };
 

@@ -11,6 +11,27 @@
 #include <array>
 
 namespace bask {
+namespace {
+
+constexpr int kBesideHead = 12;
+
+/// Words in a row of their own, as high as they are; returns the height with the room to the next.
+int addWords(QCustomPlot& plot, int row, const QString& text, const QFont& font, const QColor& color,
+             Qt::Alignment side, int above, int below) {
+    const int height =
+        qCeil(QFontMetricsF(font).lineSpacing() * (1.0 + static_cast<double>(text.count(u'\n'))));
+    auto* element = new QCPTextElement(&plot, text, font);
+    element->setTextColor(color);
+    element->setTextFlags(static_cast<int>(side) | Qt::TextWordWrap);
+    element->setMargins({kBesideHead, above, kBesideHead, below});
+    element->setMinimumSize(1, height);
+    element->setMaximumSize(QWIDGETSIZE_MAX, height);
+    plot.plotLayout()->insertRow(row);
+    plot.plotLayout()->addElement(row, 0, element);
+    return above + height + below + plot.plotLayout()->rowSpacing();
+}
+
+} // namespace
 
 QFont figureFont(int size, bool bold) {
     QFont font;
@@ -22,8 +43,8 @@ QFont figureFont(int size, bool bold) {
 void styleAxis(QCPAxis* axis, const QString& label) {
     const QColor ink = themePalette(false).color(QPalette::Text);
     axis->setLabel(label);
-    axis->setLabelFont(figureFont(15));
-    axis->setTickLabelFont(figureFont(14));
+    axis->setLabelFont(figureFont(kLabelLetters));
+    axis->setTickLabelFont(figureFont(kSmallLetters));
     axis->setLabelColor(ink);
     axis->setTickLabelColor(ink);
     axis->setLabelPadding(6);
@@ -35,25 +56,28 @@ void styleAxis(QCPAxis* axis, const QString& label) {
     axis->grid()->setZeroLinePen(Qt::NoPen);
 }
 
-void addHead(QCustomPlot& plot, const QString& title, const QString& note) {
-    int row = 0;
-    const auto line = [&](const QString& text, const QFont& font, const QColor& color, int below) {
-        auto* element = new QCPTextElement(&plot, text, font);
-        element->setTextColor(color);
-        element->setTextFlags(Qt::AlignLeft | Qt::TextWordWrap);
-        element->setMargins({12, row == 0 ? 10 : 0, 12, below});
-        plot.plotLayout()->insertRow(row);
-        plot.plotLayout()->addElement(row++, 0, element);
-    };
-    line(title, figureFont(19, true), themePalette(false).color(QPalette::Text), note.isEmpty() ? 8 : 2);
+int addHead(QCustomPlot& plot, const QString& title, const QString& note, int width) {
+    const int room = width - 2 * kBesideHead;
+    const QFont large = figureFont(kTitleLetters, true), small = figureFont(kSmallLetters);
+    int height =
+        addWords(plot, 0, inLines(title, large, room), large, themePalette(false).color(QPalette::Text),
+                 Qt::AlignLeft, 10, note.isEmpty() ? 8 : 2);
     if (!note.isEmpty())
-        line(note, figureFont(13), secondaryText(false), 8);
+        height +=
+            addWords(plot, 1, inLines(note, small, room), small, secondaryText(false), Qt::AlignLeft, 0, 8);
+    return height;
+}
+
+int addCorner(QCustomPlot& plot, const QString& words, int width) {
+    const QFont small = figureFont(kSmallLetters);
+    return addWords(plot, 0, inLines(words, small, width - 2 * kBesideHead), small, secondaryText(false),
+                    Qt::AlignRight, 6, 0);
 }
 
 void addLegend(QCustomPlot& plot, int columns) {
     auto* legend = plot.legend;
     legend->setVisible(true);
-    legend->setFont(figureFont(14));
+    legend->setFont(figureFont(kSmallLetters));
     legend->setBorderPen(Qt::NoPen);
     legend->setIconSize(38, 16);
     legend->setWrap(columns);
@@ -132,12 +156,20 @@ QByteArray pngOf(QImage image, const QString& comment) {
     return bytes;
 }
 
-QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, const QString& comment) {
-    const int width = static_cast<int>(size_px.width() / kFigureScale);
-    const int height = static_cast<int>(size_px.height() / kFigureScale);
+int figureUnits(double mm) {
+    constexpr double kInch_mm = 25.4;
+    return 2 * qRound(0.5 * kFigureUnits * mm / kInch_mm);
+}
+
+QSize figureUnits(QSize size_px) {
+    return {2 * qRound(0.5 * size_px.width() / kFigureScale),
+            2 * qRound(0.5 * size_px.height() / kFigureScale)};
+}
+
+QByteArray pictureOf(QCustomPlot& plot, QSize size, FigureFormat format, const QString& comment) {
+    const int width = size.width(), height = size.height();
     if (format == FigureFormat::Png)
         return pngOf(plot.toPixmap(width, height, kFigureScale).toImage(), comment);
-    constexpr int kUnits = 96, kPoints = 72; // an inch
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -151,8 +183,8 @@ QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, cons
     if (format == FigureFormat::Svg) {
         QSvgGenerator svg;
         svg.setOutputDevice(&buffer);
-        svg.setResolution(kUnits);
-        svg.setSize({width, height});
+        svg.setResolution(qRound(kFigureUnits));
+        svg.setSize(size);
         svg.setViewBox(QRect(0, 0, width, height));
         svg.setDescription(comment);
         painter.begin(&svg);
@@ -161,9 +193,8 @@ QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, cons
         constexpr int kDotsPerUnit = 12;
         QPdfWriter pdf(&buffer);
         pdf.setCreator(comment);
-        pdf.setResolution(kUnits * kDotsPerUnit);
-        pdf.setPageSize(
-            QPageSize(QSizeF(width, height) * kPoints / kUnits, QPageSize::Point, {}, QPageSize::ExactMatch));
+        pdf.setResolution(qRound(kFigureUnits) * kDotsPerUnit);
+        pdf.setPageSize(QPageSize(0.5 * QSizeF(size), QPageSize::Point, {}, QPageSize::ExactMatch));
         pdf.setPageMargins(QMarginsF());
         painter.begin(&pdf);
         painter.scale(kDotsPerUnit, kDotsPerUnit);

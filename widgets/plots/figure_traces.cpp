@@ -8,17 +8,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr std::size_t kLinePixels = 2000; // a line shows least and greatest values within each
-constexpr int kReads = 300; // blocks of recorded runs, about a second: the window waits for them
-constexpr int kMarkersOfLine = 12;
-constexpr int kLabelStrip = 18;      // above the lines, for the words of moments
-constexpr double kBeside = 12.0;     // left and right of the head and the legend
-constexpr int kLegendRoom = 80;      // of a usual legend, some rows
-constexpr double kLegendIcon = 70.0; // with the room around a name
+constexpr int kReads = 300;      // blocks of recorded runs, about a second: the window waits for them
+constexpr int kLabelStrip = 20;  // above the lines, for the words of moments
+constexpr double kBeside = 12.0; // left and right of the legend
+constexpr int kUnderLines = 58;  // numbers and words of the time axis, with the room to the legend
+constexpr int kUnderLegend = 8;
+constexpr double kLegendIcon = 70.0;    // with the room around a name
+constexpr double kLowest = 200.0;       // of the lines, 35 mm
+constexpr const char* kUnder = "under"; // the layer of what is drawn before the run's own lines
 constexpr FigureRange kNothing{1e300, -1e300};
 
 struct TimeUnit {
@@ -36,27 +39,51 @@ TimeUnit timeUnit(const FigureRange& shown_s) {
     return {3600.0, TracePlot::tr("Time since Start (h)")};
 }
 
+/// In the key the targets' dashes of all objects in turn, as in the plot.
+class TargetKey : public QCPGraph {
+public:
+    TargetKey(QCustomPlot& plot, QList<QPen> pens)
+        : QCPGraph(plot.xAxis, plot.yAxis), m_pens(std::move(pens)) {}
+
+protected:
+    void drawLegendIcon(QCPPainter* painter, const QRectF& rect) const override {
+        for (const QPen& dashes : m_pens) {
+            painter->setPen(dashes);
+            painter->drawLine(QLineF(rect.left(), rect.center().y(), rect.right(), rect.center().y()));
+        }
+    }
+
+private:
+    QList<QPen> m_pens;
+};
+
 class TraceDrawing {
 public:
     TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceStore& traces)
         : m_plot(plot), m_figure(figure), m_traces(traces), m_shown_s(shownTime()),
           m_time(timeUnit(m_shown_s)) {}
 
-    /// Returns the size of the picture, px: higher where a long legend would take its room.
+    /// Returns the size of the picture, in units: higher with a long head or legend.
     QSize draw() {
         m_plot.setBackground(Qt::white);
         styleAxis(m_plot.xAxis, m_time.label);
         styleAxis(m_plot.yAxis, quantityAxis(m_figure.quantity, m_figure.unit));
-        m_plot.axisRect()->setMinimumMargins({12, m_figure.moments.isEmpty() ? 4 : kLabelStrip, 20, 0});
+        const int strip = m_figure.moments.isEmpty() ? 4 : kLabelStrip;
+        m_plot.axisRect()->setMinimumMargins({12, strip, 20, 0});
+        m_plot.addLayer(kUnder, m_plot.layer("main"), QCustomPlot::limBelow);
+        m_plot.setCurrentLayer(kUnder);
         if (m_figure.quantity == Quantity::Temperature)
             for (std::size_t i = 0; i < m_traces.objects(); ++i)
                 addTarget(i);
         addPrediction();
+        m_plot.setCurrentLayer("main");
+        for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_traces.objects()); ++i)
+            addSeries(i); // first in the key, over the others in the plot
+        m_plot.setCurrentLayer(kUnder);
         for (qsizetype k = 0; k < m_figure.overlays.size(); ++k)
             addOverlay(static_cast<int>(k));
         addRight();
-        for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_traces.objects()); ++i)
-            addSeries(i);
+        m_plot.setCurrentLayer("main");
         setTimeRange();
         setRange(m_plot.yAxis, m_figure.quantity, m_left, m_figure.yRange);
         if (m_figure.quantity == Quantity::Error)
@@ -65,9 +92,15 @@ public:
             addMoment(moment);
         addTargetToLegend();
         addLegend(m_plot, legendColumns());
-        addHead(m_plot, m_figure.title, inLines(m_figure.note, figureFont(13), width() - 2.0 * kBeside));
-        const int further = std::max(0, m_plot.legend->minimumOuterSizeHint().height() - kLegendRoom);
-        return m_figure.size_px + QSize(0, qRound(kFigureScale * further));
+        int above = 0;
+        if (m_figure.layout.hasHeading)
+            above = addHead(m_plot, m_figure.title, m_figure.note, width());
+        else if (!m_figure.corner.isEmpty())
+            above = addCorner(m_plot, m_figure.corner, width());
+        const int lines = qRound(std::max(kLowest, m_figure.aspect * width()));
+        const int key = m_plot.legend->minimumOuterSizeHint().height() + kUnderLegend;
+        const int height = above + strip + lines + kUnderLines + key;
+        return {width(), height + height % 2}; // whole points
     }
 
 private:
@@ -80,7 +113,7 @@ private:
         return shown;
     }
 
-    double width() const { return m_figure.size_px.width() / kFigureScale; }
+    int width() const { return figureUnits(m_figure.layout.width_mm); }
 
     double displayed(double value, Quantity quantity, std::size_t series) const {
         if (quantity == Quantity::Speed)
@@ -235,11 +268,7 @@ private:
             high->setBrush(kBandColor);
             high->setChannelFillGraph(low);
         }
-        QPen line(seriesColor(static_cast<int>(object), false), 1.1);
-        line.setCapStyle(Qt::FlatCap);
-        line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_traces.objects()) - 1.0))});
-        line.setDashOffset(5.0 * static_cast<double>(object));
-        addSteps(steps, 0.0)->setPen(line);
+        addSteps(steps, 0.0)->setPen(penOfTarget(object));
         for (std::size_t k = 0; k < steps.size(); ++k) {
             const bool isOver = k + 1 < steps.size() && steps[k + 1].first < m_shown_s.min;
             if (!isOver && steps[k].first <= m_shown_s.max)
@@ -255,10 +284,18 @@ private:
         line->setLayer(QStringLiteral("background"));
         line->point1->setCoords(0.0, 0.0);
         line->point2->setCoords(1.0, 0.0);
-        line->setPen(targetPen());
+        line->setPen(zeroPen());
     }
 
-    static QPen targetPen() {
+    QPen penOfTarget(std::size_t object) const {
+        QPen line(seriesColor(static_cast<int>(object), false), 1.1);
+        line.setCapStyle(Qt::FlatCap);
+        line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_traces.objects()) - 1.0))});
+        line.setDashOffset(5.0 * static_cast<double>(object));
+        return line;
+    }
+
+    static QPen zeroPen() {
         QPen line(secondaryText(false), 1.1);
         line.setCapStyle(Qt::FlatCap);
         line.setDashPattern({5.0, 4.0});
@@ -268,7 +305,13 @@ private:
     void addTargetToLegend() {
         if (m_figure.quantity != Quantity::Temperature && m_figure.quantity != Quantity::Error)
             return;
-        addLegendEntry(m_plot, TracePlot::tr("target"), targetPen());
+        QList<QPen> pens{zeroPen()};
+        if (m_figure.quantity == Quantity::Temperature) {
+            pens.clear();
+            for (std::size_t i = 0; i < m_traces.objects(); ++i)
+                pens << penOfTarget(i);
+        }
+        (new TargetKey(m_plot, std::move(pens)))->setName(TracePlot::tr("target"));
         const QString band = formatDifference(m_figure.band_K, m_figure.unit).mid(1); // without its sign
         addLegendEntry(m_plot, TracePlot::tr("band of \u00b1%1", "%1 is 0.5 K").arg(band), Qt::NoPen,
                        kBandColor);
@@ -302,7 +345,7 @@ private:
 
     /// As many as the longest name leaves room for.
     int legendColumns() const {
-        const QFontMetricsF metrics(figureFont(14));
+        const QFontMetricsF metrics(figureFont(kSmallLetters));
         double widest = 1.0;
         for (int i = 0; i < m_plot.legend->itemCount(); ++i)
             if (auto* item = qobject_cast<QCPPlottableLegendItem*>(m_plot.legend->item(i)))
@@ -325,7 +368,7 @@ private:
         label->setClipToAxisRect(false);
         label->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
         label->setPadding({0, 0, 0, 2});
-        label->setFont(figureFont(11));
+        label->setFont(figureFont(kSmallLetters));
         label->setColor(secondaryText(false));
         label->setText(moment.label);
     }
@@ -344,8 +387,8 @@ private:
 QByteArray traceFigure(const TraceFigure& figure, const TraceStore& traces, FigureFormat format,
                        const QString& comment) {
     QCustomPlot plot;
-    const QSize size_px = TraceDrawing(plot, figure, traces).draw();
-    return pictureOf(plot, size_px, format, comment);
+    const QSize size = TraceDrawing(plot, figure, traces).draw();
+    return pictureOf(plot, size, format, comment);
 }
 
 } // namespace bask

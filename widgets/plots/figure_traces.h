@@ -31,7 +31,10 @@ struct FigurePrediction {
 };
 
 struct TraceFigure {
-    QString title, note;
+    FigureLayout layout{};
+    double aspect = 0.36; ///< height of the lines' place as a part of the width; 35 mm at least
+    QString title, note;  ///< the heading
+    QString corner{};     ///< small words at the upper right where there is no heading
     Quantity quantity = Quantity::Temperature;
     QStringList names; ///< names of the objects
     TemperatureUnit unit = TemperatureUnit::Celsius;
@@ -44,7 +47,6 @@ struct TraceFigure {
     std::optional<Quantity> right{}; ///< a second quantity of the run, on an axis of its own
     FigurePrediction prediction{};
     QList<FigureMoment> moments{};
-    QSize size_px{kFigureWidth_px, 900}; ///< higher with a long legend
 };
 
 /// Returns the figure. A black-and-white print tells its lines apart: those of one run by their dashes, those

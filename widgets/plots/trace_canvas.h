@@ -67,6 +67,7 @@ public:
     void clearMarkers();
     void placeMarkerTexts();
     void showMarkerTexts(bool visible);
+    QString wordsOf(const QString& marker) const; ///< under others with the run's mark
     int markerStrip() const; ///< height of the strip of their words above the traces, px; 0 without
 
     // Further runs drawn over this one (trace_canvas_overlays.cpp)
@@ -74,11 +75,15 @@ public:
     void clearOverlays();
     void rebuildOverlays();
     void styleOverlays(Density density);
+    void markObject(QCPGraph* graph, int object) const;
     QString overlayName(const Overlay& overlay, int series) const;
     double lastTime_s() const; ///< last time of all runs
 
     // What is shown, for print and as a table (trace_canvas_export.cpp)
-    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment);
+    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment,
+                      const FigureLayout& layout);
+    QString rigsOfRuns() const;
+    QString nameOfRun(int place) const; ///< 0: the run itself, then those over it
     PlotTable table(const QString& mark);
 
     // The predicted run behind it (trace_canvas_prediction.cpp)
@@ -150,6 +155,7 @@ public:
     RightAxis rightAxis;
 
     std::vector<Overlay> overlays;
+    QStringList runNames; ///< of the run itself and those over it; without them, their files
 
     PredictedRun prediction;         ///< without samples: none
     bool isPredictionOfNext = false; ///< it came after the run that is shown

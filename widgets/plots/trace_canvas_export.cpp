@@ -16,29 +16,62 @@
 namespace bask {
 namespace {
 
-constexpr int kPlotHeight_px = 1080;
 constexpr double kNumberRoom = 0.022; // of the shown time, from one numbered moment to the next
 
-/// Its mark, if it has one, and its file.
-QString nameOfRun(const QString& mark, const TraceStore& traces) {
+/// Empty for a live run.
+QString fileOfRun(const TraceStore& traces) {
     const RecordedSession* run = traces.run();
-    const QString file =
-        run != nullptr ? QFileInfo(QString::fromStdString(run->facts().path)).completeBaseName() : QString();
-    return (mark + u' ' + file).trimmed();
+    return run != nullptr ? QFileInfo(QString::fromStdString(run->facts().path)).completeBaseName()
+                          : QString();
 }
 
-QString withRig(const QString& name, const TraceStore& traces) {
-    return QStringLiteral("%1 (%2)").arg(name, rigWord(traces.run()->facts().simulated));
+/// Its mark, if it has one, and its file.
+QString markedFile(const QString& mark, const TraceStore& traces) {
+    return (mark + u' ' + fileOfRun(traces)).trimmed();
+}
+
+/// Name, file and rig.
+QString allOfRun(const QString& name, const TraceStore& traces) {
+    const QString file = fileOfRun(traces);
+    QStringList rest{rigWord(traces.run()->facts().simulated)};
+    if (!name.endsWith(file))
+        rest.prepend(file);
+    return QStringLiteral("%1 (%2)").arg(name, rest.join(listSeparator()));
 }
 
 } // namespace
 
+QString TracePlot::Canvas::nameOfRun(int place) const {
+    const Overlay* over = place > 0 ? &overlays[static_cast<std::size_t>(place) - 1] : nullptr;
+    const QString mark = over != nullptr ? over->mark : overlays.empty() ? QString() : kOwnMark;
+    const QString name = overlays.empty() ? QString() : runNames.value(place);
+    return name.isEmpty() ? markedFile(mark, over != nullptr ? over->traces : *traces) : mark + u' ' + name;
+}
+
+/// Which runs are simulated; empty if none is.
+QString TracePlot::Canvas::rigsOfRuns() const {
+    QStringList all{rigWord(traces->run()->facts().simulated)};
+    QStringList marked{kOwnMark + u' ' + all.front()};
+    bool isAnySimulated = traces->run()->facts().simulated;
+    for (const Overlay& overlay : overlays) {
+        const bool isSimulated = overlay.traces.run()->facts().simulated;
+        isAnySimulated = isAnySimulated || isSimulated;
+        all << rigWord(isSimulated);
+        marked << overlay.mark + u' ' + all.back();
+    }
+    if (!isAnySimulated)
+        return {};
+    return all.count(all.front()) == all.size() ? all.front() : marked.join(listSeparator());
+}
+
 /// Moments are numbered, and the note says what they are: words would hide lines, or each other. Those for
 /// whose number there is no room are counted.
-QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat format, const QString& comment) {
+QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat format, const QString& comment,
+                                     const FigureLayout& layout) {
     updateRanges();
     const double from_s = xAxis->range().lower, to_s = xAxis->range().upper;
     TraceFigure out;
+    out.layout = layout;
     out.title = quantityTitle(quantity);
     if (rightAxis.quantity)
         out.title += listSeparator() + quantityTitle(*rightAxis.quantity);
@@ -50,16 +83,14 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
     if (!m_valueAuto)
         out.yRange = FigureRange{yAxis->range().lower, yAxis->range().upper};
     out.right = rightAxis.quantity;
-    out.size_px = QSize(kFigureWidth_px, kPlotHeight_px);
-    out.run = nameOfRun(kOwnMark, *traces);
-    QStringList runs{traces->run() != nullptr
-                         ? withRig(overlays.empty() ? nameOfRun({}, *traces) : out.run, *traces)
-                         : unrecorded};
+    out.run = nameOfRun(0);
+    QStringList runs{traces->run() != nullptr ? allOfRun(out.run, *traces) : unrecorded};
     for (const Overlay& overlay : overlays) {
-        const QString name = nameOfRun(overlay.mark, overlay.traces);
+        const QString name = nameOfRun(static_cast<int>(out.overlays.size()) + 1);
         out.overlays << FigureOverlay{name, overlay.objects, &overlay.traces};
-        runs << withRig(name, overlay.traces);
+        runs << allOfRun(name, overlay.traces);
     }
+    out.corner = traces->run() != nullptr ? rigsOfRuns() : unrecorded;
     out.prediction.name = predictionWords();
     for (int i = 0; i < m_predicted.size(); ++i)
         out.prediction.lines << predictedPoints(i);
@@ -67,12 +98,12 @@ QByteArray TracePlot::Canvas::figure(const QString& unrecorded, FigureFormat for
     int unnumbered = 0;
     double numbered_s = -std::numeric_limits<double>::infinity();
     for (const Marker& marker : std::as_const(markers)) {
-        if (marker.time_s < from_s || marker.time_s > to_s)
+        if (!layout.hasHeading || marker.time_s < from_s || marker.time_s > to_s)
             continue;
         QString number;
         if (markerTexts && marker.time_s - numbered_s > kNumberRoom * (to_s - from_s)) {
             number = QString::number(words.size() + 1);
-            words << number + u' ' + marker.text;
+            words << number + u' ' + wordsOf(marker.text);
             numbered_s = marker.time_s;
         } else if (markerTexts) {
             ++unnumbered;
@@ -100,7 +131,7 @@ PlotTable TracePlot::Canvas::table(const QString& mark) {
         addQuantity(run, from, objects, quantity);
         out.runs.push_back(std::move(run));
     };
-    add(overlays.empty() ? QString() : nameOfRun(kOwnMark, *traces), *traces, names);
+    add(overlays.empty() ? QString() : markedFile(kOwnMark, *traces), *traces, names);
     PlotTable::Run& own = out.runs.front();
     if (quantity == Quantity::Temperature)
         addTargets(own, *traces, names);
@@ -109,7 +140,7 @@ PlotTable TracePlot::Canvas::table(const QString& mark) {
     if (own.path.empty())
         addLiveRows(own, *traces, out.from_s, out.to_s);
     for (const Overlay& overlay : overlays)
-        add(nameOfRun(overlay.mark, overlay.traces), overlay.traces, overlay.objects);
+        add(markedFile(overlay.mark, overlay.traces), overlay.traces, overlay.objects);
     return out;
 }
 

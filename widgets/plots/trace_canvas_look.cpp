@@ -140,6 +140,7 @@ void TracePlot::Canvas::fitPensToDensity() {
     for (int i = 0; i < m_series.size(); ++i) {
         const QPen pen = penOfSeries(i);
         m_series[i]->setPen(density == Density::Loose ? pen : plainPen(pen, density));
+        markObject(m_series[i], i);
     }
     styleOverlays(density);
     styleRight(density);
@@ -285,6 +286,10 @@ void TracePlot::Canvas::showMarkerTexts(bool visible) {
     schedule();
 }
 
+QString TracePlot::Canvas::wordsOf(const QString& marker) const {
+    return overlays.empty() ? marker : QStringLiteral("%1 (%2)").arg(marker, kOwnMark);
+}
+
 int TracePlot::Canvas::markerStrip() const {
     return markerTexts && !markers.isEmpty() ? QFontMetrics(font()).height() + 6 : 0;
 }
@@ -303,7 +308,8 @@ void TracePlot::Canvas::placeMarkerTexts() {
             i + 1 < markers.size() ? xAxis->coordToPixel(markers[i + 1].time_s) : area.right();
         const double right = std::min(next, double(area.right())) - x - kAround;
         const double left = x - taken - kAround;
-        const double wanted = std::min(metrics.horizontalAdvance(marker.text), kLongestMarker);
+        const QString words = wordsOf(marker.text);
+        const double wanted = std::min(metrics.horizontalAdvance(words), kLongestMarker);
         const bool onLeft = right < wanted && left > right;
         const double room = std::min(onLeft ? left : right, double(kLongestMarker));
         const bool inside = x >= area.left() && x <= area.right();
@@ -313,7 +319,7 @@ void TracePlot::Canvas::placeMarkerTexts() {
         marker.line->end->setCoords(marker.time_s,
                                     shown ? -double(markerStrip()) / std::max(1, area.height()) : 0.0);
         if (shown) {
-            marker.label->setText(metrics.elidedText(marker.text, Qt::ElideRight, static_cast<int>(room)));
+            marker.label->setText(metrics.elidedText(words, Qt::ElideRight, static_cast<int>(room)));
             marker.label->setPositionAlignment((onLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
         }
         if (inside)

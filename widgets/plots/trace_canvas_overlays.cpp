@@ -1,8 +1,9 @@
-// Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their
-// lines.
+// Further runs over the one of a trace plot: colours and markers by object, dashes by run, marked at the ends
+// of their lines.
 
 #include "engine/recording/recorded_session.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/figure_style.h"
 #include "widgets/plots/trace_canvas.h"
 
 #include <algorithm>
@@ -72,6 +73,12 @@ QString TracePlot::Canvas::overlayName(const Overlay& overlay, int series) const
     return isOfRun() ? seriesName(series) : overlay.objects.value(series);
 }
 
+/// A few along the line, as in figures: the dashes are the runs' then.
+void TracePlot::Canvas::markObject(QCPGraph* graph, int object) const {
+    graph->setScatterStyle(overlays.empty() ? QCPScatterStyle() : figureMarker(object, graph->pen().color()));
+    graph->setScatterSkip(std::max(0, graph->dataCount() / kMarkersOfLine - 1));
+}
+
 void TracePlot::Canvas::styleOverlays(Density density) {
     const QFontMetrics metrics(font());
     for (std::size_t k = 0; k < overlays.size(); ++k) {
@@ -79,7 +86,8 @@ void TracePlot::Canvas::styleOverlays(Density density) {
         for (int i = 0; i < overlay.graphs.size(); ++i) {
             const QString name = overlayName(overlay, i);
             const auto same = static_cast<int>(names.indexOf(name)); // in the run underneath
-            QPen pen(seriesColor(same >= 0 ? same : i, dark), 1.4);
+            const int object = same >= 0 ? same : i;
+            QPen pen(seriesColor(object, dark), 1.4);
             if (isOfRun())
                 pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
             pen.setCapStyle(Qt::FlatCap);
@@ -88,6 +96,7 @@ void TracePlot::Canvas::styleOverlays(Density density) {
             else
                 pen = plainPen(pen, density);
             overlay.graphs[i]->setPen(pen);
+            markObject(overlay.graphs[i], object);
             overlay.labels[i]->setFont(font());
             overlay.labels[i]->setColor(pen.color());
             overlay.labels[i]->setText(QStringLiteral("%1 %2").arg(

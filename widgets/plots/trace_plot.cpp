@@ -92,6 +92,10 @@ void TracePlot::addOverlay(const QString& mark, std::shared_ptr<RecordedSession>
     m_canvas->addOverlay(mark, std::move(run));
 }
 
+void TracePlot::setRunNames(const QStringList& names) {
+    m_canvas->runNames = names;
+}
+
 void TracePlot::clearOverlays() {
     m_canvas->clearOverlays();
 }
@@ -245,8 +249,9 @@ bool TracePlot::isEmpty() const {
     return m_canvas->traces->rows() == 0 && m_canvas->overlays.empty() && predictedPoints(0).isEmpty();
 }
 
-QByteArray TracePlot::figure(const QString& unrecorded, FigureFormat format, const QString& comment) const {
-    return m_canvas->figure(unrecorded, format, comment);
+QByteArray TracePlot::figure(const QString& unrecorded, FigureFormat format, const QString& comment,
+                             const FigureLayout& layout) const {
+    return m_canvas->figure(unrecorded, format, comment, layout);
 }
 
 PlotTable TracePlot::table(const QString& mark) const {

@@ -63,11 +63,14 @@ public:
     void clearMarkers();
     void setMarkerTextsVisible(bool visible);
 
-    /// Draws another run over this one, both from their Start: colours by the objects' names, dashes by the
-    /// run, its mark (a letter from "B" on; the run itself is "A") at the ends of its lines. clear() does not
-    /// remove it.
+    /// Draws another run over this one, both from their Start: colours and markers by the objects' names,
+    /// dashes by the run, its mark (a letter from "B" on; the run itself is "A") at the ends of its lines.
+    /// clear() does not remove it.
     void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
+    /// Sets what figures call the runs, beside their marks: the run itself, then those over it. Those without
+    /// a name are called by their files.
+    void setRunNames(const QStringList& names);
     /// Dashes of the overlay at a place, from 0; the first four differ much, also in black and white.
     static QList<qreal> overlayDashes(int place);
 
@@ -130,9 +133,10 @@ public:
     bool isEmpty() const;
     /// Returns what is shown as a figure for print, on a light ground: the shown time, all runs over each
     /// other with their names, the right axis, a legend. `unrecorded` says which run it is if that is no
-    /// recorded one. Reads for a second at most, and draws extremes of what is not read. `comment` is stored
-    /// in it.
-    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment) const;
+    /// recorded one. Marked moments need the heading, which says what they are. Reads for a second at most,
+    /// and draws extremes of what is not read. `comment` is stored in it.
+    QByteArray figure(const QString& unrecorded, FigureFormat format, const QString& comment,
+                      const FigureLayout& layout = {}) const;
     /// Returns what is shown as a table in English: the shown time of each run in columns beside each other,
     /// with targets and the right axis, temperatures in degC, all else in SI. The samples of recorded runs
     /// are read when it is made to CSV. The header of its last column is `mark`.
