@@ -1,11 +1,32 @@
 #include "widgets/review/overlaid_runs.h"
 
+#include "widgets/review/run_differences.h"
+
 #include <QDir>
 #include <QFileInfo>
 
 #include <algorithm>
 
 namespace bask {
+
+namespace {
+
+/// What a list would read of it.
+SessionHeader headerOf(const SessionRecord& facts) {
+    SessionHeader header;
+    header.path = facts.path;
+    header.title = facts.experiment.title;
+    for (const ObjectSpec& object : facts.experiment.objects)
+        header.objects.push_back(
+            {object.name, object.target_K, object.material.name, object.material.emittance});
+    header.controller = facts.experiment.controller.kind.key();
+    header.created = facts.created;
+    header.simulated = facts.simulated;
+    header.labels = facts.labels;
+    return header;
+}
+
+} // namespace
 
 QStringList objectNames(const RecordedSession& run) {
     QStringList names;
@@ -49,6 +70,19 @@ std::shared_ptr<RecordedSession> OverlaidRuns::uncounted(const QString& except) 
     const auto found = std::ranges::find_if(
         m_over, [&](const Run& run) { return !run.metrics && !run.isFailed && run.path() != except; });
     return found == m_over.end() ? nullptr : found->session;
+}
+
+QStringList OverlaidRuns::keys(TemperatureUnit unit) const {
+    if (!m_open.session)
+        return {};
+    std::vector<SessionHeader> headers{headerOf(m_open.session->facts())};
+    headers.reserve(m_over.size() + 1);
+    for (const Run& run : m_over)
+        headers.push_back(headerOf(run.session->facts()));
+    QStringList out;
+    for (const QString& key : runKeys(headers, unit))
+        out << key;
+    return out;
 }
 
 /// By its file; two files of one name in two folders also by these.

@@ -37,6 +37,8 @@ public:
 
     /// Returns the letter of a run: the open one is the first.
     static QString mark(std::size_t place) { return QString(QChar(static_cast<char16_t>(u'A' + place))); }
+    /// Returns what tells each from the others, the open one first; empty without an open run.
+    QStringList keys(TemperatureUnit unit) const;
     /// Returns all of them, the open one first, with names that differ.
     std::vector<ComparedRun> compared() const;
 

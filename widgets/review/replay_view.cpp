@@ -32,6 +32,7 @@ namespace bask {
 namespace {
 
 constexpr int kGap = 6;
+constexpr int kLongestKey = 260; // px, of a run that is laid over
 static_assert(ReadingTrend::kOver_s <= ObjectTile::kSettledAfter_s, "a tile is given so much of the past");
 
 /// A short line in the dashes of overlay `index`, in no object's colour.
@@ -360,8 +361,15 @@ void ReplayView::showOverlays() {
             if (each.isFilled)
                 each.plot->addOverlay(OverlaidRuns::mark(k + 1), m_runs.over()[k].session);
     }
-    showLegend();
+    nameOverlays();
     showComparison();
+}
+
+/// In figures and beside the plots.
+void ReplayView::nameOverlays() {
+    for (const Plot& each : m_plots)
+        each.plot->setRunNames(m_runs.keys(m_unit));
+    showLegend();
 }
 
 void ReplayView::showLegend() {
@@ -373,16 +381,18 @@ void ReplayView::showLegend() {
     m_legend->setVisible(!m_runs.over().empty());
     if (m_runs.over().empty())
         return;
+    const QStringList keys = m_runs.keys(m_unit);
     auto* caption = new QLabel(tr("Laid over it:"), m_legend);
     caption->setPalette(captionPalette(palette()));
     m_legendLayout->addWidget(caption, 0, 0);
     for (std::size_t k = 0; k < m_runs.over().size(); ++k) {
         const QString mark = OverlaidRuns::mark(k + 1), path = m_runs.over()[k].path();
         const QString file = QFileInfo(path).completeBaseName();
+        QString key =
+            fontMetrics().elidedText(keys.value(static_cast<qsizetype>(k) + 1), Qt::ElideRight, kLongestKey);
         auto* button = new QPushButton(
             overlayIcon(static_cast<int>(k), palette().color(QPalette::ButtonText), devicePixelRatioF()),
-            QStringLiteral("%1  %2  \u2715").arg(mark, QString(file).replace(u'&', QStringLiteral("&&"))),
-            m_legend);
+            QStringLiteral("%1  %2  \u2715").arg(mark, key.replace(u'&', QStringLiteral("&&"))), m_legend);
         button->setObjectName(QStringLiteral("overlay.") + mark);
         button->setIconSize({32, 12});
         button->setFlat(true);
@@ -435,6 +445,7 @@ void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
         each.plot->setTemperatureUnit(unit);
     m_picture->setTemperatureUnit(unit);
     m_comparison->setTemperatureUnit(unit);
+    nameOverlays();
     if (m_scene != nullptr)
         m_scene->setTemperatureUnit(unit);
 }

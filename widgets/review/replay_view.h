@@ -94,6 +94,7 @@ private:
     void showPicture(double time_s);
     void tellFailure(const Error& error);
     void showOverlays();
+    void nameOverlays();
     void showLegend();
     void showComparison();
     void clearTiles();

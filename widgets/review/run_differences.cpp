@@ -2,6 +2,7 @@
 
 #include "engine/control/controller_catalogue.h"
 #include "engine/recording/recording_name.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 
 #include <QFileInfo>
@@ -158,6 +159,35 @@ std::vector<QString> runDifferences(const std::vector<SessionHeader>& sessions, 
                 out[i] += out[i].isEmpty() ? file : kBetween + file;
             }
     }
+    return out;
+}
+
+std::vector<QString> runKeys(const std::vector<SessionHeader>& sessions, TemperatureUnit unit) {
+    QStringList names, differences, operators, samples, batches, rigs, files;
+    for (const QString& words : runDifferences(sessions, unit))
+        differences << words;
+    for (const SessionHeader& session : sessions) {
+        names << listedName(session);
+        operators << QString::fromStdString(session.labels.operatorName);
+        samples << QString::fromStdString(session.labels.sample);
+        batches << QString::fromStdString(session.labels.batch);
+        rigs << rigWord(session.simulated);
+        files << QFileInfo(QString::fromStdString(session.path)).completeBaseName();
+    }
+    QStringList keys;
+    for (qsizetype i = 0; i < files.size(); ++i) {
+        QStringList parts;
+        for (const QStringList* words : {&names, &differences, &operators, &samples, &batches, &rigs})
+            if (words->count(words->front()) < words->size() && !words->at(i).isEmpty())
+                parts << words->at(i);
+        keys << parts.join(kBetween);
+    }
+    std::vector<QString> out;
+    out.reserve(sessions.size());
+    for (qsizetype i = 0; i < files.size(); ++i)
+        out.push_back(keys[i].isEmpty()         ? files[i]
+                      : keys.count(keys[i]) > 1 ? keys[i] + kBetween + files[i]
+                                                : keys[i]);
     return out;
 }
 

@@ -25,6 +25,11 @@ QDateTime recordedAt(const SessionHeader& session);
 /// Empty if no other has its title.
 std::vector<QString> runDifferences(const std::vector<SessionHeader>& sessions, TemperatureUnit unit);
 
+/// Returns for each of a few runs what tells it from the others, in the words of the list: its name, its
+/// differences from those of its title, operator, sample, batch and rig, as far as they differ. Where nothing
+/// does, the file's name.
+std::vector<QString> runKeys(const std::vector<SessionHeader>& sessions, TemperatureUnit unit);
+
 /// Returns the translated name of a recorded controller; one that is not known as it is in the file.
 QString listedController(const SessionHeader& session);
 

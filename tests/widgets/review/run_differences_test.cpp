@@ -86,4 +86,31 @@ TEST(RunDifferences, OnlyRunsOfOneTitleAreCompared) {
     EXPECT_EQ(told({a, newer})[1], "fuzzy") << "a controller of a later version";
 }
 
+// Catches a key of a run that does not tell it from the others, tells what is the same of all, or has the
+// time of recording where something else tells them apart.
+TEST(RunKeys, TellWhatDiffers) {
+    const auto keys = [](const std::vector<SessionHeader>& runs) {
+        std::vector<std::string> out;
+        for (QString text : runKeys(runs, TemperatureUnit::Celsius))
+            out.push_back(text.replace(QChar(0x00a0), u' ').toStdString());
+        return out;
+    };
+    auto a = listedRun(kFirst, {listed("hand", 40)}),
+         b = listedRun(kSecond, {listed("hand", 40)}, "adaptive");
+    EXPECT_EQ(keys({a, b}), (std::vector<std::string>{"Level servo", "Adaptive"}));
+    b = listedRun(kSecond, {listed("hand", 40)});
+    EXPECT_EQ(keys({a, b}), (std::vector<std::string>{kFirst, kSecond})) << "nothing else tells them apart";
+    a.labels.operatorName = "A. Hu";
+    b.labels.operatorName = "B. Li";
+    EXPECT_EQ(keys({a, b}), (std::vector<std::string>{"A. Hu", "B. Li"}));
+    b.title = "two disks";
+    EXPECT_EQ(keys({a, b}),
+              (std::vector<std::string>{"three objects \u00b7 A. Hu", "two disks \u00b7 B. Li"}));
+    a.labels = b.labels = {};
+    b.title = a.title;
+    b.simulated = true;
+    EXPECT_EQ(keys({a, b})[1].substr(0, 16), std::string(kSecond).substr(0, 16)) << "and its rig";
+    EXPECT_EQ(keys({a}), std::vector<std::string>{kFirst});
+}
+
 } // namespace bask
