@@ -151,6 +151,12 @@ struct RunMetricsCount::ObjectCount {
 RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     : m_until_s(controlledUntil_s(facts)) {
     m_metrics.band_K = band_K;
+    m_metrics.period_s = facts.experiment.sampling.period_s;
+    const bool isByContact = std::ranges::all_of(
+        facts.experiment.objects, [](const ObjectSpec& object) { return object.readBy == ReadBy::Contact; });
+    const SimulationSpec& simulated = facts.experiment.simulation;
+    if (facts.simulated && isByContact)
+        m_metrics.resolution_K = std::max(simulated.sensorResolution_K, simulated.sensorNoise_K);
     for (const ObjectSpec& object : facts.experiment.objects)
         m_objects.emplace_back(poseFromCoordinates(object.mounting));
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();

@@ -44,6 +44,8 @@ struct ObjectMetrics {
 /// Results of the run, from Start until Stop. A sample's command counts until the next sample.
 struct RunMetrics {
     double band_K = kSettledBand_K;
+    double period_s = 1.0;     ///< of sampling
+    double resolution_K = 0.0; ///< of a reading: its steps or its noise, the larger one; 0: not known
     double duration_s = 0.0;
     std::size_t samples = 0;
     std::vector<ObjectMetrics> objects; ///< in the experiment's order, by what their thermometers read

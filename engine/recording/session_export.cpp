@@ -193,6 +193,13 @@ double meaningful(double value, const Unit& unit) {
     return value + 0.0;
 }
 
+/// What was made by a difference, without the digits that came by it: 40.23 and not 40.230000000000075.
+double withoutRest(double difference) {
+    constexpr double kPerUnit = 1e9, kLargest = 1e6;
+    return std::abs(difference) < kLargest ? std::nearbyint(difference * kPerUnit) / kPerUnit + 0.0
+                                           : difference;
+}
+
 /// Cells of traces.csv.
 class TraceCells {
 public:
@@ -206,8 +213,10 @@ public:
         const double value = column.value.get(row);
         if (column.isWhole)
             return static_cast<std::int64_t>(value);
-        return number(column.unit.edge == EdgeUnit::Temperature ? celsiusFromKelvin(value) : value,
-                      column.unit);
+        if (column.unit.edge == EdgeUnit::Temperature)
+            return number(withoutRest(celsiusFromKelvin(value)), column.unit);
+        const bool isStored = column.stored.place > 0;
+        return number(isStored ? value : withoutRest(value), column.unit);
     }
 
 private:

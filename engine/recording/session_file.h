@@ -115,7 +115,7 @@ Result<std::vector<std::string>> exportThermalFrames(const std::string& path, co
 enum class CsvDigits {
     Meaningful, ///< to 1e-6 K, s, m and rad; of other numbers nine significant ones; whole numbers as they
                 ///< are
-    All         ///< as many as it takes to read the same double back
+    All         ///< as many as it takes to read the same double back; degC and errors to 1e-9 K
 };
 
 /// Writes traces.csv and one CSV for each table into an existing or new folder, with units in the headers.

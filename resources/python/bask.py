@@ -118,7 +118,7 @@ class Session:
         traces.update({f"theta_{axis} (rad)": angle for axis, angle in zip("xyz", _angles(values))})
         self.objects = {}
         for number, name in enumerate(rig.names, 1):
-            values[f"_{number}"] = values[f"measured_K_{number}"] - values[f"target_K_{number}"]
+            values[f"_{number}"] = _without_rest(values[f"measured_K_{number}"] - values[f"target_K_{number}"])
             own = self.objects[name] = {}
             for into, columns in ((traces, _OBJECT), (other, _OTHER_OBJECT)):
                 for column in filter(rig.has, columns):
@@ -445,10 +445,15 @@ def _text(value):
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
+def _without_rest(difference):
+    """Without the digits that a difference brings: 40.23 and not 40.230000000000075."""
+    return np.where(np.abs(difference) < 1e6, np.rint(difference * 1e9) / 1e9 + 0.0, difference)
+
+
 def _shown(column, values):
     """As in traces.csv."""
     if column.unit == "degC":
-        return values - 273.15
+        return _without_rest(values - 273.15)
     if column.key == "reading_valid":
         return values == 1.0
     if column.key == "limited":

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -75,6 +76,17 @@ QString withUnit(const QString& number, const Unit& unit) {
     return number + QChar(0x00a0) + QString::fromUtf8(unit.symbol);
 }
 
+/// Decimals that mean something: times to a part of the sampling period, readings to their resolution.
+int finestDecimals(const MetricFacts& facts, const RunMetrics& run, bool isTrue = false) {
+    constexpr int kFinest = 6;
+    if (isIn(facts.unit, unit::kSeconds) && run.period_s > 0.0)
+        return std::clamp(1 - static_cast<int>(std::floor(std::log10(run.period_s))), 0, kFinest);
+    const bool isTemperature = isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin);
+    if (isTemperature && !isTrue && run.resolution_K > 0.0)
+        return std::min(facts.decimals, decimalsOf(run.resolution_K, 1).value_or(facts.decimals));
+    return facts.decimals;
+}
+
 /// A path of 9716 mm is not known to a tenth of one.
 int decimalsFor(const MetricFacts& facts, double shown) {
     return std::abs(shown) < 1000.0 ? facts.decimals : 0;
@@ -107,6 +119,11 @@ QString nameInFiles(const MetricFacts& facts, const char* kind = "") {
         .arg(QLatin1String(kind), QString::fromUtf8(facts.name).toLower(), unit);
 }
 
+/// More of them in SI than on a screen.
+int decimalsOfUnit(const MetricFacts& facts) {
+    return static_cast<int>(std::ceil(std::log10(facts.unit.symbolPerSi)));
+}
+
 QString share(double part) {
     return QLocale().toString(100.0 * part, 'f', 1) + QStringLiteral("\u00a0%");
 }
@@ -134,20 +151,26 @@ QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit, int de
              share(*metrics.overshootShare()));
 }
 
-/// Empty for one sample, or a reading that stood still.
-std::optional<int> steadyDecimals(const ObjectMetrics& metrics, TemperatureUnit unit) {
-    return decimalsOf(displayDifference(metrics.steadyDeviation_K.value_or(0.0), unit),
-                      factsOf(ObjectMetric::SteadyError).decimals);
+/// By the standard deviation, if there is one.
+int steadyDecimals(const ObjectMetrics& metrics, TemperatureUnit unit) {
+    constexpr int kFinest = 3;
+    const int usual = factsOf(ObjectMetric::SteadyError).decimals;
+    return std::min(
+        kFinest,
+        decimalsOf(displayDifference(metrics.steadyDeviation_K.value_or(0.0), unit), usual).value_or(usual));
 }
 
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit, int decimals) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
     QString mean = formatDifference(*metrics.steadyError_K, unit, decimals);
-    if (!steadyDecimals(metrics, unit))
+    if (!metrics.steadyDeviation_K) // of one sample
         return mean;
+    const double smallest = std::pow(10.0, -decimals),
+                 deviation = displayDifference(*metrics.steadyDeviation_K, unit);
+    const QString number = QLocale().toString(std::max(smallest, deviation), 'f', decimals);
     return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")
-        .arg(mean, QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', decimals));
+        .arg(mean, deviation < 0.5 * smallest ? QStringLiteral("<\u00a0") + number : number);
 }
 
 } // namespace
@@ -233,15 +256,37 @@ int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     const MetricFacts facts = factsOf(metric.kind);
     const ObjectMetrics* const counted = countedFor(metric, run, object);
     if (counted != nullptr && metric.kind == ObjectMetric::SteadyError)
-        return steadyDecimals(*counted, unit).value_or(facts.decimals);
+        return steadyDecimals(*counted, unit);
     if (counted != nullptr && metric.kind == ObjectMetric::PathLength)
         return decimalsFor(facts, counted->pathLength_m * facts.unit.symbolPerSi);
-    return facts.decimals;
+    return metric.kind == ObjectMetric::Target ? facts.decimals : finestDecimals(facts, run, metric.isTrue);
 }
 
 int metricDecimals(RunMetric metric, const RunMetrics& run) {
     const MetricFacts facts = factsOf(metric);
-    return decimalsFor(facts, metricValue(metric, run).value_or(0.0) * facts.unit.symbolPerSi);
+    return isIn(facts.unit, unit::kSeconds)
+               ? finestDecimals(facts, run)
+               : decimalsFor(facts, metricValue(metric, run).value_or(0.0) * facts.unit.symbolPerSi);
+}
+
+int metricFinestDecimals(ObjectMetric metric, const RunMetrics& run) {
+    return finestDecimals(factsOf(metric.kind), run, metric.isTrue);
+}
+
+int metricFinestDecimals(RunMetric metric, const RunMetrics& run) {
+    return finestDecimals(factsOf(metric), run);
+}
+
+int metricDecimalsInFiles(ObjectMetric metric, const RunMetrics& run) {
+    const MetricFacts facts = factsOf(metric.kind);
+    const bool isTemperature = isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin);
+    // One more than on a screen: a reader may take differences.
+    return isTemperature ? facts.decimals + 1 : finestDecimals(facts, run) + decimalsOfUnit(facts);
+}
+
+int metricDecimalsInFiles(RunMetric metric, const RunMetrics& run) {
+    const MetricFacts facts = factsOf(metric);
+    return finestDecimals(facts, run) + decimalsOfUnit(facts);
 }
 
 double metricShown(ObjectMetric metric, double value, TemperatureUnit unit) {

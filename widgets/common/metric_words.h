@@ -52,9 +52,15 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run);
 /// Returns the standard deviation of such a number, in SI, where it is known: of a mean of samples.
 std::optional<double> metricDeviation(ObjectMetric metric, const RunMetrics& run, std::size_t object);
-/// Returns how many decimals the number has on a screen.
+/// Returns how many decimals the number has on a screen: no finer than sampling and sensors tell.
 int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
 int metricDecimals(RunMetric metric, const RunMetrics& run);
+/// Returns how many decimals the number of metricValueInFiles() has that mean something.
+int metricDecimalsInFiles(ObjectMetric metric, const RunMetrics& run);
+int metricDecimalsInFiles(RunMetric metric, const RunMetrics& run);
+/// Returns how many decimals it may have on a screen where a printed difference needs them.
+int metricFinestDecimals(ObjectMetric metric, const RunMetrics& run);
+int metricFinestDecimals(RunMetric metric, const RunMetrics& run);
 /// Converts a number of metricValue() to the unit of metricText().
 double metricShown(ObjectMetric metric, double value, TemperatureUnit unit);
 double metricShown(RunMetric metric, double value);

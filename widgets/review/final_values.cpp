@@ -1,6 +1,7 @@
 #include "widgets/review/final_values.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/metric_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/review/object_table.h"
 
@@ -16,6 +17,8 @@
 namespace bask {
 namespace {
 
+constexpr int kDecimalsOfTruth = 2;
+
 enum Column { kName, kTarget, kFinal, kTrue, kError, kSettling, kColumns };
 
 } // namespace
@@ -26,9 +29,10 @@ std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& 
     for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
         const ObjectMetrics& object = metrics.objects[i];
         const bool hasTruth = i < metrics.trueObjects.size();
-        values.push_back(
-            {names.value(static_cast<qsizetype>(i)), object.target_K, object.final_K.value_or(kUnknown),
-             hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown, object.settledFrom_s});
+        values.push_back({names.value(static_cast<qsizetype>(i)), object.target_K,
+                          object.final_K.value_or(kUnknown),
+                          hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown,
+                          object.settledFrom_s, metricFinestDecimals({ObjectMetric::Final}, metrics)});
     }
     return values;
 }
@@ -69,15 +73,13 @@ void FinalValuesTable::refresh() {
         const QString settling = value.settling_s
                                      ? tr("%1 s").arg(QLocale().toString(*value.settling_s, 'f', 0))
                                      : tr("not settled");
-        const double target = displayTemperature(value.target_K, m_unit),
-                     last = displayTemperature(value.final_K, m_unit);
-        const int decimals = decimalsWithDifferences({&last, 1}, target, 2);
-        const QStringList texts{value.name,
-                                formatTemperature(value.target_K, m_unit, decimals),
-                                formatTemperature(value.final_K, m_unit, decimals),
-                                formatTemperature(value.true_K, m_unit, decimals),
-                                formatPrintedDifference(value.final_K, value.target_K, m_unit, decimals),
-                                settling};
+        const QStringList texts{
+            value.name,
+            formatTemperature(value.target_K, m_unit, value.decimals),
+            formatTemperature(value.final_K, m_unit, value.decimals),
+            formatTemperature(value.true_K, m_unit, kDecimalsOfTruth),
+            formatPrintedDifference(value.final_K, value.target_K, m_unit, value.decimals),
+            settling};
         for (int column = 0; column < kColumns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
             item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);

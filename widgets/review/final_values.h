@@ -18,6 +18,7 @@ struct FinalValue {
     double final_K = 0.0; ///< by its thermometer
     double true_K = 0.0;
     std::optional<double> settling_s;
+    int decimals = 2; ///< of what was read
 };
 std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics);
 

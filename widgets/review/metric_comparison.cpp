@@ -18,14 +18,16 @@ struct ComparisonWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Comparison)
 };
 
-constexpr int kDigitsInFiles = 10; // significant ones: a difference of doubles has no more to say
+constexpr int kDigitsInFiles = 15; // of a number that is rounded
+constexpr int kDigitsOfDeviation = 2;
 
 /// What a run tells of a metric.
 struct Told {
     std::optional<double> value{};     ///< in SI
     std::optional<double> deviation{}; ///< of the value
     double shown = std::numeric_limits<double>::quiet_NaN();
-    int decimals = 0; ///< of what is shown
+    int decimals = 0, finest = 0; ///< of what is shown, and what it may have at the finest
+    int decimalsInFiles = 0;
 };
 
 /// `text` and `difference` tell how a number is shown with so many decimals, `inFiles` what it is in files.
@@ -34,19 +36,24 @@ void addCells(ComparedMetric& metric, const std::vector<Told>& runs, std::size_t
               const Difference& difference, const InFiles& inFiles) {
     std::vector<double> shown;
     shown.reserve(runs.size());
-    int decimals = 0;
+    int decimals = 0, finest = 0, decimalsInFiles = 0;
     for (const Told& told : runs) {
         shown.push_back(told.shown);
         decimals = std::max(decimals, told.decimals);
+        finest = std::max(finest, told.finest);
+        decimalsInFiles = std::max(decimalsInFiles, told.decimalsInFiles);
     }
-    decimals = decimalsWithDifferences(shown, shown[reference], decimals);
+    decimals = std::clamp(decimalsWithDifferences(shown, shown[reference], decimals), decimals,
+                          std::max(decimals, finest));
+    const auto inFile = [&](double value) { return roundedTo(inFiles(value), decimalsInFiles); };
     for (std::size_t k = 0; k < runs.size(); ++k) {
         ComparedMetric::Cell cell{text(k, decimals), k == reference ? QString() : kNoValue};
         if (runs[k].value)
-            cell.value = inFiles(*runs[k].value);
+            cell.value = inFile(*runs[k].value);
         cell.deviation = runs[k].deviation;
         if (k != reference && runs[k].value && runs[reference].value) {
-            cell.differenceBy = *runs[k].value - *runs[reference].value;
+            cell.differenceBy =
+                roundedTo(inFile(*runs[k].value) - inFile(*runs[reference].value), decimalsInFiles);
             cell.difference =
                 difference(roundedTo(shown[k], decimals) - roundedTo(shown[reference], decimals), decimals);
         }
@@ -82,6 +89,8 @@ ComparedMetric compared(ObjectMetric metric, const QString& object, const std::v
             told.value = metricValue(metric, *run.metrics, index);
             told.deviation = metricDeviation(metric, *run.metrics, index);
             told.decimals = metricDecimals(metric, *run.metrics, index, unit);
+            told.finest = metricFinestDecimals(metric, *run.metrics);
+            told.decimalsInFiles = metricDecimalsInFiles(metric, *run.metrics);
         }
         if (told.value)
             told.shown = metricShown(metric, *told.value, unit);
@@ -107,6 +116,8 @@ ComparedMetric compared(RunMetric metric, const std::vector<ComparedRun>& runs, 
         if (run.metrics) {
             told.value = metricValue(metric, *run.metrics);
             told.decimals = metricDecimals(metric, *run.metrics);
+            told.finest = metricFinestDecimals(metric, *run.metrics);
+            told.decimalsInFiles = metricDecimalsInFiles(metric, *run.metrics);
         }
         if (told.value)
             told.shown = metricShown(metric, *told.value);
@@ -122,8 +133,8 @@ ComparedMetric compared(RunMetric metric, const std::vector<ComparedRun>& runs, 
     return out;
 }
 
-std::string numberInFiles(const std::optional<double>& value) {
-    return value ? formatNumber(*value, kDigitsInFiles) : std::string();
+std::string numberInFiles(const std::optional<double>& value, int digits = kDigitsInFiles) {
+    return value ? formatNumber(*value + 0.0, digits) : std::string(); // no minus zero
 }
 
 /// "steady-state error s.d. (K)"
@@ -195,7 +206,7 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
             values.append(1, ',').append(numberInFiles(cell.value));
             if (k != reference)
                 values.append(1, ',').append(numberInFiles(cell.differenceBy));
-            deviations.append(1, ',').append(numberInFiles(cell.deviation));
+            deviations.append(1, ',').append(numberInFiles(cell.deviation, kDigitsOfDeviation));
             deviations += k == reference ? "" : ",";
         }
         const std::string object = ',' + csvField(metric.object.toStdString());

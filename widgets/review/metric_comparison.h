@@ -30,9 +30,9 @@ struct ComparedMetric {
     struct Cell {
         QString text;                         ///< as on the Metrics page; a dash if the run does not have it
         QString difference;                   ///< from the reference, signed; a dash if one has no number
-        std::optional<double> value{};        ///< in the unit of nameInFiles
+        std::optional<double> value{};        ///< in the unit of nameInFiles, rounded to what means something
         std::optional<double> deviation{};    ///< standard deviation of the value, in K
-        std::optional<double> differenceBy{}; ///< in the unit of the value
+        std::optional<double> differenceBy{}; ///< of the rounded values
     };
     QString name, definition, nameInFiles;
     QString object;          ///< empty: of the whole run

@@ -485,14 +485,14 @@ TEST_F(SessionFile, ExportsTheTracesSideBySideWithUnits) {
         fields.push_back(field);
     ASSERT_EQ(fields.size(), 8u + 2u * 9u);
     EXPECT_EQ(std::stod(fields[0]), expected.time_s);
-    EXPECT_DOUBLE_EQ(std::stod(fields[1]), expected.source_K - 273.15);
+    EXPECT_NEAR(std::stod(fields[1]), expected.source_K - 273.15, 1e-9);
     EXPECT_NEAR(std::stod(fields[7]), expected.coordinates[kThetaZ], 1e-12);
-    EXPECT_DOUBLE_EQ(std::stod(fields[17]), expected.objects[1].measured_K - 273.15);
-    EXPECT_DOUBLE_EQ(std::stod(fields[20]), expected.objects[1].measured_K - expected.objects[1].target_K);
+    EXPECT_NEAR(std::stod(fields[17]), expected.objects[1].measured_K - 273.15, 1e-9);
+    EXPECT_NEAR(std::stod(fields[20]), expected.objects[1].measured_K - expected.objects[1].target_K, 1e-9);
     EXPECT_EQ(std::stod(fields[22]), expected.objects[1].viewFactor);
     EXPECT_EQ(std::stod(fields[23]), expected.objects[1].unshadedViewFactor);
     EXPECT_EQ(fields[24], expected.objects[1].valid ? "1" : "0");
-    EXPECT_DOUBLE_EQ(std::stod(fields[25]), expected.objects[1].true_K - 273.15);
+    EXPECT_NEAR(std::stod(fields[25]), expected.objects[1].true_K - 273.15, 1e-9);
 }
 
 // Catches: 40.12299999999999 of a reading of 40.123, and a number that is rounded to nothing.
@@ -531,6 +531,8 @@ TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
     EXPECT_EQ(at("csv/traces.csv", 23), "");
     ASSERT_TRUE(exportSessionCsv(path, file("all"), {}, CsvDigits::All));
     EXPECT_EQ(std::stod(at("all/traces.csv", 0)), 0.1 + 0.2);
+    EXPECT_EQ(at("all/traces.csv", 17), "40.123") << "313.273 K less 273.15 K is 40.12299999999999";
+    EXPECT_EQ(at("all/traces.csv", 1), "200.00000001") << "what was recorded is not rounded";
     EXPECT_EQ(std::stod(at("all/traces.csv", 22)), 1.2345678912e-5);
 }
 

@@ -147,25 +147,30 @@ TEST(MetricComparison, IsExportedAsNumbers) {
     EXPECT_TRUE(lines.contains("path length (m),circle,0.1,0.1,0"));
     EXPECT_TRUE(lines.contains("rotation of the end-effector (rad),,0,0,0"));
     EXPECT_TRUE(lines.join('\n').contains(
-        "\nsteady-state error (K),hand,0.02,0.02,0\nsteady-state error s.d. (K),hand,0.0625,,\n"))
+        "\nsteady-state error (K),hand,0.02,0.02,0\nsteady-state error s.d. (K),hand,0.062,,\n"))
         << lines.join('\n').toStdString();
     EXPECT_TRUE(lines[0].startsWith(QLatin1String(kComparisonMark)));
 }
 
 // Catches a printed difference that is not that of the printed values.
 TEST(MetricComparison, DifferencesAreThoseOfTheNumbersBesideThem) {
-    const auto shown = [](double a_s, double b_s, double c_s) {
-        const std::vector<ComparedRun> runs{comparedRun("A", {{"circle", settled(40.0, a_s)}}),
-                                            comparedRun("B", {{"circle", settled(40.0, b_s)}}),
-                                            comparedRun("C", {{"circle", settled(40.0, c_s)}})};
+    double period_s = 1.0;
+    const auto shown = [&](double a_s, double b_s, double c_s) {
+        std::vector<ComparedRun> runs{comparedRun("A", {{"circle", settled(40.0, a_s)}}),
+                                      comparedRun("B", {{"circle", settled(40.0, b_s)}}),
+                                      comparedRun("C", {{"circle", settled(40.0, c_s)}})};
+        for (ComparedRun& run : runs)
+            run.metrics->period_s = period_s;
         const ComparedMetric metric =
             row(compareMetrics(runs, 0, TemperatureUnit::Celsius), "Settling time", "circle");
         return plain(metric.cells[0].text + u'|' + metric.cells[1].text + u'|' + metric.cells[1].difference +
                      u'|' + metric.cells[2].difference);
     };
-    EXPECT_EQ(shown(60.04, 60.06, 60.04), "60.04 s|60.06 s|+0.02 s|0.00 s") << "60.0, 60.1 and +0.0";
+    EXPECT_EQ(shown(60.04, 60.06, 60.04), "60.0 s|60.1 s|+0.1 s|0.0 s") << "one sample a second";
+    EXPECT_EQ(shown(60.0, 61.5, 60.1), "60.0 s|61.5 s|+1.5 s|+0.1 s");
+    period_s = 0.1;
     EXPECT_EQ(shown(60.04, 60.06, 60.144), "60.04 s|60.06 s|+0.02 s|+0.10 s");
-    EXPECT_EQ(shown(60.0, 61.5, 60.1), "60.0 s|61.5 s|+1.5 s|+0.1 s") << "no digits without a reason";
+    period_s = 0.01;
     EXPECT_EQ(shown(60.0449, 60.0551, 60.0), "60.045 s|60.055 s|+0.010 s|\u22120.045 s");
     const auto path = [](double a_m, double b_m) {
         ObjectMetrics a = settled(40.0, 60.0), b = a;
@@ -194,7 +199,29 @@ TEST(MetricComparison, ShowsTheDigitsThatMeanSomething) {
     };
     EXPECT_EQ(shown(0.054, 0.1056), "+0.01 K (s.d. 0.05), 105.6 mm");
     EXPECT_EQ(shown(0.004, 9.7156), "+0.012 K (s.d. 0.004), 9716 mm");
-    EXPECT_EQ(shown(0.0, 0.0), "+0.01 K, 0.0 mm");
+    EXPECT_EQ(shown(0.0, 0.0), "+0.01 K (s.d. < 0.01), 0.0 mm") << "it rounds to nought, and is known";
+    EXPECT_EQ(shown(2e-4, 0.0), "+0.012 K (s.d. < 0.001), 0.0 mm");
+}
+
+// Catches digits of a time that sampling does not tell, of a reading that its sensor does not, and a
+// difference in a file that is not that of the numbers beside it.
+TEST(MetricComparison, NoDigitsWithoutAMeaning) {
+    std::vector<ComparedRun> runs{comparedRun("A", {{"circle", settled(40.03, 77.7266755)}}),
+                                  comparedRun("B", {{"circle", settled(40.20400007, 85.00000042)}})};
+    runs[0].metrics->objects[0].steadyDeviation_K = 8.396541621e-05;
+    for (ComparedRun& run : runs) {
+        run.metrics->resolution_K = 0.1;
+        run.metrics->atVelocityLimit_s = 446.7266755;
+    }
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    EXPECT_EQ(plain(row(metrics, "Settling time", "circle").cells[0].text), "77.7 s");
+    EXPECT_EQ(plain(row(metrics, "Final", "circle").cells[0].text), "40.0 °C") << "of steps of 0.1 K";
+    EXPECT_TRUE(plain(row(metrics, "Time at a velocity limit", "").cells[0].text).starts_with("446.7 s"));
+    const QStringList lines = QString::fromStdString(comparisonCsv(runs, 0, metrics)).split('\n');
+    for (const char* line :
+         {"settling time (s),circle,77.7,85,7.3", "final (degC),circle,40.03,40.204,0.174",
+          "steady-state error s.d. (K),circle,8.4e-05,,", "time at a velocity limit (s),,446.7,446.7,0"})
+        EXPECT_TRUE(lines.contains(line)) << line << '\n' << lines.join('\n').toStdString();
 }
 
 // Catches a file for other programs in the notation of the window's language.

@@ -273,13 +273,13 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     show(session);
     ASSERT_EQ(child<FinalValuesTable>("finalValues")->rowCount(), 3);
     EXPECT_EQ(cell(0, 0), "circle");
-    EXPECT_EQ(cell(0, 1).toStdString(), "40.00 °C") << "as the others, or the error is not their difference";
-    EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
-    EXPECT_EQ(cell(0, 4), QString(QChar(0x2212)) + "0.05 K");
+    EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C") << "as the others, or the error is not their difference";
+    EXPECT_EQ(cell(0, 2).toStdString(), "40.0 °C") << "39.95 of a sensor with steps of 0.1 K";
+    EXPECT_EQ(cell(0, 4), "0.0 K");
     EXPECT_EQ(cell(0, 5), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
     EXPECT_EQ(cell(0, 3).toStdString(), "40.00 °C");
     EXPECT_EQ(cell(2, 5), "not settled");
-    EXPECT_EQ(cell(2, 4), QString(QChar(0x2212)) + "2.45 K") << "310.7 K was read, 310.716 K was true";
+    EXPECT_EQ(cell(2, 4), QString(QChar(0x2212)) + "2.4 K") << "310.7 K was read, 310.716 K was true";
     auto* table = child<FinalValuesTable>("finalValues");
     EXPECT_EQ(table->horizontalHeaderItem(2)->text(), "Final");
     EXPECT_EQ(table->horizontalHeaderItem(3)->text(), "True");
@@ -368,7 +368,7 @@ TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
     session.events.push_back({session.samples.back().time_s, {MessageCode::EventStopped, {}}});
     session.samples.push_back(retreated);
     show(session);
-    EXPECT_EQ(cell(0, 4), QString(QChar(0x2212)) + "0.05 K");
+    EXPECT_EQ(cell(0, 4), "0.0 K");
     EXPECT_EQ(cell(0, 3).toStdString(), "40.00 °C");
     EXPECT_EQ(cell(0, 5), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
 }
@@ -574,7 +574,7 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     EXPECT_EQ(table->verticalHeaderItem(0)->text(), "Target");
     EXPECT_EQ(table->verticalHeaderItem(1)->text(), "Final");
     EXPECT_EQ(table->verticalHeaderItem(2)->text(), "Final, true");
-    EXPECT_EQ(table->item(1, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "39.95 °C");
+    EXPECT_EQ(table->item(1, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.0 °C");
     EXPECT_EQ(table->item(2, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "40.00 °C");
     EXPECT_EQ(table->item(3, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
     EXPECT_EQ(table->item(3, 2)->text(), "not settled");
