@@ -11,6 +11,8 @@
 #include "widgets/common/scrolling.h"
 #include "widgets/common/verdict_words.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/review/comparison_view.h"
+#include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
 #include "widgets/rig/rig_page.h"
 #include "widgets/rig/way_up_question.h"
@@ -112,6 +114,8 @@ void PageHost::connectReview() {
     connect(&m_reviewDesk, &ReviewDesk::opened, this, [this] { show(Page::Review); });
     connect(&m_reviewDesk, &ReviewDesk::problem, this, &PageHost::showProblem);
     connect(&m_reviewDesk, &ReviewDesk::told, this, &PageHost::showNote);
+    connect(m_review->replay()->comparison(), &ComparisonView::copied, this,
+            [this](const QString& sentence) { m_messages.showBriefly(sentence); });
     connect(&m_reviewDesk, &ReviewDesk::manualRequested, this, &PageHost::manualRequested);
 }
 

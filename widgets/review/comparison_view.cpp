@@ -180,9 +180,11 @@ void ComparisonView::showNote() {
                                           : tr("Once all metrics are computed"));
 }
 
-void ComparisonView::copy() const {
-    if (!m_runs.empty())
-        QApplication::clipboard()->setText(comparisonText(m_runs, reference(), m_metrics));
+void ComparisonView::copy() {
+    if (m_runs.empty())
+        return;
+    QApplication::clipboard()->setText(comparisonText(m_runs, reference(), m_metrics));
+    emit copied(tr("Copied %n row(s)", nullptr, static_cast<int>(m_metrics.size())));
 }
 
 bool ComparisonView::eventFilter(QObject* watched, QEvent* event) {

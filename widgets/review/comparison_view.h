@@ -28,6 +28,8 @@ public:
 signals:
     /// The table was asked for as a file.
     void exportRequested(const QString& csv);
+    /// The table is in the clipboard.
+    void copied(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -38,7 +40,7 @@ private:
     void showReferences();
     void showRow(int row, const ComparedMetric& metric);
     void showNote();
-    void copy() const;
+    void copy();
     std::size_t reference() const; ///< index of the run that the others are compared with
 
     std::vector<ComparedRun> m_runs;

@@ -104,7 +104,7 @@ ReplayView::ReplayView(QWidget* parent)
     layout->addWidget(stack, 1);
 
     connectPlots();
-    connect(m_transport, &TransportBar::moved, this, &ReplayView::showMoment);
+    connect(m_transport, &TransportBar::moved, this, &ReplayView::moveTo);
     connect(m_tabs, &QTabWidget::currentChanged, this, &ReplayView::fillShown);
     retranslate();
 }
@@ -272,19 +272,24 @@ void ReplayView::tellFailure(const Error& error) {
         emit readFailed(error);
 }
 
-void ReplayView::showMoment(double time_s) {
-    if (!m_run || m_run->size() == 0)
-        return;
-    showTiles(time_s);
-    for (const Plot& each : m_plots)
-        each.plot->setPosition(time_s);
-    if (m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) { // turn the page
+/// Turns the page of a zoomed plot, not beyond the end of the run.
+void ReplayView::moveTo(double time_s) {
+    if (m_run && m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) {
         const double width_s = m_visible_s->second - m_visible_s->first;
         const double from_s = std::max(0.0, std::min(time_s - 0.1 * width_s, m_run->lastTime_s() - width_s));
         m_visible_s = std::pair{from_s, from_s + width_s};
         for (const Plot& each : m_plots)
             each.plot->setTimeRange(from_s, from_s + width_s);
     }
+    showMoment(time_s);
+}
+
+void ReplayView::showMoment(double time_s) {
+    if (!m_run || m_run->size() == 0)
+        return;
+    showTiles(time_s);
+    for (const Plot& each : m_plots)
+        each.plot->setPosition(time_s);
     showScene();
     showPicture(time_s);
 }

@@ -87,6 +87,7 @@ private:
     void fillShown();
     void makeScene();
     void fillScene();
+    void moveTo(double time_s);
     void showMoment(double time_s);
     void nameRun();
     void showScene();

@@ -286,8 +286,11 @@ TEST_F(ComparisonViewTest, IsCopiedAndExported) {
     EXPECT_EQ(copied[0].toStdString(), "Metric\tObject\tA run\tB run\tB \u2212 A");
     EXPECT_EQ(plain(copied[5]), "Final\tcircle\t40.00 °C\t40.30 °C\t+0.30 K");
     QApplication::clipboard()->clear();
+    const QSignalSpy told(&view, &ComparisonView::copied);
     QTest::mouseClick(view.findChild<QPushButton*>("comparisonCopy"), Qt::LeftButton);
     EXPECT_EQ(QApplication::clipboard()->text(), copied.join('\n'));
+    ASSERT_EQ(told.count(), 1) << "a person sees nothing else of it";
+    EXPECT_TRUE(told[0][0].toString().contains("33"));
     QSignalSpy wanted(&view, &ComparisonView::exportRequested);
     QTest::mouseClick(save, Qt::LeftButton);
     ASSERT_EQ(wanted.count(), 1);

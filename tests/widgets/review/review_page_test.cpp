@@ -526,6 +526,24 @@ TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     EXPECT_EQ(child<TracePlot>("review.error_K")->visibleFrom_s(), plot->visibleFrom_s());
 }
 
+// Catches a zoomed plot that moves when a tab is looked at, or that goes on behind the end of the run.
+TEST_F(ReviewPageTest, AZoomedPlotMovesWithTheReplayOnly) {
+    show(record());
+    auto* plot = child<TracePlot>("review.measured_K");
+    plot->setTimeRange(100.0, 120.0);
+    emit plot->timeRangeChosen(100.0, 120.0);
+    auto* tabs = child<QTabWidget>("reviewTabs");
+    for (int tab = 0; tab < tabs->count(); ++tab)
+        if (tabs->widget(tab)->findChild<TracePlot*>() != nullptr) { // the scene wants OpenGL
+            tabs->setCurrentIndex(tab);
+            EXPECT_EQ(plot->visibleFrom_s(), 100.0) << tab;
+        }
+    EXPECT_EQ(child<TracePlot>("review.view_factor")->visibleFrom_s(), 100.0);
+    page.replay()->seek(200.0);
+    EXPECT_NEAR(plot->visibleTo_s(), 200.0, 1e-6) << "not a stretch that is nearly empty";
+    EXPECT_NEAR(plot->visibleFrom_s(), 180.0, 1e-6);
+}
+
 // Catches Space that does nothing, a replay that goes on unseen, and one that does not advance.
 TEST_F(ReviewPageTest, SpacePlaysAndPauses) {
     show(record());
