@@ -9,6 +9,7 @@
 #include "engine/experiment/text_file.h"
 #include "engine/model/limits_widened.h"
 #include "engine/recipe/recipe.h"
+#include "engine/recording/nexus_file.h"
 #include "engine/recording/recording_name.h"
 #include "widgets/common/file_folders.h"
 #include "widgets/plots/figure_dialog.h"
@@ -52,9 +53,43 @@ QString SessionActions::ask(const FileQuestion& question) {
     case FileQuestion::Kind::SaveFile:
         break;
     }
-    return withSuffix(
-        askFileToSave(m_window, question.title, question.folder, question.filter, question.place),
-        question.suffix);
+    return askPlace(question);
+}
+
+/// Once: a dialog that asks whether to replace what is then refused has asked in vain.
+QString SessionActions::askPlace(const FileQuestion& question) {
+    QString proposed = question.folder;
+    for (;;) {
+        const QString path = withSuffix(askFileToSave(m_window, question.title, proposed, question.filter,
+                                                      question.place, nullptr, Replacing::NotAsked),
+                                        question.suffix);
+        if (path.isEmpty() || !QFileInfo::exists(path) || mayReplaceFile(question, path))
+            return path;
+        proposed = path;
+    }
+}
+
+bool SessionActions::mayReplaceFile(const FileQuestion& question, const QString& path) {
+    constexpr qint64 kReadAtOnce = 64 << 20; // bytes; the export itself looks at larger ones
+    if (question.mayReplace && QFileInfo(path).size() <= kReadAtOnce)
+        if (const auto allowed = question.mayReplace(path.toStdString()); !allowed) {
+            QMessageBox refusal(QMessageBox::Warning, question.title, sentence(allowed.error()),
+                                QMessageBox::NoButton, m_window);
+            refusal.setObjectName(QStringLiteral("replaceRefusal"));
+            refusal.addButton(tr("Choose another name"), QMessageBox::AcceptRole);
+            refusal.exec();
+            return false;
+        }
+    QMessageBox box(QMessageBox::Question, question.title,
+                    tr("%1 is there already.").arg(QFileInfo(path).fileName()), QMessageBox::NoButton,
+                    m_window);
+    box.setObjectName(QStringLiteral("replaceQuestion"));
+    QPushButton* replacing = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
+    QPushButton* staying = box.addButton(tr("Choose another name"), QMessageBox::RejectRole);
+    box.setDefaultButton(staying);
+    box.setEscapeButton(staying);
+    box.exec();
+    return box.clickedButton() == replacing;
 }
 
 QString SessionActions::lastFolder(FileFolder kind) const {
@@ -364,7 +399,13 @@ void SessionActions::exportSession(SessionForm form) {
         to = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
                   QDir(folder).filePath(QFileInfo(from).completeBaseName() + u'.' + ending),
                   form == SessionForm::ReportPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), ending,
-                  FileFolder::Exports});
+                  FileFolder::Exports, [session = from.toStdString()](const std::string& path) {
+                      return checkReportFile(path, session);
+                  }});
+    } else if (form == SessionForm::Nexus) {
+        const QString name = QString::fromStdString(nexusName(from.toStdString()));
+        to = ask({FileQuestion::Kind::SaveFile, tr("Save the NeXus file"), QDir(folder).filePath(name),
+                  tr("NeXus (*.nxs)"), QStringLiteral("nxs"), FileFolder::Exports, checkNexus});
     } else {
         to = ask({FileQuestion::Kind::Folder,
                   tr("Folder for the exported files"),
@@ -378,10 +419,10 @@ void SessionActions::exportSession(SessionForm form) {
 }
 
 void SessionActions::exportComparison(const QString& csv) {
-    const QString to =
-        ask({FileQuestion::Kind::SaveFile, tr("Save the comparison"),
-             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(QStringLiteral("comparison.csv")),
-             tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});
+    const QString to = ask(
+        {FileQuestion::Kind::SaveFile, tr("Save the comparison"),
+         QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(QStringLiteral("comparison.csv")),
+         tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports, SessionExport::checkComparison});
     if (!to.isEmpty())
         m_export.writeComparison(csv, to);
 }
@@ -399,9 +440,10 @@ void SessionActions::exportPlot(const PlotPlace& place, PlotForm form) {
         return;
     const QString ending = QLatin1String(figureEnding(format));
     const QString name = QString::fromStdString(runFigureStem(place.plot()->quantity())) + ending;
-    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the figure"),
-                            QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
-                            tr("Figures (*%1)").arg(ending), ending.mid(1), FileFolder::Exports});
+    const QString to =
+        ask({FileQuestion::Kind::SaveFile, tr("Save the figure"),
+             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), tr("Figures (*%1)").arg(ending),
+             ending.mid(1), FileFolder::Exports, SessionExport::checkFigure});
     if (to.isEmpty() || refusedToDraw()) // a run may have begun behind the question
         return;
     QGuiApplication::setOverrideCursor(Qt::WaitCursor);
@@ -417,9 +459,10 @@ void SessionActions::exportTable(const TracePlot& plot) {
                "only. Open it on the Review page and export the table there, or show a later "
                "stretch of time."));
     const QString name = QString::fromStdString(runFigureStem(plot.quantity())) + QStringLiteral(".csv");
-    const QString to = ask({FileQuestion::Kind::SaveFile, tr("Save the table"),
-                            QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name),
-                            tr("Tables (*.csv)"), QStringLiteral("csv"), FileFolder::Exports});
+    const QString to =
+        ask({FileQuestion::Kind::SaveFile, tr("Save the table"),
+             QDir(m_settings.lastFolder(FileFolder::Exports)).filePath(name), tr("Tables (*.csv)"),
+             QStringLiteral("csv"), FileFolder::Exports, SessionExport::checkTable});
     if (!to.isEmpty())
         m_export.writeTable(table, to);
 }

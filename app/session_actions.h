@@ -33,6 +33,8 @@ struct FileQuestion {
     QString filter;
     QString suffix;                             ///< added if the typed name has none
     FileFolder place = FileFolder::Experiments; ///< where the answer's folder is remembered
+    /// Refuses to replace a file, before anybody is asked about it; empty: any may be replaced.
+    std::function<Result<void>(const std::string& path)> mayReplace{};
 };
 
 class SessionActions : public QObject {
@@ -147,6 +149,8 @@ private:
     void readRig(const QString& path);
     bool write(const QString& path);
     bool refusedToDraw();
+    QString askPlace(const FileQuestion& question);
+    bool mayReplaceFile(const FileQuestion& question, const QString& path);
     std::optional<FigureLayout> askFigure();
     void exportTable(const TracePlot& plot);
 

@@ -15,21 +15,24 @@
 #include <QGuiApplication>
 #include <QScopeGuard>
 
+#include <filesystem>
+
 namespace bask {
 namespace {
 
-Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
-                                         const std::string& folder, const std::stop_token& stop) {
+Result<std::vector<std::string>> written(SessionForm form, const std::string& session, const std::string& to,
+                                         const std::stop_token& stop) {
     if (form == SessionForm::Csv || form == SessionForm::CsvAllDigits)
-        return exportSessionCsv(session, folder, {},
+        return exportSessionCsv(session, to, {},
                                 form == SessionForm::Csv ? CsvDigits::Meaningful : CsvDigits::All);
     auto record = readSession(session);
     if (!record)
         return record.error();
     record->verification = verificationOf(session);
     if (form == SessionForm::Vtk)
-        return exportVtk(*record, folder, stop);
-    const auto file = exportNexus(*record, folder);
+        return exportVtk(*record, to, stop);
+    const std::filesystem::path path(to);
+    const auto file = exportNexus(*record, path.parent_path().string(), {}, path.filename().string());
     return file ? Result<std::vector<std::string>>(std::vector{*file}) : file.error();
 }
 
@@ -41,16 +44,6 @@ Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& i
         return exportFigures(input.session, to, input.unit, layout);
     const auto done = writeReport(input, to);
     return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
-}
-
-/// In its place, where a note of another table may not have it: at the end of the headers.
-Result<void> checkOwnTable(const std::string& path) {
-    QFile old(QString::fromStdString(path));
-    const QByteArray end = ',' + kPlotTableMark.toUtf8() + '\n';
-    if (old.exists() && old.size() > 0 && (!old.open(QIODevice::ReadOnly) || !old.readLine().endsWith(end)))
-        return Error(MessageCode::OutputForeign, path,
-                     {QT_TRANSLATE_NOOP("Parameter", "a table written by Bask")});
-    return {};
 }
 
 /// Where the check of the place allows it.
@@ -71,8 +64,8 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
                           const QString& language, const FigureLayout& layout) {
     const std::string from = session.toStdString();
     if (!isDrawn(form))
-        return write(m_files[form], to, [form, from, folder = to.toStdString()](const std::stop_token& stop) {
-            return written(form, from, folder, stop);
+        return write(m_files[form], to, [form, from, path = to.toStdString()](const std::stop_token& stop) {
+            return written(form, from, path, stop);
         });
     Drawing& drawing = m_drawings[form];
     drawing.to = to;
@@ -91,32 +84,47 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
         });
 }
 
+Result<void> SessionExport::checkComparison(const std::string& path) {
+    return checkOwn(path, QString::fromLatin1(kComparisonMark),
+                    QT_TRANSLATE_NOOP("Parameter", "a comparison written by Bask"));
+}
+
+Result<void> SessionExport::checkFigure(const std::string& path) {
+    return checkOwn(path, kRunFigureMark, QT_TRANSLATE_NOOP("Parameter", "a figure drawn by Bask"));
+}
+
+/// In its place, where a note of another table may not have it: at the end of the headers.
+Result<void> SessionExport::checkTable(const std::string& path) {
+    QFile old(QString::fromStdString(path));
+    const QByteArray end = ',' + kPlotTableMark.toUtf8() + '\n';
+    if (old.exists() && old.size() > 0 && (!old.open(QIODevice::ReadOnly) || !old.readLine().endsWith(end)))
+        return Error(MessageCode::OutputForeign, path,
+                     {QT_TRANSLATE_NOOP("Parameter", "a table written by Bask")});
+    return {};
+}
+
 void SessionExport::writeComparison(const QString& csv, const QString& to) {
     write(m_small, to, [csv = csv.toStdString(), path = to.toStdString()](const std::stop_token&) {
-        return fileWritten(csv, path,
-                           checkOwn(path, QString::fromLatin1(kComparisonMark),
-                                    QT_TRANSLATE_NOOP("Parameter", "a comparison written by Bask")));
+        return fileWritten(csv, path, checkComparison(path));
     });
 }
 
 void SessionExport::writeFigure(const QByteArray& bytes, const QString& to) {
     write(m_small, to, [bytes = bytes.toStdString(), path = to.toStdString()](const std::stop_token&) {
-        return fileWritten(
-            bytes, path,
-            checkOwn(path, kRunFigureMark, QT_TRANSLATE_NOOP("Parameter", "a figure drawn by Bask")));
+        return fileWritten(bytes, path, checkFigure(path));
     });
 }
 
 void SessionExport::writeTable(const PlotTable& table, const QString& to) {
     write(m_tables, to, [table, path = to.toStdString()](const std::stop_token& stop) -> Files {
-        if (auto place = checkOwnTable(path); !place) // before all that reading
+        if (auto place = checkTable(path); !place) // before all that reading
             return place.error();
         const auto csv = plotTableCsv(table, stop);
         if (!csv)
             return csv.error();
         if (stop.stop_requested())
             return std::vector<std::string>();
-        return fileWritten(*csv, path, checkOwnTable(path));
+        return fileWritten(*csv, path, checkTable(path));
     });
 }
 

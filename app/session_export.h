@@ -36,10 +36,15 @@ public:
     /// the check itself tells the person.
     void setDrawGuard(std::function<bool()> mayDraw) { m_mayDraw = std::move(mayDraw); }
 
-    /// Exports to a folder, or a report to a file that ends in .html or .pdf. `language` is the window's,
-    /// `layout` that of figures. Several forms may be exported at the same time.
+    /// Exports to a folder, a report to a file that ends in .html or .pdf, NeXus to one that ends in .nxs.
+    /// `language` is the window's, `layout` that of figures. Several forms may be exported at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
                const QString& language, const FigureLayout& layout = {});
+    /// Refuse to replace what Bask has not written. Error: OutputForeign.
+    static Result<void> checkComparison(const std::string& path);
+    static Result<void> checkFigure(const std::string& path);
+    static Result<void> checkTable(const std::string& path);
+
     /// Writes a comparison of metrics, as ComparisonView makes it.
     void writeComparison(const QString& csv, const QString& to);
     /// Writes what a plot shows: its figure, with kRunFigureMark, or its table, with kPlotTableMark, for

@@ -16,20 +16,6 @@ namespace {
 
 constexpr std::size_t kMarkWithin = 8192; // bytes from the start: the root's attributes are written first
 
-/// Refuses a file that is there, not empty and not of exportNexus.
-Result<void> checkOwn(const std::string& path) {
-    std::error_code failed;
-    if (!std::filesystem::exists(path, failed) || (std::filesystem::file_size(path, failed) == 0 && !failed))
-        return {};
-    std::ifstream file(path, std::ios::binary);
-    std::string start(kMarkWithin, '\0');
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (!start.starts_with("\x89HDF") || start.find("Bask ") == std::string::npos)
-        return Error(MessageCode::OutputForeign, path,
-                     {QT_TRANSLATE_NOOP("Parameter", "a NeXus file written by Bask")});
-    return {};
-}
-
 /// Empty where none was recorded.
 Result<std::optional<ThermalPictures>> recordedPictures(const SessionRecord& session) {
     const auto profile = thermalProfile(session.experiment, session.simulated);
@@ -67,14 +53,31 @@ Result<void> fillPictures(const std::string& session, const ThermalPictures& pic
 
 } // namespace
 
+std::string nexusName(const std::string& session) {
+    return std::filesystem::path(session).stem().string() + ".nxs";
+}
+
+Result<void> checkNexus(const std::string& path) {
+    std::error_code failed;
+    if (!std::filesystem::exists(path, failed) || (std::filesystem::file_size(path, failed) == 0 && !failed))
+        return {};
+    std::ifstream file(path, std::ios::binary);
+    std::string start(kMarkWithin, '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (!start.starts_with("\x89HDF") || start.find("Bask ") == std::string::npos)
+        return Error(MessageCode::OutputForeign, path,
+                     {QT_TRANSLATE_NOOP("Parameter", "a NeXus file written by Bask")});
+    return {};
+}
+
 Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder,
-                                const ShareDone& told) {
+                                const ShareDone& told, const std::string& wanted) {
     auto files = StagedFiles::into(folder);
     if (!files)
         return files.error();
-    const std::string name = std::filesystem::path(session.path).stem().string() + ".nxs";
+    const std::string name = wanted.empty() ? nexusName(session.path) : wanted;
     const std::string target = files->target(name);
-    if (auto place = checkOwn(target); !place)
+    if (auto place = checkNexus(target); !place)
         return place.error();
     const auto pictures = recordedPictures(session);
     if (!pictures)

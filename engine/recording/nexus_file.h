@@ -8,11 +8,17 @@
 
 namespace bask {
 
-/// Writes the whole record or nothing to `folder`, under the session's name with the ending ".nxs"; returns
-/// the path. Unknown values are NaN. Recorded pictures of the thermal camera are read from the session's file
-/// one by one and written with it. Errors: FileUnwritable; OutputForeign if a file of another program has
-/// that name; those of the session's file and of its pictures.
+/// Returns the session's name with the ending ".nxs".
+std::string nexusName(const std::string& session);
+
+/// Refuses a file that is there, not empty and not of exportNexus. Error: OutputForeign.
+Result<void> checkNexus(const std::string& path);
+
+/// Writes the whole record or nothing to `folder`, under `name`, else under nexusName(); returns the path.
+/// Unknown values are NaN. Recorded pictures of the thermal camera are read from the session's file one by
+/// one and written with it. Errors: FileUnwritable; OutputForeign if a file of another program has that name;
+/// those of the session's file and of its pictures.
 Result<std::string> exportNexus(const SessionRecord& session, const std::string& folder,
-                                const ShareDone& done = {});
+                                const ShareDone& done = {}, const std::string& name = {});
 
 } // namespace bask

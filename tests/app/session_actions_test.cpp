@@ -10,8 +10,10 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTemporaryDir>
@@ -445,6 +447,50 @@ TEST_F(SessionActionsTest, APlotIsExported) {
     files.exportPlot(place, PlotForm::Pdf);
     EXPECT_EQ(problems.size(), 2);
     EXPECT_TRUE(proposed.isEmpty()) << "a question whose answer is of no use";
+}
+
+// Catches: a dialog that asks whether to replace a file that is then refused, or replaces one without asking.
+TEST_F(SessionActionsTest, ReplacingIsAskedOnce) {
+    const QTemporaryDir folder;
+    settings.setLastFolder(FileFolder::Exports, folder.path());
+    const auto write = [&](const char* name, const QByteArray& bytes) {
+        QFile file(folder.filePath(QLatin1String(name)));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    };
+    write("mine.csv", "my own table\n");
+    write("earlier.csv", "metric,object,A\n");
+    QStringList shown, names{QStringLiteral("mine.csv"), QStringLiteral("earlier.csv")};
+    const QWidget* last = nullptr;
+    QTimer look;
+    look.setInterval(10);
+    look.callOnTimeout([&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        if (dialog == nullptr || dialog == last)
+            return;
+        last = dialog;
+        if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
+            shown << box->objectName();
+            for (QAbstractButton* button : box->buttons())
+                if (box->buttonRole(button) == QMessageBox::AcceptRole)
+                    return button->click();
+        }
+        if (auto* file = qobject_cast<QFileDialog*>(dialog)) {
+            shown << names.front();
+            file->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+                ->setText(folder.filePath(names.takeFirst()));
+            static_cast<QDialog*>(file)->accept();
+        }
+    });
+    look.start();
+    int written = 0;
+    QObject::connect(&files, &SessionActions::exported, [&] { ++written; });
+    files.exportComparison(QStringLiteral("metric,object,A,B,B - A\n"));
+    EXPECT_EQ(shown.join(u' ').toStdString(), "mine.csv replaceRefusal earlier.csv replaceQuestion");
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 1; }));
+    EXPECT_EQ(written, 1);
+    QFile mine(folder.filePath(QStringLiteral("mine.csv")));
+    ASSERT_TRUE(mine.open(QIODevice::ReadOnly));
+    EXPECT_EQ(mine.readAll(), "my own table\n");
 }
 
 // Catches: a figure whose size is not the chosen one, is forgotten, or is asked for where it is of no use.

@@ -42,9 +42,11 @@ QString askFileToOpen(QWidget* parent, const QString& title, const QString& filt
 }
 
 QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
-                      FileFolder kind, QString* filter) {
+                      FileFolder kind, QString* filter, Replacing replacing) {
     const QString proposed = QDir(begin(kind)).filePath(name);
-    return remembered(QFileDialog::getSaveFileName(parent, title, proposed, filters, filter), kind);
+    const QFileDialog::Options options =
+        replacing == Replacing::NotAsked ? QFileDialog::DontConfirmOverwrite : QFileDialog::Options();
+    return remembered(QFileDialog::getSaveFileName(parent, title, proposed, filters, filter, options), kind);
 }
 
 QString askFolder(QWidget* parent, const QString& title, FileFolder kind, const QString& from) {

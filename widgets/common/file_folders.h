@@ -33,12 +33,15 @@ bool isSessionFile(const QString& path);
 /// session is kept with the recordings, whatever was asked for. Does nothing with an empty one.
 QString remembered(QString path, FileFolder kind);
 
+/// Whether the dialog itself asks if a file is to be replaced.
+enum class Replacing { Asked, NotAsked };
+
 /// Each is empty if it was cancelled. `name` is the file's, in the folder last used unless it has one of its
 /// own; `filter` is told which was chosen; `from` stands for the folder last used.
 QString askFileToOpen(QWidget* parent, const QString& title, const QString& filters, FileFolder kind,
                       const QString& from = {});
 QString askFileToSave(QWidget* parent, const QString& title, const QString& name, const QString& filters,
-                      FileFolder kind, QString* filter = nullptr);
+                      FileFolder kind, QString* filter = nullptr, Replacing replacing = Replacing::Asked);
 QString askFolder(QWidget* parent, const QString& title, FileFolder kind, const QString& from = {});
 
 } // namespace bask
