@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/recording/csv_columns.h"
 #include "engine/recording/csv_field.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/ro_crate.h"
@@ -57,6 +58,8 @@ void appendRow(QByteArray& out, SessionStore::Row row) {
 bool isPlainName(const std::string& name) {
     return std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
+
+constexpr const char* kColumnsTable = "columns";
 
 /// What every wide table begins with.
 constexpr const char* kTracesHeader = "time (s),source (degC)";
@@ -223,11 +226,6 @@ private:
     CsvDigits m_digits;
 };
 
-template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
-    const bool isTemperature = column.unit.edge == EdgeUnit::Temperature;
-    return std::string(column.csv) + " (" + (isTemperature ? "degC" : siUnit(column.unit)) + ')';
-}
-
 std::vector<const ObjectColumn*> columnsInTraces(const RecordedRig& rig) {
     std::vector<const ObjectColumn*> out;
     for (const ObjectColumn& column : kObjectColumns)
@@ -244,12 +242,12 @@ Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, Cs
     std::vector<SqlValue> row{std::string("time (s)")};
     for (const RunColumn& column : kRunColumns)
         if (column.csv != nullptr)
-            row.emplace_back(headerOf(column));
+            row.emplace_back(csvHeader(column));
     for (std::size_t k = 0; k < kCoordinateNames.size(); ++k)
-        row.emplace_back(std::string(kCoordinateNames[k]) + (k < 3 ? " (m)" : " (rad)"));
+        row.emplace_back(csvCoordinateHeader(k));
     for (const ObjectSpec& object : facts.experiment.objects)
         for (const ObjectColumn* column : ofObjects)
-            row.emplace_back(object.name + ' ' + headerOf(*column));
+            row.emplace_back(object.name + ' ' + csvHeader(*column));
     file.add(row);
     const auto add = [&](const TraceSample& sample) {
         row = {cells.number(sample.time_s, unit::kSeconds)};
@@ -265,6 +263,21 @@ Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, Cs
     };
     const auto read = readSamples(facts.path, add, {}, done);
     return read ? file.end() : read;
+}
+
+/// Beside the tables, what their columns are.
+Result<void> writeColumns(const SessionRecord& facts, StagedFiles& stage) {
+    const std::vector<SqlValue> header{std::string("file"), std::string("column"), std::string("unit"),
+                                       std::string("meaning")};
+    CsvFile file(stage.target(std::string(kColumnsTable) + ".csv"));
+    if (auto opened = file.open(stage, rowText(header).trimmed()); !opened)
+        return opened;
+    file.add(header);
+    for (const CsvColumn& column : csvColumns(facts)) {
+        const std::vector<SqlValue> row{column.file, column.column, column.unit, column.meaning};
+        file.add(row);
+    }
+    return file.end();
 }
 
 } // namespace
@@ -296,6 +309,9 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         done = writeTraces(*facts, TraceCells(digits), traces, partOf(told, 0.0, kAfterTraces));
     if (done)
         done = writeTables(**store, *tables, files, *facts, partOf(told, kAfterTraces, 1.0));
+    const bool hasName = std::ranges::find(*tables, kColumnsTable) == tables->end();
+    if (done && hasName) // else a table of another maker has it
+        done = writeColumns(*facts, *stage);
     if (done)
         done = addCrate(*stage, *facts);
     if (done)

@@ -167,7 +167,7 @@ TEST_F(SessionFile, VersionOneReadsTheSame) {
         EXPECT_TRUE(sameSample(record->samples[static_cast<std::size_t>(k)],
                                test::asVersionOne(madeUpSample(twoDisks(), k))))
             << k;
-    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 14u) << "with the crate";
+    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 15u) << "with the crate and columns.csv";
 }
 
 // Catches a source that lies still stored again and again, or not found again.
@@ -245,7 +245,7 @@ TEST_F(SessionFile, OneWithoutTheSourcesPoseHasItAsInTheExperiment) {
     ASSERT_EQ(record->samples.size(), 3u);
     for (const TraceSample& sample : record->samples)
         EXPECT_LT((sample.source - experiment.source.pose).cwiseAbs().maxCoeff(), 1e-15);
-    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 13u);
+    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 14u);
 }
 
 // The columns are a promise to scripts.
@@ -572,7 +572,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     const std::string folder = file("deep/csv");
     const auto files = exportSessionCsv(path, folder);
     ASSERT_TRUE(files) << describe(files.error());
-    EXPECT_EQ(files->size(), 14u);
+    EXPECT_EQ(files->size(), 15u);
     ASSERT_TRUE(exportSessionCsv(path, folder)) << "existing files are replaced";
 
     std::istringstream sample(contents(qfile("deep/csv/sample.csv")));
@@ -593,6 +593,31 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     QFile blocked(qfile("blocked"));
     ASSERT_TRUE(blocked.open(QIODevice::WriteOnly));
     EXPECT_EQ(exportSessionCsv(path, file("blocked")).error().code(), MessageCode::FileUnwritable);
+}
+
+// Catches: a column whose unit, frame or angle nobody tells, a header that is not in its table, and a table
+// of that name that is lost.
+TEST_F(SessionFile, ColumnsSayWhatTheTablesHold) {
+    const std::string path = recorded("run.bask", 3);
+    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    const std::string columns = contents(qfile("csv/columns.csv"));
+    for (const char* line : {"file,column,unit,meaning\n",
+                             "traces.csv,x (m),m,\"origin of the end-effector E in the robot's base R, along",
+                             "Rz(theta_z) Ry(theta_y) Rx(theta_x)",
+                             "traces.csv,right measured (degC),degC,measured temperature\n",
+                             "sample.csv,measured_K,K,measured temperature\n", "truth.csv,temperature_K,K,",
+                             "meta.csv,created,,"})
+        EXPECT_NE(columns.find(line), std::string::npos) << line << '\n' << columns;
+    std::istringstream traces(contents(qfile("csv/traces.csv")));
+    std::string header;
+    std::getline(traces, header);
+    std::size_t told = 0, from = 0;
+    for (; (from = columns.find("\ntraces.csv,", from)) != std::string::npos; ++from)
+        ++told;
+    EXPECT_EQ(told, 8u + 2u * 9u) << header;
+    ASSERT_TRUE((*SessionStore::create(path))->execute("CREATE TABLE columns(a)"));
+    ASSERT_TRUE(exportSessionCsv(path, file("other")));
+    EXPECT_EQ(contents(qfile("other/columns.csv")), "a\n");
 }
 
 // Catches: a note or a name that a spreadsheet runs as a formula, and a number that is made a text.
