@@ -1,6 +1,5 @@
 #include "engine/recording/csv_columns.h"
 
-
 #include <array>
 
 namespace bask {

@@ -280,8 +280,8 @@ int metricFinestDecimals(RunMetric metric, const RunMetrics& run) {
 int metricDecimalsInFiles(ObjectMetric metric, const RunMetrics& run) {
     const MetricFacts facts = factsOf(metric.kind);
     const bool isTemperature = isIn(facts.unit, unit::kCelsius) || isIn(facts.unit, unit::kKelvin);
-    // One more than on a screen: a reader may take differences.
-    return isTemperature ? facts.decimals + 1 : finestDecimals(facts, run) + decimalsOfUnit(facts);
+    constexpr int kTemperature = 3; // more than on a screen: a reader may take differences
+    return isTemperature ? kTemperature : finestDecimals(facts, run) + decimalsOfUnit(facts);
 }
 
 int metricDecimalsInFiles(RunMetric metric, const RunMetrics& run) {
