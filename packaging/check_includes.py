@@ -18,7 +18,7 @@ HEADER_SUFFIXES = {".h", ".hpp"}
 # Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots; sheets of `bask make-board`, which the
 # Calibrate page draws, too; the language of reports. These headers have no widget.
 COMMAND_FOLDERS = {("app", "commands"), ("app", "drawing")}
-DRAWING_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
+DRAWING_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_format.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # Names of messages, from their tables.
 MADE_BY_THE_BUILD = {"engine/base/message_names.inc", "engine/base/condition_names.inc"}
 
