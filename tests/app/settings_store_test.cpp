@@ -60,7 +60,8 @@ TEST_F(SettingsStoreTest, UnknownValuesReadAsDefaults) {
     {
         QFile file(qEnvironmentVariable("BASK_SETTINGS_DIR") + QStringLiteral("/bask.ini"));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
-        file.write("[General]\nunit=rankine\ntheme=7\ntextSize=100000\nfigureWidth_mm=2\nlanguage=klingon\nrecent=\x01\x02\n");
+        file.write("[General]\nunit=rankine\ntheme=7\ntextSize=100000\nfigureWidth_mm=2\nlanguage="
+                   "klingon\nrecent=\x01\x02\n");
     }
     SettingsStore store;
     EXPECT_EQ(store.temperatureUnit(), TemperatureUnit::Celsius);

@@ -9,6 +9,8 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace bask {
 
 FigureDialog::FigureDialog(const FigureLayout& layout, QWidget* parent)
