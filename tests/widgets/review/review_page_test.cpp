@@ -630,6 +630,22 @@ TEST_F(ReviewOverlayTest, EveryPlotHasIt) {
     EXPECT_EQ(plot->overlayLabels().size(), 3);
 }
 
+// Catches a figure whose key calls the runs by their files where their controllers tell them apart.
+TEST_F(ReviewOverlayTest, RunsAreCalledByWhatTellsThemApart) {
+    SessionRecord first = record(), second = record();
+    first.path = "20260314T092653Z.bask";
+    second.path = "20260314T102653Z.bask";
+    first.experiment.controller.kind = ControllerKind::LevelServo;
+    second.experiment.controller.kind = ControllerKind::Adaptive;
+    show(first);
+    ASSERT_TRUE(page.replay()->addOverlay(opened(second)));
+    EXPECT_TRUE(child<QPushButton>("overlay.B")->text().startsWith("B  Adaptive"));
+    const QString svg = QString::fromUtf8(plot->figure({}, FigureFormat::Svg, {}));
+    const qsizetype own = svg.indexOf(QString::fromUtf8(">A Level servo · circle<"));
+    EXPECT_GE(own, 0);
+    EXPECT_GT(svg.indexOf(QString::fromUtf8(">B Adaptive · circle<")), own);
+}
+
 // Catches a button beside the overlaid runs that nobody hears.
 TEST_F(ReviewOverlayTest, TheFigureIsExportedInEveryForm) {
     ASSERT_TRUE(page.replay()->addOverlay(other));
