@@ -1,5 +1,6 @@
 #include "app/page_messages.h"
 
+#include "engine/recording/alarm_history.h"
 #include "widgets/common/message_bar.h"
 
 #include <algorithm>
@@ -83,7 +84,9 @@ void PageMessages::dropRefusal() {
 void PageMessages::keepRefusal(const Snapshot& snapshot) {
     if (m_refusalSaid.isEmpty())
         return;
-    const bool isReason = std::ranges::find(snapshot.reasons, m_refusal) != snapshot.reasons.end();
+    // The reason of a hot object is told anew with each reading.
+    const bool isReason = std::ranges::any_of(
+        snapshot.reasons, [this](const Message& reason) { return isSameAlarm(reason, m_refusal); });
     m_isOfReason = m_isOfReason || isReason;
     if (snapshot.state != m_refusedIn || (m_isOfReason && !isReason))
         dropRefusal();

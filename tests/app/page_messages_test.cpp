@@ -40,6 +40,26 @@ TEST(PageMessages, ARefusalGoesWithItsState) {
     EXPECT_EQ(bar.sentence(), QString());
 }
 
+// Catches: a refused Reset or Start without an answer, because its reason was told with another temperature
+// with the next reading of the hot object.
+TEST(PageMessages, ARefusalStaysWhileItsReasonChangesItsValue) {
+    MessageBar bar;
+    PageMessages messages(bar, 1h);
+    const auto hot = [](const char* object, const char* value_degC) {
+        return Message{MessageCode::SafetyObjectHot, {object, value_degC, "150"}};
+    };
+    Snapshot snapshot = in(RunState::Fault);
+    snapshot.reasons = {hot("left", "195.7")};
+    messages.showRefusal(kRefused, snapshot, hot("left", "195.7"));
+    messages.keepRefusal(snapshot);
+    snapshot.reasons = {hot("right", "160"), hot("left", "195.1")};
+    messages.keepRefusal(snapshot);
+    EXPECT_EQ(bar.sentence(), kRefused);
+    snapshot.reasons.pop_back();
+    messages.keepRefusal(snapshot);
+    EXPECT_EQ(bar.sentence(), QString()) << "the other object is another reason";
+}
+
 // Catches: a refusal that stays for good where nothing happens any more, and another message that goes with
 // it.
 TEST(PageMessages, ARefusalGoesInTime) {
