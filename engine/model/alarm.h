@@ -14,7 +14,7 @@ namespace bask {
 struct Alarm {
     std::uint64_t id = 0; ///< identifies it when it is acknowledged
     std::string key;      ///< equal for the same condition of the same object
-    Message message;      ///< of the last time it was raised, with its values
+    Message message;      ///< with the newest values of the last time it was active
     int priority = 1;     ///< 1 the highest .. 3
     bool isActive = true;
     bool isAcknowledged = false;

@@ -112,6 +112,8 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
                 alarm.message = condition.message;
                 alarm.cause = isCause ? alarm.cause : cause;
                 changed = true;
+            } else {
+                find(condition.key)->message = condition.message; // its newest values
             }
         }
     changed = forgetOver() || changed;

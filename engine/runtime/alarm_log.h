@@ -33,7 +33,7 @@ public:
     std::vector<Alarm> all() const;
 
     /// Takes all conditions that are true now, the most serious first, each key once. Returns whether the
-    /// alarms have changed.
+    /// alarms have changed, other than in the values of their messages.
     bool update(double utc_s, const std::vector<AlarmCondition>& conditions);
     /// Acknowledges the alarm and its consequences. Returns false if there is no such alarm or it is already
     /// acknowledged.

@@ -147,7 +147,9 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
         const SafetyFinding* const active = activeOne(condition, i);
         const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
-        if (!seen_K && active && object.max_K > from_K) // its end was not observed
+        const bool isUnseen = !seen_K && object.max_K > from_K; // its end was not observed
+        const bool isBelow = seen_K && *seen_K > from_K && *seen_K <= limit_K;
+        if (active && (isUnseen || isBelow)) // below its limit the sentence would be wrong
             add(condition, active->message, i);
         else if (seen_K && *seen_K > from_K)
             add(condition, {code, {name(i), roundedTemperatureArg(*seen_K), temperatureArg(limit_K)}}, i);
@@ -383,13 +385,14 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
     if (seen.isSourcePoseLost)
         add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
     const SafetyFinding* const hot = activeOne(Condition::SourceHot);
-    if (!seen.source_K && hot) // its end was not observed
+    const double trip_K = sourceTripLimit_K(m_experiment);
+    const double from_K = trip_K - (hot ? kHysteresis_K : 0.0);
+    const bool isBelow = seen.source_K && *seen.source_K > from_K && *seen.source_K <= trip_K;
+    if (hot && (!seen.source_K || isBelow)) // its end was not observed, or it is not over yet
         add(Condition::SourceHot, hot->message);
     if (!seen.source_K)
         return;
-    const double trip_K = sourceTripLimit_K(m_experiment);
-    const double from_K = trip_K - (hot ? kHysteresis_K : 0.0);
-    if (*seen.source_K > from_K)
+    if (*seen.source_K > trip_K)
         add(Condition::SourceHot,
             {MessageCode::SafetySourceHot, {roundedTemperatureArg(*seen.source_K), temperatureArg(trip_K)}});
     if (seen.isManual && seen.isHeatUnwanted && *seen.source_K > m_experiment.environment_K + kHandWarm_K)

@@ -46,6 +46,19 @@ TEST(AlarmLog, AnAlarmStaysUntilItIsOverAndSeen) {
     EXPECT_FALSE(log.acknowledgeAll());
 }
 
+// Catches "at 150.2" in the list while the object is at 195, and a disk that is written to with each reading.
+TEST(AlarmLog, TheValueFollowsWhileItIsActive) {
+    AlarmLog log;
+    AlarmCondition hot = warm("a");
+    EXPECT_TRUE(log.update(1.0, {hot}));
+    hot.message.args[1] = "195";
+    EXPECT_FALSE(log.update(2.0, {hot}));
+    EXPECT_EQ(log.alarms()[0].message, hot.message);
+    EXPECT_EQ(log.alarms()[0].raised_s, 1.0);
+    log.update(3.0, {});
+    EXPECT_EQ(log.alarms()[0].message, hot.message) << "the last value that was told";
+}
+
 // Catches a grave condition that hides behind a cause that was seen long before.
 TEST(AlarmLog, WhatFollowsLateFromACauseThatWasSeenIsNew) {
     AlarmLog log;
