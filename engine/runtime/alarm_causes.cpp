@@ -51,6 +51,11 @@ constexpr std::array kConsequences{
     Consequence{Condition::NotWarming, Condition::SourceSilent},
     Consequence{Condition::NotWarming, Condition::SourceLost},
     Consequence{Condition::ObjectWarm, Condition::ObjectHot, true},
+    Consequence{Condition::ObjectWarm, Condition::HeatedOtherwise, true},
+    Consequence{Condition::SourceOver, Condition::SourceHot},
+    Consequence{Condition::SourceOver, Condition::SourceHeatsUnasked},
+    Consequence{Condition::SourceOver, Condition::SetPointOther},
+    Consequence{Condition::SourceOver, Condition::SourceUnit},
 };
 
 const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,

@@ -28,7 +28,9 @@ constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
 constexpr double kOpinionSigmas = 2.0;
-constexpr double kSwapped_K = 1.5; ///< noise, offsets and what objects warm in a period
+constexpr double kSwapped_K = 1.5;   ///< noise, offsets and what objects warm in a period
+constexpr double kDeviating_K = 1.0; ///< readings of two objects that deviate in opposite ways
+constexpr double kStayed = 0.1;      ///< a smaller share of the expected change is none
 
 /// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
@@ -344,13 +346,36 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    if (const auto& found = watch.warming.unfollowed(); found && isHeated(seen)) {
-        const auto words =
-            found->isImpossible ? MessageCode::SafetyBeyondHeat : MessageCode::SafetyNotWarming;
-        const double change_K = found->isImpossible ? found->gained_K : found->expected_K;
-        add(Condition::NotWarming,
-            {words, {name(i), differenceArg(change_K, 2), formatNumber(found->time_s, 3)}}, i);
+    if (const auto& found = watch.warming.foreignHeat(); found && isHeated(seen))
+        add(Condition::HeatedOtherwise,
+            {MessageCode::SafetyHeatedOtherwise,
+             {name(i), differenceArg(found->rate_K_s, 2), differenceArg(found->explained_K_s, 2)}},
+            i);
+    if (const auto& found = watch.warming.unfollowed(); found && isHeated(seen))
+        add(Condition::NotWarming, notFollowing(i, *found), i);
+}
+
+/// Returns an object whose reading is too warm where that of `i` is too cold, or the other way round.
+std::optional<std::size_t> SafetyMonitor::deviatingOtherwise(std::size_t i, const Unfollowed& found) const {
+    for (std::size_t j = 0; j < m_objects.size(); ++j) {
+        const WarmingWatch& other = m_objects[j].warming;
+        const double missing_K = found.missing_K() < 0.0 ? -1.0 : 1.0;
+        if (j != i && missing_K * other.unexplained_K(other, found.time_s) >= kDeviating_K)
+            return j;
     }
+    return std::nullopt;
+}
+
+Message SafetyMonitor::notFollowing(std::size_t i, const Unfollowed& found) const {
+    const MessageArg expected = differenceArg(found.expected_K, 2), gained = differenceArg(found.gained_K, 2);
+    const std::string time = formatNumber(found.time_s, 3);
+    if (found.isImpossible)
+        return {MessageCode::SafetyBeyondHeat, {name(i), gained, time}};
+    if (const auto other = deviatingOtherwise(i, found))
+        return {MessageCode::SafetyNotFollowingPair, {name(i), expected, time, gained, name(*other)}};
+    if (std::abs(found.gained_K) >= kStayed * std::abs(found.expected_K))
+        return {MessageCode::SafetyNotFollowing, {name(i), expected, time, gained}};
+    return {MessageCode::SafetyNotWarming, {name(i), expected, time}};
 }
 
 void SafetyMonitor::addRobot(const SafetyObservation& seen) {
@@ -413,6 +438,9 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
             {MessageCode::SafetySourceNotHeating,
              {roundedTemperatureArg(*seen.source_K), temperatureArg(seen.asked_K.value_or(0.0)),
               formatNumber(*for_s, 3)}});
+    if (const auto over_K = m_source.over_K())
+        add(Condition::SourceOver, {MessageCode::SafetySourceOver,
+                                    {roundedTemperatureArg(*seen.source_K), differenceArg(*over_K, 3)}});
     if (const auto warming = m_source.heatsUnasked())
         add(Condition::SourceHeatsUnasked,
             {MessageCode::SafetySourceHeatsUnasked,

@@ -107,6 +107,8 @@ public:
     /// Returns the conditions that will soon be active: half of the delay or more has passed.
     std::vector<Delayed> delayed() const;
 
+    /// Whether the source is far above its set point and does not cool.
+    bool isSourceOver() const { return isActive(SafetyCondition::SourceOver); }
     /// Returns the active loss of a sensor's value or of the source's pose; null if there is none.
     const SafetyFinding* lost() const;
     bool isLost() const { return lost() != nullptr; }
@@ -164,6 +166,8 @@ private:
     bool isFrozen(std::size_t i) const;
     double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated
     void addWarming(std::size_t i, const SafetyObservation& seen);
+    Message notFollowing(std::size_t i, const Unfollowed& found) const;
+    std::optional<std::size_t> deviatingOtherwise(std::size_t i, const Unfollowed& found) const;
     void addOpinion(std::size_t i, const SafetyObservation& seen);
     void addRobot(const SafetyObservation& seen);
     void addSource(const SafetyObservation& seen);

@@ -131,8 +131,9 @@ void ServoLoop::watchLoss() {
         const bool isSensor = alarmEntry(lost.condition).isOfObject;
         if (isSensor)
             args.push_back(m_experiment.objects[lost.object].name);
-        event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
-              std::move(args));
+        if (lost.condition != SafetyCondition::HeatedOtherwise) // it has readings
+            event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
+                  std::move(args));
         stopWith(latched(lost)); // also in a hold by a person: nobody sees how hot the object is
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedManually()) {
@@ -159,7 +160,9 @@ void ServoLoop::react(const SafetyFinding& finding) {
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
     const AlarmEntry& row = alarmEntry(finding.condition);
-    if (row.isLoss && row.isOfObject)
+    if (finding.condition == SafetyCondition::HeatedOtherwise)
+        event(messageAbout(MessageCode::EventAlarmOver, finding.message));
+    else if (row.isLoss && row.isOfObject)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
     else if (row.isLoss)
         event(MessageCode::EventSourcePoseBack);

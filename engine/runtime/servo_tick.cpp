@@ -78,7 +78,7 @@ void ServoLoop::control() {
 }
 
 void ServoLoop::noteSettling() {
-    if (!m_readings.allWithinBand()) {
+    if (!m_readings.allWithinBand() || m_safety.isSourceOver()) {
         m_control.countBandAnew();
         if (m_state == RunState::Settled)
             m_state = RunState::Running;

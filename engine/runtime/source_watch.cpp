@@ -60,9 +60,39 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_restSince_s = time_s;
         m_restAt_K = temperature_K;
     }
+    addOver(time_s, temperature_K, setPoint_K);
     m_wasOn = isOn;
     m_time_s = time_s;
     m_temperature_K = temperature_K;
+}
+
+void SourceWatch::addOver(double time_s, double temperature_K, std::optional<double> setPoint_K) {
+    if (!setPoint_K || *setPoint_K < m_setPoint_K - kLowered_K)
+        m_lowered_s = time_s;
+    if (!setPoint_K || m_lowered_s == time_s)
+        m_setPoint_K = 0.0;
+    m_setPoint_K = std::max(m_setPoint_K, setPoint_K.value_or(0.0));
+    const double over_K = setPoint_K ? temperature_K - *setPoint_K : 0.0;
+    if (over_K <= std::max(kOver_K, kOverSetPoint * (setPoint_K.value_or(0.0) - m_room_K))) {
+        m_over_K.reset();
+        return;
+    }
+    if (!m_over_K)
+        m_overSince_s = time_s;
+    if (!m_over_K || temperature_K <= m_overPeak_K - kOverFall_K) {
+        m_overFrom_s = time_s;
+        m_overFrom_K = m_overPeak_K = temperature_K;
+    }
+    m_over_K = over_K;
+    m_overPeak_K = std::max(m_overPeak_K, temperature_K);
+}
+
+std::optional<double> SourceWatch::over_K() const {
+    const bool isShort = m_time_s - m_overSince_s < kOverTime_s || m_time_s - m_lowered_s < kLowered_s;
+    const bool isWarming = m_overPeak_K >= m_overFrom_K + kOverRise_K;
+    if (!m_over_K || isShort || !(isWarming || m_time_s - m_overFrom_s >= kOverStays_s))
+        return std::nullopt;
+    return m_over_K;
 }
 
 std::optional<double> SourceWatch::notHeatingFor_s() const {

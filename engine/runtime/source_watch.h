@@ -1,5 +1,5 @@
 #pragma once
-// Checks that the source heats when commanded, and does not heat otherwise.
+// Checks that the source heats when commanded, not beyond its set point, and does not heat otherwise.
 
 #include "engine/model/safety_spec.h"
 
@@ -17,6 +17,9 @@ public:
     /// How long the source has not come nearer to a set point far above it, s; empty if it heats as it
     /// should.
     std::optional<double> notHeatingFor_s() const;
+    /// How far the source is above its set point, K, if that is far, and it warms or has not cooled for long;
+    /// empty if not, and for a while after the set point was lowered.
+    std::optional<double> over_K() const;
     struct Warming {
         double gained_K = 0.0;
         double time_s = 0.0;
@@ -44,10 +47,19 @@ public:
 private:
     /// the source is at rest if it has kept its temperature for this time
     static constexpr double kAtRest_s = 120.0;
-    static constexpr double kAtRest_K = 0.5;     ///< a cooling source changes by more
-    static constexpr double kOverShare = 0.5;    ///< of an unasked warming: lost again, it is over
-    static constexpr double kCoolingTimes = 3.0; ///< cooling may be slower than heating by this factor
-    static constexpr double kOffTime_s = 1.5;    ///< until a command takes effect in the readings
+    static constexpr double kAtRest_K = 0.5;      ///< a cooling source changes by more
+    static constexpr double kOverShare = 0.5;     ///< of an unasked warming: lost again, it is over
+    static constexpr double kCoolingTimes = 3.0;  ///< cooling may be slower than heating by this factor
+    static constexpr double kOffTime_s = 1.5;     ///< until a command takes effect in the readings
+    static constexpr double kOver_K = 10.0;       ///< far above a set point: this,
+    static constexpr double kOverSetPoint = 0.05; ///< or this share of what the set point is over the room
+    static constexpr double kOverTime_s = 5.0;    ///< a shorter time is none
+    static constexpr double kOverRise_K = 3.0;    ///< more than the noise of a reading: it warms
+    static constexpr double kOverFall_K = 2.0;    ///< it cools
+    static constexpr double kOverStays_s = 120.0; ///< without cooling
+    static constexpr double kLowered_K = 1.0;     ///< another set point than before
+    static constexpr double kLowered_s = 30.0;    ///< a heavy source goes on warming for a while
+    void addOver(double time_s, double temperature_K, std::optional<double> setPoint_K);
     SafetySpec m_limits;
     double m_room_K;
     bool m_wasOn = false;
@@ -62,6 +74,12 @@ private:
     std::optional<double> m_restSince_s{}; ///< since when the temperature is within kAtRest_K of m_restAt_K
     double m_restAt_K = 0.0;
     double m_coolSince_s = 0.0, m_coolFrom_K = 0.0; ///< when it had last become cooler
+    std::optional<double> m_over_K{};               ///< above the set point, if that is far
+    double m_overSince_s = 0.0;
+    double m_overFrom_s = 0.0, m_overFrom_K = 0.0; ///< when it was far above, or had last become cooler
+    double m_overPeak_K = 0.0;                     ///< since then
+    double m_setPoint_K = 0.0;                     ///< the highest since it was lowered last
+    double m_lowered_s = -1e300;
 };
 
 } // namespace bask

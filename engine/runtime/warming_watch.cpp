@@ -12,6 +12,7 @@ constexpr double kMinBin_s = 2.0;
 constexpr double kBinsOfLoss = 0.02; // length of a bin as a share of the longest time constant
 constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // lengths of learnt spans, bins
 constexpr double kResting_s = 20.0; // a value that stays the same for longer gives no information
+constexpr double kStalled_s = 5.0;  // and what comes after it may catch up at once
 constexpr double kNoiseShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // the change must exceed this many deviations in addition
 constexpr double kToleranceTimes = 5.0; // in deviations, for learnt changes: there are hundreds of them
@@ -53,6 +54,8 @@ WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double min_K)
 void WarmingWatch::reset() {
     m_bins.clear();
     m_unfollowed.reset();
+    m_foreignHeat.reset();
+    m_riseFrom_s = 0.0;
     m_fits = m_anything;
     m_now = {};
     m_learnt = 0;
@@ -91,6 +94,8 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
         m_noise_K =
             std::sqrt((1.0 - kNoiseShare) * m_noise_K * m_noise_K + kNoiseShare * second_K * second_K);
     }
+    if (!isFirst && !isSame && time_s - m_same.time_s > kStalled_s)
+        m_riseFrom_s = time_s;
     m_before_K = m_now.temperature_K;
     m_now.temperature_K = *temperature_K;
     m_now.uncertainty_K = uncertainty_K;
@@ -99,6 +104,8 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
         m_same = m_now;
     if (m_bins.empty() || time_s >= m_binStart_s + m_bin_s) {
         judge();
+        if (!m_bins.empty())
+            judgeRise();
         m_bins.emplace_back();
         m_binStart_s = time_s;
     }
@@ -175,6 +182,72 @@ void WarmingWatch::judge() {
         m_bins.pop_front();
         --m_learnt;
     }
+}
+
+// The means of bins: a single wrong reading counts little. What was learnt of the object does not count: air
+// that stands still again explains a rise, too. A rise that is over does not count either.
+void WarmingWatch::judgeRise() {
+    m_foreignHeat.reset();
+    double most_K = m_min_K + kNoiseTimes * m_noise_K;
+    for (std::size_t i = m_bins.size() - 1; i-- > 0;) {
+        const Mark &from = m_bins[i], &to = m_bins.back();
+        if (from.time_s < std::max(m_riseFrom_s, to.time_s - kRise_s))
+            break;
+        const HeatFit::Change change =
+            ofAll(m_anything, [&](std::size_t fit) { return span(from, to, fit, kWrongNow); });
+        const double explained_K = std::max(change.max_K, 0.0);
+        const double gained_K = to.temperature_K - from.temperature_K;
+        if (i + 2 == m_bins.size() && gained_K <= explained_K)
+            break;
+        if (gained_K - explained_K <= most_K)
+            continue;
+        most_K = gained_K - explained_K;
+        const double time_s = to.time_s - from.time_s;
+        m_foreignHeat = ForeignHeat{gained_K / time_s, explained_K / time_s};
+    }
+}
+
+std::optional<WarmingWatch::Mark> WarmingWatch::at(double time_s) const {
+    const auto after =
+        std::ranges::find_if(m_bins, [time_s](const Mark& bin) { return bin.time_s >= time_s; });
+    if (after == m_bins.end() || after == m_bins.begin())
+        return std::nullopt;
+    const Mark& before = *std::prev(after);
+    const double share = (time_s - before.time_s) / (after->time_s - before.time_s);
+    const auto between = [share](double a, double b) { return a + share * (b - a); };
+    Mark out;
+    out.time_s = time_s;
+    out.temperature_K = between(before.temperature_K, after->temperature_K);
+    out.linear_K_s = between(before.linear_K_s, after->linear_K_s);
+    out.radiated_K_s = between(before.radiated_K_s, after->radiated_K_s);
+    for (std::size_t k = 0; k < out.energy_K.size(); ++k)
+        out.energy_K[k] = between(before.energy_K[k], after->energy_K[k]);
+    return out;
+}
+
+double WarmingWatch::unexplained_K(const WarmingWatch& readings, double time_s) const {
+    if (m_bins.size() < 2 || readings.m_bins.size() < 2)
+        return 0.0;
+    // the last bin is being filled
+    const double to_s =
+        std::min(m_bins[m_bins.size() - 2].time_s, readings.m_bins[readings.m_bins.size() - 2].time_s);
+    std::optional<Mark> from = at(to_s - time_s), to = at(to_s);
+    const std::optional<Mark> readFrom = readings.at(to_s - time_s), readTo = readings.at(to_s);
+    if (!from || !to || !readFrom || !readTo)
+        return 0.0;
+    const auto readAs = [](Mark& mark, const Mark& read) {
+        mark.temperature_K = read.temperature_K;
+        mark.linear_K_s = read.linear_K_s;
+        mark.radiated_K_s = read.radiated_K_s;
+    };
+    readAs(*from, *readFrom);
+    readAs(*to, *readTo);
+    const HeatFit::Change change =
+        ofAll(m_fits, [&](std::size_t fit) { return span(*from, *to, fit, kWrongNow); });
+    const double gained_K = to->temperature_K - from->temperature_K;
+    const double noise_K = kToleranceTimes * std::max(m_noise_K, readings.m_noise_K);
+    return std::max(gained_K - change.max_K - noise_K, 0.0) +
+           std::min(gained_K - change.min_K + noise_K, 0.0);
 }
 
 double WarmingWatch::sameFor_s() const {

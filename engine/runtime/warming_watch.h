@@ -20,6 +20,12 @@ struct Unfollowed {
     double missing_K() const { return expected_K - gained_K; }
 };
 
+/// A rise that is faster than the heat explains.
+struct ForeignHeat {
+    double rate_K_s = 0.0;
+    double explained_K_s = 0.0; ///< maximum of any rates, lags and losses
+};
+
 /// Learns from an object's readings how wrong the estimate of its heating is and how it loses heat. It keeps
 /// all explanations, as HeatFit does. The object does not follow its heat if all explanations demand a change
 /// of the same sign, even the smallest is large enough, and less than kMinShare of it has happened. There is
@@ -30,6 +36,7 @@ public:
     static constexpr double kMinShare = 0.1;
     static constexpr double kLongest_s = 300.0; ///< how far it looks back
     static constexpr double kJudged_s = 90.0;
+    static constexpr double kRise_s = 30.0; ///< how far it looks back for a rise
 
     /// Expected changes smaller than `min_K` are ignored.
     WarmingWatch(LossRange losses, double environment_K, double min_K);
@@ -45,6 +52,12 @@ public:
 
     /// The worst contradiction, updated every few seconds.
     const std::optional<Unfollowed>& unfollowed() const { return m_unfollowed; }
+    /// The largest rise of the last kRise_s that no rates explain, updated every few seconds.
+    const std::optional<ForeignHeat>& foreignHeat() const { return m_foreignHeat; }
+    /// How far the change of `readings` over the last `time_s` is from what this object's heat explains by
+    /// what was learnt, K, positive if they are too warm; 0 if it explains them, or if it is not known. An
+    /// object's own readings are *this; those of another one tell whether the sensors are swapped.
+    double unexplained_K(const WarmingWatch& readings, double time_s) const;
     /// How long the readings have been exactly the same, s.
     double sameFor_s() const;
     /// Returns the worst contradiction of at least min_K since the readings became the same.
@@ -72,11 +85,13 @@ private:
     /// By how much a change between two marks may be wrong.
     static double unsure_K(const Mark& from, const Mark& to);
     void learn(Fits& fits, std::size_t end) const;
+    std::optional<Mark> at(double time_s) const; ///< between bins; empty before and after them
     HeatFit::Change expected(const Fits& fits, const Mark& from, double wrong) const;
     std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double min_K, double wrong) const;
     std::optional<Unfollowed> impossible(const Mark& from) const;
     std::optional<Unfollowed> bent(const Fits& fits, const Mark& middle, double min_K) const;
     void judge();
+    void judgeRise();
 
     LossRange m_losses;
     double m_environment_K;
@@ -86,7 +101,9 @@ private:
     Fits m_anything; ///< a fit that knows the bounds only
     Fits m_fits;
     std::optional<Unfollowed> m_unfollowed{};
-    std::deque<Mark> m_bins; ///< oldest first; the last one is being filled
+    std::optional<ForeignHeat> m_foreignHeat{};
+    double m_riseFrom_s = 0.0; ///< rises that began before are not judged
+    std::deque<Mark> m_bins;   ///< oldest first; the last one is being filled
     double m_binStart_s = 0.0;
     std::size_t m_learnt = 0; ///< number of bins that have been learnt from
     Mark m_now;               ///< its count is the number of readings so far

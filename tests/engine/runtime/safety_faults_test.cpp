@@ -174,7 +174,9 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Catches limits of an object that are not watched in a run, or that do not act in their order.
 TEST(Safety, AHotObjectHoldsTheRunAndIsThenTakenAway) {
-    Rig rig;
+    Experiment experiment = fastDisks();
+    experiment.safety.pauseLimit_s = 120.0; // or the run ends because something else heats the object
+    Rig rig(experiment);
     rig.run(20.0);
     setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
     ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectWarm); }, 60.0), 60.0);
@@ -189,6 +191,37 @@ TEST(Safety, AHotObjectHoldsTheRunAndIsThenTakenAway) {
     const auto refused = rig.loop.reset();
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::SafetyObjectHot);
+}
+
+// Catches an object that runs away from its target without a word until its warning limit.
+TEST(Safety, AnObjectThatSomethingElseHeatsHoldsTheRunAndEndsIt) {
+    Rig rig;
+    rig.run(60.0);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 15.0), 15.0);
+    EXPECT_LT(rig.loop.latest().objects[0].measured_K, rig.experiment.safety.warning_K - 30.0);
+    EXPECT_EQ(rig.loop.state(), RunState::Holding);
+    EXPECT_FALSE(rig.loop.resume());
+    EXPECT_LE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 20.0), 15.2);
+    EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorLostTooLong)) << "it has readings";
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, false);
+    EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 80.0), 60.0);
+    EXPECT_TRUE(rig.isRecorded(MessageCode::EventAlarmOver));
+    EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorBack));
+}
+
+// Catches a source that runs away from its set point without a word until its trip limit, and a run that is
+// settled meanwhile.
+TEST(Safety, ASourceFarAboveItsSetPointIsTold) {
+    Rig rig;
+    rig.run(60.0);
+    setFault(rig.rig, SimulatedFault::SourceOverheats, 0, true);
+    EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetySourceOver); }, 15.0), 13.0);
+    EXPECT_LT(*rig.loop.readings().source_K(), sourceTripLimit_K(rig.experiment) - 20.0);
+    EXPECT_EQ(rig.loop.state(), RunState::Running) << "told, no more";
+    setFault(rig.rig, SimulatedFault::SourceOverheats, 0, false);
+    EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetySourceOver); }, 60.0), 60.0)
+        << "it cools";
 }
 
 // Catches an object that gets too hot while nobody runs anything, also in a move and with the run armed.
@@ -643,6 +676,7 @@ TEST(Safety, NoRunBeginsOrGoesOnAboveAWarningLimit) {
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::SafetyObjectWarm);
     ASSERT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyObjectWarm); }, 600.0), 600.0);
+    rig.periods(60); // or something else has just heated it
     ASSERT_TRUE(rig.loop.start(true));
     setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
     ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Holding; }, 80.0), 80.0);

@@ -66,6 +66,8 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::SensorFrozen, MessageCode::SafetySensorFrozen),
           std::pair(SafetyCondition::SourcePoseLost, MessageCode::ReasonSourcePoseLost),
           std::pair(SafetyCondition::ObjectWarm, MessageCode::SafetyObjectWarm),
+          std::pair(SafetyCondition::HeatedOtherwise, MessageCode::SafetyHeatedOtherwise),
+          std::pair(SafetyCondition::SourceOver, MessageCode::SafetySourceOver),
           std::pair(SafetyCondition::ThermometerLost, MessageCode::DeviceSilent),
           std::pair(SafetyCondition::HeatNotOff, MessageCode::SafetyHeatNotOff),
           std::pair(SafetyCondition::HeatByHand, MessageCode::SafetyHeatByHand),

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <random>
 
 namespace bask {
@@ -55,6 +56,27 @@ struct Object {
     }
 };
 
+/// When a rise was told that nothing explains, s; as above.
+double foreignHeat_s(const Object& object, const std::function<double(double)>& power_K_s,
+                     const std::function<double(double)>& foreign_K_s) {
+    WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0);
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> noise(0.0, object.noise_K);
+    double T = 298.0, felt = 298.0;
+    for (double t = 1.0; t < 400.0; t += 1.0) {
+        T += power_K_s(t) + foreign_K_s(t) - object.loss_1_s * (T - 298.0);
+        felt += (T - felt) * (object.lag_s > 0.0 ? -std::expm1(-1.0 / object.lag_s) : 1.0);
+        double value = felt + noise(random);
+        if (object.resolution_K > 0.0)
+            value = std::round(value / object.resolution_K) * object.resolution_K;
+        watch.add(t, value, object.estimate * power_K_s(t));
+        if (watch.foreignHeat())
+            return t;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
 double approach(double t) { // the robot comes near in ten seconds and settles by drawing back
     return t < 20.0 ? 0.0 : t < 30.0 ? 0.012 * (t - 20.0) : t < 130.0 ? 0.12 : 0.06;
 }
@@ -74,6 +96,52 @@ TEST(WarmingWatch, GivesNoAlarmForAnObjectThatFollows) {
                             << loss_1_s << ' ' << estimate << ' ' << resolution_K << ' ' << noise_K << ' '
                             << lag_s;
                     }
+}
+
+// Catches alarms for objects that only the source heats: estimates that are wrong by a factor of four, an
+// uneven source, and coarse, noisy and slow sensors.
+TEST(WarmingWatch, TheSourceExplainsWhatItHeats) {
+    const auto none = [](double) { return 0.0; };
+    const auto uneven = [](double t) { return approach(t) * (1.0 + 0.1 * std::sin(0.3 * t)); };
+    for (const double strength : {1.0, 6.0})
+        for (const double estimate : {0.26, 1.0, 4.0})
+            for (const double resolution_K : {0.0, 0.1, 1.0})
+                for (const double noise_K : {0.0, 0.3})
+                    for (const double lag_s : {0.0, 5.0, 15.0}) {
+                        const Object object{noise_K, resolution_K, 1.0 / 450.0, estimate, lag_s};
+                        EXPECT_GT(foreignHeat_s(
+                                      object, [&](double t) { return strength * uneven(t); }, none),
+                                  1500.0)
+                            << strength << ' ' << estimate << ' ' << resolution_K << ' ' << noise_K << ' '
+                            << lag_s;
+                    }
+}
+
+// Catches an object that something else heats and that is not told before it is hot.
+TEST(WarmingWatch, FindsAnObjectThatSomethingElseHeats) {
+    for (const double lag_s : {0.0, 5.0})
+        for (const double noise_K : {0.02, 0.3}) {
+            const Object object{noise_K, 0.1, 1.0 / 450.0, 1.0, lag_s};
+            const auto torch = [](double t) { return t < 300.0 ? 0.0 : 1.7; };
+            const double told_s = foreignHeat_s(object, approach, torch);
+            EXPECT_GT(told_s, 300.0);
+            EXPECT_LT(told_s, 318.0) << lag_s << ' ' << noise_K;
+        }
+}
+
+// Catches a sensor that stopped for a while and comes back: it catches up at once.
+TEST(WarmingWatch, ASensorThatComesBackIsNotHeatedOtherwise) {
+    WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0);
+    double T = 298.0;
+    for (double t = 1.0; t < 300.0; t += 1.0) {
+        T += 0.12 - (T - 298.0) / 450.0;
+        if (t < 60.0 || t > 100.0)
+            watch.add(t, T, 0.12);
+        else
+            watch.add(t, 304.0, 0.12);
+        ASSERT_FALSE(watch.foreignHeat()) << t;
+    }
 }
 
 // Catches losses that are taken for linear, or for the fourth power, and are of air that rises by itself.
@@ -214,6 +282,42 @@ TEST(SourceWatch, TellsASourceThatDoesNotObey) {
     seconds(2, 1.0, std::nullopt);
     ASSERT_TRUE(watch.heatsUnasked());
     EXPECT_NEAR(watch.heatsUnasked()->gained_K, 11.0, 1e-9);
+}
+
+namespace {
+
+/// When a source is told to be far above its set point, s, of one that reads so; infinite: never.
+double over_s(const std::function<double(double)>& temperature_K,
+              const std::function<std::optional<double>(double)>& setPoint_K) {
+    SourceWatch watch{SafetySpec{}, kelvinFromCelsius(25.0)};
+    for (double t = 0.0; t < 1800.0; t += 1.0) {
+        watch.add(t, temperature_K(t), setPoint_K(t));
+        if (watch.over_K())
+            return t;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+// Catches a source that warms without bounds, or stays too hot, and alarms for one that does as it is told:
+// with an overshoot, with a lower set point, and switched on again while it is hot.
+TEST(SourceWatch, TellsASourceFarAboveItsSetPoint) {
+    const double set_K = kelvinFromCelsius(200.0), never_s = std::numeric_limits<double>::infinity();
+    const auto at200 = [&](double) { return std::optional(set_K); };
+    EXPECT_LT(over_s([&](double t) { return set_K + std::max(0.0, 2.0 * (t - 100.0)); }, at200), 113.0);
+    EXPECT_LT(over_s([&](double t) { return set_K + std::min(15.0, 0.1 * t); }, at200), 300.0);
+    const auto overshoot = [&](double by_K) {
+        return [=](double t) { return set_K + by_K * std::exp(-t / 300.0) * std::sin(0.02 * t); };
+    };
+    EXPECT_EQ(over_s(overshoot(8.0), at200), never_s) << "5 K at its first peak";
+    const auto cooling = [&](double t) { return kelvinFromCelsius(25.0) + 175.0 * std::exp(-t / 1200.0); };
+    const auto lowered = [&](double t) { return t < 5.0 ? set_K : set_K - 80.0; };
+    EXPECT_EQ(over_s(cooling, lowered), never_s);
+    const auto noisy = [&](double t) { return cooling(t) + (static_cast<int>(t) % 2 == 0 ? 0.5 : -0.5); };
+    EXPECT_EQ(over_s(noisy, lowered), never_s);
+    const auto again = [&](double t) { return t < 60.0 ? std::nullopt : std::optional(set_K - 80.0); };
+    EXPECT_EQ(over_s(cooling, again), never_s);
 }
 
 } // namespace bask
