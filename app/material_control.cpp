@@ -78,9 +78,9 @@ void MaterialControl::askSave(const Material& material) {
     delete m_window->findChild<SaveMaterialDialog*>();
     auto* ask = new SaveMaterialDialog(material, *known, QDate::currentDate(), m_window);
     connect(ask, &QDialog::accepted, this, [this, ask] {
-        const LibraryMaterial saved = ask->material();
+        const Material saved = ask->material();
         if (change([&saved](MaterialLibrary& library) { putMaterial(library, saved); }))
-            m_page.nameMaterial(saved.material);
+            m_page.nameMaterial(saved);
     });
     ask->show();
 }
@@ -103,9 +103,9 @@ void MaterialControl::showMaterials() {
 
 void MaterialControl::rename(const QString& from, const QString& to) {
     change([&](MaterialLibrary& library) {
-        for (LibraryMaterial& material : library)
-            if (material.material.name == from.toStdString()) {
-                material.material.name = to.toStdString();
+        for (Material& material : library)
+            if (material.name == from.toStdString()) {
+                material.name = to.toStdString();
                 return;
             }
     });
@@ -114,8 +114,8 @@ void MaterialControl::rename(const QString& from, const QString& to) {
 void MaterialControl::remove(const QString& name) {
     m_removed.reset();
     const bool isWritten = change([&](MaterialLibrary& library) {
-        const auto found = std::ranges::find_if(
-            library, [&](const LibraryMaterial& m) { return m.material.name == name.toStdString(); });
+        const auto found =
+            std::ranges::find_if(library, [&](const Material& m) { return m.name == name.toStdString(); });
         if (found == library.end())
             return;
         m_removed = *found;

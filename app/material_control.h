@@ -52,8 +52,8 @@ private:
     SessionActions& m_files;
     ObjectsPage& m_page;
     QWidget* m_window;
-    std::optional<LibraryMaterial> m_removed; ///< the last one
-    std::size_t m_removedFrom = 0;            ///< its place
+    std::optional<Material> m_removed; ///< the last one
+    std::size_t m_removedFrom = 0;     ///< its place
 };
 
 } // namespace bask

@@ -22,12 +22,11 @@ constexpr int kListWidth = 420;
 constexpr int kValueLines = 9;
 
 /// One line a value, then where they are from.
-QString materialWords(const LibraryMaterial& material) {
+QString materialWords(const Material& material) {
     QStringList lines;
     for (const Parameter<Material>& value : materialParameters())
-        lines << parameterLabel(value) + u' ' + parameterText(value, value.get(material.material).value(), 6);
-    for (const QString& line :
-         {QString::fromStdString(originText(material.material)), uncertaintyText(material)})
+        lines << parameterLabel(value) + u' ' + parameterText(value, value.get(material).value(), 6);
+    for (const QString& line : {QString::fromStdString(originText(material)), uncertaintyText(material)})
         if (!line.isEmpty())
             lines << line;
     return lines.join(u'\n');
@@ -102,8 +101,8 @@ void MaterialsDialog::setLibrary(const MaterialLibrary& library) {
     const int row = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    for (const LibraryMaterial& material : library) {
-        const QString name = QString::fromStdString(material.material.name);
+    for (const Material& material : library) {
+        const QString name = QString::fromStdString(material.name);
         auto* item = new QListWidgetItem(name, m_list);
         item->setData(Qt::UserRole, name);
         item->setFlags(item->flags() | Qt::ItemIsEditable);

@@ -29,6 +29,9 @@ SaveMaterialDialog::SaveMaterialDialog(const Material& values, const MaterialLib
     setWindowTitle(tr("Save as material"));
     setAttribute(Qt::WA_DeleteOnClose);
     m_values.date = today.toString(Qt::ISODate).toStdString();
+    const Material* known = materialNamed(m_library, values.name);
+    if (known != nullptr && values.uncertainties.empty() && haveSameValues(*known, values))
+        m_values.uncertainties = known->uncertainties; // an experiment of before it kept them
     m_name->setObjectName(QStringLiteral("materialName"));
     m_name->setText(QString::fromStdString(values.name));
     m_name->setMinimumWidth(kNameCharacters * fontMetrics().averageCharWidth());
@@ -69,10 +72,8 @@ QWidget* SaveMaterialDialog::uncertaintyRow(const Parameter<Material>& value) {
                     fromWritten(value, value.range.max) * scale, value.decimals + 1, suffix);
     field->setSpecialValueText(tr("not known"));
     field->setAccessibleName(tr("Standard uncertainty: %1").arg(parameterLabel(value)));
-    const LibraryMaterial* known = materialNamed(m_library, m_values.name);
-    if (known != nullptr && haveSameValues(known->material, m_values))
-        if (const auto found = known->uncertainties.find(value.name); found != known->uncertainties.end())
-            field->setValue(found->second * scale);
+    if (const auto found = m_values.uncertainties.find(value.name); found != m_values.uncertainties.end())
+        field->setValue(found->second * scale);
     m_uncertainties.emplace_back(&value, field);
     auto* layout = new QHBoxLayout(row);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -81,10 +82,11 @@ QWidget* SaveMaterialDialog::uncertaintyRow(const Parameter<Material>& value) {
     return row;
 }
 
-LibraryMaterial SaveMaterialDialog::material() const {
-    LibraryMaterial out{m_values, {}};
-    out.material.name = m_name->text().trimmed().toStdString();
-    out.material.source = m_source->text().trimmed().toStdString();
+Material SaveMaterialDialog::material() const {
+    Material out = m_values;
+    out.name = m_name->text().trimmed().toStdString();
+    out.source = m_source->text().trimmed().toStdString();
+    out.uncertainties.clear();
     for (const auto& [value, field] : m_uncertainties)
         if (field->value() > 0.0)
             out.uncertainties[value->name] = field->value() / value->unit.symbolPerSi;
@@ -92,10 +94,10 @@ LibraryMaterial SaveMaterialDialog::material() const {
 }
 
 void SaveMaterialDialog::check() {
-    const LibraryMaterial asked = material();
-    const bool isNamed = !asked.material.name.empty();
+    const Material asked = material();
+    const bool isNamed = !asked.name.empty();
     const auto valid = validate(MaterialLibrary{asked});
-    const bool isKnown = isNamed && materialNamed(m_library, asked.material.name) != nullptr;
+    const bool isKnown = isNamed && materialNamed(m_library, asked.name) != nullptr;
     QString said;
     if (isNamed && !valid)
         said = asSentence(sentence(valid.error().message));

@@ -27,7 +27,7 @@ public:
     SaveMaterialDialog(const Material& values, const MaterialLibrary& library, const QDate& today,
                        QWidget* parent);
 
-    LibraryMaterial material() const;
+    Material material() const;
 
 private:
     QWidget* uncertaintyRow(const Parameter<Material>& value);

@@ -182,6 +182,16 @@ QString materialWords(const Material& material) {
     return origin.empty() ? words : words + QStringLiteral(", ") + QString::fromStdString(origin);
 }
 
+/// "0.87 ± 0.017" with its standard uncertainty, where the experiment has one.
+QString materialValue(const Material& material, const Parameter<Material>& value) {
+    const double scale = value.unit.symbolPerSi;
+    const QString text = number(value.get(material).value() * scale);
+    const auto known = material.uncertainties.find(value.name);
+    return known == material.uncertainties.end()
+               ? text
+               : text + QStringLiteral("\u00a0\u00b1\u00a0") + number(known->second * scale, 2);
+}
+
 QString objectTables(const Experiment& e, TemperatureUnit unit) {
     html::Table bodies({SetupText::tr("Object"), SetupText::tr("Outline"), SetupText::tr("Area"),
                         SetupText::tr("Place on the end-effector"), SetupText::tr("Target at the start"),
@@ -190,9 +200,10 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
     QStringList headings{SetupText::tr("Object"), SetupText::tr("Material")};
     QList<int> numbers;
     for (const Parameter<Material>& value : materialParameters()) {
-        const QString unit = QString::fromUtf8(value.unit.symbol);
+        const QString symbol = QString::fromUtf8(value.unit.symbol);
         numbers << static_cast<int>(headings.size());
-        headings << parameterLabel(value) + (unit.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(unit));
+        headings << parameterLabel(value) +
+                        (symbol.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(symbol));
     }
     numbers << static_cast<int>(headings.size());
     headings << SetupText::tr("Areal heat capacity");
@@ -205,7 +216,7 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
                         formatTemperature(tripLimit_K(e, object), unit, 0)});
         QStringList row{name, materialWords(object.material)};
         for (const Parameter<Material>& value : materialParameters())
-            row << number(value.get(object.material).value() * value.unit.symbolPerSi);
+            row << materialValue(object.material, value);
         materials.add(row << number(object.material.arealHeatCapacity_J_m2K()) +
                                  QStringLiteral("\u00a0J/(m\u00b2\u00a0K)"));
     }

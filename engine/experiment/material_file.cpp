@@ -2,9 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/experiment/material_json.h"
-#include "engine/experiment/parameter_json.h"
 #include "engine/experiment/text_file.h"
-#include "engine/model/experiment_parameters.h"
 
 #include <nlohmann/json.hpp>
 
@@ -17,31 +15,13 @@ constexpr const char* kLibraryFormat = "bask-materials";
 constexpr int kLibraryVersion = 1;
 constexpr std::uintmax_t kMaxLibraryBytes = std::uintmax_t{4} << 20;
 
-LibraryMaterial readLibraryMaterial(const json& j, const std::string& path, Failure& failure) {
-    LibraryMaterial out;
+Material readLibraryMaterial(const json& j, const std::string& path, Failure& failure) {
+    Material out;
     Fields fields(j, path, failure);
     fields.find("name", true);
-    readMaterialFields(fields, out.material);
-    readPart(fields, "uncertainty", false, [&](const json& part, const std::string& where) {
-        Fields uncertainty(part, where, failure);
-        for (const Parameter<Material>& value : materialParameters()) {
-            ParameterFacts facts = value;
-            facts.isRequired = false;
-            if (const auto si = readParameter(uncertainty, facts, false))
-                out.uncertainties[value.name] = *si;
-        }
-        uncertainty.close();
-    });
+    readMaterialFields(fields, out);
     fields.close();
     return out;
-}
-
-nlohmann::ordered_json libraryMaterialJson(const LibraryMaterial& material) {
-    nlohmann::ordered_json j = materialJson(material.material);
-    for (const Parameter<Material>& value : materialParameters())
-        if (const auto found = material.uncertainties.find(value.name); found != material.uncertainties.end())
-            putParameter(j["uncertainty"], value, found->second, false);
-    return j;
 }
 
 } // namespace
@@ -69,8 +49,8 @@ Result<void> writeMaterialLibrary(const MaterialLibrary& library, const std::str
     nlohmann::ordered_json j{{"format", kLibraryFormat},
                              {"version", kLibraryVersion},
                              {"materials", nlohmann::ordered_json::array()}};
-    for (const LibraryMaterial& material : library)
-        j["materials"].push_back(libraryMaterialJson(material));
+    for (const Material& material : library)
+        j["materials"].push_back(materialJson(material));
     const std::string text = j.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
     if (text.size() > kMaxLibraryBytes)
         return Error(

@@ -12,6 +12,16 @@ void readMaterialFields(Fields& fields, Material& out) {
     readParameters(fields, materialParameters(), out);
     fields.read("source", out.source);
     fields.read("date", out.date);
+    readPart(fields, "uncertainty", false, [&](const nlohmann::json& part, const std::string& where) {
+        Fields uncertainty(part, where, fields.failure());
+        for (const Parameter<Material>& value : materialParameters()) {
+            ParameterFacts facts = value;
+            facts.isRequired = false;
+            if (const auto si = readParameter(uncertainty, facts, false))
+                out.uncertainties[value.name] = *si;
+        }
+        uncertainty.close();
+    });
 }
 
 nlohmann::ordered_json materialJson(const Material& material) {
@@ -23,6 +33,9 @@ nlohmann::ordered_json materialJson(const Material& material) {
         j["source"] = material.source;
     if (!material.date.empty())
         j["date"] = material.date;
+    for (const Parameter<Material>& value : materialParameters())
+        if (const auto found = material.uncertainties.find(value.name); found != material.uncertainties.end())
+            putParameter(j["uncertainty"], value, found->second, false);
     return j;
 }
 

@@ -8,9 +8,10 @@
 
 namespace bask {
 
-/// Reads name, values, source and date; what is missing stays, and values that are required are failures.
+/// Reads name, values, their uncertainties, source and date; what is missing stays, and values that are
+/// required are failures.
 void readMaterialFields(Fields& fields, Material& out);
-/// Leaves out name, source and date where they are empty.
+/// Leaves out name, uncertainties, source and date where they are empty.
 nlohmann::ordered_json materialJson(const Material& material);
 
 } // namespace bask

@@ -32,7 +32,7 @@ bool isDate(const std::string& text) {
         .ok();
 }
 
-void checkUncertainties(Checker& check, const std::string& path, const LibraryMaterial& material) {
+void checkUncertainties(Checker& check, const std::string& path, const Material& material) {
     for (const Parameter<Material>& value : materialParameters()) {
         const auto found = material.uncertainties.find(value.name);
         if (found == material.uncertainties.end())
@@ -65,6 +65,7 @@ void checkMaterial(Checker& check, const std::string& path, const Material& mate
     check.line(path + "source", material.source, kMaxSourceLength);
     if (!material.date.empty() && !isDate(material.date))
         check.fail(MessageCode::DateWrong, path + "date", {plainWords(material.date)});
+    checkUncertainties(check, path + "uncertainty.", material);
 }
 
 Result<void> validate(const MaterialLibrary& library) {
@@ -73,14 +74,13 @@ Result<void> validate(const MaterialLibrary& library) {
     check.range("materials", static_cast<double>(library.size()), 0.0, static_cast<double>(kMaxMaterials));
     for (std::size_t i = 0; i < library.size() && !check.failed(); ++i) {
         const std::string path = "materials[" + std::to_string(i) + "].";
-        const std::string& name = library[i].material.name;
+        const std::string& name = library[i].name;
         if (name.empty())
             check.range(path + "name", 0.0, 1.0, Checker::kMaxNameLength, "characters");
         check.name(path + "name", name);
         if (!check.failed() && !names.insert(name).second)
             check.fail(MessageCode::MaterialNameTwice, path + "name", {name});
-        checkMaterial(check, path, library[i].material);
-        checkUncertainties(check, path + "uncertainty.", library[i]);
+        checkMaterial(check, path, library[i]);
     }
     return check.result();
 }
@@ -103,15 +103,14 @@ std::string originText(const Material& material) {
     return material.source + (hasBoth ? ", " : "") + material.date;
 }
 
-const LibraryMaterial* materialNamed(const MaterialLibrary& library, const std::string& name) {
-    const auto found = std::ranges::find(
-        library, name, [](const LibraryMaterial& m) -> const std::string& { return m.material.name; });
+const Material* materialNamed(const MaterialLibrary& library, const std::string& name) {
+    const auto found = std::ranges::find(library, name, &Material::name);
     return found == library.end() ? nullptr : &*found;
 }
 
-void putMaterial(MaterialLibrary& library, const LibraryMaterial& material) {
-    for (LibraryMaterial& existing : library) {
-        if (existing.material.name == material.material.name) {
+void putMaterial(MaterialLibrary& library, const Material& material) {
+    for (Material& existing : library) {
+        if (existing.name == material.name) {
             existing = material;
             return;
         }
@@ -121,12 +120,12 @@ void putMaterial(MaterialLibrary& library, const LibraryMaterial& material) {
 
 MergedMaterials merged(const MaterialLibrary& own, const MaterialLibrary& other) {
     MergedMaterials out{own, 0, 0, 0};
-    for (const LibraryMaterial& material : other) {
-        LibraryMaterial named = material;
+    for (const Material& material : other) {
+        Material named = material;
         for (int number = 1;; ++number) {
             if (number > 1)
-                named.material.name = numberedName(material.material.name, number);
-            const LibraryMaterial* taken = materialNamed(out.library, named.material.name);
+                named.name = numberedName(material.name, number);
+            const Material* taken = materialNamed(out.library, named.name);
             if (taken != nullptr && !(*taken == named))
                 continue;
             if (taken != nullptr) {

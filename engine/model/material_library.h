@@ -4,7 +4,6 @@
 #include "engine/base/result.h"
 #include "engine/thermal/heat_balance.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,28 +11,19 @@ namespace bask {
 
 class Checker;
 
-/// A material of a library. Name, source and date are in `material`; its thickness is that of the sample,
-/// since a plate's thickness belongs to the object.
-struct LibraryMaterial {
-    Material material;
-    /// Standard uncertainties in SI, by the name of the value in materialParameters(); a value that is not
-    /// here has an unknown one.
-    std::map<std::string, double> uncertainties{};
-    bool operator==(const LibraryMaterial&) const = default;
-};
-
-/// In the order in which they are listed; no two have the same name.
-using MaterialLibrary = std::vector<LibraryMaterial>;
+/// In the order in which they are listed; no two have the same name. A material's thickness is that of the
+/// sample, since a plate's thickness belongs to the object.
+using MaterialLibrary = std::vector<Material>;
 
 inline constexpr std::size_t kMaxSourceLength = 300; ///< characters
 inline constexpr std::size_t kMaxMaterials = 2000;   ///< of a library
 
-/// Checks values, source and date; `path` ends with a dot.
+/// Checks values, their uncertainties, source and date; `path` ends with a dot.
 void checkMaterial(Checker& check, const std::string& path, const Material& material);
 /// Errors: those of the values, of names, MaterialNameTwice, DateWrong; each with its place in the file.
 Result<void> validate(const MaterialLibrary& library);
 
-/// Returns whether all values are the very same, whatever name, source and date are.
+/// Returns whether all values are the very same, whatever name, source, date and uncertainties are.
 bool haveSameValues(const Material& a, const Material& b);
 /// Returns whether all values but the thickness are the same to nine digits.
 bool areOneMaterial(const Material& a, const Material& b);
@@ -42,9 +32,9 @@ bool areOneMaterial(const Material& a, const Material& b);
 std::string originText(const Material& material);
 
 /// Returns the material of that name; null if there is none.
-const LibraryMaterial* materialNamed(const MaterialLibrary& library, const std::string& name);
+const Material* materialNamed(const MaterialLibrary& library, const std::string& name);
 /// Replaces the material of the same name, or adds it at the end.
-void putMaterial(MaterialLibrary& library, const LibraryMaterial& material);
+void putMaterial(MaterialLibrary& library, const Material& material);
 
 /// A library to which another was added, and what became of the other's materials.
 struct MergedMaterials {

@@ -304,6 +304,9 @@ private:
             const bool isOfSample = name == "density" || name == "thickness"; // what NXsample has names for
             m_file.number((isOfSample ? sample : group) + '/' + name, value.get(object.material).value(),
                           siUnit(value.unit));
+            const auto& known = object.material.uncertainties;
+            if (const auto found = known.find(name); found != known.end())
+                m_file.number(group + '/' + name + "_errors", found->second, siUnit(value.unit));
         }
         m_file.number(group + "/area", shapeArea(object.shape), "m^2");
         const Vector6d& mounting = object.mounting;

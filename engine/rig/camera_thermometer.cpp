@@ -90,14 +90,16 @@ std::vector<ReadObject> CameraThermometer::objectsAt(const Vector6d& q, double s
     for (std::size_t i = 0; i < m_setup.objects.size(); ++i) {
         const ObjectSpec& object = m_setup.objects[i];
         const double emittance = object.material.emittance, room_K = m_setup.environment_K;
+        const auto told = object.material.uncertainties.find("emittance");
+        const double known = told == object.material.uncertainties.end() ? kEmittance : told->second;
         const double seen = std::clamp(F[static_cast<Eigen::Index>(i)], 0.0, 1.0);
         ReadObject read;
         read.plate = {object.shape, X_RE * poseFromCoordinates(object.mounting)};
         read.front = {{emittance, {{seen, source_K, m_setup.sourceEmittance}}, room_K},
-                      kEmittance,
+                      known,
                       kRoom_K,
                       {{kViewFactor, kSource_K, kEmittance}}};
-        read.back = {{emittance, {}, room_K}, kEmittance, kRoom_K, {}};
+        read.back = {{emittance, {}, room_K}, known, kRoom_K, {}};
         out.push_back(std::move(read));
     }
     return out;

@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -20,6 +21,9 @@ struct Material {
     double infill = 1.0;  ///< fraction of the volume that is solid, (0, 1]
     std::string source{}; ///< where the values are from, in words; empty: not told
     std::string date{};   ///< when they were found, "2026-11-23"; empty: not told
+    /// Standard uncertainties in SI, by the name of the value in materialParameters(); a value that is not
+    /// here has an unknown one.
+    std::map<std::string, double> uncertainties{};
 
     /// Returns m c / A, J/(m2 K).
     double arealHeatCapacity_J_m2K() const {

@@ -63,12 +63,12 @@ TEST_F(MaterialsTest, IsSavedFromAnObjectAndFoundAgain) {
     ASSERT_NO_FATAL_FAILURE(openObjects());
     ASSERT_NO_FATAL_FAILURE(save("our paint", "DSC, sample 12"));
     ASSERT_EQ(kept().size(), 1U);
-    const LibraryMaterial saved = kept().front();
-    EXPECT_EQ(saved.material.name, "our paint");
-    EXPECT_EQ(saved.material.date.size(), 10U);
+    const Material saved = kept().front();
+    EXPECT_EQ(saved.name, "our paint");
+    EXPECT_EQ(saved.date.size(), 10U);
     EXPECT_NEAR(saved.uncertainties.at("emittance"), 0.02, 1e-12);
     EXPECT_EQ(saved.uncertainties.size(), 1U);
-    EXPECT_EQ(window->document().experiment().objects[0].material, saved.material);
+    EXPECT_EQ(window->document().experiment().objects[0].material, saved);
     EXPECT_EQ(find<QComboBox>("materialPreset")->currentText(), "our paint");
     closeWindow();
     ASSERT_NO_FATAL_FAILURE(openObjects());
@@ -88,17 +88,17 @@ TEST_F(MaterialsTest, IsRenamedRemovedAndShared) {
     press("exportMaterials");
     EXPECT_EQ(readMaterialLibrary(copy.toStdString()).value(), kept());
     list->item(0)->setText("his paint"); // what the editor of the list does
-    ASSERT_TRUE(waitFor([this] { return kept().front().material.name == "his paint"; }));
+    ASSERT_TRUE(waitFor([this] { return kept().front().name == "his paint"; }));
     press("importMaterials");
     ASSERT_EQ(kept().size(), 2U);
-    EXPECT_EQ(kept()[1].material.name, "our paint");
+    EXPECT_EQ(kept()[1].name, "our paint");
     EXPECT_TRUE(message().contains("1 added")) << message().toStdString();
     list->setCurrentRow(0);
     press("removeMaterial");
     ASSERT_EQ(kept().size(), 1U);
     find<MessageBar>("materialsMessage")->findChild<QPushButton*>("messageAction")->click();
     ASSERT_EQ(kept().size(), 2U);
-    EXPECT_EQ(kept()[0].material.name, "his paint");
+    EXPECT_EQ(kept()[0].name, "his paint");
 }
 
 // Catches a damaged library that is replaced by an empty one, and one that nobody is told of.

@@ -243,17 +243,22 @@ TEST_F(RunReport, TellsGainsAndMaterialsWithTheirUnits) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(said))) << said << text.toStdString();
 }
 
-// Catches a report that does not say where the values of a material are from.
+// Catches a report that does not say where the values of a material are from and how good they are.
 TEST_F(RunReport, TellsWhereAMaterialIsFrom) {
     Experiment experiment = test::twoDisks();
     experiment.objects[0].material.name = "our paint";
     experiment.objects[0].material.source = "DSC <sample 12>";
     experiment.objects[0].material.date = "2026-11-23";
+    experiment.objects[0].material.emittance = 0.87;
+    experiment.objects[0].material.uncertainties = {{"emittance", 0.0174}, {"thickness", 2e-5}};
     SessionRecord session;
     session.path = "run.bask";
     session.experiment = experiment;
     const QString html = runReportHtml(reportInput(session, TemperatureUnit::Celsius));
     EXPECT_TRUE(html.contains("our paint, DSC &lt;sample 12&gt;, 2026-11-23")) << html.toStdString();
+    const QString text = readable(html.toUtf8());
+    EXPECT_TRUE(text.contains(QString::fromUtf8("0.87 \u00b1 0.017"))) << text.toStdString();
+    EXPECT_TRUE(text.contains(QString::fromUtf8("1 \u00b1 0.02"))) << text.toStdString(); // in mm
 }
 
 // Catches an angle that is told as a length.

@@ -108,8 +108,8 @@ QString materialPresetSource(std::size_t index) {
 }
 
 Material withTrueName(Material material, const MaterialLibrary& library) {
-    const LibraryMaterial* own = materialNamed(library, material.name);
-    if (hasOrigin(material) || (own != nullptr && areOneMaterial(own->material, material)))
+    const Material* own = materialNamed(library, material.name);
+    if (hasOrigin(material) || (own != nullptr && areOneMaterial(*own, material)))
         return material;
     const auto& presets = materialPresets();
     const auto named = std::ranges::find(presets, material.name, &MaterialPreset::label);
@@ -119,26 +119,30 @@ Material withTrueName(Material material, const MaterialLibrary& library) {
 }
 
 Material withTypedValues(const Material& before, Material after, const MaterialLibrary& library) {
-    const bool isNamed = hasOrigin(before) || materialNamed(library, before.name) != nullptr;
+    const bool isNamed =
+        hasOrigin(before) || materialNamed(library, before.name) != nullptr || !before.uncertainties.empty();
     if (isNamed && !areOneMaterial(before, after)) {
         after.name.clear();
         after.source.clear();
         after.date.clear();
+        after.uncertainties.clear();
     }
+    if (after.thickness_m != before.thickness_m)
+        after.uncertainties.erase("thickness");
     return after;
 }
 
 std::optional<std::size_t> listedMaterial(const Material& material, const MaterialLibrary& library) {
     const std::size_t presets = materialPresets().size();
-    const LibraryMaterial* own = materialNamed(library, material.name);
-    if (own != nullptr && areOneMaterial(own->material, material))
+    const Material* own = materialNamed(library, material.name);
+    if (own != nullptr && areOneMaterial(*own, material))
         return presets + static_cast<std::size_t>(own - library.data());
     if (hasOrigin(material))
         return std::nullopt;
     if (const auto preset = matchingPreset(material))
         return preset;
-    const auto alike = std::ranges::find_if(
-        library, [&](const LibraryMaterial& m) { return areOneMaterial(m.material, material); });
+    const auto alike =
+        std::ranges::find_if(library, [&](const Material& m) { return areOneMaterial(m, material); });
     return alike == library.end()
                ? std::nullopt
                : std::optional(presets + static_cast<std::size_t>(alike - library.begin()));
@@ -146,13 +150,14 @@ std::optional<std::size_t> listedMaterial(const Material& material, const Materi
 
 Material withListed(const Material& material, const MaterialLibrary& library, std::size_t index) {
     const auto& presets = materialPresets();
-    Material result =
-        index < presets.size() ? presets[index].material : library.at(index - presets.size()).material;
+    Material result = index < presets.size() ? presets[index].material : library.at(index - presets.size());
+    if (result.thickness_m != material.thickness_m)
+        result.uncertainties.erase("thickness"); // that of the sample
     result.thickness_m = material.thickness_m;
     return result;
 }
 
-QString uncertaintyText(const LibraryMaterial& material) {
+QString uncertaintyText(const Material& material) {
     QStringList parts;
     for (const Parameter<Material>& value : materialParameters()) {
         const auto found = material.uncertainties.find(value.name);

@@ -35,18 +35,20 @@ std::optional<std::size_t> matchingPreset(const Material& material);
 /// library's, or comes with a source or date of its own.
 Material withTrueName(Material material, const MaterialLibrary& library = {});
 
-/// Returns `after`, whose values were typed over those of `before`, without name, source and date if these
-/// told where the values before were from.
+/// Returns `after`, whose values were typed over those of `before`, without name, source, date and
+/// uncertainties if these told where the values before were from and how good they were; a thickness that is
+/// typed has no uncertainty.
 Material withTypedValues(const Material& before, Material after, const MaterialLibrary& library);
 
 /// Returns the place in the list of presets followed by the library's materials; empty if the values were
 /// typed, or are from elsewhere.
 std::optional<std::size_t> listedMaterial(const Material& material, const MaterialLibrary& library);
 
-/// Returns `material` with everything except its thickness from that place of the list.
+/// Returns `material` with everything except its thickness from that place of the list. Another thickness
+/// than that of the sample has no uncertainty.
 Material withListed(const Material& material, const MaterialLibrary& library, std::size_t index);
 
 /// Returns "Standard uncertainty: emittance 0.02, thickness 0.01 mm"; empty if none is known.
-QString uncertaintyText(const LibraryMaterial& material);
+QString uncertaintyText(const Material& material);
 
 } // namespace bask

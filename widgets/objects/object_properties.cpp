@@ -337,18 +337,17 @@ void ObjectProperties::showPresets() {
     if (!m_library.empty())
         m_preset->insertSeparator(m_preset->count());
     for (std::size_t k = 0; k < m_library.size(); ++k)
-        m_preset->addItem(QString::fromStdString(m_library[k].material.name), static_cast<int>(presets + k));
+        m_preset->addItem(QString::fromStdString(m_library[k].name), static_cast<int>(presets + k));
     const Material& material = m_object.material;
     const auto match = listedMaterial(material, m_library);
     QString told = QString::fromStdString(originText(material));
     if (match && *match < presets) {
         told = materialPresetSource(*match);
     } else if (match) {
-        const LibraryMaterial& own = m_library[*match - presets];
         if (told.isEmpty())
-            told = QString::fromStdString(originText(own.material));
-        told += (told.isEmpty() ? QString() : QStringLiteral("\n")) + uncertaintyText(own);
+            told = QString::fromStdString(originText(m_library[*match - presets]));
     }
+    told += (told.isEmpty() ? QString() : QStringLiteral("\n")) + uncertaintyText(material);
     m_presetSource->setText(told.trimmed());
     m_presetSource->setVisible(!told.isEmpty());
     if (match) {

@@ -397,6 +397,7 @@ void ObjectsPage::nameMaterial(const Material& saved) {
         object.material.name = saved.name;
         object.material.source = saved.source;
         object.material.date = saved.date;
+        object.material.uncertainties = saved.uncertainties;
     });
 }
 

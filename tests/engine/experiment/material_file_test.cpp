@@ -40,11 +40,10 @@ const std::string kPaint =
 
 MaterialLibrary twoMaterials() {
     MaterialLibrary out(2);
-    out[0].material = {"paint \u00ab7\u00bb", 0.95,        0.94, 911.0, 2755.0, 0.0015, 0.3,
-                       "DSC, sample 12",      "2026-11-23"};
+    out[0] = {"paint \u00ab7\u00bb", 0.95, 0.94, 911.0, 2755.0, 0.0015, 0.3, "DSC, sample 12", "2026-11-23"};
     out[0].uncertainties = {
         {"emittance", 0.02}, {"specific_heat", 12.5}, {"thickness", 1e-5}, {"infill", 0.0}};
-    out[1].material = {"foil", 0.05, 0.05, 900.0, 2700.0, 1e-5, 1.0};
+    out[1] = {"foil", 0.05, 0.05, 900.0, 2700.0, 1e-5, 1.0};
     return out;
 }
 
@@ -73,8 +72,8 @@ TEST_F(MaterialFile, TheLeastIsNameAndValues) {
     const auto least = readOne(kPaint);
     ASSERT_TRUE(least) << describe(least.error());
     ASSERT_EQ(least->size(), 1U);
-    EXPECT_EQ(least->front().material.name, "paint");
-    EXPECT_DOUBLE_EQ(least->front().material.infill, 1.0);
+    EXPECT_EQ(least->front().name, "paint");
+    EXPECT_DOUBLE_EQ(least->front().infill, 1.0);
     EXPECT_TRUE(least->front().uncertainties.empty());
 }
 
@@ -126,7 +125,7 @@ TEST_F(MaterialFile, DamagedHugeAndHostileFilesAreRefused) {
 TEST_F(MaterialFile, WhatCouldNotBeReadIsNotWritten) {
     ASSERT_TRUE(writeMaterialLibrary(twoMaterials(), path));
     MaterialLibrary wrong = twoMaterials();
-    wrong[1].material.name = wrong[0].material.name;
+    wrong[1].name = wrong[0].name;
     EXPECT_FALSE(writeMaterialLibrary(wrong, path));
     EXPECT_EQ(readMaterialLibrary(path).value(), twoMaterials());
     const auto nowhere = writeMaterialLibrary(twoMaterials(), folder / "none" / "materials.json");
@@ -134,13 +133,16 @@ TEST_F(MaterialFile, WhatCouldNotBeReadIsNotWritten) {
     EXPECT_EQ(nowhere.error().code(), MessageCode::FileUnwritable);
 }
 
-// Catches source and date that are lost with the experiment, and files without them that change.
-TEST(MaterialOfAnExperiment, KeepsItsSourceAndDateAndOthersStayAsTheyWere) {
+// Catches source, date and uncertainties that are lost with the experiment, and files without them that
+// change.
+TEST(MaterialOfAnExperiment, KeepsItsSourceDateAndUncertaintiesAndOthersStayAsTheyWere) {
     const Experiment plain = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     EXPECT_EQ(experimentToJson(plain).find("\"date\""), std::string::npos);
+    EXPECT_EQ(experimentToJson(plain).find("\"uncertainty\""), std::string::npos);
     Experiment experiment = plain;
     experiment.objects[1].material.source = "DSC, sample 12";
     experiment.objects[1].material.date = "2026-11-23";
+    experiment.objects[1].material.uncertainties = {{"emittance", 0.0174}, {"thickness", 2e-5}};
     const auto back = experimentFromJson(experimentToJson(experiment), "test", ".");
     ASSERT_TRUE(back) << describe(back.error());
     EXPECT_EQ(*back, experiment);
@@ -148,6 +150,11 @@ TEST(MaterialOfAnExperiment, KeepsItsSourceAndDateAndOthersStayAsTheyWere) {
     const auto valid = validate(experiment);
     ASSERT_FALSE(valid);
     EXPECT_EQ(valid.error().where, "objects[1].material.date");
+    experiment.objects[1].material.date.clear();
+    experiment.objects[1].material.uncertainties["emittance"] = -0.1;
+    const auto negative = validate(experiment);
+    ASSERT_FALSE(negative);
+    EXPECT_EQ(negative.error().where, "objects[1].material.uncertainty.emittance");
 }
 
 } // namespace bask

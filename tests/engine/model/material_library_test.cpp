@@ -8,14 +8,14 @@
 namespace bask {
 namespace {
 
-LibraryMaterial labMaterial(const std::string& name, double emittance = 0.8) {
-    LibraryMaterial out;
-    out.material.name = name;
-    out.material.emittance = out.material.absorptance = emittance;
+Material labMaterial(const std::string& name, double emittance = 0.8) {
+    Material out;
+    out.name = name;
+    out.emittance = out.absorptance = emittance;
     return out;
 }
 
-MessageCode libraryRefusal(const LibraryMaterial& material) {
+MessageCode libraryRefusal(const Material& material) {
     const auto valid = validate(MaterialLibrary{material});
     return valid ? MessageCode::None : valid.error().code();
 }
@@ -33,25 +33,25 @@ TEST(MaterialLibraryCheck, RefusesWhatCannotBeChosen) {
     ASSERT_FALSE(twice);
     EXPECT_EQ(twice.error().code(), MessageCode::MaterialNameTwice);
     EXPECT_EQ(twice.error().where, "materials[1].name");
-    LibraryMaterial material = labMaterial("a");
+    Material material = labMaterial("a");
     material.uncertainties["emittance"] = -0.1;
     EXPECT_EQ(libraryRefusal(material), MessageCode::ValueOutOfRange);
     material.uncertainties["emittance"] = 0.0;
     EXPECT_EQ(libraryRefusal(material), MessageCode::None);
-    material.material.source = std::string(kMaxSourceLength + 1, 'x');
+    material.source = std::string(kMaxSourceLength + 1, 'x');
     EXPECT_EQ(libraryRefusal(material), MessageCode::ValueOutOfRange);
 }
 
 TEST(MaterialLibraryCheck, DatesAreDaysThatThereAre) {
     for (const char* date : {"2026-11-23", "2024-02-29", ""}) {
-        LibraryMaterial material = labMaterial("a");
-        material.material.date = date;
+        Material material = labMaterial("a");
+        material.date = date;
         EXPECT_EQ(libraryRefusal(material), MessageCode::None) << date;
     }
     for (const char* date :
          {"2026-02-29", "2026-13-01", "2026-1-1", "23.11.2026", "2026-11-23 ", "2026-+1-01"}) {
-        LibraryMaterial material = labMaterial("a");
-        material.material.date = date;
+        Material material = labMaterial("a");
+        material.date = date;
         EXPECT_EQ(libraryRefusal(material), MessageCode::DateWrong) << date;
     }
 }
@@ -85,13 +85,13 @@ TEST(MaterialLibraryMerge, ALongNameIsShortenedForItsNumber) {
     const MergedMaterials both = merged({labMaterial(name, 0.9)}, {labMaterial(name, 0.5)});
     ASSERT_EQ(both.library.size(), 2U);
     EXPECT_TRUE(validate(both.library));
-    const std::string& shortened = both.library[1].material.name;
+    const std::string& shortened = both.library[1].name;
     EXPECT_EQ(characterCount(shortened), 64U);
     EXPECT_TRUE(shortened.ends_with("\u00e9 (2)"));
 }
 
 TEST(MaterialLibraryValues, AreComparedWithoutNameAndForOneMaterialWithoutThickness) {
-    Material a = labMaterial("a").material, b = a;
+    Material a = labMaterial("a"), b = a;
     b.name = "b";
     b.source = "measured";
     EXPECT_TRUE(haveSameValues(a, b));

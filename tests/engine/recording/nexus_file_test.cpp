@@ -296,6 +296,18 @@ TEST_F(NexusFile, TheAirIsStatedWhereItIsKnown) {
     EXPECT_FALSE(natural.has("/entry/sample_2/air/properties/convection"));
 }
 
+// Catches the uncertainty of a material's value that is lost on the way, or invented.
+TEST_F(NexusFile, MaterialsHaveTheirUncertainties) {
+    SessionRecord session = record(2);
+    session.experiment.objects[0].material.uncertainties = {{"emittance", 0.02}, {"density", 30.0}};
+    const Read read(exported(session));
+    EXPECT_EQ(read.numbers("/entry/sample_1/properties/emittance_errors"), std::vector<double>{0.02});
+    EXPECT_EQ(read.numbers("/entry/sample_1/properties/density_errors"), std::vector<double>{30.0});
+    EXPECT_EQ(read.attribute("/entry/sample_1/properties/density_errors", "units"), "kg/m^3");
+    EXPECT_FALSE(read.has("/entry/sample_1/properties/thickness_errors"));
+    EXPECT_FALSE(read.has("/entry/sample_2/properties/emittance_errors"));
+}
+
 // Catches a gain in another unit than the experiment's file has it in.
 TEST_F(NexusFile, GainsHaveTheirUnits) {
     SessionRecord session = record(2);

@@ -126,6 +126,22 @@ TEST(CameraThermometer, TakesTheReflectionOffAFaceThatIsSeenFromBelow) {
     }
 }
 
+// Catches an emittance's own uncertainty that the reading's does not have.
+TEST(CameraThermometer, StatesWhatTheMaterialsEmittanceIsKnownTo) {
+    Experiment experiment = cameraExperiment();
+    const auto stated_K = [&experiment] {
+        Bench bench(experiment);
+        (void)bench.read();
+        bench.heat(120.0);
+        return bench.read().front().standardUncertainty_K;
+    };
+    const double usual_K = stated_K();
+    experiment.objects[0].material.uncertainties["emittance"] = 0.01;
+    EXPECT_DOUBLE_EQ(stated_K(), usual_K);
+    experiment.objects[0].material.uncertainties["emittance"] = 0.1;
+    EXPECT_GT(stated_K(), 1.1 * usual_K);
+}
+
 TEST(CameraThermometer, DoesNotReadWhatStandsBeforeAnObject) {
     Experiment experiment = cameraExperiment();
     PlateSpec plate;

@@ -369,9 +369,8 @@ TEST_F(ObjectsPageTest, MaterialPresets) {
 // Catches materials of one's own that are not offered, do not fill in, or are still told of other values.
 TEST_F(ObjectsPageTest, MaterialsOfALibrary) {
     MaterialLibrary library(1);
-    library[0].material = {"our paint",      0.95,        0.94, 911.0, 2755.0, 0.002, 1.0,
-                           "DSC, sample 12", "2026-11-23"};
-    library[0].uncertainties["emittance"] = 0.02;
+    library[0] = {"our paint", 0.95, 0.94, 911.0, 2755.0, 0.002, 1.0, "DSC, sample 12", "2026-11-23"};
+    library[0].uncertainties = {{"emittance", 0.02}, {"thickness", 1e-5}};
     page.setMaterialLibrary(library);
     auto* preset = child<QComboBox>("materialPreset");
     EXPECT_EQ(preset->currentText(), "aluminium, painted");
@@ -381,8 +380,9 @@ TEST_F(ObjectsPageTest, MaterialsOfALibrary) {
     preset->setFocus();
     preset->setCurrentIndex(row);
     emit preset->activated(row);
-    Material wanted = library[0].material;
-    wanted.thickness_m = thickness_m;
+    Material wanted = library[0];
+    wanted.thickness_m = thickness_m; // of the plate, not of the sample
+    wanted.uncertainties.erase("thickness");
     EXPECT_EQ(last().objects[0].material, wanted);
     EXPECT_EQ(edited.count(), 1);
     EXPECT_EQ(preset->currentText(), "our paint");
@@ -396,6 +396,7 @@ TEST_F(ObjectsPageTest, MaterialsOfALibrary) {
     EXPECT_EQ(last().objects[0].material.name, "");
     EXPECT_EQ(last().objects[0].material.source, "");
     EXPECT_EQ(last().objects[0].material.date, "");
+    EXPECT_TRUE(last().objects[0].material.uncertainties.empty());
     EXPECT_FALSE(child<QLabel>("presetSource")->isVisible());
     click("undo");
     EXPECT_EQ(last().objects[0].material.name, "our paint");
