@@ -11,9 +11,6 @@
 namespace bask {
 namespace {
 
-/// a run is settled after all objects were within the band for this time, and once the robot stands or goes
-/// to where it will
-constexpr double kSettledAfter_s = 30.0;
 constexpr double kSameTime_s = 0.01;
 constexpr double kLongestCooling_s = 6.0 * 3600.0; ///< what is never known to be cold is not waited for
 /// share of the clearance; below it the source has come nearer, or the robot obeys late
@@ -82,7 +79,7 @@ void ServoLoop::noteSettling() {
         m_control.countBandAnew();
         if (m_state == RunState::Settled)
             m_state = RunState::Running;
-    } else if (m_state == RunState::Running && m_control.withinBand_s() >= kSettledAfter_s &&
+    } else if (m_state == RunState::Running && m_control.withinBand_s() >= kRunSettledAfter_s &&
                !m_control.isOnTheWay()) {
         m_state = RunState::Settled;
         event(MessageCode::EventSettled);

@@ -209,8 +209,11 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
             "What the object's thermometer read at the last sample until Stop. The other numbers take its "
             "readings, too.");
     case ObjectMetric::Settling:
-        return MetricWords::tr("Time until the temperature stays within %1 of the target until Stop.")
-            .arg(band);
+        return MetricWords::tr(
+                   "Time until the temperature stays within %1 of the target until Stop. The event "
+                   "\u201cAll objects settled\u201d is another and comes later: when all objects have been "
+                   "so near for %2 s by the controller's estimates, and the robot needs no other place.")
+            .arg(band, QLocale().toString(kRunSettledAfter_s, 'f', 0));
     case ObjectMetric::Rise:
         return MetricWords::tr(
             "Time between the first crossings of 10 % and of 90 % of the step, which leads from the "
