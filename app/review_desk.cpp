@@ -204,6 +204,7 @@ void ReviewDesk::showIdentified() {
     const Result<SessionRates>& rates = m_numbers->rates;
     if (!rates)
         return m_page.setIdentificationFailed(sentence(rates.error()));
+    const std::vector<ObjectSample>& first = m_numbers->metrics.first.objects;
     const std::vector<ObjectSample>& last = m_numbers->metrics.last.objects;
     std::vector<IdentifiedRow> rows;
     for (std::size_t i = 0; i < rates->identified.size(); ++i) {
@@ -214,8 +215,10 @@ void ReviewDesk::showIdentified() {
         row.lambda2 = {fit.lambda2.value, fit.lambda2.standardError};
         row.lambda3 = {fit.lambda3.value, fit.lambda3.standardError};
         row.material = rates->material[i].lambda1;
-        if (i < last.size())
+        if (i < last.size()) {
+            row.begun = first[i].lambda1;
             row.controller = last[i].lambda1;
+        }
         if (!fit.usable())
             row.unusable = sentence(fit.reason);
         row.isAirApart = fit.caveat == Message{};

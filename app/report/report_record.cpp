@@ -10,6 +10,7 @@
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_header.h"
 #include "widgets/common/alarm_words.h"
+#include "widgets/common/belief_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/metric_words.h"
 #include "widgets/common/run_label_words.h"
@@ -269,6 +270,8 @@ QString summarySection(const RunReportInput& input) {
         if (!value.empty())
             rows.emplace_back(name, QString::fromStdString(value));
     };
+    if (const QString wrong = wrongRatesText(session.experiment); !wrong.isEmpty())
+        rows.emplace_back(RecordText::tr("Heat rates at Start"), wrong);
     add(RecordText::tr("Operator"), session.labels.operatorName);
     add(RecordText::tr("Sample"), session.labels.sample);
     add(RecordText::tr("Batch"), session.labels.batch);

@@ -4,8 +4,10 @@
 #include "engine/base/message_code.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/experiment_rig.h"
 #include "engine/model/material_library.h"
 #include "engine/model/mounting_check.h"
+#include "widgets/common/belief_words.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/evenness_words.h"
@@ -157,6 +159,42 @@ Facts controllerFacts(const Experiment& e) {
             {SetupText::tr("Sampling"), SetupText::tr("every %1 s").arg(number(e.sampling.period_s))}};
 }
 
+/// \u03bb1 and \u03bb2 by the material and as the controller had them at the first sample; empty where no
+/// sample has them.
+QString beliefTable(const SessionRecord& session) {
+    if (session.samples.empty())
+        return {};
+    const Surroundings surroundings = surroundingsOf(session.experiment);
+    html::Table table({SetupText::tr("Object"), SetupText::tr("\u03bb\u2081 at Start (K/s)"),
+                       SetupText::tr("by the material"),
+                       SetupText::tr("\u03bb\u2082 at Start (1/(K\u00b3 s))"),
+                       SetupText::tr("by the material"), SetupText::tr("Where from")},
+                      {1, 2, 3, 4});
+    bool isKnown = false;
+    for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
+        const ObjectSpec& object = session.experiment.objects[i];
+        const ObjectSample& first = session.samples.front().objects[i];
+        const HeatRates material = heatRates(object, surroundings);
+        isKnown = isKnown || std::isfinite(first.lambda1);
+        table.add({QString::fromStdString(object.name), number(first.lambda1), number(material.lambda1),
+                   number(first.lambda2), number(material.lambda2),
+                   object.estimatedRates ? SetupText::tr("given by the experiment")
+                   : session.experiment.controller.estimatedRateErrorFactor > 1.0
+                       ? SetupText::tr("the material, made wrong")
+                       : SetupText::tr("the material")});
+    }
+    return isKnown ? table.text() : QString();
+}
+
+/// With which heat rates the controller began: a comparison of controllers is one of these, too.
+QString beliefSection(const SessionRecord& session) {
+    const QString wrong = wrongRatesText(session.experiment), table = beliefTable(session);
+    if (wrong.isEmpty() && table.isEmpty())
+        return {};
+    return subheading(SetupText::tr("Heat rates with which the controller began")) +
+           (wrong.isEmpty() ? QString() : paragraph(wrong)) + table;
+}
+
 QString limitWords(const Parameter<SafetySpec>& limit, double si, TemperatureUnit unit) {
     if (limit.unit.edge == EdgeUnit::Temperature)
         return formatTemperature(si, unit, limit.decimals);
@@ -267,9 +305,9 @@ QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
     return heading(SetupText::tr("Set-up")) +
            facts(rigFacts(session) + sourceFacts(session, unit) + robotFacts(session.experiment) +
                  controllerFacts(session.experiment)) +
-           subheading(SetupText::tr("Safety limits")) + facts(limitFacts(session.experiment.safety, unit)) +
-           subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit) +
-           screenTable(session.experiment) +
+           beliefSection(session) + subheading(SetupText::tr("Safety limits")) +
+           facts(limitFacts(session.experiment.safety, unit)) + subheading(SetupText::tr("Objects")) +
+           objectTables(session.experiment, unit) + screenTable(session.experiment) +
            shadeParagraphs(session.experiment, session.experiment.start, ShadedPose::Start);
 }
 

@@ -185,6 +185,8 @@ void RunMetricsCount::add(const TraceSample& sample) {
         m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, m_metrics.band_K);
     }
     m_pose = X_RE;
+    if (m_metrics.samples == 0)
+        m_metrics.first = sample;
     m_metrics.last = sample;
     m_metrics.duration_s = sample.time_s;
     ++m_metrics.samples;

@@ -58,7 +58,7 @@ struct RunMetrics {
     /// contain this.
     std::array<double, 6> atLimit_s{};
     double atVelocityLimit_s = 0.0; ///< speed, rotation or both
-    TraceSample last;               ///< last sample until Stop; without objects if there is none
+    TraceSample first, last;        ///< samples until Stop; without objects if there is none
 };
 
 inline constexpr double kSteadyWindow_s = 60.0;

@@ -262,6 +262,30 @@ TEST_F(RunReport, TellsWhereAMaterialIsFrom) {
     EXPECT_TRUE(text.contains(QString::fromUtf8("1 \u00b1 0.02"))) << text.toStdString(); // in mm
 }
 
+// Catches a comparison of controllers of which one began with wrong heat rates and the report does not say
+// so.
+TEST_F(RunReport, TellsTheHeatRatesWithWhichTheControllerBegan) {
+    SessionRecord session;
+    session.path = "run.bask";
+    session.experiment = test::twoDisks();
+    session.experiment.controller.estimatedRateErrorFactor = 1.0;
+    session.samples = {test::madeUpSample(session.experiment, 9)};
+    session.samples[0].objects[0].lambda1 = 0.1234;
+    const auto text = [&session] {
+        return readable(runReportHtml(reportInput(session, TemperatureUnit::Celsius)));
+    };
+    const QString right = text();
+    EXPECT_TRUE(right.contains("Heat rates with which the controller began")) << right.toStdString();
+    EXPECT_TRUE(right.contains("0.1234"));
+    EXPECT_FALSE(right.contains("wrong by up to"));
+    session.experiment.controller.estimatedRateErrorFactor = 4.0;
+    const QString wrong = QString::fromUtf8("heat rates wrong by up to \u00d74, as the experiment asks");
+    EXPECT_TRUE(text().contains(wrong)) << text().toStdString();
+    for (ObjectSpec& object : session.experiment.objects)
+        object.estimatedRates = HeatRates{0.2, 2e-11, 0.16};
+    EXPECT_FALSE(text().contains(wrong)) << "given ones are taken as they stand";
+}
+
 // Catches an angle that is told as a length.
 TEST_F(RunReport, TheMarginIsInTheUnitOfItsLimit) {
     SessionRecord session;

@@ -15,7 +15,7 @@ namespace bask {
 namespace {
 
 enum LossColumn { kLossPart, kWorking, kLoss, kConvection, kLossColumns };
-enum IdentifiedColumn { kPart, kIdentified, kController, kMaterial, kIdentifiedColumns };
+enum IdentifiedColumn { kPart, kIdentified, kController, kMaterial, kBegun, kIdentifiedColumns };
 
 QString number(double value, int digits = 4) {
     return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : QString(kNoValue);
@@ -58,12 +58,14 @@ void IdentifiedTable::setRows(std::vector<IdentifiedRow> rows) {
 
 void IdentifiedTable::refresh() {
     setAccessibleName(tr("Heat rates from the record"));
-    setHorizontalHeaderLabels({tr("Object"), tr("Identified"), tr("Controller"), tr("Material")});
+    setHorizontalHeaderLabels(
+        {tr("Object"), tr("Identified"), tr("Controller"), tr("Material"), tr("At Start")});
     horizontalHeaderItem(kPart)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeaderItem(kIdentified)
         ->setToolTip(tr("\u03bb\u2081 by least squares on the whole record, with its standard error"));
     horizontalHeaderItem(kController)->setToolTip(tr("\u03bb\u2081 that the controller believed at the end"));
     horizontalHeaderItem(kMaterial)->setToolTip(tr("\u03bb\u2081 of the experiment's material and source"));
+    horizontalHeaderItem(kBegun)->setToolTip(tr("\u03bb\u2081 with which the controller began"));
     setRowCount(static_cast<int>(m_rows.size()));
     fitHeightToRows(*this);
     for (int row = 0; row < rowCount(); ++row) {
@@ -74,7 +76,7 @@ void IdentifiedTable::refresh() {
                                    : value.unusable;
         const QStringList texts{value.name,
                                 value.unusable.isEmpty() ? withError(value.lambda1) : tr("not usable"),
-                                number(value.controller), number(value.material)};
+                                number(value.controller), number(value.material), number(value.begun)};
         for (int column = 0; column < kIdentifiedColumns; ++column) {
             auto* item = objectCell(*this, row, column, texts[column]);
             if (column == kIdentified)

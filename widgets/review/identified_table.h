@@ -21,7 +21,8 @@ struct IdentifiedRow {
     Value lambda1; ///< K/s
     Value lambda2; ///< 1/(K3 s)
     Value lambda3; ///< K/s
-    /// the controller's lambda1 at the end, K/s
+    /// the controller's lambda1 at the first sample and at the end, K/s
+    double begun = std::numeric_limits<double>::quiet_NaN();
     double controller = std::numeric_limits<double>::quiet_NaN();
     double material = std::numeric_limits<double>::quiet_NaN(); ///< lambda1 of the material, K/s
     QString unusable; ///< why the rates cannot be used, in a sentence; empty if they can

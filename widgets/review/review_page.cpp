@@ -1,6 +1,7 @@
 #include "widgets/review/review_page.h"
 
 #include "engine/recording/session_header.h"
+#include "widgets/common/belief_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
@@ -158,6 +159,7 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
     add(m_duration, "factDuration");
     add(m_controller, "factController");
     add(m_shade, "factShade");
+    add(m_belief, "factBelief");
     add(m_created, "factCreated");
     add(m_software, "factSoftware");
     m_useExperiment = new QPushButton(facts);
@@ -467,6 +469,12 @@ QString ReviewPage::outcomeText() const {
     return QString::fromStdString(outcome);
 }
 
+void ReviewPage::showFact(const Fact& fact, const QString& text) {
+    fact.value->setText(text);
+    fact.caption->setVisible(!text.isEmpty());
+    fact.value->setVisible(!text.isEmpty());
+}
+
 void ReviewPage::refreshTexts() {
     m_emptyTitle->setText(tr("No session open"));
     m_emptyText->setText(tr("Choose a recorded run in the list and press Enter, or open a file: its traces, "
@@ -506,10 +514,9 @@ void ReviewPage::refreshTexts() {
     showCounting();
     const QPalette caption = captionPalette(palette());
     const std::initializer_list<std::pair<Fact, QString>> facts{
-        {m_outcome, tr("Outcome")},   {m_verification, tr("Verification")},
-        {m_duration, tr("Duration")}, {m_controller, tr("Controller")},
-        {m_shade, tr("Shade")},       {m_created, tr("Recorded")},
-        {m_software, tr("Software")}};
+        {m_outcome, tr("Outcome")},       {m_verification, tr("Verification")},  {m_duration, tr("Duration")},
+        {m_controller, tr("Controller")}, {m_belief, tr("Heat rates at Start")}, {m_shade, tr("Shade")},
+        {m_created, tr("Recorded")},      {m_software, tr("Software")}};
     for (const auto& [fact, text] : facts) {
         fact.caption->setText(text);
         fact.caption->setPalette(caption);
@@ -524,6 +531,7 @@ void ReviewPage::refreshTexts() {
     showShade();
     m_duration.value->setText(m_session->size() == 0 ? kNoValue : formatDuration(m_session->lastTime_s()));
     m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
+    showFact(m_belief, wrongRatesText(m_session->facts().experiment));
     const QDateTime created =
         QDateTime::fromString(QString::fromStdString(m_session->facts().created), Qt::ISODate);
     m_created.value->setText(created.isValid() ? formatDate(created)

@@ -103,6 +103,8 @@ private:
     void showRun(bool isOpen);
     void showEvents();
     void refreshTexts();
+    /// A fact that only some runs have.
+    void showFact(const Fact& fact, const QString& text);
     void showOutcome();
     void showVerification();
     void showShade();
@@ -130,7 +132,7 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
-    Fact m_created, m_duration, m_controller, m_outcome, m_verification, m_shade, m_software;
+    Fact m_created, m_duration, m_controller, m_belief, m_outcome, m_verification, m_shade, m_software;
     QLabel *m_outcomeIcon, *m_outcomeWord;
     MessageBar* m_altered;
     ReplayView* m_replay;

@@ -243,6 +243,9 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     EXPECT_EQ(text("sessionTag"), "SIMULATED");
     EXPECT_EQ(text("factDuration"), "3:20");
     EXPECT_EQ(text("factController"), "Level servo");
+    EXPECT_EQ(
+        text("factBelief"),
+        QString("The controller began with heat rates wrong by up to \u00d74, as the experiment asks."));
     EXPECT_EQ(text("factOutcome"), "Not all objects settled");
     EXPECT_EQ(text("factSoftware"), "Bask " BASK_VERSION);
     EXPECT_TRUE(text("factCreated").contains(':'));
@@ -250,7 +253,9 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     SessionRecord broken = record();
     broken.outcome.clear();
     broken.simulated = false;
+    broken.experiment.controller.estimatedRateErrorFactor = 1.0;
     show(broken);
+    EXPECT_EQ(text("factBelief"), "");
     EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
     EXPECT_EQ(text("sessionTag"), "LIVE");
 
@@ -299,6 +304,7 @@ TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
     good.lambda2 = {2.1e-11, 3e-13};
     good.controller = 0.2301;
     good.material = 0.2203;
+    good.begun = 0.1021;
     IdentifiedRow bad;
     bad.name = "hand";
     bad.unusable = "The source was never in view.";
@@ -308,6 +314,7 @@ TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
     EXPECT_EQ(table->item(0, 1)->text(), QString("0.2154 \u00b1 0.0042"));
     EXPECT_EQ(table->item(0, 2)->text(), "0.2301");
     EXPECT_EQ(table->item(0, 3)->text(), "0.2203");
+    EXPECT_EQ(table->item(0, 4)->text(), "0.1021");
     EXPECT_EQ(table->item(1, 1)->text(), "not usable");
     EXPECT_EQ(text("identifiedNote"), "hand: The source was never in view.");
     QSignalSpy wanted(&page, &ReviewPage::useIdentifiedRequested);
