@@ -9,6 +9,7 @@
 #include "engine/recording/alarm_history.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_header.h"
+#include "engine/recording/simulation_pace.h"
 #include "widgets/common/alarm_words.h"
 #include "widgets/common/belief_words.h"
 #include "widgets/common/display.h"
@@ -266,6 +267,9 @@ QString summarySection(const RunReportInput& input) {
         {RecordText::tr("Controller"), controllerWord(session.experiment.controller.kind)},
         {RecordText::tr("Alarms"), session.events.empty() ? RecordText::tr("no event was recorded") : alarms},
         {RecordText::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}};
+    const double last_s = session.samples.empty() ? 0.0 : session.samples.back().time_s;
+    if (const auto pace = simulationPace(session, last_s))
+        rows.insert(3, {RecordText::tr("Simulation"), paceWords(*pace)});
     const auto add = [&](const QString& name, const std::string& value) {
         if (!value.empty())
             rows.emplace_back(name, QString::fromStdString(value));

@@ -5,6 +5,7 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/uneven_source.h"
+#include "engine/recording/simulation_pace.h"
 
 #include <cmath>
 #include <filesystem>
@@ -103,6 +104,9 @@ private:
         m_file.text(group + "/recorded_by", m_session.software);
         m_file.text(group + "/time_zero",
                     "Start; start_time is when the recording was opened, at Arm, before it");
+        const double last_s = m_session.samples.empty() ? 0.0 : m_session.samples.back().time_s;
+        if (const auto pace = simulationPace(m_session, last_s))
+            m_file.text(group + "/simulation_pace", paceText(*pace));
     }
 
     /// What a NeXus program shows at first; its time is that of all logs.

@@ -6,6 +6,7 @@
 #include "engine/recording/ro_crate.h"
 #include "engine/recording/session_facts.h"
 #include "engine/recording/session_verify.h"
+#include "engine/recording/simulation_pace.h"
 #include "engine/recording/staged_files.h"
 
 #include <QFile>
@@ -142,6 +143,15 @@ Result<void> openTables(const SessionStore& store, const std::vector<std::string
     return {};
 }
 
+/// Adds to meta.csv what the table does not have.
+void addMeta(const std::vector<std::string>& tables, const CsvFiles& files, const std::string& key,
+             const std::string& value) {
+    const std::array<SqlValue, 2> row{key, value};
+    for (std::size_t i = 0; i < tables.size(); ++i)
+        if (tables[i] == "meta")
+            files[i]->add(row);
+}
+
 /// About how many rows a table or a view of the samples has.
 double roughRowsOf(const SessionStore& store, const std::string& table, std::size_t objects) {
     std::string view;
@@ -235,8 +245,8 @@ std::vector<const ObjectColumn*> columnsInTraces(const RecordedRig& rig) {
 }
 
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
-/// export of one that is damaged.
-Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, CsvFile& file,
+/// export of one that is damaged. Sets `last_s` to the time of the last sample.
+Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, CsvFile& file, double& last_s,
                          const ShareDone& done) {
     const std::vector<const ObjectColumn*> ofObjects = columnsInTraces(facts.rig());
     std::vector<SqlValue> row{std::string("time (s)")};
@@ -250,6 +260,7 @@ Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, Cs
             row.emplace_back(object.name + ' ' + csvHeader(*column));
     file.add(row);
     const auto add = [&](const TraceSample& sample) {
+        last_s = sample.time_s;
         row = {cells.number(sample.time_s, unit::kSeconds)};
         for (const RunColumn& column : kRunColumns)
             if (column.csv != nullptr)
@@ -302,11 +313,14 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         return begun.error();
     CsvFile traces(stage->target("traces.csv"));
     CsvFiles files;
+    double last_s = 0.0;
     auto done = traces.open(*stage, kTracesHeader);
     if (done)
         done = openTables(**store, *tables, *stage, files);
     if (done)
-        done = writeTraces(*facts, TraceCells(digits), traces, partOf(told, 0.0, kAfterTraces));
+        done = writeTraces(*facts, TraceCells(digits), traces, last_s, partOf(told, 0.0, kAfterTraces));
+    if (const auto pace = simulationPace(*facts, last_s); done && pace)
+        addMeta(*tables, files, "simulation_pace", paceText(*pace));
     if (done)
         done = writeTables(**store, *tables, files, *facts, partOf(told, kAfterTraces, 1.0));
     const bool hasName = std::ranges::find(*tables, kColumnsTable) == tables->end();

@@ -286,6 +286,25 @@ TEST_F(RunReport, TellsTheHeatRatesWithWhichTheControllerBegan) {
     EXPECT_FALSE(text().contains(wrong)) << "given ones are taken as they stand";
 }
 
+// Catches times of a fast simulation that contradict each other without a word.
+TEST_F(RunReport, TellsThatTheSimulationRanFast) {
+    SessionRecord session;
+    session.path = "run.bask";
+    session.experiment = test::twoDisks();
+    session.simulated = true;
+    session.created = "2026-11-29T22:08:19Z";
+    session.finished = "2026-11-29T22:09:16Z";
+    session.samples = {test::madeUpSample(session.experiment, 0)};
+    const auto text = [&session] {
+        return readable(runReportHtml(reportInput(session, TemperatureUnit::Celsius)));
+    };
+    EXPECT_FALSE(text().contains("Faster than real time"));
+    session.samples[0].time_s = 532.0;
+    EXPECT_TRUE(
+        text().contains("Faster than real time: 8:52 (min:s) of the simulated rig in 0:57 by the clock"))
+        << text().toStdString();
+}
+
 // Catches an angle that is told as a length.
 TEST_F(RunReport, TheMarginIsInTheUnitOfItsLimit) {
     SessionRecord session;

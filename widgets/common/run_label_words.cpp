@@ -1,5 +1,8 @@
 #include "widgets/common/run_label_words.h"
 
+#include "engine/recording/simulation_pace.h"
+#include "widgets/common/display.h"
+
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -36,6 +39,11 @@ QString noteText(const TraceNote& note) {
 
 QString cutAfterStopText() {
     return Words::tr("The run had been stopped; what followed is not recorded to its end.");
+}
+
+QString paceWords(const SimulationPace& pace) {
+    return Words::tr("Faster than real time: %1 (min:s) of the simulated rig in %2 by the clock")
+        .arg(formatDuration(pace.run_s), formatDuration(pace.clock_s));
 }
 
 } // namespace bask

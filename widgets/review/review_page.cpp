@@ -1,6 +1,7 @@
 #include "widgets/review/review_page.h"
 
 #include "engine/recording/session_header.h"
+#include "engine/recording/simulation_pace.h"
 #include "widgets/common/belief_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
@@ -161,6 +162,7 @@ QWidget* ReviewPage::buildFacts(QWidget* parent) {
     add(m_shade, "factShade");
     add(m_belief, "factBelief");
     add(m_created, "factCreated");
+    add(m_pace, "factPace");
     add(m_software, "factSoftware");
     m_useExperiment = new QPushButton(facts);
     m_useExperiment->setObjectName("useExperiment");
@@ -513,10 +515,15 @@ void ReviewPage::refreshTexts() {
         m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
     showCounting();
     const QPalette caption = captionPalette(palette());
-    const std::initializer_list<std::pair<Fact, QString>> facts{
-        {m_outcome, tr("Outcome")},       {m_verification, tr("Verification")},  {m_duration, tr("Duration")},
-        {m_controller, tr("Controller")}, {m_belief, tr("Heat rates at Start")}, {m_shade, tr("Shade")},
-        {m_created, tr("Recorded")},      {m_software, tr("Software")}};
+    const std::initializer_list<std::pair<Fact, QString>> facts{{m_outcome, tr("Outcome")},
+                                                                {m_verification, tr("Verification")},
+                                                                {m_duration, tr("Duration")},
+                                                                {m_controller, tr("Controller")},
+                                                                {m_belief, tr("Heat rates at Start")},
+                                                                {m_shade, tr("Shade")},
+                                                                {m_created, tr("Recorded")},
+                                                                {m_pace, tr("Simulation")},
+                                                                {m_software, tr("Software")}};
     for (const auto& [fact, text] : facts) {
         fact.caption->setText(text);
         fact.caption->setPalette(caption);
@@ -532,6 +539,9 @@ void ReviewPage::refreshTexts() {
     m_duration.value->setText(m_session->size() == 0 ? kNoValue : formatDuration(m_session->lastTime_s()));
     m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
     showFact(m_belief, wrongRatesText(m_session->facts().experiment));
+    const auto pace =
+        simulationPace(m_session->facts(), m_session->size() == 0 ? 0.0 : m_session->lastTime_s());
+    showFact(m_pace, pace ? paceWords(*pace) : QString());
     const QDateTime created =
         QDateTime::fromString(QString::fromStdString(m_session->facts().created), Qt::ISODate);
     m_created.value->setText(created.isValid() ? formatDate(created)

@@ -132,7 +132,8 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
-    Fact m_created, m_duration, m_controller, m_belief, m_outcome, m_verification, m_shade, m_software;
+    Fact m_created, m_duration, m_controller, m_belief, m_pace, m_outcome, m_verification, m_shade,
+        m_software;
     QLabel *m_outcomeIcon, *m_outcomeWord;
     MessageBar* m_altered;
     ReplayView* m_replay;

@@ -296,6 +296,15 @@ TEST_F(NexusFile, TheAirIsStatedWhereItIsKnown) {
     EXPECT_FALSE(natural.has("/entry/sample_2/air/properties/convection"));
 }
 
+// Catches a duration that is longer than from start_time to end_time, without a word.
+TEST_F(NexusFile, TellsHowFastItWasSimulated) {
+    SessionRecord session = record(60);
+    EXPECT_FALSE(Read(exported(session)).has("/entry/run/simulation_pace"));
+    session.finished = session.created;
+    EXPECT_EQ(Read(exported(session)).text("/entry/run/simulation_pace"),
+              "59 s of the simulated rig in 1 s by the clock");
+}
+
 // Catches the uncertainty of a material's value that is lost on the way, or invented.
 TEST_F(NexusFile, MaterialsHaveTheirUncertainties) {
     SessionRecord session = record(2);

@@ -620,6 +620,16 @@ TEST_F(SessionFile, ColumnsSayWhatTheTablesHold) {
     EXPECT_EQ(contents(qfile("other/columns.csv")), "a\n");
 }
 
+// Catches times of a fast simulation that contradict each other in the tables.
+TEST_F(SessionFile, MetaCsvTellsHowFastItWasSimulated) {
+    ASSERT_TRUE(exportSessionCsv(recorded("fast.bask", 600), file("fast")));
+    EXPECT_NE(contents(qfile("fast/meta.csv")).find("simulation_pace,599.1 s of the simulated rig in "),
+              std::string::npos)
+        << contents(qfile("fast/meta.csv"));
+    ASSERT_TRUE(exportSessionCsv(recorded("short.bask", 2), file("short")));
+    EXPECT_EQ(contents(qfile("short/meta.csv")).find("simulation_pace"), std::string::npos);
+}
+
 // Catches: a note or a name that a spreadsheet runs as a formula, and a number that is made a text.
 TEST_F(SessionFile, TextsOfACsvAreNoFormulas) {
     const std::string path = file("run.bask");

@@ -249,6 +249,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     EXPECT_EQ(text("factOutcome"), "Not all objects settled");
     EXPECT_EQ(text("factSoftware"), "Bask " BASK_VERSION);
     EXPECT_TRUE(text("factCreated").contains(':'));
+    EXPECT_TRUE(text("factPace").startsWith("Faster than real time: 3:20 (min:s)"));
 
     SessionRecord broken = record();
     broken.outcome.clear();
@@ -256,6 +257,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     broken.experiment.controller.estimatedRateErrorFactor = 1.0;
     show(broken);
     EXPECT_EQ(text("factBelief"), "");
+    EXPECT_EQ(text("factPace"), "");
     EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
     EXPECT_EQ(text("sessionTag"), "LIVE");
 
