@@ -18,6 +18,7 @@
 #include <QDateTime>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -258,7 +259,13 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
         materials.add(row << number(object.material.arealHeatCapacity_J_m2K()) +
                                  QStringLiteral("\u00a0J/(m\u00b2\u00a0K)"));
     }
-    return bodies.text() + materials.text();
+    const bool isAnyUncertain = std::ranges::any_of(
+        e.objects, [](const ObjectSpec& object) { return !object.material.uncertainties.empty(); });
+    return bodies.text() + materials.text() +
+           (isAnyUncertain
+                ? paragraph(SetupText::tr("\u00b1 is the standard uncertainty of a material's value."),
+                            "quiet")
+                : QString());
 }
 
 /// Empty without any.

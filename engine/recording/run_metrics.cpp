@@ -2,6 +2,8 @@
 
 #include "engine/base/message_code.h"
 #include "engine/recording/recorded_session.h"
+#include "engine/recording/zeroing_record.h"
+#include "engine/thermal/contact_uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,12 +51,24 @@ class TemperatureCount {
 public:
     TemperatureCount() { m_metrics.target_K = std::numeric_limits<double>::quiet_NaN(); }
 
-    void add(double time_s, double target_K, double T_K, double band_K) {
+    /// `rate_K_s` of T is NaN where it is not known.
+    void add(double time_s, double target_K, double T_K, double rate_K_s, double band_K) {
         if (target_K != m_metrics.target_K) // an unknown one is another each time
             beginStep(time_s, target_K, T_K, band_K);
         m_metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
         if (m_metrics.final_K)
-            addTemperature(time_s, T_K, band_K);
+            addTemperature(time_s, T_K, rate_K_s, band_K);
+    }
+
+    /// Returns how well the moment is known from which T stays in the band, s, by the time since the reading
+    /// before and by what `scatter_K` makes of it at that rate; empty without such a moment.
+    std::optional<double> settlingUncertainty_s(double scatter_K) const {
+        if (!m_metrics.settledFrom_s || !(m_entry.gap_s > 0.0))
+            return std::nullopt;
+        const double ofScatter_s =
+            std::isnan(m_entry.rate_K_s) ? 0.0 : scatter_K / std::abs(m_entry.rate_K_s);
+        const double u_s = std::hypot(m_entry.gap_s / std::sqrt(12.0), ofScatter_s);
+        return std::isfinite(u_s) ? std::optional(u_s) : std::nullopt;
     }
 
     ObjectMetrics judged(double last_s, double pathLength_m) const {
@@ -80,6 +94,7 @@ public:
             return out;
         const double mean_K = sum_K / static_cast<double>(count);
         out.steadyError_K = mean_K;
+        out.steadySamples = count;
         if (count > 1)
             out.steadyDeviation_K =
                 std::sqrt(std::max(squares - static_cast<double>(count) * mean_K * mean_K, 0.0) /
@@ -88,7 +103,7 @@ public:
     }
 
 private:
-    void addTemperature(double time_s, double T_K, double band_K) {
+    void addTemperature(double time_s, double T_K, double rate_K_s, double band_K) {
         const double error_K = T_K - m_metrics.target_K;
         if (m_isJudged) {
             m_begun.add(time_s, T_K);
@@ -97,10 +112,12 @@ private:
             if (std::isfinite(over_K))
                 m_metrics.overshoot_K = std::max(*m_metrics.overshoot_K, over_K);
         }
-        if (!(std::abs(error_K) <= band_K))
+        if (!(std::abs(error_K) <= band_K)) {
             m_metrics.settledFrom_s.reset();
-        else if (!m_metrics.settledFrom_s)
+        } else if (!m_metrics.settledFrom_s) {
             m_metrics.settledFrom_s = time_s;
+            m_entry = {m_lately.empty() ? 0.0 : time_s - m_lately.back().first, rate_K_s};
+        }
         m_lately.emplace_back(time_s, error_K);
         while (m_lately.front().first < time_s - kSteadyWindow_s)
             m_lately.pop_front();
@@ -125,7 +142,14 @@ private:
         m_metrics.overshoot_K = 0.0;
     }
 
+    /// When it came into the band.
+    struct Entry {
+        double gap_s = 0.0; ///< since the reading before; 0 if there was none at this target
+        double rate_K_s = 0.0;
+    };
+
     ObjectMetrics m_metrics; ///< but for what judged() adds
+    Entry m_entry;
     bool m_isJudged = false; ///< the step is large enough
     LevelCrossing m_begun, m_done;
     /// Times and errors since the step and in the last window.
@@ -135,7 +159,9 @@ private:
 } // namespace
 
 struct RunMetricsCount::ObjectCount {
-    explicit ObjectCount(const Pose& X_EO) : centre_E(X_EO.translation()) {}
+    explicit ObjectCount(const ObjectSpec& object)
+        : centre_E(poseFromCoordinates(object.mounting).translation()),
+          isByCamera(object.readBy == ReadBy::Camera) {}
 
     /// From the end-effector's pose before to that of now.
     void addMotion(const Pose& before, const Pose& now) {
@@ -146,6 +172,8 @@ struct RunMetricsCount::ObjectCount {
     Eigen::Vector3d centre_E;
     double pathLength_m = 0.0;
     TemperatureCount read, truth;
+    ReadingScatter scatter; ///< of what was read
+    bool isByCamera = false;
 };
 
 RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
@@ -157,8 +185,10 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     const SimulationSpec& simulated = facts.experiment.simulation;
     if (facts.simulated && isByContact)
         m_metrics.resolution_K = std::max(simulated.sensorResolution_K, simulated.sensorNoise_K);
+    m_offsets_K = zeroOffsets_K(facts);
+    m_window = facts.experiment.sampling.window;
     for (const ObjectSpec& object : facts.experiment.objects)
-        m_objects.emplace_back(poseFromCoordinates(object.mounting));
+        m_objects.emplace_back(object);
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
     for (const TraceEvent& event : facts.events) {
         const bool isPaused = !m_pauses_s.empty() && m_pauses_s.back().second == kOpen_s;
@@ -181,8 +211,11 @@ void RunMetricsCount::add(const TraceSample& sample) {
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         const ObjectSample& object = sample.objects[i];
         m_hasTruth = m_hasTruth || std::isfinite(object.true_K);
-        m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), m_metrics.band_K);
-        m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, m_metrics.band_K);
+        m_objects[i].scatter.add(read_K(object));
+        m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), object.rate_K_s,
+                              m_metrics.band_K);
+        m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, object.rate_K_s,
+                               m_metrics.band_K);
     }
     m_pose = X_RE;
     if (m_metrics.samples == 0)
@@ -222,11 +255,34 @@ void RunMetricsCount::addMotion(double time_s, const Pose& X_RE) {
         m_metrics.atVelocityLimit_s += lasts_s;
 }
 
+void RunMetricsCount::addUncertainties(std::size_t i, ObjectMetrics& out) const {
+    const ObjectCount& object = m_objects[i];
+    if (object.isByCamera) { // its parts are not recorded: a mean is taken to be no better
+        if (out.final_K && std::isfinite(m_metrics.last.objects[i].camera.uncertainty_K))
+            out.readingUncertainty_K = m_metrics.last.objects[i].camera.uncertainty_K;
+        if (out.steadyError_K)
+            out.steadyUncertainty_K = out.readingUncertainty_K;
+        return;
+    }
+    if (m_offsets_K.size() != m_objects.size())
+        return;
+    const auto sensor = contactUncertainty(m_offsets_K, m_window, object.scatter);
+    if (!sensor)
+        return;
+    out.readingUncertainty_K = sensor->ofReading_K();
+    if (out.steadyError_K)
+        out.steadyUncertainty_K = sensor->ofMean_K(out.steadySamples);
+    out.settlingUncertainty_s =
+        object.read.settlingUncertainty_s(std::hypot(sensor->noise_K, sensor->resolution_K));
+}
+
 RunMetrics RunMetricsCount::metrics() const {
     RunMetrics out = m_metrics;
     const double last_s = m_metrics.last.time_s;
-    for (const ObjectCount& object : m_objects) {
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const ObjectCount& object = m_objects[i];
         out.objects.push_back(object.read.judged(last_s, object.pathLength_m));
+        addUncertainties(i, out.objects.back());
         if (m_hasTruth)
             out.trueObjects.push_back(object.truth.judged(last_s, object.pathLength_m));
     }

@@ -35,7 +35,16 @@ struct ObjectMetrics {
     /// samples.
     std::optional<double> steadyError_K;
     std::optional<double> steadyDeviation_K;
-    double pathLength_m = 0.0; ///< of the object's centre in R, over all samples until Stop
+    std::size_t steadySamples = 0; ///< in that mean
+    double pathLength_m = 0.0;     ///< of the object's centre in R, over all samples until Stop
+
+    // Standard uncertainties: of a sensor by engine/thermal/contact_uncertainty.h, else what the thermal
+    // camera told; empty where they are not known, and of the true temperature.
+    std::optional<double> readingUncertainty_K; ///< of final_K, and of the reading that made overshoot_K
+    std::optional<double> steadyUncertainty_K;
+    /// What period, step and noise of the readings make of settling_s; the error that all readings share is
+    /// not in it. Empty where it was in the band from the beginning.
+    std::optional<double> settlingUncertainty_s;
 
     /// Returns the overshoot as a fraction of the step's size.
     std::optional<double> overshootShare() const;
@@ -77,10 +86,13 @@ public:
 private:
     struct ObjectCount;
     void addMotion(double time_s, const Pose& X_RE);
+    void addUncertainties(std::size_t i, ObjectMetrics& out) const;
 
     double m_until_s;
     std::deque<std::pair<double, double>> m_pauses_s; ///< start and end of each pause; past ones are removed
     RunMetrics m_metrics;
+    std::vector<double> m_offsets_K; ///< of the zeroing; empty: not known
+    int m_window = 1;                ///< readings of the zeroing
     std::vector<ObjectCount> m_objects;
     Pose m_pose = Pose::Identity(); ///< of the end-effector at the last sample
     bool m_hasTruth = false;

@@ -123,6 +123,7 @@ void EngineSession::tell(Snapshot& snapshot) const {
         snapshot.sensors.push_back(loop.sensorTrust(i));
         snapshot.readingAges_s.push_back(readings.sensors().age_s(i, now_s));
         snapshot.toldReadings_K.push_back(readings.sensors().told_K(i, now_s));
+        snapshot.uncertainties_K.push_back(readings.sensors().uncertainty_K(i));
     }
     snapshot.source_K = readings.source_K();
     snapshot.sourceAge_s = readings.sourceAge_s();

@@ -129,6 +129,7 @@ void SensorChannels::accept(std::size_t i, const Reading& reading) {
     if (!channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K))
         return;
     channel.window.push_back(reading);
+    channel.scatter.add(reading.value_K);
     if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))
         channel.window.erase(channel.window.begin());
     channel.isKnown = channel.isKnown || channel.estimator.full();
@@ -201,6 +202,17 @@ double SensorChannels::measured_K(std::size_t i) const {
     const Channel& channel = m_channels[i];
     return channel.window.empty() ? std::numeric_limits<double>::quiet_NaN()
                                   : channel.window.back().value_K + channel.offset_K;
+}
+
+double SensorChannels::uncertainty_K(std::size_t i) const {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const Channel& channel = m_channels[i];
+    if (!channel.window.empty() && channel.window.back().standardUncertainty_K > 0.0)
+        return channel.window.back().standardUncertainty_K;
+    if (!m_zeroing)
+        return kUnknown;
+    const auto sensor = contactUncertainty(m_zeroing->offsets_K, m_sampling.window, channel.scatter);
+    return sensor ? sensor->ofReading_K() : kUnknown;
 }
 
 bool SensorChannels::full() const {

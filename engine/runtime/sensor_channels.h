@@ -7,6 +7,7 @@
 #include "engine/model/experiment.h"
 #include "engine/runtime/heat_bounds.h"
 #include "engine/runtime/zeroing.h"
+#include "engine/thermal/contact_uncertainty.h"
 #include "engine/thermal/rate_estimator.h"
 
 #include <optional>
@@ -84,6 +85,9 @@ public:
     Jump jump(std::size_t i) const { return m_channels[i].jump; }
     double largestRate_K_s(std::size_t i) const;
     double measured_K(std::size_t i) const;
+    /// Standard uncertainty of measured_K(i) as its device tells it, else by the zeroing and the scatter of
+    /// the readings (engine/thermal/contact_uncertainty.h); NaN while it is not known.
+    double uncertainty_K(std::size_t i) const;
     std::optional<RateEstimate> estimate(std::size_t i) const { return m_channels[i].estimator.estimate(); }
     /// Whether all estimators have a full window.
     bool full() const;
@@ -101,6 +105,7 @@ private:
     struct Channel {
         RateEstimator estimator;
         std::vector<Reading> window{}; ///< readings without the offset
+        ReadingScatter scatter{};
         double offset_K = 0.0;
         bool lastInvalid = false;
         SensorFault lastFault = SensorFault::None;

@@ -108,6 +108,8 @@ struct Snapshot {
     std::vector<double> readingAges_s;
     /// newest plausible value of each sensor, trusted or not; NaN if there is none
     std::vector<double> toldReadings_K;
+    /// standard uncertainty of each object's measured temperature, K; NaN if it is not known
+    std::vector<double> uncertainties_K;
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;

@@ -138,6 +138,7 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains("SIMULATED"));
     EXPECT_TRUE(text.contains("All objects settled."));
     EXPECT_TRUE(text.contains("for 30 s by the controller's estimates")) << "which is not the settling time";
+    EXPECT_TRUE(text.contains(QString::fromUtf8("\u00b1 0.18 K"))) << "0.25 K by the root of two sensors";
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
     EXPECT_TRUE(text.contains("alarm, priority 3"));
     for (const char* command : {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "

@@ -132,6 +132,27 @@ bool isSmallStep(const ObjectMetrics& metrics, double band_K) {
     return metrics.step_K && std::abs(*metrics.step_K) < 2.0 * band_K;
 }
 
+/// Returns as many decimals as show two digits of an uncertainty, not more than usual; what is usual without
+/// one.
+int decimalsBy(std::optional<double> shownUncertainty, int usual) {
+    const auto first = decimalsOf(shownUncertainty.value_or(0.0), 0);
+    return first ? std::min(usual, *first + 1) : usual;
+}
+
+/// A difference of temperatures, or a time, with two digits: " \u00b1 0.15 K"; empty without one.
+QString plusMinusText(ObjectMetric::Kind kind, std::optional<double> uncertainty, TemperatureUnit unit) {
+    if (!uncertainty)
+        return {};
+    const bool isTime = kind == ObjectMetric::Settling;
+    const double shown = isTime ? *uncertainty : displayDifference(*uncertainty, unit);
+    const auto first = decimalsOf(shown, 0);
+    if (!first)
+        return {};
+    const QString number = QLocale().toString(shown, 'f', *first + 1);
+    return QStringLiteral(" \u00b1 ") + (isTime ? MetricWords::tr("%1 s").arg(number)
+                                                : number + QChar(0x00a0) + differenceUnitSymbol(unit));
+}
+
 QString riseText(const ObjectMetrics& metrics, double band_K, int decimals) {
     if (metrics.rise_s)
         return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s, decimals);
@@ -146,8 +167,9 @@ QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit, int de
     if (*metrics.overshoot_K <= 0.0)
         return MetricWords::tr("none");
     const double shown = roundedTo(displayDifference(*metrics.overshoot_K, unit), decimals);
-    return QStringLiteral("%1\u00a0%2 (%3)")
+    return QStringLiteral("%1\u00a0%2%3 (%4)")
         .arg(QLocale().toString(shown, 'f', decimals), differenceUnitSymbol(unit),
+             plusMinusText(ObjectMetric::Overshoot, metrics.readingUncertainty_K, unit),
              share(*metrics.overshootShare()));
 }
 
@@ -163,7 +185,8 @@ int steadyDecimals(const ObjectMetrics& metrics, TemperatureUnit unit) {
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit, int decimals) {
     if (!metrics.steadyError_K)
         return MetricWords::tr("not settled");
-    QString mean = formatDifference(*metrics.steadyError_K, unit, decimals);
+    const QString mean = formatDifference(*metrics.steadyError_K, unit, decimals) +
+                         plusMinusText(ObjectMetric::SteadyError, metrics.steadyUncertainty_K, unit);
     if (!metrics.steadyDeviation_K) // of one sample
         return mean;
     const double smallest = std::pow(10.0, -decimals),
@@ -207,12 +230,18 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     case ObjectMetric::Final:
         return MetricWords::tr(
             "What the object's thermometer read at the last sample until Stop. The other numbers take its "
-            "readings, too.");
+            "readings, too. \u00b1 is the standard uncertainty: of a sensor that of the room's temperature "
+            "to "
+            "which it was zeroed, of its zeroing, and of step and noise of its readings, without its own "
+            "error "
+            "away from the room's temperature and that of its contact.");
     case ObjectMetric::Settling:
         return MetricWords::tr(
                    "Time until the temperature stays within %1 of the target until Stop. The event "
                    "\u201cAll objects settled\u201d is another and comes later: when all objects have been "
-                   "so near for %2 s by the controller's estimates, and the robot needs no other place.")
+                   "so near for %2 s by the controller's estimates, and the robot needs no other place. "
+                   "\u00b1 is "
+                   "what period, step and noise of the readings make of it.")
             .arg(band, QLocale().toString(kRunSettledAfter_s, 'f', 0));
     case ObjectMetric::Rise:
         return MetricWords::tr(
@@ -226,7 +255,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     case ObjectMetric::SteadyError:
         return MetricWords::tr(
                    "Mean of temperature minus target over the last %1 s until Stop, or since settling where "
-                   "that is less, with the standard deviation of the samples.")
+                   "that is less, with its standard uncertainty (\u00b1) and the standard deviation of the "
+                   "samples.")
             .arg(QLocale().toString(kSteadyWindow_s, 'f', 0));
     case ObjectMetric::PathLength:
         return MetricWords::tr(
@@ -258,6 +288,11 @@ QString metricDefinition(RunMetric metric) {
 int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit) {
     const MetricFacts facts = factsOf(metric.kind);
     const ObjectMetrics* const counted = countedFor(metric, run, object);
+    const auto uncertainty = metricUncertainty(metric, run, object);
+    if (uncertainty && metric.kind == ObjectMetric::Settling)
+        return decimalsBy(uncertainty, facts.decimals);
+    if (uncertainty)
+        return decimalsBy(displayDifference(*uncertainty, unit), facts.decimals);
     if (counted != nullptr && metric.kind == ObjectMetric::SteadyError)
         return steadyDecimals(*counted, unit);
     if (counted != nullptr && metric.kind == ObjectMetric::PathLength)
@@ -314,10 +349,12 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     case ObjectMetric::Target:
         return formatTemperature(metrics.target_K, unit, with);
     case ObjectMetric::Final:
-        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, with)
+        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, with) +
+                                     plusMinusText(metric.kind, metrics.readingUncertainty_K, unit)
                                : MetricWords::tr("not known");
     case ObjectMetric::Settling:
-        return metrics.settling_s ? valueText(facts, *metrics.settling_s, with)
+        return metrics.settling_s ? valueText(facts, *metrics.settling_s, with) +
+                                        plusMinusText(metric.kind, metrics.settlingUncertainty_s, unit)
                                   : MetricWords::tr("not settled");
     case ObjectMetric::Rise:
         return riseText(metrics, run.band_K, with);
@@ -390,8 +427,31 @@ std::optional<double> metricDeviation(ObjectMetric metric, const RunMetrics& run
                                                                           : std::nullopt;
 }
 
-QString metricDifferenceText(ObjectMetric metric, double shown, TemperatureUnit unit, int decimals) {
-    return differenceText(factsOf(metric.kind), shown, unit, decimals);
+std::optional<double> metricUncertainty(ObjectMetric metric, const RunMetrics& run, std::size_t object) {
+    const ObjectMetrics* const counted = countedFor(metric, run, object);
+    if (counted == nullptr || !metricValue(metric, run, object))
+        return std::nullopt;
+    switch (metric.kind) {
+    case ObjectMetric::Final:
+        return counted->readingUncertainty_K;
+    case ObjectMetric::Overshoot:
+        return *counted->overshoot_K > 0.0 ? counted->readingUncertainty_K : std::nullopt;
+    case ObjectMetric::SteadyError:
+        return counted->steadyUncertainty_K;
+    case ObjectMetric::Settling:
+        return counted->settlingUncertainty_s;
+    case ObjectMetric::Target:
+    case ObjectMetric::Rise:
+    case ObjectMetric::PathLength:
+        break;
+    }
+    return std::nullopt;
+}
+
+QString metricDifferenceText(ObjectMetric metric, double shown, std::optional<double> uncertainty,
+                             TemperatureUnit unit, int decimals) {
+    return differenceText(factsOf(metric.kind), shown, unit, decimals) +
+           plusMinusText(metric.kind, uncertainty, unit);
 }
 
 QString metricDifferenceText(RunMetric metric, double shown, int decimals) {

@@ -41,8 +41,8 @@ QString metricName(RunMetric metric);
 /// Returns the definition in one or two sentences, as in engine/recording/run_metrics.h.
 QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit);
 QString metricDefinition(RunMetric metric);
-/// Returns "42.0 s", "+0.12 K", or why there is no value: "not settled"; with metricDecimals() if there are
-/// none.
+/// Returns "42.0 s", "+0.12 K ± 0.15 K" with the standard uncertainty where it is known, or why there is no
+/// value: "not settled"; with metricDecimals() if there are none.
 QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit,
                    std::optional<int> decimals = {});
 QString metricText(RunMetric metric, const RunMetrics& run, std::optional<int> decimals = {});
@@ -52,7 +52,10 @@ std::optional<double> metricValue(ObjectMetric metric, const RunMetrics& run, st
 std::optional<double> metricValue(RunMetric metric, const RunMetrics& run);
 /// Returns the standard deviation of such a number, in SI, where it is known: of a mean of samples.
 std::optional<double> metricDeviation(ObjectMetric metric, const RunMetrics& run, std::size_t object);
-/// Returns how many decimals the number has on a screen: no finer than sampling and sensors tell.
+/// Returns the standard uncertainty of such a number, in SI, where it is known.
+std::optional<double> metricUncertainty(ObjectMetric metric, const RunMetrics& run, std::size_t object);
+/// Returns how many decimals the number has on a screen: where its uncertainty is known, as show two digits
+/// of that, or less; else no finer than sampling and sensors tell.
 int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
 int metricDecimals(RunMetric metric, const RunMetrics& run);
 /// Returns how many decimals the number of metricValueInFiles() has that mean something.
@@ -64,8 +67,10 @@ int metricFinestDecimals(RunMetric metric, const RunMetrics& run);
 /// Converts a number of metricValue() to the unit of metricText().
 double metricShown(ObjectMetric metric, double value, TemperatureUnit unit);
 double metricShown(RunMetric metric, double value);
-/// Returns a difference of two such numbers, in that unit: "+1.5 s".
-QString metricDifferenceText(ObjectMetric metric, double shown, TemperatureUnit unit, int decimals);
+/// Returns a difference of two such numbers, in that unit, with its standard uncertainty in SI where it is
+/// known: "+1.5 s ± 0.4 s".
+QString metricDifferenceText(ObjectMetric metric, double shown, std::optional<double> uncertainty,
+                             TemperatureUnit unit, int decimals);
 QString metricDifferenceText(RunMetric metric, double shown, int decimals);
 
 /// Returns "settling time (s)": the metric in exported tables, in English, with the unit of its numbers

@@ -8,6 +8,7 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -216,9 +217,15 @@ void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t 
     m_inBandSince_s = -1.0;
     m_trend.clear();
     m_sensor = {};
+    m_sensor.uncertainty_K = m_recorded_K;
     for (std::size_t row = first; row <= k; ++row)
         m_activity = judge(samples[row].time_s, samples[row].objects[i]);
     m_sample = samples[k].objects[i];
+    showValues();
+}
+
+void ObjectTile::setRecordedUncertainty(double u_K) {
+    m_recorded_K = m_sensor.uncertainty_K = u_K;
     showValues();
 }
 
@@ -269,6 +276,8 @@ void ObjectTile::showTemperature(const ShownObject& now) {
     const bool isDoubted = m_activity == ObjectActivity::SensorDistrusted;
     m_temperature->setText(formatTemperature(now.temperature_K, m_unit));
     sayWithText(m_temperature, tr("Measured temperature of %1").arg(m_name));
+    if (const QString tip = isOld ? QString() : uncertaintyTip(); tip != m_temperature->toolTip())
+        m_temperature->setToolTip(tip);
     if (QFont font = m_temperature->font(); font.strikeOut() != isDoubted) {
         font.setStrikeOut(isDoubted);
         m_temperature->setFont(font);
@@ -288,6 +297,20 @@ QString ObjectTile::cameraText() const {
     if (std::isfinite(m_sample.camera.T_K))
         return tr("Camera %1").arg(formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit));
     return {};
+}
+
+/// Empty where the uncertainty is not known.
+QString ObjectTile::uncertaintyTip() const {
+    const double u_K = displayDifference(m_sensor.uncertainty_K, m_unit);
+    const auto decimals = decimalsOf(u_K, 1);
+    if (!decimals)
+        return {};
+    const QString words =
+        tr("Standard uncertainty %1 %2. Of a sensor it is that of the room's temperature to which it was "
+           "zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor's own error "
+           "away from the room's temperature, and how well it touches its object.")
+            .arg(QLocale().toString(u_K, 'f', *decimals + 1), differenceUnitSymbol(m_unit));
+    return QStringLiteral("<p>%1</p>").arg(words.toHtmlEscaped()); // breaks its lines
 }
 
 QString ObjectTile::targetWord() {

@@ -34,6 +34,8 @@ struct SensorView {
     double age_s = std::numeric_limits<double>::infinity(); ///< age of the newest accepted reading
     /// newest value, trusted or not; NaN if there is none
     double told_K = std::numeric_limits<double>::quiet_NaN();
+    /// standard uncertainty of the reading; NaN if it is not known
+    double uncertainty_K = std::numeric_limits<double>::quiet_NaN();
     bool operator==(const SensorView&) const = default;
 };
 
@@ -68,6 +70,8 @@ public:
     /// Shows any moment of a record: row `k`, with this object as number `i` in each row. Its activity is
     /// judged as during the run, which needs the rows of the last kSettledAfter_s and the one before.
     void setMoment(const std::vector<TraceSample>& samples, std::size_t k, std::size_t i);
+    /// Sets the standard uncertainty of a record's readings, K; NaN: it is not known.
+    void setRecordedUncertainty(double u_K);
     /// Goes back to "no reading yet" and shows this target.
     void clear(double target_K);
     void setTemperatureUnit(TemperatureUnit unit);
@@ -93,6 +97,7 @@ private:
     void showValues();
     void showTemperature(const ShownObject& now);
     QString cameraText() const;
+    QString uncertaintyTip() const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
 
@@ -100,6 +105,7 @@ private:
     QString m_name;
     ObjectSample m_sample;
     SensorView m_sensor;
+    double m_recorded_K = std::numeric_limits<double>::quiet_NaN(); ///< uncertainty of a record's readings
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
     ReadingTrend m_trend;

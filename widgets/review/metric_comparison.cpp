@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -25,6 +26,7 @@ constexpr int kDigitsOfDeviation = 2;
 struct Told {
     std::optional<double> value{};     ///< in SI
     std::optional<double> deviation{}; ///< of the value
+    std::optional<double> uncertainty{};
     double shown = std::numeric_limits<double>::quiet_NaN();
     int decimals = 0, finest = 0; ///< of what is shown, and what it may have at the finest
     int decimalsInFiles = 0;
@@ -51,11 +53,15 @@ void addCells(ComparedMetric& metric, const std::vector<Told>& runs, std::size_t
         if (runs[k].value)
             cell.value = inFile(*runs[k].value);
         cell.deviation = runs[k].deviation;
+        cell.uncertainty = runs[k].uncertainty;
         if (k != reference && runs[k].value && runs[reference].value) {
             cell.differenceBy =
                 roundedTo(inFile(*runs[k].value) - inFile(*runs[reference].value), decimalsInFiles);
+            if (runs[k].uncertainty && runs[reference].uncertainty)
+                cell.differenceUncertainty = std::hypot(*runs[k].uncertainty, *runs[reference].uncertainty);
             cell.difference =
-                difference(roundedTo(shown[k], decimals) - roundedTo(shown[reference], decimals), decimals);
+                difference(roundedTo(shown[k], decimals) - roundedTo(shown[reference], decimals),
+                           cell.differenceUncertainty, decimals);
         }
         metric.cells.push_back(std::move(cell));
     }
@@ -88,6 +94,7 @@ ComparedMetric compared(ObjectMetric metric, const QString& object, const std::v
             const std::size_t index = indexIn(run);
             told.value = metricValue(metric, *run.metrics, index);
             told.deviation = metricDeviation(metric, *run.metrics, index);
+            told.uncertainty = metricUncertainty(metric, *run.metrics, index);
             told.decimals = metricDecimals(metric, *run.metrics, index, unit);
             told.finest = metricFinestDecimals(metric, *run.metrics);
             told.decimalsInFiles = metricDecimalsInFiles(metric, *run.metrics);
@@ -102,7 +109,9 @@ ComparedMetric compared(ObjectMetric metric, const QString& object, const std::v
             return isThere(runs[k]) ? metricText(metric, *runs[k].metrics, indexIn(runs[k]), unit, decimals)
                                     : kNoValue;
         },
-        [&](double by, int decimals) { return metricDifferenceText(metric, by, unit, decimals); },
+        [&](double by, std::optional<double> uncertainty, int decimals) {
+            return metricDifferenceText(metric, by, uncertainty, unit, decimals);
+        },
         [&](double value) { return metricValueInFiles(metric, value); });
     return out;
 }
@@ -128,7 +137,9 @@ ComparedMetric compared(RunMetric metric, const std::vector<ComparedRun>& runs, 
         [&](std::size_t k, int decimals) {
             return runs[k].metrics ? metricText(metric, *runs[k].metrics, decimals) : kNoValue;
         },
-        [&](double by, int decimals) { return metricDifferenceText(metric, by, decimals); },
+        [&](double by, std::optional<double>, int decimals) {
+            return metricDifferenceText(metric, by, decimals);
+        },
         [](double value) { return value; });
     return out;
 }
@@ -137,9 +148,11 @@ std::string numberInFiles(const std::optional<double>& value, int digits = kDigi
     return value ? formatNumber(*value + 0.0, digits) : std::string(); // no minus zero
 }
 
-/// "steady-state error s.d. (K)"
-QString deviationName(const ComparedMetric& metric) {
-    return QString(metric.nameInFiles).replace(QStringLiteral(" ("), QStringLiteral(" s.d. ("));
+/// "steady-state error s.d. (K)", "final standard uncertainty (K)"
+QString nameOfSpread(const ComparedMetric& metric, const QString& what) {
+    return QString(metric.nameInFiles)
+        .replace(QStringLiteral(" ("), u' ' + what + QStringLiteral(" ("))
+        .replace(QStringLiteral("(degC)"), QStringLiteral("(K)"));
 }
 
 } // namespace
@@ -200,7 +213,7 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
     }
     std::string text = header + '\n';
     for (const ComparedMetric& metric : metrics) {
-        std::string values, deviations;
+        std::string values, deviations, uncertainties;
         for (std::size_t k = 0; k < metric.cells.size(); ++k) {
             const ComparedMetric::Cell& cell = metric.cells[k];
             values.append(1, ',').append(numberInFiles(cell.value));
@@ -208,14 +221,21 @@ std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t refe
                 values.append(1, ',').append(numberInFiles(cell.differenceBy));
             deviations.append(1, ',').append(numberInFiles(cell.deviation, kDigitsOfDeviation));
             deviations += k == reference ? "" : ",";
+            uncertainties.append(1, ',').append(numberInFiles(cell.uncertainty, kDigitsOfDeviation));
+            if (k != reference)
+                uncertainties.append(1, ',').append(
+                    numberInFiles(cell.differenceUncertainty, kDigitsOfDeviation));
         }
         const std::string object = ',' + csvField(metric.object.toStdString());
         text.append(csvField(metric.nameInFiles.toStdString())).append(object).append(values).append(1, '\n');
+        const auto addSpread = [&](const char* what, const std::string& numbers) {
+            const QString name = nameOfSpread(metric, QLatin1String(what));
+            text.append(csvField(name.toStdString())).append(object).append(numbers).append(1, '\n');
+        };
         if (std::ranges::any_of(metric.cells, [](const auto& cell) { return cell.deviation.has_value(); }))
-            text.append(csvField(deviationName(metric).toStdString()))
-                .append(object)
-                .append(deviations)
-                .append(1, '\n');
+            addSpread("s.d.", deviations);
+        if (std::ranges::any_of(metric.cells, [](const auto& cell) { return cell.uncertainty.has_value(); }))
+            addSpread("standard uncertainty", uncertainties);
     }
     return text;
 }

@@ -32,7 +32,10 @@ struct ComparedMetric {
         QString difference;                   ///< from the reference, signed; a dash if one has no number
         std::optional<double> value{};        ///< in the unit of nameInFiles, rounded to what means something
         std::optional<double> deviation{};    ///< standard deviation of the value, in K
+        std::optional<double> uncertainty{};  ///< standard uncertainty of the value, in SI
         std::optional<double> differenceBy{}; ///< of the rounded values
+        /// of the difference, as if the two runs had nothing in common: root of the sum of squares
+        std::optional<double> differenceUncertainty{};
     };
     QString name, definition, nameInFiles;
     QString object;          ///< empty: of the whole run
@@ -50,8 +53,8 @@ QString differenceName(const ComparedRun& run, const ComparedRun& reference);
 /// Returns the table as people see it, tab-separated.
 QString comparisonText(const std::vector<ComparedRun>& runs, std::size_t reference,
                        const std::vector<ComparedMetric>& metrics);
-/// Returns the table with numbers only, as CSV in English; unknown ones are empty. Standard deviations are a
-/// row of their own under that of their values, where any is known.
+/// Returns the table with numbers only, as CSV in English; unknown ones are empty. Standard deviations and
+/// uncertainties are rows of their own under that of their values, where any is known.
 std::string comparisonCsv(const std::vector<ComparedRun>& runs, std::size_t reference,
                           const std::vector<ComparedMetric>& metrics);
 

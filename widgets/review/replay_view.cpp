@@ -355,6 +355,10 @@ void ReplayView::removeOverlay(const QString& path) {
 
 void ReplayView::setMetrics(const QString& path, const RunMetrics* metrics) {
     m_runs.setMetrics(path, metrics);
+    if (metrics != nullptr && m_run && path == QString::fromStdString(m_run->facts().path))
+        for (std::size_t i = 0; i < std::min(m_tiles->tiles().size(), metrics->objects.size()); ++i)
+            m_tiles->tiles()[i]->setRecordedUncertainty(
+                metrics->objects[i].readingUncertainty_K.value_or(std::numeric_limits<double>::quiet_NaN()));
     showComparison();
 }
 

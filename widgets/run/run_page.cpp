@@ -160,6 +160,8 @@ void RunPage::showTiles(const Snapshot& snapshot) {
         SensorView sensor;
         if (i < snapshot.sensors.size())
             sensor = {snapshot.sensors[i], snapshot.readingAges_s[i], snapshot.toldReadings_K[i]};
+        if (i < snapshot.uncertainties_K.size())
+            sensor.uncertainty_K = snapshot.uncertainties_K[i];
         m_tiles->tiles()[i]->setSample(snapshot.sampleTime_s, sample, sensor); // runs on between runs
     }
 }

@@ -1,6 +1,7 @@
 #include "engine/recording/run_metrics.h"
 
 #include "engine/base/message_code.h"
+#include "engine/thermal/contact_uncertainty.h"
 #include "tests/engine/recording/recording.h"
 
 #include <gtest/gtest.h>
@@ -71,6 +72,49 @@ TEST(RunMetrics, SteadyErrorIsOfTheLastMinute) {
     EXPECT_NEAR(metrics.objects[0].steadyError_K.value(), 0.25, 0.002);
     EXPECT_NEAR(metrics.objects[0].steadyDeviation_K.value(), 0.1, 0.001);
     EXPECT_EQ(metrics.objects[0].settling_s.value(), 100.0);
+}
+
+// Catches numbers without the uncertainty of what was read, and one that is told of sensors that nobody
+// zeroed.
+TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
+    constexpr double kTau_s = 20.0;
+    SessionRecord record = recordOf(200.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / kTau_s); });
+    for (TraceSample& sample : record.samples)
+        sample.objects[0].rate_K_s = 20.0 / kTau_s * std::exp(-sample.time_s / kTau_s);
+    const auto metrics = [&record] { return runMetrics(record).objects.at(0); };
+    EXPECT_FALSE(metrics().readingUncertainty_K) << "no zeroing is recorded";
+    record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":[0.0,0.0]})"}};
+    EXPECT_FALSE(metrics().readingUncertainty_K) << "that of other sensors";
+    record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":"none"})"}};
+    EXPECT_FALSE(metrics().readingUncertainty_K);
+
+    record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":[0.0]})"}};
+    const ObjectMetrics zeroed = metrics();
+    EXPECT_NEAR(zeroed.readingUncertainty_K.value(), kClassB_K, 0.01) << "hardly any step or noise";
+    EXPECT_LE(zeroed.steadyUncertainty_K.value(), zeroed.readingUncertainty_K.value());
+    EXPECT_NEAR(zeroed.settlingUncertainty_s.value(), 0.5 / std::sqrt(12.0), 0.01);
+
+    for (TraceSample& sample : record.samples) // a sensor of steps of 0.2 K
+        sample.objects[0].measured_K = 0.2 * std::round(5.0 * sample.objects[0].measured_K);
+    const ObjectMetrics coarse = metrics();
+    EXPECT_GT(coarse.readingUncertainty_K.value(), std::hypot(kClassB_K, 0.2 / std::sqrt(12.0)));
+    EXPECT_GT(coarse.settlingUncertainty_s.value(), 1.0) << "0.06 K at 0.025 K/s";
+
+    for (TraceSample& sample : record.samples) // in the band from the beginning
+        sample.objects[0].measured_K = kTarget_K + 0.1;
+    EXPECT_EQ(metrics().settling_s.value(), 0.0);
+    EXPECT_FALSE(metrics().settlingUncertainty_s);
+}
+
+// Catches the uncertainty of a sensor told of an object that the thermal camera reads.
+TEST(RunMetrics, OfAnObjectThatTheCameraReadsHaveTheCamerasUncertainty) {
+    SessionRecord record = recordOf(100.0, [](double) { return kTarget_K; });
+    record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":[0.0]})"}};
+    record.experiment.objects[0].readBy = ReadBy::Camera;
+    EXPECT_FALSE(runMetrics(record).objects[0].readingUncertainty_K) << "it told none";
+    record.samples.back().objects[0].camera = {kTarget_K, 0.4, 0.1, 60.0};
+    EXPECT_EQ(runMetrics(record).objects[0].readingUncertainty_K.value(), 0.4);
+    EXPECT_EQ(runMetrics(record).objects[0].steadyUncertainty_K.value(), 0.4);
 }
 
 TEST(RunMetrics, CountFromTheLastChangeOfTheTarget) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -30,6 +31,20 @@ TEST(SensorChannels, ZeroingMakesAllAgreeAtTheirMean) {
     }
     EXPECT_NEAR(channels.zeroing()->environment_K, 298.3, 1e-9);
     EXPECT_NEAR(channels.zeroing()->offsets_K[0], 0.3, 1e-9);
+}
+
+// Catches an uncertainty of sensors that were not zeroed, and one that a device tells and nobody takes.
+TEST(SensorChannels, TheUncertaintyIsThatOfTheZeroingOrWhatTheDeviceTells) {
+    SensorChannels channels = filled({298.0, 298.4, 298.5});
+    EXPECT_TRUE(std::isnan(channels.uncertainty_K(0)));
+    channels.use(channels.findZero(298.15).value());
+    const double spread_K = std::sqrt((0.3 * 0.3 + 0.1 * 0.1 + 0.2 * 0.2) / 2.0);
+    EXPECT_NEAR(channels.uncertainty_K(0), spread_K / std::sqrt(3.0), 1e-9) << "no noise, no step was seen";
+    Reading told{10.0, 298.0, true};
+    told.standardUncertainty_K = 0.05;
+    channels.add({told, {10.0, 298.4, true}, {10.0, 298.5, true}});
+    EXPECT_EQ(channels.uncertainty_K(0), 0.05);
+    EXPECT_GT(channels.uncertainty_K(1), 0.1);
 }
 
 // Catches offsets that pile up, and those of other sensors.

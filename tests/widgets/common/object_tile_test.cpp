@@ -46,6 +46,28 @@ TEST(ObjectTile, NumbersWithUnits) {
     EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u221218.0\u00a0°F"));
 }
 
+// Catches a temperature whose uncertainty is known and not told, or told of a reading that is not known.
+TEST(ObjectTile, TheTipTellsTheUncertainty) {
+    Shown shown;
+    const auto tip = [&shown] { return shown.tile.findChild<QLabel*>("tileTemperature")->toolTip(); };
+    shown.feed(1.0, 303.15, 0.1);
+    EXPECT_EQ(tip(), "");
+    ObjectSample sample;
+    sample.valid = true;
+    sample.measured_K = 303.15;
+    SensorView sensor{SensorTrust::Trusted, 0.1, 303.15, 0.153};
+    shown.tile.setSample(2.0, sample, sensor);
+    EXPECT_TRUE(tip().contains("Standard uncertainty 0.15 K.")) << tip().toStdString();
+    sensor.trust = SensorTrust::Stale;
+    shown.tile.setSample(3.0, sample, sensor);
+    EXPECT_EQ(tip(), "");
+    shown.tile.setRecordedUncertainty(0.2);
+    TraceSample row;
+    row.objects = {sample};
+    shown.tile.setMoment({row}, 0, 0);
+    EXPECT_TRUE(tip().contains("Standard uncertainty 0.20 K.")) << tip().toStdString();
+}
+
 // Catches 40.1 beside a target of 40.0 and an error of 0.2.
 TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
     Shown shown;

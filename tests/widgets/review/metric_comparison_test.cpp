@@ -185,6 +185,40 @@ TEST(MetricComparison, DifferencesAreThoseOfTheNumbersBesideThem) {
     EXPECT_EQ(path(9.7154, 9.7157), "9715.4 mm|9715.7 mm|+0.3 mm");
 }
 
+// Catches values and differences without their uncertainty, one that is added up straight, and more digits
+// than it allows.
+TEST(MetricComparison, TellsTheUncertaintyOfValuesAndDifferences) {
+    ObjectMetrics a = settled(40.031, 62.0), b = settled(40.312, 60.0);
+    a.readingUncertainty_K = a.steadyUncertainty_K = 0.15;
+    b.readingUncertainty_K = 0.2;
+    a.settlingUncertainty_s = 0.3;
+    a.overshoot_K = 0.5;
+    const std::vector<ComparedRun> runs{comparedRun("A", {{"circle", a}}), comparedRun("B", {{"circle", b}})};
+    const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
+    const auto cell = [&metrics](const char* name, std::size_t k) {
+        return row(metrics, name, "circle").cells[k];
+    };
+    EXPECT_EQ(plain(cell("Final", 0).text), "40.03 °C ± 0.15 K");
+    EXPECT_EQ(plain(cell("Final", 1).text), "40.31 °C ± 0.20 K");
+    EXPECT_EQ(plain(cell("Final", 1).difference), "+0.28 K ± 0.25 K");
+    EXPECT_EQ(plain(cell("Settling time", 0).text), "62.0 s ± 0.30 s");
+    EXPECT_EQ(plain(cell("Settling time", 1).difference), "\u22122.0 s") << "that of one run is not known";
+    EXPECT_EQ(plain(cell("Overshoot", 0).text), "0.50 K ± 0.15 K (3.3 %)");
+    EXPECT_EQ(plain(cell("Overshoot", 1).text), "none");
+    EXPECT_EQ(plain(cell("Steady-state error", 0).text), "+0.02 K ± 0.15 K");
+    EXPECT_EQ(plain(cell("Target", 0).text), "40.0 °C");
+    const std::string csv = comparisonCsv(runs, 0, metrics);
+    EXPECT_NE(csv.find("\nfinal standard uncertainty (K),circle,0.15,0.2,0.25\n"), std::string::npos) << csv;
+    EXPECT_NE(csv.find("\nsettling time standard uncertainty (s),circle,0.3,,\n"), std::string::npos) << csv;
+    EXPECT_EQ(csv.find("target standard uncertainty"), std::string::npos);
+    a.readingUncertainty_K = 2.3;
+    EXPECT_EQ(plain(compareMetrics({comparedRun("A", {{"circle", a}})}, 0, TemperatureUnit::Celsius)
+                        .at(1)
+                        .cells[0]
+                        .text),
+              "40.0 °C ± 2.3 K");
+}
+
 // Catches "s.d. 0.00", and tenths of a millimetre of a path of metres.
 TEST(MetricComparison, ShowsTheDigitsThatMeanSomething) {
     const auto shown = [](double deviation_K, double path_m) {
