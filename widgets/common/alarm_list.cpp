@@ -40,6 +40,24 @@ QPixmap shelfPixmap(const QColor& ink, double devicePixelRatio) {
     return pixmap;
 }
 
+/// On a ground of its own in a selected row, whose colour would hide or tint it.
+QIcon rowMark(const QPixmap& mark, const QColor& ground) {
+    QPixmap selected(mark.size());
+    selected.setDevicePixelRatio(mark.devicePixelRatio());
+    selected.fill(Qt::transparent);
+    QPainter painter(&selected);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(QRectF(0, 0, kRowMark, kRowMark), 3, 3);
+    painter.drawPixmap(0, 0, mark);
+    painter.end();
+    QIcon icon(mark);
+    for (const QIcon::State state : {QIcon::Off, QIcon::On})
+        icon.addPixmap(selected, QIcon::Selected, state);
+    return icon;
+}
+
 void fitRows(QTreeWidgetItem* parent, std::size_t wanted) {
     const auto rows = static_cast<int>(wanted);
     while (parent->childCount() > rows)
@@ -133,9 +151,10 @@ void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
 /// Returns whether another alarm is selected now.
 bool AlarmList::chooseGravest() {
     const std::optional<std::uint64_t> before = m_chosen;
-    if (chosen() != nullptr && m_isChosenByPerson)
+    const Alarm* const kept = chosen();
+    if (kept != nullptr && (m_isChosenByPerson || !kept->isAcknowledged || before == m_acknowledged))
         return false;
-    const bool isDone = before && chosen() == nullptr && (m_isChosenByPerson || before == m_acknowledged);
+    const bool isDone = before && kept == nullptr && (m_isChosenByPerson || before == m_acknowledged);
     const AlarmGroup* const first = isDone ? nullptr : gravest(m_groups);
     m_isChosenByPerson = false;
     m_chosen = first != nullptr ? std::optional(first->alarm.id) : std::nullopt;
@@ -232,7 +251,8 @@ void AlarmList::fill(QTreeWidgetItem* item, const Alarm& alarm, std::size_t foll
     item->setData(kPriority, kIdRole, QVariant::fromValue<qulonglong>(alarm.id));
     item->setText(kPriority, QString());
     item->setIcon(kPriority,
-                  QIcon(alarmPixmap(alarm.priority, dark, kRowMark, devicePixelRatioF(), !alarm.isActive)));
+                  rowMark(alarmPixmap(alarm.priority, dark, kRowMark, devicePixelRatioF(), !alarm.isActive),
+                          palette().color(QPalette::Base)));
     item->setData(kPriority, Qt::AccessibleTextRole, tr("Priority %1").arg(alarm.priority));
     QString state = alarm.shelvedUntil_s > 0.0 ? shelfWords(alarm, m_today) : alarmStateWords(alarm);
     if (following > 0)

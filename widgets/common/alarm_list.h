@@ -33,9 +33,10 @@ class AlarmList : public QWidget {
 public:
     explicit AlarmList(QWidget* parent = nullptr);
 
-    /// Alarms as sorted by the engine. What a person has selected, scroll position and focus stay; otherwise
-    /// the gravest is selected. When an alarm disappears that a person has selected or acknowledged, none is
-    /// until the alarms change again: a second click must not acknowledge one that nobody has read.
+    /// Alarms as sorted by the engine. What is selected stays, as scroll position and focus do: Acknowledge
+    /// must not hit another than the one that was read. Where none is selected, or one that needs no
+    /// acknowledgement and that no person has selected, the gravest is. When an alarm disappears that a
+    /// person has selected or acknowledged, none is until the alarms change again.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
     /// Marks the alarms as possibly old because the engine does not answer.

@@ -157,34 +157,55 @@ TEST_F(AlarmListTest, AcknowledgesTheChosenOneOnly) {
     EXPECT_FALSE(canAcknowledge() || canAcknowledgeAll());
 }
 
-// Catches: the guidance of a slight alarm that came first beside a grave one, and a selection of a person
-// that is taken away.
-TEST_F(AlarmListTest, TheGravestIsSelectedUnlessAPersonChose) {
+// Catches: a selection that follows the row or the gravest alarm, so that Acknowledge hits another one than
+// was read; one of a person that is taken away; and one that stays where there is nothing to acknowledge.
+TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
     Alarm slight = hot(1, "hand"), grave = hot(2, "foot"), later = hot(3, "plate");
     slight.priority = 3;
     grave.raised_s += 1.0;
     later.raised_s += 2.0;
     list.setAlarms({slight});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("hand")));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "nobody has clicked a line";
     list.setAlarms({grave, slight});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "it came later";
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "a graver one came later";
+    slight.isActive = false;
+    list.setAlarms({later, grave, slight});
+    EXPECT_EQ(chosenRow(), 2) << "it is over";
     QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton);
-    grave.isAcknowledged = true;
-    list.setAlarms({later, slight, grave});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "it was the first of its priority";
-    choose(1);
-    ASSERT_TRUE(guidance().contains(QStringLiteral("hand")));
+    ASSERT_EQ(one.count(), 1);
+    EXPECT_EQ(one.first().first().toULongLong(), 1U);
+
+    list.setAlarms({later, grave});
+    EXPECT_EQ(chosenRow(), -1) << "a second click acknowledges nothing";
     later.count = 2;
-    list.setAlarms({later, slight, grave});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "a person has chosen it";
     list.setAlarms({later, grave});
-    EXPECT_EQ(chosenRow(), -1);
-    later.count = 3;
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "the first of its priority";
+    grave.isAcknowledged = true; // elsewhere
     list.setAlarms({later, grave});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("foot")));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "still the gravest";
     grave.isActive = false;
     list.setAlarms({later, grave});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("plate"))) << "the other is over";
+    EXPECT_TRUE(guidance().contains(QStringLiteral("plate"))) << "the other needs nothing";
+    choose(1);
+    ASSERT_TRUE(guidance().contains(QStringLiteral("foot")));
+    later.count = 4;
+    list.setAlarms({later, grave});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "a person has chosen it";
+    list.setAlarms({later});
+    EXPECT_EQ(chosenRow(), -1);
+}
+
+// Catches: a mark of priority that has the colour of the selected row.
+TEST_F(AlarmListTest, TheMarkIsSeenInTheSelectedRow) {
+    list.setAlarms({hot(1, "hand")});
+    const QIcon icon = tree()->topLevelItem(0)->icon(0);
+    const QImage selected = icon.pixmap(QSize(16, 16), 1.0, QIcon::Selected).toImage();
+    const QImage usual = icon.pixmap(QSize(16, 16), 1.0, QIcon::Normal).toImage();
+    ASSERT_EQ(selected.size(), usual.size());
+    EXPECT_EQ(usual.pixelColor(1, 5).alpha(), 0);
+    EXPECT_EQ(selected.pixelColor(1, 5), list.palette().color(QPalette::Base)) << "a ground of its own";
+    EXPECT_EQ(selected.pixelColor(4, 14).rgb(), usual.pixelColor(4, 14).rgb()) << "and not tinted";
 }
 
 // Catches: old alarms shown as if they were of now.
