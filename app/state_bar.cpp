@@ -4,6 +4,7 @@
 #include "app/fault_words.h"
 #include "app/icons.h"
 #include "widgets/common/alarm_button.h"
+#include "widgets/common/alarm_groups.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
@@ -132,6 +133,7 @@ void StateBar::apply(const Snapshot& snapshot) {
     }
     m_state = snapshot.state;
     m_reasons = snapshot.reasons;
+    m_gravest = gravestPriority(snapshot.reasons, snapshot.alarms);
     showChip();
     QAction* hold = m_actions.verb(snapshot.state == RunState::Holding ? Verb::Resume : Verb::Hold);
     if (m_hold->defaultAction() != hold) {
@@ -260,7 +262,7 @@ void StateBar::showChip() {
     QStringList sentences;
     for (const Message& reason : m_reasons)
         sentences << sentence(reason);
-    m_chip->setState(m_state, sentences);
+    m_chip->setState(m_state, sentences, m_gravest);
 }
 
 /// In a narrow window the name alone, then the initials.

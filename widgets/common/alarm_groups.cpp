@@ -6,11 +6,15 @@
 namespace bask {
 namespace {
 
+bool isLeftAlone(const Alarm& alarm, const Alarm& cause) {
+    return alarm.isActive && !cause.isActive && cause.shelvedUntil_s <= 0.0;
+}
+
 /// Follows causes to the last one that is in the list, a circle for as many steps as there are alarms.
 std::size_t rootOf(const std::vector<Alarm>& alarms, std::size_t i) {
     for (std::size_t steps = 0; steps < alarms.size() && !alarms[i].cause.empty(); ++steps) {
         const auto cause = std::ranges::find(alarms, alarms[i].cause, &Alarm::key);
-        if (cause == alarms.end())
+        if (cause == alarms.end() || isLeftAlone(alarms[i], *cause))
             break;
         i = static_cast<std::size_t>(cause - alarms.begin());
     }
@@ -52,6 +56,21 @@ AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {
     }
     std::ranges::stable_partition(groups.present, &AlarmGroup::isActive);
     return groups;
+}
+
+int reasonPriority(const Message& reason, const std::vector<Alarm>& alarms) {
+    const auto found =
+        std::ranges::find_if(alarms, [&](const Alarm& alarm) { return alarm.message.code == reason.code; });
+    return found != alarms.end() ? found->priority : alarmPriority(reason.code);
+}
+
+int gravestPriority(const std::vector<Message>& reasons, const std::vector<Alarm>& alarms) {
+    int gravest = 0;
+    for (const Message& reason : reasons)
+        if (const int priority = reasonPriority(reason, alarms);
+            priority > 0 && (gravest == 0 || priority < gravest))
+            gravest = priority;
+    return gravest;
 }
 
 } // namespace bask

@@ -27,7 +27,13 @@ struct AlarmGroups {
 /// null if there is none.
 const AlarmGroup* gravest(const AlarmGroups& groups);
 
-/// An alarm whose cause is not in the list counts as a cause.
+/// An alarm whose cause is not in the list counts as a cause, and so does one that still is active while its
+/// cause is over: that one's words and priority are not of now.
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms);
+
+/// Returns the priority of the alarm that a sentence is told by; 0 if it is told by none.
+int reasonPriority(const Message& reason, const std::vector<Alarm>& alarms);
+/// Returns the highest priority among the reasons; 0 if no alarm tells any of them.
+int gravestPriority(const std::vector<Message>& reasons, const std::vector<Alarm>& alarms);
 
 } // namespace bask

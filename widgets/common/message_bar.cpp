@@ -70,7 +70,7 @@ void MessageBar::refresh() {
     m_close->setAccessibleName(tr("Close the message"));
     m_close->setToolTip(tr("Close the message"));
     m_icon->setVisible(m_kind == Kind::Problem);
-    m_icon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
+    m_icon->setPixmap(problemPixmap(isDark(this), 18, devicePixelRatioF()));
     setAccessibleName(m_kind == Kind::Problem ? tr("Problem") : tr("Note"));
     update();
 }

@@ -86,14 +86,14 @@ QString chipText(RunState state, qsizetype reasons) {
 
 } // namespace
 
-int statePriority(RunState state) {
+int statePriority(RunState state, int gravest) {
     switch (state) {
     case RunState::Fault:
-        return 1;
+        return gravest > 0 ? gravest : 1;
     case RunState::Holding:
-        return 2;
+        return gravest > 0 ? gravest : 2;
     case RunState::NotReady:
-        return 3;
+        return gravest > 0 ? gravest : 3;
     default:
         return 0;
     }
@@ -109,12 +109,13 @@ RunStateChip::RunStateChip(QWidget* parent) : QAbstractButton(parent), m_menu(ne
     retranslateUi();
 }
 
-void RunStateChip::setState(RunState state, const QStringList& reasons) {
-    if (state == m_state && reasons == m_reasons && !m_isUnknown)
+void RunStateChip::setState(RunState state, const QStringList& reasons, int gravest) {
+    if (state == m_state && reasons == m_reasons && gravest == m_gravest && !m_isUnknown)
         return;
     m_isUnknown = false;
     m_state = state;
     m_reasons = reasons;
+    m_gravest = gravest;
     retranslateUi();
 }
 
@@ -247,7 +248,7 @@ QSize RunStateChip::sizeHint() const {
 
 void RunStateChip::paintEvent(QPaintEvent*) {
     const bool dark = isDark(this);
-    const int priority = m_isUnknown ? 0 : statePriority(m_state);
+    const int priority = m_isUnknown ? 0 : statePriority(m_state, m_gravest);
     const bool fault = m_isUnknown || m_state == RunState::Fault;
     const QColor signal = m_isUnknown    ? unknownColor(dark)
                           : priority > 0 ? alarmColor(priority, dark)

@@ -11,8 +11,9 @@ class QMenu;
 
 namespace bask {
 
-/// Returns the priority of an alarm whose mark and colour a state has; 0 for the normal ones.
-int statePriority(RunState state);
+/// Returns the priority of an alarm whose mark and colour a state has: that of the gravest of its reasons
+/// that is an alarm, its own if that is 0; 0 for the normal states.
+int statePriority(RunState state, int gravest = 0);
 
 /// Shows only what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with one
 /// action for each reason (its text is the reason); what cannot be chosen there does nothing and is not
@@ -22,8 +23,9 @@ class RunStateChip : public QAbstractButton {
 public:
     explicit RunStateChip(QWidget* parent = nullptr);
 
-    /// `reasons`: translated sentences, each with its remedy. It is repainted only if something changed.
-    void setState(RunState state, const QStringList& reasons);
+    /// `reasons`: translated sentences, each with its remedy; `gravest`: see statePriority. It is repainted
+    /// only if something changed.
+    void setState(RunState state, const QStringList& reasons, int gravest = 0);
     /// Shows that the state is not known: nothing that was reported earlier is shown as current.
     void setUnknown(const QString& reason);
     /// Sets a short line under the word; empty for none.
@@ -62,6 +64,7 @@ private:
     RunState m_state = RunState::Idle;
     bool m_isUnknown = false;
     QStringList m_reasons;
+    int m_gravest = 0; ///< priority of the gravest reason
     QString m_caption;
     QString m_remedy;
     QAction* m_verb = nullptr; ///< of the remedy

@@ -232,6 +232,22 @@ QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio) {
     return pixmap;
 }
 
+QPixmap problemPixmap(bool dark, int size, double devicePixelRatio) {
+    QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(alarmEdgeColor(3, dark), qMax(1.0, size * 0.08)));
+    painter.setBrush(alarmColor(3, dark));
+    painter.drawRoundedRect(QRectF(0, 0, size, size).adjusted(1, 1, -1, -1), size * 0.16, size * 0.16);
+    QFont font = QApplication::font();
+    font.setBold(true);
+    font.setPixelSize(qMax(7, qRound(size * 0.72)));
+    painter.setFont(font);
+    painter.setPen(alarmInkColor(3, dark));
+    painter.drawText(QRectF(0, 0, size, size), Qt::AlignCenter, QStringLiteral("!"));
+    return pixmap;
+}
+
 QColor accentColor(bool dark) {
     return dark ? QColor(0x6a, 0xae, 0xe6) : QColor(0x1f, 0x66, 0xa3);
 }

@@ -51,6 +51,9 @@ QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, 
 QColor unknownColor(bool dark);
 QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio);
 
+/// Returns the mark of a message: an exclamation mark, with neither shape nor figure of an alarm.
+QPixmap problemPixmap(bool dark, int size, double devicePixelRatio);
+
 QColor accentColor(bool dark);   ///< running, selected, changed: a quiet blue
 QColor secondaryText(bool dark); ///< captions; at least 4.5:1 on window and base
 QColor hairline(bool dark);      ///< borders and grid lines

@@ -1,9 +1,11 @@
 #include "widgets/rig/check_list.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/alarm_groups.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/run_state_chip.h"
 #include "widgets/common/source_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/rig/check_mark.h"
@@ -51,20 +53,21 @@ CheckList::Line CheckList::addLine(const QString& name) {
     return line;
 }
 
-void CheckList::put(Line& line, Kind kind, const QString& text) {
+void CheckList::put(Line& line, Kind kind, const QString& text, int priority) {
     if (line.text->text() != text)
         line.text->setText(text);
     line.mark->show();
     line.text->show();
-    if (line.shown == static_cast<int>(kind))
+    if (line.shown == static_cast<int>(kind) && line.priority == priority)
         return;
     line.shown = static_cast<int>(kind);
+    line.priority = priority;
     const bool dark = isDark(this);
     const double ratio = devicePixelRatioF();
     const CheckMark mark = kind == Kind::Done    ? CheckMark::Tick
                            : kind == Kind::Wrong ? CheckMark::Cross
                                                  : CheckMark::Waiting;
-    line.mark->setPixmap(kind == Kind::Reason    ? alarmPixmap(3, dark, kRowMark, ratio)
+    line.mark->setPixmap(kind == Kind::Reason    ? alarmPixmap(priority, dark, kRowMark, ratio)
                          : kind == Kind::Unknown ? unknownPixmap(dark, kRowMark, ratio)
                                                  : checkMarkPixmap(mark, dark, kRowMark, ratio));
     const QString word = kind == Kind::Done      ? tr("done")
@@ -105,7 +108,9 @@ void CheckList::refresh() {
         m_reasons.push_back(addLine(QStringLiteral("reason.%1").arg(m_reasons.size())));
     for (std::size_t i = 0; i < m_reasons.size(); ++i) {
         if (i < m_last.reasons.size()) {
-            put(m_reasons[i], Kind::Reason, sentenceText(m_last.reasons[i], m_unit));
+            const Message& reason = m_last.reasons[i];
+            put(m_reasons[i], Kind::Reason, sentenceText(reason, m_unit),
+                statePriority(RunState::NotReady, reasonPriority(reason, m_last.alarms)));
         } else {
             m_reasons[i].mark->hide();
             m_reasons[i].text->hide();

@@ -33,10 +33,11 @@ private:
     enum class Kind { Done, Wrong, Waiting, Unknown, Reason };
     struct Line {
         QLabel *mark, *text;
-        int shown = -1; ///< kind of the drawn mark
+        int shown = -1;   ///< kind of the drawn mark
+        int priority = 0; ///< of the drawn mark of a reason
     };
     Line addLine(const QString& name);
-    void put(Line& line, Kind kind, const QString& text);
+    void put(Line& line, Kind kind, const QString& text, int priority = 0);
     void refresh();
     void showDevices();
     bool isDeviceNeeded(DeviceRole role) const;

@@ -56,6 +56,7 @@ void LargeNumbers::apply(const Snapshot& snapshot, const std::vector<ShownObject
     m_last.simulated = snapshot.simulated;
     m_last.state = snapshot.state;
     m_last.runTime_s = snapshot.runTime_s;
+    m_last.reasons = snapshot.reasons;
     m_last.alarms = snapshot.alarms;
     m_last.source_K = snapshot.source_K;
     m_last.latest.source_K = snapshot.latest.source_K;
@@ -87,8 +88,10 @@ void LargeNumbers::showState() {
     m_state->setText(!m_isAnswering ? RunStateChip::unknownWord()
                      : m_isTold     ? runStateWord(m_last.state)
                                     : QString());
-    m_state->setLook(m_isAnswering && m_isTold ? LargeLook{.priority = statePriority(m_last.state)}
-                                               : LargeLook{.isUnknown = !m_isAnswering});
+    m_state->setLook(m_isAnswering && m_isTold
+                         ? LargeLook{.priority = statePriority(
+                                         m_last.state, gravestPriority(m_last.reasons, m_last.alarms))}
+                         : LargeLook{.isUnknown = !m_isAnswering});
     m_clock->setLook({.isGrey = !m_isAnswering});
     m_rig->setLook({.isGrey = m_last.simulated});
 }

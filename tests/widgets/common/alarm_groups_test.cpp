@@ -1,5 +1,7 @@
 #include "widgets/common/alarm_groups.h"
 
+#include "engine/base/message_code.h"
+
 #include <gtest/gtest.h>
 
 namespace bask {
@@ -31,6 +33,38 @@ TEST(AlarmGroups, WhatFollowsIsUnderItsCause) {
     EXPECT_EQ(idsOf(groups.present[0].consequences), (std::vector<std::uint64_t>{4, 2}));
     EXPECT_EQ(groups.present[1].alarm.id, 3U);
     EXPECT_TRUE(groups.shelved.empty());
+}
+
+// Catches: red words of an alarm that is over for as long as a slighter one that followed from it is there.
+TEST(AlarmGroups, WhatIsLeftOfACauseStandsByItself) {
+    Alarm trip = alarmOf(1, "trip"), warning = alarmOf(2, "warning", "trip"), end = alarmOf(3, "end", "trip");
+    warning.priority = 2;
+    end.isActive = false;
+    EXPECT_EQ(groupAlarms({trip, warning, end}).present.size(), 1U);
+    trip.isActive = false;
+    AlarmGroups groups = groupAlarms({trip, warning, end});
+    ASSERT_EQ(groups.present.size(), 2U);
+    EXPECT_EQ(groups.present[0].alarm.id, 2U);
+    EXPECT_EQ(gravest(groups)->alarm.priority, 2);
+    EXPECT_EQ(idsOf(groups.present[1].consequences), (std::vector<std::uint64_t>{3}));
+    EXPECT_FALSE(groups.present[1].isActive());
+    trip.shelvedUntil_s = 1e9;
+    groups = groupAlarms({trip, warning, end});
+    EXPECT_TRUE(groups.present.empty()) << "put aside with its cause";
+}
+
+// Catches: a state, a line before a run and the alarm of the same event with different priorities.
+TEST(AlarmGroups, AReasonHasThePriorityOfItsAlarm) {
+    Alarm lost = alarmOf(1, "SensorLost:hand");
+    lost.priority = 3;
+    lost.message = {MessageCode::ReasonSensorInvalid, {"hand"}};
+    const Message place{MessageCode::RobotPlaceUnsure, {}}, none{MessageCode::RemedyReset, {}};
+    EXPECT_EQ(reasonPriority(lost.message, {lost}), 3);
+    EXPECT_EQ(reasonPriority(place, {lost}), 2) << "of its words";
+    EXPECT_EQ(reasonPriority(none, {lost}), 0);
+    EXPECT_EQ(gravestPriority({lost.message, none}, {lost}), 3);
+    EXPECT_EQ(gravestPriority({lost.message, place}, {lost}), 2);
+    EXPECT_EQ(gravestPriority({none}, {lost}), 0);
 }
 
 // Catches: a consequence that nobody sees once its cause has left the list, and causes that name each other.

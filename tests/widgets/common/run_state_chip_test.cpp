@@ -78,6 +78,21 @@ TEST(RunStateChip, StatesDifferWithoutColour) {
     }
 }
 
+// Catches a 2 on the state beside a 3 on the alarm that it is for.
+TEST(RunStateChip, HasThePriorityOfItsGravestReason) {
+    EXPECT_EQ(statePriority(RunState::Holding), 2);
+    EXPECT_EQ(statePriority(RunState::Holding, 3), 3);
+    EXPECT_EQ(statePriority(RunState::Fault, 3), 3);
+    EXPECT_EQ(statePriority(RunState::NotReady, 1), 1);
+    EXPECT_EQ(statePriority(RunState::Running, 2), 0);
+    RunStateChip chip;
+    chip.resize(chip.sizeHint());
+    chip.setState(RunState::Holding, {QStringLiteral("a")}, 2);
+    const QImage two = chip.grab().toImage();
+    chip.setState(RunState::Holding, {QStringLiteral("a")}, 3);
+    EXPECT_NE(chip.grab().toImage(), two);
+}
+
 // Catches "Fault (latched)", or what was told last, of an engine that tells nothing.
 TEST(RunStateChip, UnknownIsAStateOfItsOwn) {
     RunStateChip chip, fault;
