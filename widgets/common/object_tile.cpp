@@ -1,5 +1,6 @@
 #include "widgets/common/object_tile.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
@@ -21,12 +22,15 @@ namespace bask {
 namespace {
 
 constexpr int kStateIcon = 14;
+constexpr double kBelowLimit_K = 2.0; ///< so far below a limit it is no longer above it: as for its alarm
 
 } // namespace
 
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio) {
     if (isUnknown(activity))
         return unknownPixmap(dark, kStateIcon, devicePixelRatio);
+    if (const int priority = activityPriority(activity); priority > 0)
+        return alarmPixmap(priority, dark, kStateIcon, devicePixelRatio);
     QPixmap pixmap(QSize(kStateIcon, kStateIcon) * devicePixelRatio);
     pixmap.setDevicePixelRatio(devicePixelRatio);
     pixmap.fill(Qt::transparent);
@@ -82,8 +86,18 @@ QString activityWord(ObjectActivity activity) {
         return ObjectTile::tr("Settling");
     case ObjectActivity::Settled:
         return ObjectTile::tr("Settled");
+    case ObjectActivity::AboveWarning:
+        return ObjectTile::tr("Above its warning limit", "the temperature of an object");
+    case ObjectActivity::AboveTrip:
+        return ObjectTile::tr("Above its trip limit", "the temperature of an object");
     }
     return {};
+}
+
+int activityPriority(ObjectActivity activity) {
+    if (activity == ObjectActivity::AboveTrip)
+        return alarmPriority(MessageCode::SafetyObjectHot);
+    return activity == ObjectActivity::AboveWarning ? alarmPriority(MessageCode::SafetyObjectWarm) : 0;
 }
 
 bool isUnknown(ObjectActivity activity) {
@@ -162,6 +176,11 @@ void ObjectTile::setName(const QString& name) {
     retranslateUi();
 }
 
+void ObjectTile::setLimits(double warning_K, double trip_K) {
+    m_warning_K = warning_K;
+    m_trip_K = trip_K;
+}
+
 void ObjectTile::clear(double target_K) {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     m_sample = ObjectSample{};
@@ -181,6 +200,10 @@ void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
         m_trend.add(time_s, sample.measured_K, sample.rate_K_s);
 }
 
+bool ObjectTile::isAbove(double limit_K, const ObjectSample& sample) const {
+    return sample.measured_K > limit_K - (activityPriority(m_activity) > 0 ? kBelowLimit_K : 0.0);
+}
+
 ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     takeRate(time_s, sample);
     const double error_K = sample.measured_K - sample.target_K;
@@ -195,6 +218,8 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
         return ObjectActivity::SensorInvalid;
     if (m_sensor.trust == SensorTrust::Stale)
         return ObjectActivity::SensorStale;
+    if (isAbove(m_warning_K, sample))
+        return isAbove(m_trip_K, sample) ? ObjectActivity::AboveTrip : ObjectActivity::AboveWarning;
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;
@@ -218,6 +243,7 @@ void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t 
     m_trend.clear();
     m_sensor = {};
     m_sensor.uncertainty_K = m_recorded_K;
+    m_activity = ObjectActivity::Waiting;
     for (std::size_t row = first; row <= k; ++row)
         m_activity = judge(samples[row].time_s, samples[row].objects[i]);
     m_sample = samples[k].objects[i];
@@ -371,9 +397,12 @@ void ObjectTile::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool dark = isDark(this);
-    painter.setBrush(palette().color(QPalette::Base));
-    painter.setPen(isUnknown(m_activity) ? QPen(unknownColor(dark), 2.0, Qt::DashLine)
-                                         : QPen(hairline(dark), 1.0));
+    const int priority = activityPriority(m_activity);
+    const QColor base = palette().color(QPalette::Base);
+    painter.setBrush(priority > 0 ? mixed(alarmColor(priority, dark), base, kLimitGround) : base);
+    painter.setPen(priority > 0            ? QPen(alarmEdgeColor(priority, dark), 2.0)
+                   : isUnknown(m_activity) ? QPen(unknownColor(dark), 2.0, Qt::DashLine)
+                                           : QPen(hairline(dark), 1.0));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
 }
 

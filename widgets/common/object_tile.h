@@ -25,7 +25,9 @@ enum class ObjectActivity {
     Cooling,
     Steady,
     Settling,
-    Settled
+    Settled,
+    AboveWarning, ///< above its warning limit, whatever it does there
+    AboveTrip
 };
 
 /// How far an object's reading is trusted by the engine.
@@ -64,6 +66,8 @@ public:
     explicit ObjectTile(int index, QWidget* parent = nullptr);
 
     void setName(const QString& name);
+    /// Above these, K, the tile has the colour, the mark and the word of the limit; infinite at first.
+    void setLimits(double warning_K, double trip_K);
     /// `time_s` is the time of the reading on any clock: it determines how long the object has been in its
     /// band.
     void setSample(double time_s, const ObjectSample& sample, const SensorView& sensor = {});
@@ -98,6 +102,7 @@ private:
     void showTemperature(const ShownObject& now);
     QString cameraText() const;
     QString uncertaintyTip() const;
+    bool isAbove(double limit_K, const ObjectSample& sample) const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
 
@@ -108,6 +113,8 @@ private:
     double m_recorded_K = std::numeric_limits<double>::quiet_NaN(); ///< uncertainty of a record's readings
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
+    double m_warning_K = std::numeric_limits<double>::infinity();
+    double m_trip_K = std::numeric_limits<double>::infinity();
     ReadingTrend m_trend;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature, *m_age;
@@ -118,6 +125,9 @@ private:
 QString activityWord(ObjectActivity activity);
 /// Returns the mark beside the word.
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio);
+/// Returns the priority of the alarm that tells the same, with whose mark and colour it is shown; 0 for none.
+int activityPriority(ObjectActivity activity);
+constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
 /// Returns whether the object's temperature is not known.
 bool isUnknown(ObjectActivity activity);
 

@@ -1,5 +1,6 @@
 #include "widgets/common/tile_grid.h"
 
+#include "engine/model/experiment.h"
 #include "widgets/common/object_tile.h"
 
 #include <QEvent>
@@ -33,6 +34,13 @@ void TileGrid::setObjects(const QString& objectName, const QStringList& names) {
         m_tiles.push_back(tile);
     }
     arrange();
+}
+
+void TileGrid::setLimits(const Experiment& experiment) {
+    for (std::size_t i = 0; i < std::min(m_tiles.size(), experiment.objects.size()); ++i) {
+        const ObjectSpec& object = experiment.objects[i];
+        m_tiles[i]->setLimits(warningLimit_K(experiment, object), tripLimit_K(experiment, object));
+    }
 }
 
 void TileGrid::setTemperatureUnit(TemperatureUnit unit) {

@@ -13,6 +13,7 @@ class QGridLayout;
 namespace bask {
 
 class ObjectTile;
+struct Experiment;
 
 /// Prefers one row for up to four objects, and two for more; a narrow window needs more rows.
 class TileGrid : public QWidget {
@@ -22,6 +23,8 @@ public:
 
     /// Creates new tiles; their object names are `objectName` and a number.
     void setObjects(const QString& objectName, const QStringList& names);
+    /// Of the objects, in their order.
+    void setLimits(const Experiment& experiment);
     void setTemperatureUnit(TemperatureUnit unit);
     const std::vector<ObjectTile*>& tiles() const { return m_tiles; }
 

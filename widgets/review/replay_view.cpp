@@ -149,6 +149,7 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
     m_visible_s.reset();
     m_names = objectNames(*m_run);
     m_tiles->setObjects(QStringLiteral("reviewTile."), m_names);
+    m_tiles->setLimits(m_run->facts().experiment);
     nameRun();
     clearTiles();
     const auto& robot = m_run->facts().experiment.robot;

@@ -60,7 +60,7 @@ void LargeTile::setShown(const ShownObject& object, TemperatureUnit unit) {
                             .isGrey = isOld,
                             .isStruck = object.activity == ObjectActivity::SensorDistrusted});
     m_word->setText(object.age.isEmpty() ? word : word + QStringLiteral(" \u00b7 ") + object.age);
-    m_word->setLook({.isUnknown = isOld});
+    m_word->setLook({.isUnknown = isOld, .priority = activityPriority(object.activity)});
     setCaptions(QStringLiteral("+000.0\u00a0") + temperatureUnitSymbol(unit));
     m_target->setText(formatTemperature(object.target_K, unit));
     m_error->setText(object.errorText(unit));
@@ -115,9 +115,12 @@ void LargeTile::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     const bool dark = isDark(this);
     const double frame = std::max(2.0, height() / 90.0);
-    painter.setBrush(palette().color(QPalette::Base));
-    painter.setPen(isUnknown(m_activity) ? QPen(unknownColor(dark), frame, Qt::DashLine)
-                                         : QPen(hairline(dark), 1.0));
+    const int priority = activityPriority(m_activity);
+    const QColor base = palette().color(QPalette::Base);
+    painter.setBrush(priority > 0 ? mixed(alarmColor(priority, dark), base, kLimitGround) : base);
+    painter.setPen(priority > 0            ? QPen(alarmEdgeColor(priority, dark), frame)
+                   : isUnknown(m_activity) ? QPen(unknownColor(dark), frame, Qt::DashLine)
+                                           : QPen(hairline(dark), 1.0));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
     painter.setPen(seriesPen(m_index, dark, std::max(2, m_swatch.height() / 12)));
     const double y = m_swatch.center().y() + 0.5;

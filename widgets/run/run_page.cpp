@@ -67,6 +67,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
         m_targets_K.push_back(object.target_K);
     }
     m_tiles->setObjects(QStringLiteral("objectTile."), names);
+    m_tiles->setLimits(experiment);
     for (std::size_t i = 0; i < m_tiles->tiles().size(); ++i)
         connect(m_tiles->tiles()[i], &ObjectTile::confirmRequested, this,
                 [this, i] { emit sensorConfirmed(i); });

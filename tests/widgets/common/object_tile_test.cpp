@@ -86,6 +86,37 @@ TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
     EXPECT_EQ(shown.text("tileError"), QStringLiteral("+0.4\u00a0°F"));
 }
 
+// Catches: "Heating", black on white, on the card of an object that is above its trip limit; a word that
+// jumps by noise at the limit.
+TEST(ObjectTile, AboveALimitItHasItsColourAndWord) {
+    Shown shown;
+    shown.tile.resize(320, 120);
+    const auto ground = [&] { return shown.tile.grab().toImage().pixelColor(160, 5); };
+    shown.feed(1.0, 500.0, 0.5);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::Heating) << "no limits are known";
+    const QColor usual = ground();
+    shown.tile.setLimits(393.15, 423.15);
+    shown.feed(2.0, 393.0, 0.5);
+    EXPECT_EQ(activityPriority(shown.tile.activity()), 0);
+    shown.feed(3.0, 393.3, 0.5);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Above its warning limit"));
+    EXPECT_EQ(activityPriority(shown.tile.activity()), 2);
+    const QColor warned = ground();
+    EXPECT_NE(warned, usual);
+    shown.feed(4.0, 391.3, -0.1);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::AboveWarning) << "its alarm stays as well";
+    shown.feed(5.0, 424.0, 0.5);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Above its trip limit"));
+    EXPECT_EQ(activityPriority(shown.tile.activity()), 1);
+    EXPECT_NE(ground(), warned);
+    EXPECT_EQ(shown.tile.shown().activity, ObjectActivity::AboveTrip);
+    shown.feed(6.0, 424.0, 0.5, false);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::SensorInvalid) << "nobody knows";
+    shown.feed(7.0, 390.0, -0.1);
+    EXPECT_EQ(activityPriority(shown.tile.activity()), 0);
+    EXPECT_EQ(ground(), usual);
+}
+
 TEST(ObjectTile, StateInAWord) {
     Shown shown;
     const auto ramp = [&](double begin_s, double from_K, double rate_K_s) {
