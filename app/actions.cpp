@@ -66,6 +66,11 @@ bool allowsEdits(RunState state) {
     return state != RunState::Armed && !isRunOn(state);
 }
 
+bool allowsHome(const Snapshot& snapshot) {
+    return allowsEdits(snapshot.state) && snapshot.state != RunState::Idle &&
+           snapshot.place != PlaceState::Unknown;
+}
+
 bool isUnfitTarget(MessageCode reason) {
     return reason == MessageCode::TargetAboveWarning || reason == MessageCode::TargetNotTold;
 }
@@ -81,6 +86,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_deafKey
     undo = make("editUndo", QKeySequence::Undo);
     redo = make("editRedo");
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    homeRobot = make("homeTheRobot");
     endRecording = make("endRecording");
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     largeNumbers = make("largeNumbers");
@@ -208,7 +214,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     for (const Verb each : {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop, Verb::Retreat})
         m_runMenu->addAction(verb(each));
     m_runMenu->addSeparator();
-    m_runMenu->addActions({verb(Verb::EmergencyStop), verb(Verb::Reset)});
+    m_runMenu->addActions({verb(Verb::EmergencyStop), homeRobot, verb(Verb::Reset)});
     m_runMenu->addSeparator();
     m_runMenu->addActions({labels, endRecording, acknowledgeAlarms});
     for (QAction* action : m_pages)
@@ -294,6 +300,7 @@ void Actions::retranslateRun() {
     labels->setText(tr("&Operator and sample…"));
     labels->setToolTip(
         tr("Who operates, and what is heated: recordings, reports and the list of runs show it."));
+    homeRobot->setText(tr("Ho&me the robot…"));
     endRecording->setText(tr("End the re&cording"));
     acknowledgeAlarms->setText(tr("Ac&knowledge all alarms"));
 }
@@ -348,6 +355,7 @@ void Actions::apply(const Snapshot& snapshot) {
         m_verbs[i]->setEnabled(allows(snapshot, static_cast<Verb>(i)));
     }
     m_told.state = snapshot.state;
+    m_told.place = snapshot.place;
     m_told.recordingPath = snapshot.recordingPath;
     m_told.alarms = snapshot.alarms;
     showReasons();
@@ -363,6 +371,7 @@ void Actions::showReasons() {
     show(newExperiment, {}, whyNotOther);
     m_exampleMenu->setEnabled(whyNotOther.isEmpty());
     m_exampleMenu->menuAction()->setToolTip(whyNotOther);
+    show(homeRobot, tr("The robot seeks its switches to know its place: it moves"), whyNotHome(m_told));
     show(endRecording,
          tr("After a stop or a fault the recording goes on until everything is cold. This ends it now."),
          whyNotEndRecording(m_told));

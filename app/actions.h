@@ -33,6 +33,9 @@ bool allows(const Snapshot& snapshot, Verb verb);
 /// Returns whether another experiment, or other sensors, robot or source may be used: no run is armed or on.
 bool allowsEdits(RunState state);
 
+/// Returns whether the engine homes the robot now.
+bool allowsHome(const Snapshot& snapshot);
+
 /// Returns whether a reason is an error of checkTargets(): with these targets nothing can be armed.
 bool isUnfitTarget(MessageCode reason);
 
@@ -63,6 +66,7 @@ public:
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo; ///< UndoActions sets their texts
+    QAction* homeRobot;   ///< moves it: the window asks first
     QAction *endRecording, *acknowledgeAlarms, *labels, *largeNumbers, *monitoring;
     QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
@@ -96,7 +100,7 @@ private:
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
     DeafKeys m_deafKeys;
-    Snapshot m_told; ///< only what reasons depend on: state, recording and alarms
+    Snapshot m_told; ///< only what reasons depend on: state, place, recording and alarms
     std::array<QAction*, kPages> m_pages{};
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_hornGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{}, m_horns{};

@@ -156,6 +156,10 @@ void BottomDock::setAnswering(bool answering) {
     m_alarmList->setStale(!answering);
 }
 
+void BottomDock::setHomeAction(QAction* home) {
+    m_alarmList->setHomeAction(home);
+}
+
 void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
     m_alarmList->setTemperatureUnit(unit);
     m_recipe->setTemperatureUnit(unit);

@@ -25,6 +25,8 @@ public:
 
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
+    /// The alarm of a robot whose place is not sure has a button with it.
+    void setHomeAction(QAction* home);
     void setTemperatureUnit(TemperatureUnit unit);
     /// A recorded run is shown: its events are on the page, and the dock shows only alarms, if there are any.
     void setReviewing(bool isReviewing);

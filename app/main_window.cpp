@@ -306,6 +306,16 @@ void MainWindow::askRetreat() {
                   });
 }
 
+void MainWindow::askHome() {
+    askOnTheWayUp(this, QStringLiteral("homeQuestion"), tr("Home the robot"),
+                  tr("The robot moves now: it seeks its switches to know its place. Are all hands off the "
+                     "robot and is nothing in its way?"),
+                  tr("Home now"), [this] {
+                      m_recipe->takeOverAtRest();
+                      m_engine.send(HomeRobot{});
+                  });
+}
+
 void MainWindow::arm() {
     const QString path = m_files.nextRecordingPath();
     if (!path.isEmpty())
@@ -485,6 +495,8 @@ void MainWindow::showNotes() {
 
 /// Its verb is beside it, or why nobody can do it now.
 void MainWindow::showRemedy() {
+    if (m_last.place == PlaceState::Unsure && allowsHome(m_last))
+        return m_stateBar->chip()->setRemedy(placeSteps(m_last), m_actions.homeRobot);
     const std::optional<Verb> verb = remedyVerb(m_last.remedy.code);
     const bool isPossible = verb && allows(m_last, *verb);
     QString words;

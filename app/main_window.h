@@ -85,6 +85,7 @@ private:
     void armWithLabels(const Snapshot& snapshot);
     void askToArm();
     void askRetreat();
+    void askHome();
     void arm();
     void askInfeasible();
     void refuse(const Message& refusal);

@@ -133,6 +133,7 @@ void StateBar::apply(const Snapshot& snapshot) {
     }
     m_state = snapshot.state;
     m_reasons = snapshot.reasons;
+    m_isPlaceSure = snapshot.place == PlaceState::Sure;
     m_gravest = gravestPriority(snapshot.reasons, snapshot.alarms);
     showChip();
     QAction* hold = m_actions.verb(snapshot.state == RunState::Holding ? Verb::Resume : Verb::Hold);
@@ -261,7 +262,7 @@ void StateBar::showChip() {
     }
     QStringList sentences;
     for (const Message& reason : m_reasons)
-        sentences << sentence(reason);
+        sentences << (m_isPlaceSure && isAboutPlace(reason.code) ? placeSureAgainText() : sentence(reason));
     m_chip->setState(m_state, sentences, m_gravest);
 }
 

@@ -68,6 +68,7 @@ private:
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
     int m_gravest = 0; ///< priority of the gravest of them
+    bool m_isPlaceSure = false;
     QString m_fitted; ///< the last content that was fitted, and its width
     QFrame* m_tag;
     QLabel* m_tagIcon;

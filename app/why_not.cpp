@@ -1,6 +1,7 @@
 #include "app/why_not.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 
 #include <QCoreApplication>
@@ -109,6 +110,16 @@ QString whyNot(const Snapshot& snapshot, Verb verb) {
     return {};
 }
 
+QString placeSteps(const Snapshot& snapshot) {
+    const QString home = WhyNotWords::tr("Home the robot: here, or on the page Rig, By hand, where its place "
+                                         "can be confirmed instead.");
+    if (snapshot.state != RunState::Fault)
+        return home;
+    const QString steps = home + u' ' + WhyNotWords::tr("Then Reset, then Arm.");
+    const std::optional<Message> other = messageWithin(snapshot.remedy);
+    return !other || isAboutPlace(other->code) ? steps : steps + u' ' + messageText(snapshot.remedy);
+}
+
 std::optional<Verb> remedyVerb(MessageCode remedy) {
     switch (remedy) {
     case MessageCode::RemedyReset:
@@ -146,6 +157,16 @@ QString whyNotAnother(const Snapshot& snapshot) {
     if (allowsEdits(snapshot.state))
         return {};
     return WhyNotWords::tr("A run is armed or on. Stop it first; then another experiment can be begun.");
+}
+
+QString whyNotHome(const Snapshot& snapshot) {
+    if (allowsHome(snapshot))
+        return {};
+    if (snapshot.state == RunState::Idle)
+        return WhyNotWords::tr("Home is not possible: no experiment is loaded.");
+    if (!allowsEdits(snapshot.state))
+        return WhyNotWords::tr("Home is not possible: a run is armed or on. Stop it first.");
+    return WhyNotWords::tr("Home is not possible: the robot does not answer.");
 }
 
 QString whyNotEndRecording(const Snapshot& snapshot) {

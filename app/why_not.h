@@ -14,6 +14,9 @@ namespace bask {
 /// Returns one translated sentence that names what to do first; empty if `allows(snapshot, verb)`.
 QString whyNot(const Snapshot& snapshot, Verb verb);
 
+/// Returns what to do in which order while the robot's place is not sure, as the engine accepts it.
+QString placeSteps(const Snapshot& snapshot);
+
 /// Returns the verb that a remedy of the engine asks for; empty for one that has to be waited for.
 std::optional<Verb> remedyVerb(MessageCode remedy);
 
@@ -22,6 +25,7 @@ QString whyNoForecast(RunForecast::Missing missing);
 
 /// Return one translated sentence; empty if the action is possible.
 QString whyNotAnother(const Snapshot& snapshot); ///< why no other experiment can be begun
+QString whyNotHome(const Snapshot& snapshot);
 QString whyNotEndRecording(const Snapshot& snapshot);
 QString whyNotAcknowledge(const Snapshot& snapshot);
 /// Returns the sentence for a program that has not recorded anything yet.

@@ -32,6 +32,32 @@ TEST(WhyNot, ARemedyHasItsVerb) {
     EXPECT_EQ(remedyVerb(MessageCode::None), std::nullopt);
 }
 
+// Catches: Home that needs Reset and Reset that needs Home; another cause that still forbids Reset and is not
+// said.
+TEST(WhyNot, AnUnsurePlaceHasOneOrderOfSteps) {
+    Snapshot snapshot;
+    snapshot.place = PlaceState::Unsure;
+    snapshot.state = RunState::NotReady;
+    EXPECT_TRUE(allowsHome(snapshot));
+    EXPECT_TRUE(placeSteps(snapshot).startsWith(QStringLiteral("Home the robot")));
+    EXPECT_FALSE(placeSteps(snapshot).contains(QStringLiteral("Reset"))) << "nothing is latched";
+    snapshot.state = RunState::Fault;
+    snapshot.remedy = messageAbout(MessageCode::RemedyWait, {MessageCode::RobotPlaceUnsure, {}});
+    EXPECT_TRUE(allowsHome(snapshot));
+    EXPECT_TRUE(placeSteps(snapshot).endsWith(QStringLiteral("Then Reset, then Arm.")));
+    snapshot.remedy = messageAbout(MessageCode::RemedyWait, {MessageCode::SafetySourceHot, {"253.8", "250"}});
+    EXPECT_TRUE(placeSteps(snapshot).contains(QStringLiteral("above its trip limit")));
+    for (const RunState state : {RunState::Armed, RunState::Running, RunState::Stopping, RunState::Idle}) {
+        snapshot.state = state;
+        EXPECT_FALSE(allowsHome(snapshot));
+        EXPECT_FALSE(whyNotHome(snapshot).isEmpty());
+    }
+    snapshot.state = RunState::Ready;
+    EXPECT_TRUE(whyNotHome(snapshot).isEmpty());
+    snapshot.place = PlaceState::Unknown;
+    EXPECT_TRUE(whyNotHome(snapshot).contains(QStringLiteral("does not answer")));
+}
+
 // Catches: a run without a prediction and without a word, or the same for all causes.
 TEST(WhyNot, EachMissingPredictionHasItsCause) {
     using enum RunForecast::Missing;

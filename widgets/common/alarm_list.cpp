@@ -2,6 +2,7 @@
 
 #include "engine/runtime/command.h"
 #include "widgets/common/alarm_words.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/shelf_popup.h"
 #include "widgets/common/theme.h"
 
@@ -71,7 +72,7 @@ void fitRows(QTreeWidgetItem* parent, std::size_t wanted) {
 AlarmList::AlarmList(QWidget* parent)
     : QWidget(parent), m_tree(new QTreeWidget(this)), m_guidance(new QTextEdit(this)),
       m_acknowledge(new QPushButton(this)), m_acknowledgeAll(new QPushButton(this)),
-      m_shelve(new QToolButton(this)), m_shelf(new ShelfPopup(this)) {
+      m_shelve(new QToolButton(this)), m_home(new QToolButton(this)), m_shelf(new ShelfPopup(this)) {
     setObjectName(QStringLiteral("alarmList"));
     m_tree->setObjectName(QStringLiteral("alarmListTree"));
     m_tree->setColumnCount(kColumns);
@@ -96,6 +97,10 @@ AlarmList::AlarmList(QWidget* parent)
 
     m_shelve->setObjectName(QStringLiteral("shelveAlarm"));
     m_shelve->setFocusPolicy(Qt::StrongFocus);
+    m_home->setObjectName(QStringLiteral("homeFromAlarm"));
+    m_home->setFocusPolicy(Qt::StrongFocus);
+    m_home->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_home->hide();
 
     auto* one = new QHBoxLayout;
     one->setSpacing(kGap / 2);
@@ -104,6 +109,7 @@ AlarmList::AlarmList(QWidget* parent)
     auto* buttons = new QVBoxLayout;
     buttons->addLayout(one);
     buttons->addWidget(m_acknowledgeAll);
+    buttons->addWidget(m_home);
     buttons->addStretch(1);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -159,6 +165,11 @@ bool AlarmList::chooseGravest() {
     m_isChosenByPerson = false;
     m_chosen = first != nullptr ? std::optional(first->alarm.id) : std::nullopt;
     return m_chosen != before;
+}
+
+void AlarmList::setHomeAction(QAction* home) {
+    m_home->setDefaultAction(home);
+    showChosen();
 }
 
 void AlarmList::setTemperatureUnit(TemperatureUnit unit) {
@@ -336,6 +347,8 @@ void AlarmList::showChosen() {
     const Alarm* alarm = chosen();
     m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged);
     m_acknowledgeAll->setEnabled(!m_isStale && !std::ranges::all_of(m_alarms, &Alarm::isAcknowledged));
+    m_home->setVisible(m_home->defaultAction() != nullptr && alarm != nullptr && alarm->isActive &&
+                       isAboutPlace(alarm->message.code));
     const bool isShelved = alarm != nullptr && alarm->shelvedUntil_s > 0.0;
     m_shelve->setEnabled(!m_isStale && alarm != nullptr && (isShelved || isShelvable(*alarm)));
     const QString verb = isShelved ? tr("Take the alarm back from the shelf")

@@ -25,8 +25,8 @@ class ShelfPopup;
 
 /// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what; consequences of an alarm
 /// are folded under it, the last row contains the shelved ones), "alarmGuidance", "acknowledgeAlarm" (the
-/// selected one), "acknowledgeAllAlarms", "shelveAlarm" (for a shelved one: unshelve), "shelfPopup" (see
-/// there).
+/// selected one), "acknowledgeAllAlarms", "homeFromAlarm" (while one of the robot's place is selected),
+/// "shelveAlarm" (for a shelved one: unshelve), "shelfPopup" (see there).
 class AlarmList : public QWidget {
     Q_OBJECT
 
@@ -38,6 +38,8 @@ public:
     /// acknowledgement and that no person has selected, the gravest is. When an alarm disappears that a
     /// person has selected or acknowledged, none is until the alarms change again.
     void setAlarms(const std::vector<Alarm>& alarms);
+    /// What homes the robot; shown with an alarm that its place is not sure.
+    void setHomeAction(QAction* home);
     void setTemperatureUnit(TemperatureUnit unit);
     /// Marks the alarms as possibly old because the engine does not answer.
     void setStale(bool isStale);
@@ -83,6 +85,7 @@ private:
     QPushButton* m_acknowledge;
     QPushButton* m_acknowledgeAll;
     QToolButton* m_shelve;
+    QToolButton* m_home;
     ShelfPopup* m_shelf;
 };
 

@@ -143,6 +143,15 @@ RigSpec withoutDevice(RigSpec rig, DeviceRole role) {
     return withDevice(std::move(rig), role, RigSpec());
 }
 
+bool isAboutPlace(MessageCode code) {
+    return code == MessageCode::RobotPlaceUnsure || code == MessageCode::RobotRestarted ||
+           code == MessageCode::RobotElsewhere;
+}
+
+QString placeSureAgainText() {
+    return DeviceWords::tr("The robot's place was not sure. It is sure again: press Reset.");
+}
+
 double sourceTemperature_K(const Snapshot& snapshot) {
     return snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN());
 }

@@ -12,6 +12,11 @@
 namespace bask {
 
 /// Returns the source's newest reading; NaN if it is not valid, or the source does not answer.
+/// Returns whether a message tells that the robot's place is not sure: homing is the remedy.
+bool isAboutPlace(MessageCode code);
+/// What such a reason says once the place is sure again, while its fault is still latched.
+QString placeSureAgainText();
+
 double sourceTemperature_K(const Snapshot& snapshot);
 
 /// Returns "182.3 °C" if it is current; otherwise the last one with its age, "182.3 °C, 12 s old"; a dash if

@@ -1,6 +1,7 @@
 #include "widgets/rig/jog_panel.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
@@ -221,6 +222,9 @@ void JogPanel::showEnabled() {
     m_home->setEnabled(m_mayHome);
     const bool isTrouble = m_alarm.code != MessageCode::None || m_place == PlaceState::Unsure;
     m_clear->setEnabled(isTrouble);
+    const bool isOfPlace =
+        m_place == PlaceState::Unsure && (m_alarm.code == MessageCode::None || isAboutPlace(m_alarm.code));
+    m_clear->setText(isOfPlace ? tr("Confirm its place") : tr("Clear alarm"));
     const Message problem = m_place != PlaceState::Unsure || m_alarm.code != MessageCode::None
                                 ? m_alarm
                                 : Message{MessageCode::RobotPlaceUnsure, {}};
@@ -323,7 +327,6 @@ void JogPanel::retranslate() {
     m_take->setToolTip(tr("Put in where the robot is"));
     m_home->setText(tr("Home"));
     m_home->setToolTip(tr("The robot seeks its switches to know its place: it moves"));
-    m_clear->setText(tr("Clear alarm"));
     m_clear->setToolTip(tr("After you have seen to it: the robot is where it says. Nothing moves."));
     showPlace();
     showEnabled();

@@ -326,6 +326,11 @@ void RigPage::setExperiment(const Experiment& experiment) {
 
 void RigPage::apply(const Snapshot& snapshot, bool editable) {
     const bool isFree = editable && snapshot.state != RunState::Fault && snapshot.state != RunState::Idle;
+    if (m_place != snapshot.place || m_remedy != snapshot.remedy.code) {
+        m_place = snapshot.place;
+        m_remedy = snapshot.remedy.code;
+        showManual();
+    }
     if (m_editable != editable || m_state != snapshot.state) {
         m_editable = editable;
         m_state = snapshot.state;
@@ -383,6 +388,10 @@ void RigPage::showManual() {
     QString reason;
     if (!m_editable)
         reason = tr("A run is armed or on: it has the robot and the heat.");
+    else if (m_state == RunState::Fault && m_place == PlaceState::Unsure)
+        reason = tr("A stop or a fault is latched. Home the robot or confirm its place, then press Reset.");
+    else if (m_state == RunState::Fault && m_remedy == MessageCode::RemedyWait)
+        reason = tr("A stop or a fault is latched. Reset is possible when its cause is over.");
     else if (m_state == RunState::Fault)
         reason = tr("A stop or a fault is latched. Press Reset first.");
     m_reason->setText(reason);

@@ -90,6 +90,8 @@ private:
     std::optional<RobotLimits> m_keptRobot{}; ///< robot limits of the kept rig
     std::map<std::string, int> m_channels;    ///< of sensors that are or were used, by their objects
     RunState m_state = RunState::Idle;
+    PlaceState m_place = PlaceState::Sure;
+    MessageCode m_remedy{};
     bool m_editable = true;
     QString m_refusal;          ///< refusal of the newest edit; empty if it was accepted
     bool m_isTrying = false;    ///< the engine keeps a device open for the dialog

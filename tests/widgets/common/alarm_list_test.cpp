@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "widgets/common/alarm_button.h"
 
+#include <QAction>
 #include <QDateTime>
 #include <QLineEdit>
 #include <QPushButton>
@@ -292,6 +293,33 @@ TEST_F(AlarmListTest, IsShelvedWithAReasonListedAndTakenBack) {
     EXPECT_EQ(back.first().first().toULongLong(), 7U);
     list.setAlarms({});
     EXPECT_EQ(tree()->topLevelItemCount(), 0);
+}
+
+// Catches: "Home it" in words alone, and a button that moves the robot beside any other alarm.
+TEST_F(AlarmListTest, AnUnsurePlaceOffersHome) {
+    QAction home;
+    int homed = 0;
+    QObject::connect(&home, &QAction::triggered, &home, [&] { ++homed; });
+    list.setHomeAction(&home);
+    list.resize(900, 160);
+    list.show();
+    const auto* button = list.findChild<QToolButton*>(QStringLiteral("homeFromAlarm"));
+    Alarm place;
+    place.id = 2;
+    place.key = "RobotPlaceUnsure";
+    place.message = {MessageCode::RobotPlaceUnsure, {}};
+    list.setAlarms({hot(1, "hand"), place});
+    choose(0);
+    EXPECT_FALSE(button->isVisible());
+    choose(1);
+    ASSERT_TRUE(button->isVisible());
+    home.trigger();
+    EXPECT_EQ(homed, 1);
+    home.setEnabled(false);
+    EXPECT_FALSE(button->isEnabled());
+    place.isActive = false;
+    list.setAlarms({hot(1, "hand"), place});
+    EXPECT_FALSE(button->isVisible()) << "it is over";
 }
 
 // Catches: bold red for what is over, and consequences and shelved ones counted.

@@ -336,6 +336,33 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
     EXPECT_TRUE(text("check.devices").contains("none set up"));
 }
 
+// Catches "its place is sure" beside "not sure", and "Press Reset first" where Reset needs Home.
+TEST_F(RigPageTest, AnUnsurePlaceIsToldOnceWithItsSteps) {
+    useReal();
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.state = RunState::Fault;
+    snapshot.place = PlaceState::Unsure;
+    snapshot.reasons = {{MessageCode::RobotPlaceUnsure, {}}};
+    page.apply(snapshot, true);
+    const auto says = [this](const char* words) {
+        const auto labels = page.findChildren<QLabel*>();
+        return std::ranges::any_of(
+            labels, [&](const QLabel* label) { return label->text().contains(QLatin1String(words)); });
+    };
+    EXPECT_TRUE(says("Home the robot or confirm its place, then press Reset"));
+    EXPECT_FALSE(says("Press Reset first"));
+    EXPECT_TRUE(child<QPushButton>("homeRobot")->isEnabled());
+    EXPECT_EQ(child<QPushButton>("clearAlarm")->text(), "Confirm its place");
+    snapshot.place = PlaceState::Sure;
+    page.apply(snapshot, true);
+    EXPECT_TRUE(says("Press Reset first"));
+    EXPECT_EQ(text("reason.0"), "The robot's place was not sure. It is sure again: press Reset.");
+    EXPECT_EQ(child<QPushButton>("clearAlarm")->text(), "Clear alarm");
+    snapshot.remedy = messageAbout(MessageCode::RemedyWait, {MessageCode::SafetySourceHot, {"253.8", "250"}});
+    page.apply(snapshot, true);
+    EXPECT_FALSE(says("Press Reset first"));
+}
+
 // Catches a source that is too cold without a word about how long it takes, and a time of another set point.
 TEST_F(RigPageTest, TheChecklistTellsHowLongTheSourceTakes) {
     Snapshot snapshot = test::quietSnapshot(experiment);
