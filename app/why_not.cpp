@@ -15,6 +15,11 @@ struct WhyNotWords {
     Q_DECLARE_TR_FUNCTIONS(bask::WhyNot)
 };
 
+/// Without a sign, and rounded: it changes while it is read.
+QString differenceWords(double d_K, TemperatureUnit unit) {
+    return formatDifference(d_K, unit, 0).remove(u'+');
+}
+
 QString withFirstReason(const QString& text, const Snapshot& snapshot) {
     if (snapshot.reasons.empty())
         return text;
@@ -108,6 +113,20 @@ QString whyNot(const Snapshot& snapshot, Verb verb) {
         break;
     }
     return {};
+}
+
+QString unaskedWait(const Snapshot& snapshot, TemperatureUnit unit) {
+    if (!snapshot.unaskedFall || snapshot.state != RunState::Fault)
+        return {};
+    const UnaskedFall& fall = *snapshot.unaskedFall;
+    const QString needed = differenceWords(fall.needed_K, unit);
+    if (fall.fallen_K < UnaskedFall::kCools_K)
+        return WhyNotWords::tr(
+                   "Reset waits for the source to cool by %1: it does not cool yet. Switch it off at "
+                   "its mains.")
+            .arg(needed);
+    return WhyNotWords::tr("The source cools: Reset is possible when it has fallen by %1; now %2.")
+        .arg(needed, differenceWords(fall.fallen_K, unit));
 }
 
 QString placeSteps(const Snapshot& snapshot) {

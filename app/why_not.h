@@ -14,6 +14,8 @@ namespace bask {
 /// Returns one translated sentence that names what to do first; empty if `allows(snapshot, verb)`.
 QString whyNot(const Snapshot& snapshot, Verb verb);
 
+/// Returns what Reset waits for of a source that heated though its heat is off; empty if that is not why.
+QString unaskedWait(const Snapshot& snapshot, TemperatureUnit unit);
 /// Returns what to do in which order while the robot's place is not sure, as the engine accepts it.
 QString placeSteps(const Snapshot& snapshot);
 

@@ -136,6 +136,7 @@ public:
     /// not); for the next monitor of the same source.
     bool wasSourceHeated() const { return m_source.wasHeated(); }
     double unaskedWarming_K() const;
+    std::optional<SourceWatch::Fall> unaskedFall() const { return m_source.unaskedFall(); }
     void useHistory(bool wasSourceHeated, double unaskedWarming_K) {
         m_source.use(wasSourceHeated, unaskedWarming_K);
     }

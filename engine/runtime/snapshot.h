@@ -75,6 +75,15 @@ struct SourceWarmUp {
     std::optional<double> in_s{};
 };
 
+/// How far a source that heated though its heat is off has fallen from its maximum.
+struct UnaskedFall {
+    /// One that has fallen by this cools: one that is stuck on has less noise.
+    static constexpr double kCools_K = SafetySpec::kSourceGain_K;
+
+    double fallen_K = 0.0;
+    double needed_K = 0.0; ///< with this fall it no longer counts as heating, and Reset is possible
+};
+
 /// The next action that the engine takes by itself unless something changes.
 struct PendingAction {
     Message action; ///< ActionHold, ActionEndRun, ActionHeatOff or ActionRetreat
@@ -128,7 +137,8 @@ struct Snapshot {
     PlaceState place = PlaceState::Unknown; ///< of the robot
     /// Age of latest.coordinates; infinite if the robot has reported none.
     double placeAge_s = std::numeric_limits<double>::infinity();
-    HeatState heat = HeatState::Unknown; ///< heat of the source, as the device confirms it
+    HeatState heat = HeatState::Unknown;      ///< heat of the source, as the device confirms it
+    std::optional<UnaskedFall> unaskedFall{}; ///< while the source counts as heating though its heat is off
     bool heatOn = false;   ///< commanded, or not yet confirmed off; says nothing about a source that is lost
     bool isMoving = false; ///< the robot moves by MoveTo, Jog or HomeRobot
     std::optional<SourceTracking> tracking;       ///< empty if the source is not followed

@@ -36,8 +36,7 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
     const bool isUnasked = heatsUnasked().has_value();
     const bool mayRest = !isUnasked || temperature_K <= m_room_K + kHandWarm_K;
     // One that is stuck on swings about a set point of its own, and its readings have noise.
-    const double fall_K = isUnasked ? std::min(m_limits.sourceUnasked_K, kOverShare * (m_peak_K - m_from_K))
-                                    : SafetySpec::kSourceGain_K;
+    const double fall_K = isUnasked ? neededFall_K() : SafetySpec::kSourceGain_K;
     const bool isCooling = temperature_K <= std::max(m_from_K, m_peak_K - fall_K) || (isAtRest && mayRest);
     const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K : isCooling;
     if (isBegun || isNearEnough || isTurning || isProgress) {
@@ -105,6 +104,16 @@ std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
     if (m_wasOn || m_time_s < -1e299 || m_peak_K < m_from_K + m_limits.sourceUnasked_K)
         return std::nullopt;
     return Warming{m_peak_K - m_from_K, m_peak_s - m_since_s};
+}
+
+double SourceWatch::neededFall_K() const {
+    return std::min(m_limits.sourceUnasked_K, kOverShare * (m_peak_K - m_from_K));
+}
+
+std::optional<SourceWatch::Fall> SourceWatch::unaskedFall() const {
+    if (!heatsUnasked())
+        return std::nullopt;
+    return Fall{m_peak_K - m_temperature_K, neededFall_K()};
 }
 
 std::optional<double> SourceWatch::roomInFahrenheit_degC() const {

@@ -28,6 +28,13 @@ public:
     /// once the source has lost half of it again, or as much as the limit, or is at rest and no hotter than a
     /// hand bears: one that is stuck on at a set point of its own rests as well, after an overshoot.
     std::optional<Warming> heatsUnasked() const;
+    /// How far such a source has fallen from its maximum, and how far it has to until it no longer counts as
+    /// heating; empty if it does not.
+    struct Fall {
+        double fallen_K = 0.0;
+        double needed_K = 0.0;
+    };
+    std::optional<Fall> unaskedFall() const;
     /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
     /// if it cools, or if the time is too short to tell.
     std::optional<double> notCoolingFor_s(double above_K) const;
@@ -45,6 +52,8 @@ public:
     std::optional<double> roomInFahrenheit_degC() const;
 
 private:
+    double neededFall_K() const;
+
     /// the source is at rest if it has kept its temperature for this time
     static constexpr double kAtRest_s = 120.0;
     static constexpr double kAtRest_K = 0.5;      ///< a cooling source changes by more

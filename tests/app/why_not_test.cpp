@@ -58,6 +58,22 @@ TEST(WhyNot, AnUnsurePlaceHasOneOrderOfSteps) {
     EXPECT_TRUE(whyNotHome(snapshot).contains(QStringLiteral("does not answer")));
 }
 
+// Catches: "Switch it off at its mains" again and again to a person who has done so.
+TEST(WhyNot, ASourceThatCoolsSaysWhatResetWaitsFor) {
+    Snapshot snapshot;
+    snapshot.state = RunState::Fault;
+    EXPECT_EQ(unaskedWait(snapshot, TemperatureUnit::Celsius), QString());
+    snapshot.unaskedFall = UnaskedFall{0.4, 10.0};
+    EXPECT_TRUE(unaskedWait(snapshot, TemperatureUnit::Celsius).contains(QStringLiteral("at its mains")));
+    snapshot.unaskedFall->fallen_K = 3.2;
+    const QString cools = unaskedWait(snapshot, TemperatureUnit::Celsius);
+    EXPECT_FALSE(cools.contains(QStringLiteral("mains"))) << cools.toStdString();
+    EXPECT_TRUE(cools.contains(QStringLiteral("fallen by 10\u00a0K; now 3\u00a0K"))) << cools.toStdString();
+    EXPECT_TRUE(unaskedWait(snapshot, TemperatureUnit::Fahrenheit).contains(QStringLiteral("18")));
+    snapshot.state = RunState::NotReady;
+    EXPECT_EQ(unaskedWait(snapshot, TemperatureUnit::Celsius), QString());
+}
+
 // Catches: a run without a prediction and without a word, or the same for all causes.
 TEST(WhyNot, EachMissingPredictionHasItsCause) {
     using enum RunForecast::Missing;

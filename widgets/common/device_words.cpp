@@ -170,7 +170,8 @@ ShownHeat shownHeat(const Snapshot& snapshot, bool isAnswering) {
         return ShownHeat::Unknown;
     if (snapshot.heat == HeatState::On)
         return ShownHeat::On;
-    const bool isUnasked = isActive(snapshot.alarms, MessageCode::SafetySourceHeatsUnasked);
+    const bool isCooling = snapshot.unaskedFall && snapshot.unaskedFall->fallen_K >= UnaskedFall::kCools_K;
+    const bool isUnasked = !isCooling && isActive(snapshot.alarms, MessageCode::SafetySourceHeatsUnasked);
     return isUnasked ? ShownHeat::Unasked : ShownHeat::Off;
 }
 

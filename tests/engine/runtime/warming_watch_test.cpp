@@ -282,6 +282,15 @@ TEST(SourceWatch, TellsASourceThatDoesNotObey) {
     seconds(2, 1.0, std::nullopt);
     ASSERT_TRUE(watch.heatsUnasked());
     EXPECT_NEAR(watch.heatsUnasked()->gained_K, 11.0, 1e-9);
+    ASSERT_TRUE(watch.unaskedFall());
+    EXPECT_NEAR(watch.unaskedFall()->fallen_K, 0.0, 1e-9);
+    EXPECT_NEAR(watch.unaskedFall()->needed_K, 5.5, 1e-9) << "half of what it has warmed";
+    seconds(3, -1.0, std::nullopt);
+    ASSERT_TRUE(watch.unaskedFall());
+    EXPECT_NEAR(watch.unaskedFall()->fallen_K, 3.0, 1e-9);
+    seconds(3, -1.0, std::nullopt);
+    EXPECT_FALSE(watch.unaskedFall()) << "it no longer counts as heating";
+    EXPECT_FALSE(watch.heatsUnasked());
 }
 
 namespace {

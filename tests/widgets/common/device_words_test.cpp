@@ -58,6 +58,11 @@ TEST(DeviceWords, HeatIsToldAsItIsKnown) {
     snapshot.heat = HeatState::Off;
     EXPECT_EQ(shownHeat(snapshot), ShownHeat::Unasked);
     EXPECT_EQ(heatPriority(ShownHeat::Unasked), 1);
+    snapshot.unaskedFall = UnaskedFall{1.5, 10.0};
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::Unasked) << "it may swing";
+    snapshot.unaskedFall->fallen_K = 3.0;
+    EXPECT_EQ(shownHeat(snapshot), ShownHeat::Off) << "it cools, while its alarm still stands";
+    snapshot.unaskedFall.reset();
     EXPECT_EQ(shownHeat(snapshot, false), ShownHeat::Unknown) << "the engine does not answer";
     snapshot.heat = HeatState::Unknown;
     EXPECT_EQ(shownHeat(snapshot), ShownHeat::Unknown);
