@@ -69,6 +69,12 @@ bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
            });
 }
 
+/// Reset waits for a source that heated though its heat is off, and for nothing graver.
+bool isUnaskedWaited(const Snapshot& snapshot) {
+    const auto cause = messageWithin(snapshot.remedy);
+    return cause && cause->code == MessageCode::SafetySourceHeatsUnasked;
+}
+
 /// Returns the page on which a reason is dealt with.
 Page pageOf(MessageCode reason) {
     if (isUnfitTarget(reason))
@@ -326,6 +332,9 @@ void MainWindow::refuse(const Message& refusal) {
     if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed &&
         !m_recipe->isOn())
         return askInfeasible();
+    if (refusal.code == MessageCode::SafetySourceHeatsUnasked)
+        if (const QString wait = unaskedWait(m_last, m_settings.temperatureUnit()); !wait.isEmpty())
+            return m_pages->messages().showRefusal(wait, m_last, refusal);
     // What the fields show is what runs; a newer edit of them has its own answer.
     const auto targets = checkTargets(m_document.experiment());
     const bool isTooHot = !targets && refusal.code == targets.error().code();
@@ -482,10 +491,15 @@ void MainWindow::showNotes() {
     if (isCold)
         notes << coldSourceText(m_last, unit);
     m_stateBar->chip()->setNotes(m_overlaps + notes + m_ages);
+    const auto filling =
+        std::ranges::find(m_last.reasons, MessageCode::ReasonEstimatorFilling, &Message::code);
     QString caption;
     if (isOverHeat)
         caption = tr("over hot source: %1", "the objects are over it; its temperature")
                       .arg(formatTemperature(m_last.latest.source_K, unit, 0));
+    else if (filling != m_last.reasons.end())
+        caption = tr("ready in %1 s", "readings are being collected")
+                      .arg(QString::fromStdString(filling->args.at(0).text()));
     else if (isCold)
         caption = tr("source %1 of %2", "temperatures: that of now, and the set point")
                       .arg(formatTemperatureNumber(m_last.latest.source_K, unit, 0),
@@ -499,8 +513,8 @@ void MainWindow::showRemedy() {
         return m_stateBar->chip()->setRemedy(placeSteps(m_last), m_actions.homeRobot);
     const std::optional<Verb> verb = remedyVerb(m_last.remedy.code);
     const bool isPossible = verb && allows(m_last, *verb);
-    QString words;
-    if (m_last.remedy.code != MessageCode::None)
+    QString words = isUnaskedWaited(m_last) ? unaskedWait(m_last, m_settings.temperatureUnit()) : QString();
+    if (words.isEmpty() && m_last.remedy.code != MessageCode::None)
         words = messageText(m_last.remedy);
     if (verb && !isPossible)
         words += u' ' + whyNot(m_last, *verb);

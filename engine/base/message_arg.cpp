@@ -121,9 +121,12 @@ const std::vector<Message>& MessageArg::sentences() const {
 }
 
 std::string formatNumber(double value, int digits) {
-    std::array<char, 40> buffer{}; // not printf: its decimal point is that of the computer's language
+    std::array<char, 40> buffer{};        // not printf: its decimal point is that of the computer's language
+    constexpr double kLargestWhole = 1e5; // "113", never "1.1e+02"
+    const bool isWhole = std::abs(value) < kLargestWhole && std::abs(value) >= std::pow(10.0, digits) - 0.5;
     const auto [end, failed] =
-        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
+        isWhole ? std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, 0)
+                : std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
     return {buffer.begin(), end};
 }
 

@@ -226,10 +226,15 @@ int SensorChannels::minCount() const {
     return min;
 }
 
+Message SensorChannels::filling() const {
+    const double missing = std::max(0.0, static_cast<double>(m_sampling.window) - minCount());
+    const double in_s = std::max(1.0, std::ceil(missing * m_sampling.period_s));
+    return {MessageCode::ReasonEstimatorFilling, {formatNumber(in_s, 4)}};
+}
+
 Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
     if (!full())
-        return Error(MessageCode::ReasonEstimatorFilling, {},
-                     {std::to_string(minCount()), std::to_string(m_sampling.window)});
+        return Error(filling().code, {}, filling().args);
     double total = 0.0;
     for (const Channel& channel : m_channels)
         total += mean(channel.window);

@@ -91,7 +91,7 @@ public:
     std::optional<RateEstimate> estimate(std::size_t i) const { return m_channels[i].estimator.estimate(); }
     /// Whether all estimators have a full window.
     bool full() const;
-    int minCount() const;
+    Message filling() const; ///< ReasonEstimatorFilling: how long it takes until it is
 
     /// Finds the offsets that make all channels agree at ambient temperature, from the window's readings, and
     /// T3. Refuses if the window is not full, or the readings are not those of objects at rest at ambient
@@ -124,6 +124,7 @@ private:
     bool isJump(std::size_t i, const Reading& reading);
     bool isPossible(std::size_t i, const Reading& reading) const;
     void accept(std::size_t i, const Reading& reading);
+    int minCount() const; ///< readings of the estimator that has the fewest
 
     SamplingSpec m_sampling;
     SensorLimits m_limits;

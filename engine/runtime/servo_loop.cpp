@@ -504,8 +504,7 @@ std::vector<Message> ServoLoop::reasons() const {
     if (!m_readings.isSourceSeen() && !m_readings.wasSourceSeen()) // this is not an alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !sensors.full())
-        out.push_back({MessageCode::ReasonEstimatorFilling,
-                       {std::to_string(sensors.minCount()), std::to_string(m_experiment.sampling.window)}});
+        out.push_back(sensors.filling());
     for (const auto& fit : {m_mounting, checkTargets(m_experiment), m_motion.checkReach()})
         if (!fit)
             out.push_back(fit.error().message);

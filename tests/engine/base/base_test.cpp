@@ -32,6 +32,17 @@ TEST(Units, TemperaturesGoThereAndBack) {
     EXPECT_NEAR(displayDifference(0.5, TemperatureUnit::Fahrenheit), 0.9, 1e-12); // no offset in a difference
 }
 
+// Catches "circle +1.1e+02 K" in a sentence.
+TEST(FormatNumber, HasNoExponentWhereAPersonReadsIt) {
+    EXPECT_EQ(formatNumber(113.4, 2), "113");
+    EXPECT_EQ(formatNumber(-99.6, 2), "-100");
+    EXPECT_EQ(formatNumber(99.4, 2), "99");
+    EXPECT_EQ(formatNumber(0.034, 2), "0.034");
+    EXPECT_EQ(formatNumber(12345.6, 4), "12346");
+    EXPECT_EQ(formatNumber(12345.6, 6), "12345.6");
+    EXPECT_EQ(formatNumber(1.25e7, 3), "1.25e+07");
+}
+
 // Catches work that is left out or done twice, an exception that ends the program, and the rest of the work
 // done all the same.
 TEST(Parallel, DoesEachPieceOnceAndPassesOnTheFirstException) {
