@@ -90,6 +90,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_deafKey
     endRecording = make("endRecording");
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     largeNumbers = make("largeNumbers");
+    largeNumbers->setCheckable(true);
     monitoring = make("monitoring");
     labels = make("labels", QKeySequence(Qt::CTRL | Qt::Key_L));
     m_clearRecent = make("clearRecent");

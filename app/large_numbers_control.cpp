@@ -29,7 +29,12 @@ void LargeNumbersControl::make() {
     connect(m_view.get(), &LargeNumbers::stopRequested, this, &LargeNumbersControl::stopRequested);
 }
 
-void LargeNumbersControl::open() {
+void LargeNumbersControl::setOpen(bool isOpen) {
+    if (!isOpen) {
+        if (m_view)
+            m_view->close();
+        return;
+    }
     if (!m_view)
         make();
     m_view->setWindowState(m_view->windowState() & ~Qt::WindowMinimized);
@@ -47,6 +52,10 @@ void LargeNumbersControl::setAnswering(bool answering) {
 bool LargeNumbersControl::eventFilter(QObject* watched, QEvent* event) {
     if (m_view && watched == m_view.get() && event->type() == QEvent::Close)
         m_settings.setLargeNumbersGeometry(m_view->saveGeometry());
+    else if (m_view && watched == m_view.get() && event->type() == QEvent::Show)
+        emit openChanged(true);
+    else if (m_view && watched == m_view.get() && event->type() == QEvent::Hide && !event->spontaneous())
+        emit openChanged(false);
     else if (m_view && watched == m_window && event->type() == QEvent::Hide && !event->spontaneous())
         m_view->close();
     return QObject::eventFilter(watched, event);

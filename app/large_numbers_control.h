@@ -23,11 +23,12 @@ public:
     LargeNumbersControl(RunPage& run, QWidget* window);
     ~LargeNumbersControl() override;
 
-    void open();
+    void setOpen(bool isOpen);
     void setAnswering(bool answering);
 
 signals:
     void stopRequested();
+    void openChanged(bool isOpen); ///< also when a person has closed the window
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

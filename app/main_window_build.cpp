@@ -219,7 +219,8 @@ void MainWindow::connectParts() {
     m_materials = new MaterialControl(materialFile(), m_files, *m_pages->objects(), this);
     connect(m_materials, &MaterialControl::problem, m_pages, &PageHost::showProblem);
     auto* largeNumbers = new LargeNumbersControl(*m_pages->run(), this);
-    connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::open);
+    connect(m_actions.largeNumbers, &QAction::triggered, largeNumbers, &LargeNumbersControl::setOpen);
+    connect(largeNumbers, &LargeNumbersControl::openChanged, m_actions.largeNumbers, &QAction::setChecked);
     connect(largeNumbers, &LargeNumbersControl::stopRequested, m_stateBar, &StateBar::stopRequested);
     connect(&m_engine, &EngineClient::answeringChanged, largeNumbers, &LargeNumbersControl::setAnswering);
     auto* plotWindows = new PlotWindowsControl(this);

@@ -153,8 +153,14 @@ TEST_F(LargeNumbersWindowTest, ComesAndGoesWithoutTouchingTheRun) {
     ASSERT_NO_FATAL_FAILURE(startRun(6));
     ASSERT_NO_FATAL_FAILURE(openLarge());
     EXPECT_EQ(view()->parentWidget(), nullptr) << "it would stay above the main window";
+    auto* const shown = find<QAction>("largeNumbers");
+    EXPECT_TRUE(shown->isChecked());
+    shown->trigger();
+    EXPECT_FALSE(view()->isVisible()) << "the menu closes it, too";
+    ASSERT_NO_FATAL_FAILURE(openLarge());
     view()->resize(size);
     EXPECT_TRUE(view()->close());
+    EXPECT_FALSE(shown->isChecked());
     EXPECT_TRUE(window->isVisible());
     const double before_s = window->lastSnapshot().runTime_s;
     ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().runTime_s > before_s + 2.0; }));

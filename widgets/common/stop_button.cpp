@@ -30,6 +30,7 @@ StopButton::StopButton(StopButton& original, QWidget* dialog)
     setFocusPolicy(Qt::NoFocus);
     setCursor(Qt::PointingHandCursor);
     setFont(original.font());
+    m_key = original.m_key;
     connect(this, &QAbstractButton::pressed, &original, &StopButton::stopRequested);
     retranslateUi();
     setGeometry({original.mapToGlobal(QPoint(0, 0)), original.size()});
@@ -82,13 +83,18 @@ void StopButton::retranslateUi() {
     update();
 }
 
+void StopButton::setKeyShown(bool isShown) {
+    m_key = isShown ? QStringLiteral("F12") : QString();
+    updateGeometry();
+    update();
+}
+
 QSize StopButton::sizeHint() const {
     QFont big = font();
     big.setBold(true);
     big.setPointSizeF(font().pointSizeF() * 1.35);
     const QFontMetrics metrics(big);
-    return {metrics.horizontalAdvance(text()) +
-                QFontMetrics(font()).horizontalAdvance(QStringLiteral("F12")) + 56,
+    return {metrics.horizontalAdvance(text()) + QFontMetrics(font()).horizontalAdvance(m_key) + 56,
             std::max(metrics.height() + 14, 38)};
 }
 
@@ -106,14 +112,14 @@ void StopButton::paintEvent(QPaintEvent*) {
     big.setBold(true);
     big.setPointSizeF(font().pointSizeF() * 1.35);
     const int wordWidth = QFontMetrics(big).horizontalAdvance(text());
-    const int keyWidth = QFontMetrics(font()).horizontalAdvance(QStringLiteral("F12"));
-    const int left = (width() - wordWidth - keyWidth - 10) / 2;
+    const int keyWidth = QFontMetrics(font()).horizontalAdvance(m_key);
+    const int left = (width() - wordWidth - keyWidth - (m_key.isEmpty() ? 0 : 10)) / 2;
     painter.setPen(Qt::white);
     painter.setFont(big);
     painter.drawText(QRect(left, 0, wordWidth + 2, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
     painter.setFont(font());
     painter.drawText(QRect(left + wordWidth + 10, 0, keyWidth + 2, height()),
-                     Qt::AlignVCenter | Qt::AlignLeft, QStringLiteral("F12"));
+                     Qt::AlignVCenter | Qt::AlignLeft, m_key);
 }
 
 void StopButton::changeEvent(QEvent* event) {

@@ -13,6 +13,8 @@ class StopButton : public QAbstractButton {
 public:
     explicit StopButton(QWidget* parent = nullptr);
 
+    /// Whether its key is named beside the word; without it the word has more room.
+    void setKeyShown(bool isShown);
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
 
@@ -32,6 +34,7 @@ private:
     void retranslateUi();
 
     const StopButton* m_original = nullptr; ///< of a twin
+    QString m_key = QStringLiteral("F12");
 };
 
 } // namespace bask

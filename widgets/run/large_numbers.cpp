@@ -15,14 +15,15 @@
 #include <QShortcut>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
 
-constexpr double kTopPart = 0.16, kAlarmPart = 0.067, kGapPart = 0.011; // of the window's height
-constexpr double kStateRow = 0.58;                                      // of the part at the top
-constexpr double kStopPart = 0.27;                                      // of the window's width
-constexpr float kCallingGround = 0.18F, kSeenGround = 0.06F;            // as on the state bar
+constexpr double kTopPart = 0.165, kRowPart = 0.05, kAlarmPart = 0.105, kGapPart = 0.011; // of the height
+constexpr double kCountdownPart = 0.36;                      // of the alarm's line
+constexpr double kStopPart = 0.27;                           // of the window's width
+constexpr float kCallingGround = 0.18F, kSeenGround = 0.06F; // as on the state bar
 
 } // namespace
 
@@ -32,6 +33,7 @@ LargeNumbers::LargeNumbers(QWidget* parent)
       m_clock(new LargeText("largeClock", Qt::AlignRight, this)),
       m_source(new LargeText("largeSource", Qt::AlignLeft, this)),
       m_heat(new LargeText("largeHeat", Qt::AlignRight, this)),
+      m_countdown(new LargeText("largeCountdown", Qt::AlignLeft, this)),
       m_alarm(new LargeText("largeAlarm", Qt::AlignLeft, this)), m_stop(new StopButton(this)) {
     setObjectName(QStringLiteral("largeNumbersWindow"));
     m_stop->setObjectName(QStringLiteral("largeStop"));
@@ -41,10 +43,13 @@ LargeNumbers::LargeNumbers(QWidget* parent)
     bold.setBold(true);
     m_rig->setFont(bold);
     m_state->setFont(bold);
+    m_countdown->setFont(bold);
+    m_countdown->setWordWrap(true);
     m_alarm->setWordWrap(true);
+    m_stop->setKeyShown(false);
     connect(m_stop, &StopButton::stopRequested, this, &LargeNumbers::stopRequested);
     new QShortcut(Qt::Key_F11, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    new QShortcut(Qt::Key_Escape, this, [this] { setWindowState(windowState() & ~Qt::WindowFullScreen); });
+    new QShortcut(Qt::Key_Escape, this, [this] { closeOrShrink(); });
     setMinimumSize(480, 300);
     resize(960, 600);
     retranslate();
@@ -58,6 +63,7 @@ void LargeNumbers::apply(const Snapshot& snapshot, const std::vector<ShownObject
     m_last.runTime_s = snapshot.runTime_s;
     m_last.reasons = snapshot.reasons;
     m_last.alarms = snapshot.alarms;
+    m_last.pending = snapshot.pending;
     m_last.source_K = snapshot.source_K;
     m_last.latest.source_K = snapshot.latest.source_K;
     m_last.sourceAge_s = snapshot.sourceAge_s;
@@ -77,7 +83,15 @@ void LargeNumbers::refresh() {
     showState();
     showSource();
     showAlarm();
+    showCountdown();
     showTiles();
+}
+
+void LargeNumbers::closeOrShrink() {
+    if (isFullScreen())
+        setWindowState(windowState() & ~Qt::WindowFullScreen);
+    else
+        close();
 }
 
 void LargeNumbers::showState() {
@@ -120,7 +134,7 @@ void LargeNumbers::showAlarm() {
     QColor ground;
     if (isAlarm) {
         const bool isCalling = std::ranges::any_of(alarms, &AlarmGroup::isCalling);
-        words = alarmHeadline(first->alarm, m_unit);
+        words = alarmSentence(first->alarm, m_unit); // with what to do
         if (alarms.size() > 1)
             words += QStringLiteral(" (+%1)").arg(alarms.size() - 1);
         look.priority = first->alarm.priority;
@@ -142,6 +156,19 @@ void LargeNumbers::showAlarm() {
     }
 }
 
+/// What the engine does next by itself, and when.
+void LargeNumbers::showCountdown() {
+    QString words;
+    if (m_isAnswering && m_last.pending)
+        words = tr("In %1 s: %2", "seconds, and what the engine does then")
+                    .arg(std::max(0.0, std::ceil(m_last.pending->in_s)), 0, 'f', 0)
+                    .arg(sentenceText(m_last.pending->action));
+    const bool isOther = words.isEmpty() != m_countdown->text().isEmpty();
+    m_countdown->setText(words);
+    if (isOther)
+        arrange();
+}
+
 void LargeNumbers::showTiles() {
     const std::size_t before = m_tiles.size();
     while (m_tiles.size() > m_objects.size()) {
@@ -161,18 +188,20 @@ void LargeNumbers::showTiles() {
 void LargeNumbers::arrange() {
     const int gap = std::max(4, qRound(kGapPart * height()));
     const QRect all = rect().adjusted(gap, gap, -gap, -gap);
-    const int top = qRound(kTopPart * height()), alarm = qRound(kAlarmPart * height());
-    sizeStop({qRound(kStopPart * width()), top});
-    m_stop->setGeometry(all.right() + 1 - qRound(kStopPart * width()), all.top(), qRound(kStopPart * width()),
-                        top);
-    const int left = m_stop->x() - gap - all.left(), upper = qRound(kStateRow * (top - gap));
-    placeInRow(QRect(all.left(), all.top(), left, upper), gap, {{m_state, 0.66}, {m_clock, 0.34}});
-    placeInRow(QRect(all.left(), all.top() + upper + gap, left, top - gap - upper), gap,
-               {{m_rig, 0.24}, {m_source, 0.42}, {m_heat, 0.34}});
+    const int top = qRound(kTopPart * height()), row = qRound(kRowPart * height()),
+              alarm = qRound(kAlarmPart * height()), stop = qRound(kStopPart * width());
+    sizeStop({stop, top});
+    m_stop->setGeometry(all.right() + 1 - stop, all.top(), stop, top);
+    m_state->setGeometry(all.left(), all.top(), m_stop->x() - gap - all.left(), top);
+    placeInRow(QRect(all.left(), all.top() + top + gap, all.width(), row), gap,
+               {{m_rig, 0.2}, {m_clock, 0.2}, {m_source, 0.33}, {m_heat, 0.27}});
     m_rigFrame = m_rig->geometry();
     m_rig->setGeometry(m_rigFrame.adjusted(gap, gap / 2, -gap, -gap / 2));
-    m_alarm->setGeometry(all.adjusted(gap, all.height() - alarm, -gap, 0));
-    arrangeTiles(all.adjusted(0, top + gap, 0, -alarm - gap), gap);
+    const QRect line = all.adjusted(gap, all.height() - alarm, -gap, 0);
+    const int countdown = m_countdown->text().isEmpty() ? 0 : qRound(kCountdownPart * line.width());
+    m_countdown->setGeometry(line.left(), line.top(), countdown, line.height());
+    m_alarm->setGeometry(line.adjusted(countdown > 0 ? countdown + gap : 0, 0, 0, 0));
+    arrangeTiles(all.adjusted(0, top + row + 2 * gap, 0, -alarm - gap), gap);
     update();
 }
 

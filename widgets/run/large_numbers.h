@@ -15,11 +15,13 @@ class LargeText;
 class LargeTile;
 class StopButton;
 
-/// A window of its own. F11 makes it fill the screen, F11 or Esc ends that. With one to four objects a figure
-/// of a temperature is at least an eighth of a wide screen's height. Everything is as large as the window
-/// allows, and nothing moves when an alarm comes. Object names: "largeNumbersWindow"; "largeRig" (SIMULATED
-/// or LIVE), "largeState", "largeClock", "largeSource", "largeHeat", "largeAlarm", "largeStop"; its tiles
-/// "largeTile.<i>" (see there).
+/// A window of its own. F11 makes it fill the screen, F11 or Esc ends that; Esc closes one that does not.
+/// With one to four objects a figure of a temperature is at least an eighth of a wide screen's height; the
+/// letters of a short state and of STOP are nearly a tenth of the window's. Everything is as large as the
+/// window allows, and nothing moves when an alarm comes, but that a countdown takes a part of the alarm's
+/// line. Object names: "largeNumbersWindow"; "largeRig" (SIMULATED or LIVE), "largeState", "largeClock",
+/// "largeSource", "largeHeat", "largeCountdown" (while the engine will act by itself), "largeAlarm",
+/// "largeStop"; its tiles "largeTile.<i>" (see there).
 class LargeNumbers : public QWidget {
     Q_OBJECT
 public:
@@ -43,6 +45,8 @@ private:
     void showState();
     void showSource();
     void showAlarm();
+    void showCountdown();
+    void closeOrShrink();
     void showTiles();
     void arrange();
     void arrangeTiles(const QRect& room, int gap);
@@ -56,7 +60,7 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QColor m_alarmGround; ///< behind the alarm; invalid for none
     QRect m_rigFrame;     ///< around SIMULATED or LIVE
-    LargeText *m_rig, *m_state, *m_clock, *m_source, *m_heat, *m_alarm;
+    LargeText *m_rig, *m_state, *m_clock, *m_source, *m_heat, *m_countdown, *m_alarm;
     StopButton* m_stop;
     std::vector<LargeTile*> m_tiles;
 };

@@ -12,7 +12,7 @@ namespace bask {
 namespace {
 
 constexpr double kTilePadding = 0.025;                                // of its height
-constexpr double kNameRow = 0.15, kFigureRow = 0.5, kWordRow = 0.145; // the rest: target and error
+constexpr double kNameRow = 0.13, kFigureRow = 0.58, kWordRow = 0.14; // the rest: target and error
 constexpr double kSwatchLength = 17.6;                                // pen widths: shows every pattern
 constexpr double kCaptionLetters = 0.55;                              // of its value's
 
