@@ -89,6 +89,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window), m_deafKey
     homeRobot = make("homeTheRobot");
     endRecording = make("endRecording");
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
+    allAlarms = make("allAlarms");
     largeNumbers = make("largeNumbers");
     largeNumbers->setCheckable(true);
     monitoring = make("monitoring");
@@ -227,7 +228,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_viewMenu->addMenu(m_hornMenu);
     m_viewMenu->addMenu(m_languageMenu);
     m_viewMenu->addSeparator();
-    m_viewMenu->addActions({largeNumbers, monitoring});
+    m_viewMenu->addActions({allAlarms, largeNumbers, monitoring});
     for (QAction* action : m_units)
         m_unitMenu->addAction(action);
     for (QAction* action : m_themes)
@@ -337,6 +338,8 @@ void Actions::retranslateView() {
         action->setToolTip(tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or "
                               "over; once for priority 3"));
     m_languageMenu->setTitle(tr("&Language"));
+    allAlarms->setText(tr("All &alarms…"));
+    allAlarms->setToolTip(tr("The alarms of all recorded runs, with how often and when"));
     largeNumbers->setText(tr("Large &numbers"));
     monitoring->setText(tr("&Monitoring…"));
     m_toolsMenu->setTitle(tr("&Tools"));

@@ -67,7 +67,7 @@ public:
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo; ///< UndoActions sets their texts
     QAction* homeRobot;   ///< moves it: the window asks first
-    QAction *endRecording, *acknowledgeAlarms, *labels, *largeNumbers, *monitoring;
+    QAction *endRecording, *acknowledgeAlarms, *labels, *allAlarms, *largeNumbers, *monitoring;
     QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
 signals:

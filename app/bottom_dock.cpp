@@ -12,6 +12,7 @@
 #include <QEvent>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QToolButton>
 
 #include <algorithm>
 
@@ -19,12 +20,41 @@ namespace bask {
 namespace {
 
 constexpr int kRecipeHeight = 230;
+constexpr int kManyAlarms = 99; // their tab has room for so many
+
+/// Tabs that stay where they are when an alarm comes: one with a text as its data has room for that text and
+/// a mark.
+class SteadyTabs : public QTabWidget {
+public:
+    explicit SteadyTabs(QWidget* parent) : QTabWidget(parent) { setTabBar(new Bar(this)); }
+
+private:
+    class Bar : public QTabBar {
+    public:
+        using QTabBar::QTabBar;
+
+    protected:
+        QSize tabSizeHint(int index) const override {
+            QSize size = QTabBar::tabSizeHint(index);
+            const QString widest = tabData(index).toString();
+            if (widest.isEmpty())
+                return size;
+            constexpr int kIconGap = 4;
+            const QFontMetrics metrics = fontMetrics();
+            const int more = metrics.horizontalAdvance(widest) - metrics.horizontalAdvance(tabText(index));
+            size.rwidth() += std::max(0, more);
+            if (tabIcon(index).isNull())
+                size.rwidth() += iconSize().width() + kIconGap;
+            return size;
+        }
+    };
+};
 
 } // namespace
 
 BottomDock::BottomDock(QWidget* parent)
-    : QDockWidget(parent), m_tabs(new QTabWidget(this)), m_alarmList(new AlarmList),
-      m_eventList(new EventList), m_recipe(new RecipePanel) {
+    : QDockWidget(parent), m_tabs(new SteadyTabs(this)), m_history(new QToolButton(this)),
+      m_alarmList(new AlarmList), m_eventList(new EventList), m_recipe(new RecipePanel) {
     setObjectName(QStringLiteral("eventDock"));
     setFeatures(NoDockWidgetFeatures);
     setTitleBarWidget(new QWidget(this)); // none: the tabs say what is here
@@ -36,6 +66,10 @@ BottomDock::BottomDock(QWidget* parent)
         m_tabs->addTab(list, QString());
     }
     m_tabs->addTab(m_recipe, QString());
+    m_history->setObjectName(QStringLiteral("allAlarmsButton"));
+    m_history->setAutoRaise(true);
+    m_history->setFocusPolicy(Qt::StrongFocus);
+    m_tabs->setCornerWidget(m_history);
     m_tabs->setCurrentWidget(m_eventList);
     setWidget(m_tabs);
 
@@ -160,6 +194,11 @@ void BottomDock::setHomeAction(QAction* home) {
     m_alarmList->setHomeAction(home);
 }
 
+void BottomDock::setHistoryAction(QAction* history) {
+    m_history->setDefaultAction(history);
+    connect(m_alarmList, &AlarmList::historyRequested, history, &QAction::trigger);
+}
+
 void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
     m_alarmList->setTemperatureUnit(unit);
     m_recipe->setTemperatureUnit(unit);
@@ -190,6 +229,7 @@ void BottomDock::showParts() {
     QString title = present.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(present.size());
     if (!m_groups.shelved.empty())
         title += tr(", %1 shelved", "behind the number of alarms").arg(m_groups.shelved.size());
+    m_tabs->tabBar()->setTabData(alarmTab, tr("Alarms (%1)").arg(kManyAlarms));
     m_tabs->setTabText(alarmTab, title);
     const AlarmGroup* const first = gravest(m_groups);
     m_tabs->setTabIcon(alarmTab, first == nullptr

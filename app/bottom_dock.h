@@ -8,6 +8,7 @@
 #include <QDockWidget>
 
 class QTabWidget;
+class QToolButton;
 
 namespace bask {
 
@@ -27,6 +28,8 @@ public:
     void setAnswering(bool answering);
     /// The alarm of a robot whose place is not sure has a button with it.
     void setHomeAction(QAction* home);
+    /// Shows the alarms of earlier runs, too: a button beside the tabs, "allAlarmsButton", and in the list.
+    void setHistoryAction(QAction* history);
     void setTemperatureUnit(TemperatureUnit unit);
     /// A recorded run is shown: its events are on the page, and the dock shows only alarms, if there are any.
     void setReviewing(bool isReviewing);
@@ -61,6 +64,7 @@ private:
     void retranslate();
 
     QTabWidget* m_tabs;
+    QToolButton* m_history;
     AlarmList* m_alarmList;
     EventList* m_eventList;
     RecipePanel* m_recipe;

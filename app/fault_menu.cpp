@@ -110,7 +110,8 @@ void FaultMenu::show(const Entry& entry) {
     const FaultEffect effect = faultEffect(m_experiment, m_told.heat, entry.fault.fault, entry.fault.object);
     const bool isOn = isActive(entry.fault);
     entry.action->setChecked(isOn);
-    entry.action->setEnabled(isOn || !showsNothing(effect));
+    const bool isOfNoUse = showsNothing(effect) || effect == FaultEffect::InPictures; // no run is changed
+    entry.action->setEnabled(isOn || !isOfNoUse);
     const QString words = faultEffectWords(effect);
     setTip(entry.action, isOn ? (tr("Active. Choose it again to end it.") + u' ' + words).trimmed() : words);
 }

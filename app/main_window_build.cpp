@@ -118,6 +118,7 @@ void MainWindow::connectActions() {
     on(m_actions.quit, [this] { close(); });
     on(m_actions.labels, [this] { askLabels(false); });
     connect(m_stateBar, &StateBar::labelsRequested, this, [this] { askLabels(false); });
+    on(m_actions.allAlarms, [this] { m_pages->showAllAlarms(); });
     on(m_actions.homeRobot, [this] { askHome(); });
     on(m_actions.endRecording, [this] { m_engine.send(EndRecording{}); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
@@ -189,6 +190,7 @@ void MainWindow::connectParts() {
     connect(m_stateBar, &StateBar::reasonActivated, this, &MainWindow::showReason);
     connect(m_stateBar, &StateBar::alarmChosen, m_dock, &BottomDock::showAlarm);
     m_dock->setHomeAction(m_actions.homeRobot);
+    m_dock->setHistoryAction(m_actions.allAlarms);
     connect(m_dock, &BottomDock::commandIssued, &m_engine, &EngineClient::send);
     connect(m_dock, &BottomDock::timeChosen, m_pages, &PageHost::showMoment);
     connect(&m_files, &SessionActions::recentChanged, this,

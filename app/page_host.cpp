@@ -338,6 +338,11 @@ void PageHost::show(Page page) {
     emit pageChanged(page);
 }
 
+void PageHost::showAllAlarms() {
+    m_reviewDesk.showAlarmsOnceListed();
+    show(Page::Review);
+}
+
 Page PageHost::page() const {
     return static_cast<Page>(m_pages->currentIndex());
 }

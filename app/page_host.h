@@ -45,6 +45,8 @@ public:
     QSize minimumSizeHint() const override;
 
     void show(Page page);
+    /// The Review page with the alarms of its runs.
+    void showAllAlarms();
     Page page() const;
     void apply(const Snapshot& snapshot);
     void show(const VisionView& view);

@@ -61,6 +61,11 @@ void ReviewDesk::showList() {
     m_library.setFolder(m_files.sessionFolder());
 }
 
+void ReviewDesk::showAlarmsOnceListed() {
+    connect(m_page.sessions(), &SessionList::sessionsChanged, &m_alarms, &AlarmHistoryControl::open,
+            Qt::SingleShotConnection);
+}
+
 void ReviewDesk::setRecording(const QString& path) {
     if (path == m_recording)
         return;

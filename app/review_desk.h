@@ -25,6 +25,7 @@ public:
     ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent = nullptr);
 
     void showList();                        ///< shows the list of the sessions' folder
+    void showAlarmsOnceListed();            ///< the alarms of the listed runs, with the next list
     void setRecording(const QString& path); ///< the file that is being recorded; empty for none
     void setEditable(bool editable) { m_editable = editable; } ///< whether the open experiment can be edited
     void retranslate();

@@ -8,11 +8,13 @@
 #include "widgets/review/review_page.h"
 
 #include <QAction>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QThread>
 #include <QTimer>
@@ -74,6 +76,39 @@ TEST_F(AlarmsTest, IsSeenAtOnceAndLeavesOverAndAcknowledged) {
     click("resetButton");
     EXPECT_TRUE(waitFor([&] { return rows()->topLevelItemCount() == 0 && !bar()->isVisible(); }));
     EXPECT_EQ(tabs()->tabText(0), QStringLiteral("Alarms"));
+}
+
+// Catches: the tab Events under the pointer that moves away when an alarm comes.
+TEST(BottomDockTest, TabsStayWhereTheyAreWhenAnAlarmComes) {
+    BottomDock dock;
+    dock.resize(900, 200);
+    dock.show();
+    const auto* tabs = dock.findChild<QTabWidget*>(QStringLiteral("dockTabs"));
+    const auto left = [&] {
+        QCoreApplication::processEvents();
+        return tabs->tabBar()->tabRect(1).left();
+    };
+    Snapshot snapshot;
+    dock.apply(snapshot);
+    const int before = left();
+    Alarm alarm;
+    alarm.key = "SafetyDiskLow";
+    alarm.message = {MessageCode::SafetyDiskLow, {"12", "100"}};
+    for (std::uint64_t id = 1; id <= 12; ++id) {
+        alarm.id = id;
+        alarm.key += 'x';
+        snapshot.alarms.push_back(alarm);
+        dock.apply(snapshot);
+        ASSERT_EQ(left(), before) << id << " alarms";
+    }
+}
+
+// Catches: alarms of earlier runs that nobody finds beside the list.
+TEST_F(AlarmsTest, AllAlarmsAreBesideTheList) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    click("allAlarmsButton");
+    EXPECT_EQ(window->pages().page(), Page::Review);
+    EXPECT_TRUE(waitFor([this] { return window->findChild<QDialog*>("alarmHistoryDialog") != nullptr; }));
 }
 
 // Catches: temperatures inside sentences that stay in degC, of an alarm, of an event and of a recorded run,

@@ -112,6 +112,19 @@ TEST_F(FaultMenuTest, WhatWouldShowNothingSaysWhy) {
     EXPECT_TRUE(menuOf("object-hot")->menuAction()->isEnabled());
 }
 
+// Catches: a source that can be hidden from a camera whose pictures no run uses.
+TEST_F(FaultMenuTest, ASourceThatNoRunFollowsCannotBeHidden) {
+    experiment.vision.markers = {{Part::Source, 3, 0.05}};
+    faults.setExperiment(experiment);
+    const QAction* hidden = ofRig("source-covered");
+    EXPECT_FALSE(hidden->isEnabled());
+    EXPECT_TRUE(hidden->toolTip().contains(QStringLiteral("nothing else here uses the camera")))
+        << hidden->toolTip().toStdString();
+    experiment.source.tracked = true;
+    faults.setExperiment(experiment);
+    EXPECT_TRUE(hidden->isEnabled());
+}
+
 // Catches: a camera that can be lost where no run uses one, and no word about why nothing comes of it.
 TEST_F(FaultMenuTest, ACameraThatNoRunUsesCannotBeLost) {
     QAction* lost = ofRig("camera-lost");

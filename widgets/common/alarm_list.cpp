@@ -9,6 +9,7 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QMenu>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
@@ -18,6 +19,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace bask {
 namespace {
@@ -85,6 +87,8 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setMinimumWidth(240);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_tree, &QWidget::customContextMenuRequested, this, &AlarmList::showMenu);
     for (int column = kPriority; column < kWhat; ++column)
         m_tree->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_guidance->setObjectName(QStringLiteral("alarmGuidance"));
@@ -97,25 +101,27 @@ AlarmList::AlarmList(QWidget* parent)
 
     m_shelve->setObjectName(QStringLiteral("shelveAlarm"));
     m_shelve->setFocusPolicy(Qt::StrongFocus);
+    m_shelve->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    m_shelve->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_home->setObjectName(QStringLiteral("homeFromAlarm"));
     m_home->setFocusPolicy(Qt::StrongFocus);
     m_home->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_home->hide();
 
-    auto* one = new QHBoxLayout;
-    one->setSpacing(kGap / 2);
-    one->addWidget(m_acknowledge, 1);
-    one->addWidget(m_shelve);
     auto* buttons = new QVBoxLayout;
-    buttons->addLayout(one);
+    buttons->addWidget(m_acknowledge);
     buttons->addWidget(m_acknowledgeAll);
-    buttons->addWidget(m_home);
+    buttons->addWidget(m_shelve);
     buttons->addStretch(1);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(kGap);
     row->addWidget(m_tree, 5);
-    row->addWidget(m_guidance, 3);
+    auto* words = new QVBoxLayout;
+    words->setSpacing(kGap / 2);
+    words->addWidget(m_guidance, 1);
+    words->addWidget(m_home);
+    row->addLayout(words, 3);
     row->addLayout(buttons);
 
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, [this] {
@@ -297,6 +303,22 @@ bool AlarmList::isShelvable(const Alarm& alarm) const {
                                [&](const AlarmGroup& group) { return group.alarm.id == alarm.id; });
 }
 
+/// Of the row under the pointer.
+void AlarmList::showMenu(const QPoint& at) {
+    if (QTreeWidgetItem* item = m_tree->itemAt(at))
+        m_tree->setCurrentItem(item);
+    auto* menu = new QMenu(this);
+    menu->setObjectName(QStringLiteral("alarmMenu"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{m_acknowledge, m_shelve}) {
+        QAction* action = menu->addAction(button->text(), button, &QAbstractButton::click);
+        action->setEnabled(button->isEnabled());
+    }
+    menu->addSeparator();
+    menu->addAction(tr("All alarms…"), this, &AlarmList::historyRequested);
+    menu->popup(m_tree->viewport()->mapToGlobal(at));
+}
+
 void AlarmList::openShelf() {
     const Alarm* alarm = chosen();
     if (alarm == nullptr)
@@ -353,6 +375,7 @@ void AlarmList::showChosen() {
     m_shelve->setEnabled(!m_isStale && alarm != nullptr && (isShelved || isShelvable(*alarm)));
     const QString verb = isShelved ? tr("Take the alarm back from the shelf")
                                    : tr("Shelve: put the alarm aside for a time, with a reason");
+    m_shelve->setText(isShelved ? tr("Unshelve") : tr("Shelve…"));
     if (verb != m_shelve->accessibleName()) {
         m_shelve->setAccessibleName(verb);
         m_shelve->setToolTip(verb);
@@ -368,7 +391,6 @@ void AlarmList::retranslateUi() {
     // The other columns may leave it little room.
     m_tree->headerItem()->setToolTip(kWhat, tr("What is wrong"));
     m_guidance->setAccessibleName(tr("What to do about the alarm"));
-    m_shelve->setIcon(QIcon(shelfPixmap(palette().color(QPalette::ButtonText), devicePixelRatioF())));
     m_acknowledge->setText(tr("Acknowledge"));
     m_acknowledge->setToolTip(
         tr("You have seen this alarm. It stays in the list while its condition holds."));

@@ -26,7 +26,7 @@ class ShelfPopup;
 /// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what; consequences of an alarm
 /// are folded under it, the last row contains the shelved ones), "alarmGuidance", "acknowledgeAlarm" (the
 /// selected one), "acknowledgeAllAlarms", "homeFromAlarm" (while one of the robot's place is selected),
-/// "shelveAlarm" (for a shelved one: unshelve), "shelfPopup" (see there).
+/// "shelveAlarm" (for a shelved one: unshelve), "alarmMenu" (of the right button), "shelfPopup" (see there).
 class AlarmList : public QWidget {
     Q_OBJECT
 
@@ -51,6 +51,8 @@ signals:
     void acknowledgeAllRequested();
     void shelveRequested(quint64 id, double for_s, const QString& reason);
     void unshelveRequested(quint64 id);
+    /// A person wants to see the alarms of earlier runs, too.
+    void historyRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,6 +63,7 @@ private:
     void showShelf(QTreeWidgetItem* item);
     void fill(QTreeWidgetItem* item, const Alarm& alarm, std::size_t following = 0) const;
     void setFolded(const QTreeWidgetItem* item, bool isFolded);
+    void showMenu(const QPoint& at);
     void openShelf();
     void showChosen();
     bool chooseGravest();

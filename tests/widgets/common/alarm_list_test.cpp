@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QDateTime>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -320,6 +321,33 @@ TEST_F(AlarmListTest, AnUnsurePlaceOffersHome) {
     place.isActive = false;
     list.setAlarms({hot(1, "hand"), place});
     EXPECT_FALSE(button->isVisible()) << "it is over";
+}
+
+// Catches: a right click that does nothing, or works on another alarm than the one under the pointer.
+TEST_F(AlarmListTest, ARightClickOffersWhatCanBeDone) {
+    QSignalSpy history(&list, &AlarmList::historyRequested);
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
+    list.resize(900, 200);
+    list.setAlarms({hot(1, "hand"), hot(2, "foot")});
+    list.show();
+    const QPoint second = tree()->visualItemRect(tree()->topLevelItem(1)).center();
+    emit tree()->customContextMenuRequested(second);
+    auto* menu = list.findChild<QMenu*>(QStringLiteral("alarmMenu"));
+    ASSERT_NE(menu, nullptr);
+    const auto act = [&](const char* words) {
+        for (QAction* action : menu->actions())
+            if (action->text() == QString::fromUtf8(words))
+                return action->trigger();
+        ADD_FAILURE() << words;
+    };
+    EXPECT_EQ(chosenRow(), 1);
+    act("All alarms…");
+    EXPECT_EQ(history.count(), 1);
+    act("Acknowledge");
+    ASSERT_EQ(one.count(), 1);
+    EXPECT_EQ(one.first().first().toULongLong(), 2U);
+    EXPECT_EQ(list.findChild<QToolButton*>(QStringLiteral("shelveAlarm"))->text(), QStringLiteral("Shelve…"));
+    menu->close();
 }
 
 // Catches: bold red for what is over, and consequences and shelved ones counted.
