@@ -125,14 +125,18 @@ void SourceTile::showValues() {
 
 void SourceTile::showState() {
     const int priority = heatPriority(m_heat);
-    const QString word = priority > 0 ? heatWord(m_heat) : activityWord(m_activity);
+    const bool isAtRest = m_activity == ObjectActivity::Settled || m_activity == ObjectActivity::Steady;
+    const bool isLeft = m_heat == ShownHeat::Off && isAtRest; // nobody wants it to be anywhere
+    const QString word = priority > 0 ? heatWord(m_heat)
+                         : isLeft     ? asSentence(heatWord(m_heat))
+                                      : activityWord(m_activity);
     if (word == m_state->text() && !m_stateIcon->pixmap().isNull())
         return;
     const bool dark = isDark(this);
     m_state->setText(word);
-    m_stateIcon->setPixmap(priority > 0
-                               ? alarmPixmap(priority, dark, kAlarmMark, devicePixelRatioF())
-                               : activityPixmap(m_activity, dark, secondaryText(dark), devicePixelRatioF()));
+    m_stateIcon->setPixmap(priority > 0 ? alarmPixmap(priority, dark, kAlarmMark, devicePixelRatioF())
+                                        : activityPixmap(isLeft ? ObjectActivity::Steady : m_activity, dark,
+                                                         secondaryText(dark), devicePixelRatioF()));
     QPalette ink = palette();
     if (priority > 0)
         ink.setColor(QPalette::WindowText, alarmColor(priority, dark));

@@ -85,6 +85,22 @@ TEST(SourceTile, WhatIsNotKnownIsGreyWithItsAge) {
     EXPECT_EQ(shown.text("sourceTileTemperature"), QStringLiteral("\u2014"));
 }
 
+// Catches "Settled", or "Off target", of a source whose heat is off.
+TEST(SourceTile, OneThatIsOffIsNotSettled) {
+    ShownSource shown;
+    shown.snapshot.heat = HeatState::Off;
+    shown.run(200.0, 0.0, 20);
+    EXPECT_EQ(shown.text("sourceTileState"), QStringLiteral("Heat off"));
+    shown.snapshot.heat = HeatState::On;
+    shown.run(200.0, 0.0, 20);
+    EXPECT_EQ(shown.text("sourceTileState"), activityWord(ObjectActivity::Settled));
+    shown.snapshot.heat = HeatState::Off;
+    shown.run(60.0, 0.0, 20);
+    EXPECT_EQ(shown.text("sourceTileState"), QStringLiteral("Heat off"));
+    shown.run(60.0, -0.3, 20);
+    EXPECT_EQ(shown.text("sourceTileState"), activityWord(ObjectActivity::Cooling));
+}
+
 // Catches the word of a trend alone beside a source that heats although its heat is off.
 TEST(SourceTile, ASourceThatHeatsUnaskedSaysSo) {
     ShownSource shown;
