@@ -46,6 +46,21 @@ Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
     return box.clickedButton() == now ? Closing::Now : Closing::Keep;
 }
 
+bool askToEndRecording(QWidget* window, const QString& why) {
+    QMessageBox box(QMessageBox::Warning, ClosingText::tr("The recording is on"),
+                    why + u' ' +
+                        ClosingText::tr("If Bask is closed now, the recording ends. What is recorded stays."),
+                    QMessageBox::NoButton, window);
+    box.setObjectName(QStringLiteral("recordingQuestion"));
+    QPushButton* now = box.addButton(ClosingText::tr("Close now"), QMessageBox::DestructiveRole);
+    now->setObjectName(QStringLiteral("closeNow"));
+    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    return box.clickedButton() == now;
+}
+
 bool askToLeaveExports(QWidget* window, const QStringList& places) {
     QMessageBox box(QMessageBox::Warning, ClosingText::tr("An export is being written"),
                     ClosingText::tr("Bask is still writing what is named below. If it closes now, some of it "

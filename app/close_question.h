@@ -17,6 +17,10 @@ enum class Closing {
 /// "closeNow". `isRunOn`: a run is on, or in its retreat; otherwise a recipe waits between its runs.
 Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn);
 
+/// Asks whether to close although a run that has ended is still recorded; `why` says until when. Object name:
+/// "recordingQuestion", its button "closeNow".
+bool askToEndRecording(QWidget* window, const QString& why);
+
 /// Asks whether to close although these files and folders are not written yet. Object name: "exportQuestion",
 /// its button "closeAnyway".
 bool askToLeaveExports(QWidget* window, const QStringList& places);

@@ -59,11 +59,11 @@ namespace {
 
 constexpr double kNear = 0.02; ///< view factor: further away a source of 300 degC does little
 
-/// No run is on, and a hot source warms the objects all the same.
+/// No run is on, and a hot source warms the objects all the same; a retreat would take them away.
 bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
     const bool isHot =
         std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHandWarm_K;
-    return isHot && !isRunOn(snapshot.state) &&
+    return isHot && !isRunOn(snapshot.state) && !snapshot.isAway &&
            std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
                return object.viewFactor > kNear; // NaN where the robot's place is not sure
            });
@@ -557,7 +557,7 @@ bool MainWindow::runIsOn() const {
 /// What a person ends here ends before any question about unsaved work: nothing may begin behind it.
 bool MainWindow::mayClose() {
     if (!runIsOn() && !m_recipe->isOn())
-        return true;
+        return mayEndRecording();
     const Closing closing =
         m_closeQuestion ? m_closeQuestion() : askToClose(this, runIsOn(), m_recipe->isOn());
     m_closesAtRest = closing == Closing::Stop;
@@ -571,6 +571,14 @@ bool MainWindow::mayClose() {
     if (closing == Closing::Now)
         runIsOn() ? perform(Verb::EmergencyStop) : m_recipe->stopNow();
     return closing == Closing::Now;
+}
+
+bool MainWindow::mayEndRecording() {
+    if (!m_last.isRecordedUntilCold || !m_engine.answering())
+        return true;
+    if (m_closeQuestion)
+        return m_closeQuestion() == Closing::Now;
+    return askToEndRecording(this, recordedUntilColdText(m_last, m_settings.temperatureUnit()));
 }
 
 bool MainWindow::mayLeaveExports() {

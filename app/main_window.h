@@ -102,6 +102,7 @@ private:
     void restyle();
     bool runIsOn() const;
     bool mayClose();
+    bool mayEndRecording();
     bool mayLeaveExports();
     void endRun();
     void closeAtRest();

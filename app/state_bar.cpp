@@ -11,6 +11,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/run_label_words.h"
 #include "widgets/common/run_state_chip.h"
+#include "widgets/common/source_words.h"
 #include "widgets/common/stop_button.h"
 
 #include <QEvent>
@@ -45,8 +46,8 @@ constexpr int kAlarmText = 70;     // of the gravest alarm, where the verbs have
 StateBar::StateBar(Actions& actions, QWidget* parent)
     : QFrame(parent), m_actions(actions), m_tag(new QFrame(this)), m_tagIcon(new QLabel(m_tag)),
       m_tagWord(new QLabel(m_tag)), m_faultWord(new ElidedLabel(m_tag)), m_chip(new RunStateChip(this)),
-      m_clockCaption(new QLabel(this)), m_clock(new QLabel(this)), m_operator(new QToolButton(this)),
-      m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
+      m_clockCaption(new QLabel(this)), m_clock(new QLabel(this)), m_untilCold(new ElidedLabel(this)),
+      m_operator(new QToolButton(this)), m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
     setObjectName(QStringLiteral("stateBar"));
     auto* tag = new QGridLayout(m_tag);
     tag->setContentsMargins(8, 1, 10, 1); // with the fault it is no higher than the chip
@@ -78,6 +79,11 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     m_clock->setFont(clockFont);
     m_clock->setMinimumWidth(QFontMetrics(clockFont).horizontalAdvance(QStringLiteral("00:00:00")));
 
+    m_untilCold->setObjectName(QStringLiteral("untilCold"));
+    m_untilCold->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_untilCold->setFont(tiny);
+    m_untilCold->hide();
+
     m_operator->setObjectName(QStringLiteral("operatorButton"));
     m_operator->setAutoRaise(true);
     QFont small = font();
@@ -99,6 +105,7 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     clock->addWidget(m_clockCaption, 0, 0);
     clock->addWidget(m_clock, 0, 1);
     clock->addWidget(m_operator, 1, 0, 1, 2, Qt::AlignLeft);
+    clock->addWidget(m_untilCold, 1, 0, 1, 2); // in the operator's place
     row->addLayout(clock);
     row->addSpacing(8);
     row->addWidget(m_alarm);
@@ -144,10 +151,12 @@ void StateBar::apply(const Snapshot& snapshot) {
     }
     m_clock->setText(formatDuration(snapshot.runTime_s));
     sayWithText(m_clock, tr("Time since Start"));
-    if (snapshot.labels != m_labels) {
+    m_untilColdTip = snapshot.isRecordedUntilCold ? recordedUntilColdText(snapshot, m_unit) : QString();
+    if (snapshot.labels != m_labels || m_untilCold->isHidden() == snapshot.isRecordedUntilCold) {
         m_labels = snapshot.labels;
         showLabels();
     }
+    showUntilCold();
     m_alarm->setAlarms(snapshot.alarms);
     fit();
 }
@@ -215,6 +224,7 @@ void StateBar::shorten(int parts) {
     m_clock->setVisible(parts < kShortParts);
     m_shortParts = parts;
     showLabels();
+    showUntilCold();
 }
 
 QSize StateBar::minimumSizeHint() const {
@@ -249,6 +259,7 @@ void StateBar::setAnswering(bool answering) {
 }
 
 void StateBar::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
     m_alarm->setTemperatureUnit(unit);
     showChip();
 }
@@ -284,7 +295,15 @@ void StateBar::showLabels() {
     m_operator->setText(text.replace(u'&', QStringLiteral("&&")));
     m_operator->setToolTip(words + u'\n' + tr("Click to change it."));
     m_operator->setAccessibleName(words);
-    m_operator->setVisible(m_shortParts < kShortParts && !words.isEmpty());
+    m_operator->setVisible(m_shortParts < kShortParts && !words.isEmpty() && m_untilColdTip.isEmpty());
+}
+
+void StateBar::showUntilCold() {
+    m_untilCold->setText(tr("recorded until cold", "under the clock: the run has ended"));
+    m_untilCold->setToolTip(m_untilColdTip);
+    m_untilCold->setVisible(m_shortParts < kShortParts && !m_untilColdTip.isEmpty());
+    const QString tip = tr("Time since Start");
+    m_clock->setToolTip(m_untilColdTip.isEmpty() ? tip : tip + u'\n' + m_untilColdTip);
 }
 
 void StateBar::showTag() {
@@ -313,9 +332,9 @@ void StateBar::showTag() {
 
 void StateBar::retranslate() {
     m_clockCaption->setText(tr("Run"));
-    m_clock->setToolTip(tr("Time since Start"));
     sayWithText(m_clock, tr("Time since Start"));
     showLabels();
+    showUntilCold();
     setAccessibleName(tr("State of the run"));
 }
 

@@ -58,10 +58,12 @@ private:
     void reserveHold();
     void showTag();
     void showLabels();
+    void showUntilCold();
     void showChip();
     void retranslate();
 
     Actions& m_actions;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_simulated = true;
     bool m_answering = true;
     int m_shortParts = 0;
@@ -79,6 +81,8 @@ private:
     QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_retreat, *m_reset;
     QLabel* m_clockCaption;
     QLabel* m_clock;
+    QLabel* m_untilCold;    ///< under the clock, which goes on when the run has ended
+    QString m_untilColdTip; ///< empty if nothing is recorded after a run
     QToolButton* m_operator;
     RunLabels m_labels;
     AlarmButton* m_alarm;

@@ -71,6 +71,7 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_late = snapshot.lateSteps;
     m_speed = snapshot.simulated ? snapshot.simulationSpeed : 1.0;
     m_rows = snapshot.recordedRows;
+    m_isUntilCold = snapshot.isRecordedUntilCold;
     m_tracking = snapshot.tracking;
     m_devices = snapshot.devices;
     m_source.source_K = snapshot.source_K;
@@ -108,10 +109,7 @@ void StatusLine::refresh() {
     set(m_sourceLabel, sourceText());
     set(m_trackingLabel, trackingText());
     m_trackingLabel->setVisible(m_tracking.has_value());
-    set(m_recordingLabel,
-        m_recording.isEmpty()
-            ? tr("not recording")
-            : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).completeBaseName()).arg(m_rows));
+    set(m_recordingLabel, recordingText());
     m_recordingLabel->setToolTip(m_recording);
 }
 
@@ -125,6 +123,16 @@ QString StatusLine::ageText() const {
     if (!ages.isEmpty())
         return ages.join(QStringLiteral(", "));
     return m_any ? tr("readings %1 s old").arg(QLocale().toString(m_age_s, 'f', 1)) : tr("no readings");
+}
+
+QString StatusLine::recordingText() const {
+    if (m_recording.isEmpty())
+        return tr("not recording");
+    const QString name = QFileInfo(m_recording).completeBaseName();
+    if (!m_isUntilCold)
+        return tr("recording %1, %2 samples").arg(name).arg(m_rows);
+    return tr("recorded until cold: source %1; %2, %3 samples")
+        .arg(sourceReadingText(m_source, m_temperatureUnit), name, QString::number(m_rows));
 }
 
 QString StatusLine::sourceText() const {

@@ -35,6 +35,7 @@ private:
     void refresh();
     void retranslate();
     QString ageText() const;
+    QString recordingText() const;
     QString sourceText() const;
     void showHeat();
     void showMonitor();
@@ -47,6 +48,7 @@ private:
     std::uint64_t m_late = 0;
     double m_speed = 1.0;
     std::size_t m_rows = 0;
+    bool m_isUntilCold = false;
     QString m_recording;
     std::optional<SourceTracking> m_tracking;
     std::vector<RigDeviceState> m_devices; ///< devices of a real rig

@@ -35,6 +35,9 @@ constexpr const char* kSelectMeta = "SELECT key, substr(value, 1, 65536) FROM me
                                     "'outcome', 'tags') LIMIT 7";
 constexpr const char* kSelectExperiment =
     "SELECT json FROM experiment WHERE length(json) < 16777216 ORDER BY rowid LIMIT 1";
+/// As controlledUntil_s() finds it.
+constexpr const char* kSelectStop = "SELECT time_s FROM event WHERE code IN ('EventStopped', "
+                                    "'EventStoppedFor', 'EventEmergencyStop') ORDER BY rowid LIMIT 1";
 constexpr const char* kSelectNotes = "SELECT substr(text, 1, 4096) FROM note ORDER BY rowid LIMIT 1000";
 
 std::vector<std::string> textsOf(const nlohmann::json& list) {
@@ -121,6 +124,11 @@ Result<void> readInto(SessionHeader& header) {
                                     header.samples = static_cast<std::uint64_t>(numberOf(row[0]));
                                     header.end_s = numberOf(row[1]);
                                 });
+    if (done)
+        done = (*store)->select(kSelectStop, [&](Row row) {
+            if (const double stopped_s = numberOf(row[0]); stopped_s >= 0.0)
+                header.stopped_s = stopped_s;
+        });
     if (done)
         done = (*store)->select(kSelectNotes,
                                 [&](Row row) { header.notes.push_back(printable(textOf(row[0]))); });

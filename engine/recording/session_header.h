@@ -6,6 +6,7 @@
 #include "engine/model/run_labels.h"
 #include "engine/recording/session_verify.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -38,11 +39,17 @@ struct SessionHeader {
     std::string outcome; ///< empty: interrupted, or still being recorded
     std::uint64_t samples = 0;
     double end_s = 0.0; ///< time of the last sample since Start; 0 without one
+    /// Time since Start at which the run ended: by Stop, STOP or the engine. Its record goes on until all is
+    /// away, or cold. Empty if the file does not say.
+    std::optional<double> stopped_s;
     std::vector<std::string> notes;
     std::vector<std::string> tags;
     std::optional<Error> error;  ///< why it cannot be read; all other members except the path are then empty
     std::optional<Error> damage; ///< in what a list does not read: never set by readSessionHeader()
     std::optional<SessionVerdict> alteration; ///< of a recording that is not as it was: nor set by that
+
+    /// Returns how long the run itself took, s.
+    double length_s() const { return std::min(stopped_s.value_or(end_s), end_s); }
 };
 
 /// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession()

@@ -104,6 +104,7 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.remedy = loop.remedy();
     snapshot.pending = loop.pending();
     snapshot.canRetreat = loop.keepsFromRetreat().code == MessageCode::None;
+    snapshot.isAway = loop.isAway();
     snapshot.runTime_s = loop.runTime_s();
     snapshot.clock_s = now_s;
     snapshot.latest = loop.latest();

@@ -931,6 +931,7 @@ void EngineWorker::fill(Snapshot& snapshot) const {
         snapshot.recordingPath = recorder->path();
         snapshot.recordedRows = recorder->rows();
     }
+    snapshot.isRecordedUntilCold = m_session && m_session->loop.isCooling() && m_recordings.isOn();
 }
 
 } // namespace bask

@@ -156,6 +156,8 @@ public:
     std::optional<PendingAction> pending() const;
     /// Why it cannot retreat now; code None if it can.
     Message keepsFromRetreat() const;
+    /// Whether the end-effector is known to be as far off the source as a retreat moves it.
+    bool isAway() const { return m_readings.robot().isPlaceSure && m_retreat.isAway(); }
     /// Latched faults, then what the safety monitor finds, then a compromise.
     std::vector<AlarmCondition> alarmConditions() const;
     SensorTrust sensorTrust(std::size_t object) const;

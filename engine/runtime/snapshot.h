@@ -100,6 +100,7 @@ struct Snapshot {
     Message remedy;                       ///< what to do now about the reasons; code None: nothing
     std::optional<PendingAction> pending; ///< the next action that the engine takes by itself
     bool canRetreat = false;              ///< the robot answers and can move
+    bool isAway = false;                  ///< it is as far off the source as a retreat moves it
     std::vector<Alarm> alarms;            ///< sorted by AlarmLog
     std::vector<ActiveFault> faults;      ///< as the devices of the simulated rig have them
     std::optional<SourceWarmUp> warmUp;   ///< empty without an experiment
@@ -127,6 +128,8 @@ struct Snapshot {
     RunLabels labels;                 ///< who operates now, and what is heated
     std::string recordingPath;        ///< empty if nothing is recorded and the last recording is closed
     std::size_t recordedRows = 0;
+    bool isRecordedUntilCold =
+        false;                   ///< the run has ended, its time and its recording go on until all is cold
     double loopRate_Hz = 0.0;    ///< control steps per second of real time
     std::uint64_t lateSteps = 0; ///< control steps that were late or lost
     double simulationSpeed = 1.0;

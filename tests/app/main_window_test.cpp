@@ -457,6 +457,26 @@ TEST_F(MainWindowTest, ClosingDuringARunAsks) {
     EXPECT_EQ(state(), RunState::Running);
 }
 
+// Catches a recording after a run that is ended by closing, without a word.
+TEST_F(MainWindowTest, ClosingBeforeAllIsColdAsks) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(startRun(5));
+    click("stopButton");
+    ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().isRecordedUntilCold; }));
+    QString asked;
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            asked = box->objectName() + u' ' + box->text();
+            QTest::keyClick(box, Qt::Key_Return); // the default answer
+        }
+    });
+    answer.start(20);
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(asked.startsWith(QStringLiteral("recordingQuestion"))) << asked.toStdString();
+    EXPECT_TRUE(asked.contains(QStringLiteral("\u00a0°C"))) << "how far it is";
+}
+
 // Catches objects that are left standing over a hot source by a window that closes at once.
 TEST_F(MainWindowTest, ClosingCanWaitForTheRetreat) {
     openWindow();
@@ -1001,6 +1021,10 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     emit window->engine().snapshot(told);
     EXPECT_EQ(chip->caption(), QStringLiteral("over hot source: 212\u00a0°C")) << "not: too cold, below 212";
     EXPECT_TRUE(chip->reasonsMenu()->actions().at(2)->text().contains(QStringLiteral("Retreat")));
+    told.isAway = true;
+    emit window->engine().snapshot(told);
+    EXPECT_EQ(chip->caption(), QString()) << "a retreat takes them no further";
+    told.isAway = false;
     for (ObjectSample& object : told.latest.objects)
         object.viewFactor = 0.001; // away from it
     emit window->engine().snapshot(told);

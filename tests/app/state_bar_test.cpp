@@ -2,6 +2,7 @@
 #include "app/state_bar.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "widgets/common/language.h"
 
 #include <QAbstractButton>
@@ -151,6 +152,35 @@ TEST(StateBar, ASimulatedFaultIsToldInWords) {
     bar.bar.resize(640, bar.bar.height()); // the words are with the tag's own
     bar.settle();
     EXPECT_TRUE(tag->accessibleName().contains(QStringLiteral("Sensor lost: bunny")));
+}
+
+// Catches: a clock that runs on under "Ready" without a word, in any language.
+TEST(StateBar, TheClockSaysThatItGoesOnUntilAllIsCold) {
+    initResources();
+    Bar bar(1280);
+    Language language;
+    const auto* word = bar.bar.findChild<QLabel*>(QStringLiteral("untilCold"));
+    const auto* clock = bar.bar.findChild<QLabel*>(QStringLiteral("runClock"));
+    const auto* who = bar.bar.findChild<QWidget*>(QStringLiteral("operatorButton"));
+    Snapshot snapshot;
+    snapshot.state = RunState::Ready;
+    snapshot.labels.operatorName = "A. Hu";
+    snapshot.source_K = snapshot.latest.source_K = kelvinFromCelsius(146.0);
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        bar.settle();
+        snapshot.isRecordedUntilCold = false;
+        bar.tell(snapshot);
+        EXPECT_FALSE(word->isVisible());
+        EXPECT_TRUE(who->isVisible());
+        snapshot.isRecordedUntilCold = true;
+        bar.tell(snapshot);
+        EXPECT_TRUE(word->isVisible());
+        EXPECT_FALSE(who->isVisible());
+        EXPECT_GE(word->width(), word->fontMetrics().horizontalAdvance(word->text())) << code.toStdString();
+        EXPECT_TRUE(clock->toolTip().contains(QStringLiteral("146"))) << code.toStdString();
+    }
+    language.set(QStringLiteral("en"));
 }
 
 // Catches: a greyed button that does nothing and says nothing.

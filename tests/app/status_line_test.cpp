@@ -42,6 +42,19 @@ TEST(StatusLineTest, LiveNeverShowsASimulationSpeed) {
     EXPECT_FALSE(shown.label("loopRate")->text().contains(QStringLiteral("×")));
 }
 
+// Catches: a count of samples that grows after the run without a word why.
+TEST(StatusLineTest, ARecordAfterTheRunSaysUntilWhen) {
+    Line shown;
+    shown.snapshot.recordingPath = "/runs/20261129T223014Z.bask";
+    shown.snapshot.recordedRows = 105;
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("recording")->text(), QStringLiteral("recording 20261129T223014Z, 105 samples"));
+    shown.snapshot.isRecordedUntilCold = true;
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("recording")->text(),
+              QStringLiteral("recorded until cold: source 182.3\u00a0°C; 20261129T223014Z, 105 samples"));
+}
+
 // Catches: "heat off" of a heater that is lost, and its last temperature shown as if it were of now.
 TEST(StatusLineTest, ALostHeaterIsUnknownAndItsTemperatureOld) {
     Line shown;

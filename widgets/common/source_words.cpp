@@ -46,4 +46,10 @@ QString coldSourceText(const Snapshot& snapshot, TemperatureUnit unit) {
            u' ' + warmUpText(*snapshot.warmUp);
 }
 
+QString recordedUntilColdText(const Snapshot& snapshot, TemperatureUnit unit) {
+    return SourceWords::tr("The run has ended. Its time and its recording go on until the source and the "
+                           "objects are cold (source %1), or until the next Arm.")
+        .arg(sourceReadingText(snapshot, unit));
+}
+
 } // namespace bask

@@ -17,5 +17,7 @@ bool isSourceCold(const Snapshot& snapshot);
 QString warmUpText(const SourceWarmUp& warmUp);
 /// Returns what a Start now would cost with a source that is too cold.
 QString coldSourceText(const Snapshot& snapshot, TemperatureUnit unit);
+/// Returns that the run has ended and its recording goes on, with the source's temperature.
+QString recordedUntilColdText(const Snapshot& snapshot, TemperatureUnit unit);
 
 } // namespace bask

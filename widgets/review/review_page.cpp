@@ -536,7 +536,7 @@ void ReviewPage::refreshTexts() {
     m_tag->setText(m_session->facts().simulated ? tr("SIMULATED") : tr("LIVE"));
     showOutcome();
     showShade();
-    m_duration.value->setText(m_session->size() == 0 ? kNoValue : formatDuration(m_session->lastTime_s()));
+    m_duration.value->setText(durationText());
     m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
     showFact(m_belief, wrongRatesText(m_session->facts().experiment));
     const auto pace =
@@ -547,6 +547,17 @@ void ReviewPage::refreshTexts() {
     m_created.value->setText(created.isValid() ? formatDate(created)
                                                : QString::fromStdString(m_session->facts().created));
     m_software.value->setText(QString::fromStdString(m_session->facts().software));
+}
+
+/// The run's own, as in the list.
+QString ReviewPage::durationText() const {
+    if (m_session->size() == 0)
+        return kNoValue;
+    const double last_s = m_session->lastTime_s(), until_s = controlledUntil_s(m_session->facts());
+    if (!(until_s >= 0.0 && until_s < last_s))
+        return formatDuration(last_s);
+    return tr("%1, recorded until %2", "two times since Start")
+        .arg(formatDuration(until_s), formatDuration(last_s));
 }
 
 void ReviewPage::changeEvent(QEvent* event) {

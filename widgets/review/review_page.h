@@ -109,6 +109,7 @@ private:
     void showVerification();
     void showShade();
     bool isAlteredNow() const;
+    QString durationText() const;
     QString outcomeText() const;
 
     std::shared_ptr<RecordedSession> m_session; ///< null if none is open

@@ -405,7 +405,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     const QStringList texts{formatDate(date),
                             name,
                             word,
-                            hasTime ? formatDuration(session.end_s) : kNoValue,
+                            hasTime ? formatDuration(session.length_s()) : kNoValue,
                             who,
                             sample,
                             rig,
@@ -414,7 +414,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
                              name,
                              word,
-                             hasTime ? session.end_s : -1.0,
+                             hasTime ? session.length_s() : -1.0,
                              who,
                              sample,
                              rig,
@@ -625,6 +625,9 @@ void SessionList::retranslate() {
         kOutcome, tr("What each run told at its end. Damage of its file is found when the run is selected (a "
                      "long one: when it is opened), whether it was altered when it is opened; both are "
                      "listed until the file changes or Bask is closed."));
+    m_tree->headerItem()->setToolTip(
+        kDuration, tr("From Start to Stop, STOP or the engine's end of the run. What is recorded after it, "
+                      "until all is away or cold, does not count."));
     m_tree->setAccessibleName(tr("Recorded runs"));
     m_tagsLabel->setText(tr("Tags"));
     m_tags->setPlaceholderText(tr("with commas"));

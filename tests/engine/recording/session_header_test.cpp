@@ -85,6 +85,24 @@ TEST_F(SessionHeaderTest, TellsWhatTheWholeFileTells) {
     EXPECT_FALSE(QFile::exists(QString::fromStdString(header.path + "-shm"))) << "nothing is left beside it";
 }
 
+// Catches the time of the cooling in the length of a run that STOP has ended.
+TEST_F(SessionHeaderTest, TheLengthOfARunEndsWithItsStop) {
+    const std::string path = file("stop.bask");
+    auto writer = SessionWriter::create(path, twoDisks(), true);
+    ASSERT_TRUE(writer);
+    for (int k = 0; k < 30; ++k)
+        ASSERT_TRUE((*writer)->add(madeUpSample(twoDisks(), k)));
+    for (const double time_s : {12.0, 25.0}) // the second one is pressed while it cools
+        ASSERT_TRUE((*writer)->add(TraceEvent{time_s, {MessageCode::EventEmergencyStop, {}}}));
+    ASSERT_TRUE((*writer)->finish("emergency-stop"));
+    const SessionHeader header = readSessionHeader(path);
+    EXPECT_EQ(header.length_s(), 12.0);
+    EXPECT_GT(header.end_s, 28.0);
+    const SessionHeader unended = readSessionHeader(recorded("a.bask", 30, "fault"));
+    EXPECT_FALSE(unended.stopped_s);
+    EXPECT_EQ(unended.length_s(), unended.end_s);
+}
+
 // Catches files that are left out of a list because they cannot be read, and ones that are no sessions in it.
 TEST_F(SessionHeaderTest, AFolderListsDamagedFilesWithTheirError) {
     QFile whole(QString::fromStdString(recorded("whole.bask", 200, "settled")));

@@ -743,6 +743,7 @@ TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
     rig.send(Reset{});
     ASSERT_TRUE(rig.reaches(RunState::Ready));
     EXPECT_EQ(rig.last.recordingPath, path);
+    EXPECT_TRUE(rig.last.isRecordedUntilCold);
     const std::size_t safe = rig.last.recordedRows;
     ASSERT_TRUE(copySession(path, copy)) << "what is on the disk at this moment";
     const auto cut = readSession(copy);
@@ -754,11 +755,13 @@ TEST(EngineWorker, ARecordingGoesOnBesideAHotSourceUntilTheNextRun) {
     rig.send(Arm{next});
     ASSERT_TRUE(rig.reaches(RunState::Armed));
     EXPECT_EQ(rig.last.recordingPath, next);
+    EXPECT_FALSE(rig.last.isRecordedUntilCold);
     ASSERT_TRUE(rig.waitFor([&] { return readSessionHeader(path).outcome == "emergency-stop"; }));
     const auto session = readSession(path);
     ASSERT_TRUE(session) << describe(session.error());
     EXPECT_EQ(session->outcome, "emergency-stop");
     EXPECT_GT(session->samples.back().time_s, stop_s + 15.0);
+    EXPECT_LE(readSessionHeader(path).length_s(), stop_s) << "the run's own, without what followed";
     const auto verdict = verifySession(path);
     ASSERT_TRUE(verdict) << describe(verdict.error());
     EXPECT_TRUE(verdict->isIntact());
@@ -797,6 +800,17 @@ TEST(EngineWorker, ARecorderThatFailsAfterTheRunIsToldAndFaultsNothing) {
     EXPECT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
     EXPECT_EQ(rig.last.state, RunState::Ready);
     EXPECT_TRUE(rig.last.reasons.empty());
+}
+
+// Catches a retreat that is offered to objects which it has taken away.
+TEST(EngineWorker, TellsWhetherTheObjectsAreAway) {
+    Rig rig;
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_FALSE(rig.last.isAway);
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(Retreat{});
+    EXPECT_TRUE(rig.waitFor([&] { return rig.last.isAway && !isRunOn(rig.last.state); }));
 }
 
 // Catches heat by hand that is recorded as the cooling of the run before.

@@ -250,6 +250,10 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     EXPECT_EQ(text("factSoftware"), "Bask " BASK_VERSION);
     EXPECT_TRUE(text("factCreated").contains(':'));
     EXPECT_TRUE(text("factPace").startsWith("Faster than real time: 3:20 (min:s)"));
+    SessionRecord stopped = record();
+    stopped.events.push_back({20.0, {MessageCode::EventEmergencyStop, {}}});
+    show(stopped);
+    EXPECT_EQ(text("factDuration"), "0:20, recorded until 3:20") << "it cooled until then";
 
     SessionRecord broken = record();
     broken.outcome.clear();
