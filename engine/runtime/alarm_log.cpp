@@ -81,6 +81,8 @@ std::vector<Alarm> AlarmLog::all() const {
 bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& conditions) {
     const bool isQuiet = std::ranges::none_of(m_alarms, &Alarm::isActive);
     bool isFirst = isQuiet && !conditions.empty();
+    if (isFirst)
+        m_first.clear();
     bool changed = false;
     for (Alarm& alarm : m_alarms) {
         const bool holds = std::ranges::any_of(
@@ -104,7 +106,11 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
             const std::string cause = find(condition.cause) != nullptr ? condition.cause : std::string();
             const Alarm* const known = find(condition.key);
             if (known == nullptr || !known->isActive) {
-                raise(condition, cause, utc_s, isFirst && isCause);
+                raise(condition, cause, utc_s);
+                if (m_first == condition.key) // others came before it
+                    m_first.clear();
+                if (isFirst && isCause)
+                    m_first = condition.key;
                 isFirst = isFirst && !isCause;
                 changed = true;
             } else if (known->message.code != condition.message.code || (!isCause && known->cause != cause)) {
@@ -116,10 +122,21 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
                 find(condition.key)->message = condition.message; // its newest values
             }
         }
+    changed = markFirst() || changed;
     changed = forgetOver() || changed;
     if (changed)
         sort();
     return changed;
+}
+
+// One alone is the cause of nothing.
+bool AlarmLog::markFirst() {
+    Alarm* const first = find(m_first);
+    if (first == nullptr || first->isFirst || !first->isActive ||
+        std::ranges::count_if(m_alarms, &Alarm::isActive) < 2)
+        return false;
+    first->isFirst = true;
+    return true;
 }
 
 Alarm* AlarmLog::find(const std::string& key) {
@@ -127,8 +144,7 @@ Alarm* AlarmLog::find(const std::string& key) {
     return found == m_alarms.end() ? nullptr : &*found;
 }
 
-void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s,
-                     bool isFirst) {
+void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s) {
     Alarm* alarm = find(condition.key);
     if (alarm == nullptr) {
         m_alarms.push_back({++m_lastId, condition.key, condition.message, condition.priority});
@@ -141,7 +157,7 @@ void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKe
         ++alarm->count;
     }
     alarm->raised_s = utc_s;
-    alarm->isFirst = isFirst;
+    alarm->isFirst = false;
     alarm->cause = causeKey;
     const Alarm* const cause = find(causeKey);
     const bool isSeen = cause != nullptr && cause->isAcknowledged &&

@@ -53,7 +53,8 @@ public:
 
 private:
     Alarm* find(const std::string& key);
-    void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s, bool isFirst);
+    void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s);
+    bool markFirst(); ///< once others have come while it is active
     void acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName);
     static void takeBack(Alarm& alarm); ///< ends the shelving
     void leave();
@@ -64,6 +65,7 @@ private:
     std::vector<Alarm> m_alarms, m_others; ///< of the rig in use, and of the other kind of rig
     bool m_isLive = false;
     std::uint64_t m_lastId = 0;
+    std::string m_first; ///< key of the alarm that came when none was active; empty: not known
 };
 
 } // namespace bask

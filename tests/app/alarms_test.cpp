@@ -62,7 +62,7 @@ TEST_F(AlarmsTest, IsSeenAtOnceAndLeavesOverAndAcknowledged) {
     EXPECT_TRUE(isInFront());
     EXPECT_TRUE(note->hasFocus());
     EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
-    EXPECT_EQ(cell(0, 1), QStringLiteral("Active, new, first"));
+    EXPECT_TRUE(cell(0, 1).startsWith(QStringLiteral("Active, new"))) << cell(0, 1).toStdString();
     EXPECT_TRUE(cell(0, 4).startsWith(QStringLiteral("The robot reports alarm"))) << cell(0, 4).toStdString();
     EXPECT_EQ(tabs()->tabText(0), QStringLiteral("Alarms (%1)").arg(window->lastSnapshot().alarms.size()));
 

@@ -5,6 +5,8 @@
 
 #include <QEvent>
 #include <QPainter>
+#include <QTextLayout>
+#include <QTextOption>
 
 #include <algorithm>
 #include <utility>
@@ -15,6 +17,7 @@ namespace {
 constexpr int kMark = 18;
 constexpr int kButtonPadding = 8;
 constexpr int kMaxText = 420;
+constexpr double kSmall = 0.82; // of two lines
 
 } // namespace
 
@@ -85,6 +88,12 @@ QFont AlarmButton::textFont() const {
     return shown;
 }
 
+QFont AlarmButton::smallFont() const {
+    QFont small = textFont();
+    small.setPointSizeF(font().pointSizeF() * kSmall);
+    return small;
+}
+
 int AlarmButton::widthBesideText() const {
     const QString others = othersText();
     const int othersWidth =
@@ -101,7 +110,7 @@ int AlarmButton::widthWithoutText() const {
 QSize AlarmButton::sizeHint() const {
     const QFontMetrics metrics(textFont());
     return {widthBesideText() + std::min(metrics.horizontalAdvance(text()) + 2, kMaxText),
-            std::max(metrics.height() + 12, 30)};
+            std::max({metrics.height() + 12, 2 * QFontMetrics(smallFont()).height() + 4, 30})};
 }
 
 QSize AlarmButton::minimumSizeHint() const {
@@ -132,13 +141,34 @@ void AlarmButton::paintEvent(QPaintEvent*) {
     painter.setFont(textFont());
     painter.setPen(m_isStale || isOver ? secondaryText(dark) : palette().color(QPalette::WindowText));
     const int left = mark.right() + 1 + kButtonPadding;
-    const int room = width() - widthBesideText();
-    const QFontMetrics metrics(textFont());
-    if (room > metrics.horizontalAdvance(QStringLiteral("MMM")))
-        painter.drawText(QRect(left, 0, room, height()), Qt::AlignVCenter | Qt::AlignLeft,
-                         metrics.elidedText(text(), Qt::ElideRight, room));
+    const QRect room(left, 0, width() - widthBesideText(), height());
+    if (room.width() > painter.fontMetrics().horizontalAdvance(QStringLiteral("MMM")))
+        paintText(painter, room);
+    painter.setFont(textFont());
     painter.drawText(QRect(0, 0, width() - kButtonPadding, height()), Qt::AlignVCenter | Qt::AlignRight,
                      othersText());
+}
+
+/// In two smaller lines where one does not hold it.
+void AlarmButton::paintText(QPainter& painter, const QRect& room) const {
+    if (painter.fontMetrics().horizontalAdvance(text()) <= room.width()) {
+        painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft, text());
+        return;
+    }
+    painter.setFont(smallFont());
+    QTextLayout layout(text(), painter.font());
+    QTextOption wrapped;
+    wrapped.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    layout.setTextOption(wrapped);
+    layout.beginLayout();
+    QTextLine line = layout.createLine();
+    line.setLineWidth(room.width());
+    layout.endLayout();
+    const QString first = text().left(line.textLength()).trimmed();
+    const QString rest = text().mid(line.textLength());
+    const QFontMetrics metrics = painter.fontMetrics();
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft,
+                     first + u'\n' + metrics.elidedText(rest, Qt::ElideRight, room.width()));
 }
 
 void AlarmButton::changeEvent(QEvent* event) {

@@ -41,6 +41,8 @@ private:
     bool isCalling() const;
     QString othersText() const; ///< "+2"
     QFont textFont() const;
+    QFont smallFont() const;
+    void paintText(QPainter& painter, const QRect& room) const;
     int widthBesideText() const;
     void retranslateUi();
 

@@ -272,29 +272,40 @@ void RunStateChip::paintEvent(QPaintEvent*) {
     else
         drawStateIcon(painter, m_state, icon, signal);
 
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(bold);
     painter.setPen(palette().color(QPalette::WindowText));
     const int left = icon.right() + 1 + kPadding - 2;
     const QRect room(left, 0, width() - left - kPadding - kArrow + 4, height());
-    const auto write = [&](const QRect& in, const QString& line) {
-        painter.drawText(in, Qt::AlignVCenter | Qt::AlignLeft,
-                         painter.fontMetrics().elidedText(line, Qt::ElideRight, in.width()));
-    };
-    if (m_caption.isEmpty()) {
-        write(room, text());
-    } else {
-        write(room.adjusted(0, 2, 0, -height() / 2 + 1), text());
+    if (paintWord(painter, room)) {
         QFont small = font();
         small.setPointSizeF(font().pointSizeF() * kCaptionSize);
         painter.setFont(small);
-        write(room.adjusted(0, height() / 2, kArrow, -2), m_caption);
+        const QRect below = room.adjusted(0, height() / 2, kArrow, -2);
+        painter.drawText(below, Qt::AlignVCenter | Qt::AlignLeft,
+                         painter.fontMetrics().elidedText(m_caption, Qt::ElideRight, below.width()));
     }
 
     painter.setPen(QPen(secondaryText(dark), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const QPointF arrow(width() - kPadding - 5, height() / 2.0 + 1.5);
     painter.drawPolyline(QPolygonF{arrow + QPointF(-4, -3), arrow, arrow + QPointF(4, -3)});
+}
+
+/// Never cut: the count of reasons gives way, which the list shows, then the caption, which the tip says.
+bool RunStateChip::paintWord(QPainter& painter, const QRect& room) const {
+    const bool hasCaption = !m_caption.isEmpty();
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    const QString whole = m_isUnknown ? text() : runStateWord(m_state);
+    for (const QString& line : {text(), whole})
+        if (painter.fontMetrics().horizontalAdvance(line) <= room.width()) {
+            painter.drawText(hasCaption ? room.adjusted(0, 2, 0, -height() / 2 + 1) : room,
+                             Qt::AlignVCenter | Qt::AlignLeft, line);
+            return hasCaption;
+        }
+    bold.setPointSizeF(font().pointSizeF() * kCaptionSize);
+    painter.setFont(bold);
+    painter.drawText(room, Qt::AlignVCenter | Qt::AlignLeft | Qt::TextWordWrap, whole);
+    return false;
 }
 
 void RunStateChip::changeEvent(QEvent* event) {

@@ -8,6 +8,7 @@
 #include <QStringList>
 
 class QMenu;
+class QPainter;
 
 namespace bask {
 
@@ -35,7 +36,7 @@ public:
     void setRemedy(const QString& remedy, QAction* verb);
     /// Sets additional notes under the reasons: not counted and not selectable.
     void setNotes(const QStringList& notes);
-    /// Narrow: a long word is shortened. As otherwise, the width is the same for all states.
+    /// Narrow: a long word takes two lines. As otherwise, the width is the same for all states.
     void setCompact(bool isCompact);
     RunState state() const { return m_state; }
     bool isUnknown() const { return m_isUnknown; }
@@ -57,7 +58,8 @@ protected:
 
 private:
     void retranslateUi();
-    QString word() const;                                             ///< word of the state
+    QString word() const;                                       ///< word of the state
+    bool paintWord(QPainter& painter, const QRect& room) const; ///< returns whether the caption has room
     QAction* addLine(const QString& line, bool isSelectable = false); ///< adds a line to the menu
     void openMenu();
 

@@ -94,6 +94,7 @@ TEST(AlarmLog, RepeatsAreCountedAndAnAcknowledgedAlarmThatComesAgainIsNew) {
 TEST(AlarmLog, TheFirstIsMarkedAndTheGravestUnseenIsOnTop) {
     AlarmLog log;
     log.update(1.0, {warm("a")});
+    EXPECT_FALSE(log.alarms()[0].isFirst) << "of one";
     log.update(2.0, {open("b"), warm("a")});
     ASSERT_EQ(log.alarms().size(), 2U);
     EXPECT_EQ(log.alarms()[0].key, "SafetySensorOpen:b");
@@ -103,6 +104,8 @@ TEST(AlarmLog, TheFirstIsMarkedAndTheGravestUnseenIsOnTop) {
     EXPECT_EQ(log.alarms()[0].key, "SafetyObjectWarm:a");
     log.update(3.0, {});
     log.update(4.0, {open("c")}); // another story
+    EXPECT_TRUE(std::ranges::none_of(log.alarms(), &Alarm::isFirst)) << "of one again";
+    log.update(5.0, {open("c"), warm("d")});
     for (const Alarm& alarm : log.alarms())
         EXPECT_EQ(alarm.isFirst, alarm.key == "SafetySensorOpen:c");
 }

@@ -1,5 +1,8 @@
 #include "widgets/common/run_state_chip.h"
 
+#include "engine/base/message_code.h"
+#include "widgets/common/display.h"
+
 #include <QAction>
 #include <QMenu>
 #include <QSignalSpy>
@@ -123,6 +126,28 @@ TEST(RunStateChip, TheCaptionIsSaidAndTakesNoRoom) {
     EXPECT_EQ(chip.sizeHint(), size);
     EXPECT_NE(chip.grab().toImage(), without);
     EXPECT_TRUE(chip.accessibleName().contains(QStringLiteral("Ready, source 212 °C below")));
+}
+
+// Catches a word that is cut where it is needed: in a fault, beside a count and a caption, in a narrow bar.
+TEST(RunStateChip, TheWordOfAStateIsWholeHoweverNarrow) {
+    RunStateChip chip, alone;
+    for (const bool isCompact : {false, true}) {
+        chip.setCompact(isCompact);
+        chip.resize(chip.sizeHint());
+        alone.resize(chip.size());
+        chip.setCaption(QStringLiteral("over hot source: 160 °C"));
+        chip.setState(RunState::Fault, QStringList(12, QStringLiteral("STOP was pressed.")));
+        alone.setCompact(isCompact);
+        alone.setState(RunState::Fault, {});
+        QFont bold = chip.font();
+        bold.setBold(true);
+        const int needed = QFontMetrics(bold).horizontalAdvance(runStateWord(RunState::Fault));
+        if (needed > chip.width() - 54) { // it takes both lines, and the caption gives way
+            EXPECT_EQ(chip.grab().toImage(), alone.grab().toImage()) << isCompact;
+        } else {
+            EXPECT_NE(chip.grab().toImage(), alone.grab().toImage()) << isCompact;
+        }
+    }
 }
 
 // Catches a narrow bar whose verbs slide under the hand with every state.
