@@ -5,6 +5,7 @@
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
 #include <QLocale>
 #include <QStringList>
@@ -16,6 +17,10 @@
 
 namespace bask {
 namespace {
+
+struct DifferenceWords {
+    Q_DECLARE_TR_FUNCTIONS(bask::RunDifferences)
+};
 
 const QString kBetween = QStringLiteral(" \u00b7 ");
 
@@ -48,9 +53,8 @@ public:
             for (const ListedObject& object : run->objects)
                 m_objects[object.name].add(object);
         }
-        for (auto& [name, facts] : m_objects)
-            if (facts.runs < m_runs.size()) // some run does not have it
-                facts.hasTargets = true;
+        m_haveSameObjects = std::ranges::all_of(
+            m_objects, [this](const auto& object) { return object.second.runs == m_runs.size(); });
     }
 
     QString of(const SessionHeader& run, TemperatureUnit unit) const {
@@ -66,23 +70,27 @@ public:
     }
 
 private:
-    /// One temperature where all objects have the same; a dash for an object that only others have.
+    /// Of all its objects where the runs do not have the same ones: what a run lacks would be read as what it
+    /// has. One temperature where all have the same.
     QString targetsOf(const SessionHeader& run, TemperatureUnit unit) const {
-        QStringList targets;
-        bool isOne = run.objects.size() == m_objects.size();
+        if (run.objects.empty())
+            return {};
+        const double first_K = run.objects.front().target_K;
+        bool isOne = run.objects.size() > 1;
+        QStringList names, targets;
         for (const ListedObject& object : run.objects) {
-            isOne = isOne && isSame(object.target_K, run.objects.front().target_K);
-            if (m_objects.at(object.name).hasTargets)
-                targets << QString::fromStdString(object.name) + u' ' +
-                               formatTemperature(object.target_K, unit);
+            isOne = isOne && isSame(object.target_K, first_K);
+            if (m_haveSameObjects && !m_objects.at(object.name).hasTargets)
+                continue;
+            names << QString::fromStdString(object.name);
+            targets << names.back() + u' ' + formatTemperature(object.target_K, unit);
         }
-        if (isOne && targets.size() > 1)
-            return formatTemperature(run.objects.front().target_K, unit);
-        for (const auto& [name, facts] : m_objects)
-            if (facts.hasTargets &&
-                std::ranges::find(run.objects, name, &ListedObject::name) == run.objects.end())
-                targets << QString::fromStdString(name) + u' ' + kNoValue;
-        return targets.join(listSeparator());
+        if (!isOne || targets.size() < 2)
+            return targets.join(listSeparator());
+        const QString target = formatTemperature(first_K, unit);
+        return m_haveSameObjects ? DifferenceWords::tr("all %1", "objects of a run; their target").arg(target)
+                                 : DifferenceWords::tr("%1: %2", "objects, and their one target")
+                                       .arg(names.join(listSeparator()), target);
     }
 
     QString materialOf(const ListedObject& object) const {
@@ -99,6 +107,7 @@ private:
     std::vector<const SessionHeader*> m_runs;
     std::map<std::string, ObjectFacts> m_objects;
     bool m_hasControllers = false;
+    bool m_haveSameObjects = true;
 };
 
 /// What the list tells of a run besides its differences.

@@ -21,8 +21,8 @@ QString listedName(const SessionHeader& session);
 QDateTime recordedAt(const SessionHeader& session);
 
 /// Returns for each run in which targets, controller, materials and emittances it differs from those of the
-/// same title: "hand 55.0 °C · Adaptive". Where that, operator and sample tell nothing, the file's name.
-/// Empty if no other has its title.
+/// same title: "hand 55.0 °C · Adaptive", with all its objects where these are not the same. Where that,
+/// operator and sample tell nothing, the file's name. Empty if no other has its title.
 std::vector<QString> runDifferences(const std::vector<SessionHeader>& sessions, TemperatureUnit unit);
 
 /// Returns for each of a few runs what tells it from the others, in the words of the list: its name, its

@@ -43,15 +43,19 @@ TEST(RunDifferences, TellWhatDiffersOnly) {
               (std::vector<std::string>{"hand 40.0 °C", "hand 55.0 °C"}));
     EXPECT_EQ(told({listedRun(kFirst, {listed("circle", 40), listed("hand", 40)}),
                     listedRun(kSecond, {listed("circle", 55), listed("hand", 55)}, "adaptive")}),
-              (std::vector<std::string>{"40.0 °C · Level servo", "55.0 °C · Adaptive"}))
+              (std::vector<std::string>{"all 40.0 °C · Level servo", "all 55.0 °C · Adaptive"}))
         << "one temperature where all have the same";
     EXPECT_EQ(told({listedRun(kFirst, {listed("circle", 40, "steel", 0.9), listed("hand", 40, "PLA")}),
                     listedRun(kSecond, {listed("circle", 40, "steel", 0.85), listed("hand", 40, "cork")})}),
               (std::vector<std::string>{"circle ε 0.9 · hand PLA", "circle ε 0.85 · hand cork"}));
     EXPECT_EQ(told({listedRun(kFirst, {listed("circle", 40)}),
                     listedRun(kSecond, {listed("circle", 40), listed("ring", 50)})}),
-              (std::vector<std::string>{"ring \u2014", "ring 50.0 °C"}))
-        << "the first has no ring";
+              (std::vector<std::string>{"circle 40.0 °C", "circle 40.0 °C, ring 50.0 °C"}))
+        << "what each has: the first has no ring";
+    EXPECT_EQ(
+        told({listedRun(kFirst, {listed("circle", 40), listed("hand", 40)}),
+              listedRun(kSecond, {listed("circle", 40), listed("hand", 40), listed("ring", 50)})}),
+        (std::vector<std::string>{"circle, hand: 40.0 °C", "circle 40.0 °C, hand 40.0 °C, ring 50.0 °C"}));
     EXPECT_EQ(told({listedRun(kFirst, {listed("hand", 40)}), listedRun(kSecond, {listed("hand", 55)})},
                    TemperatureUnit::Kelvin),
               (std::vector<std::string>{"hand 313.2 K", "hand 328.2 K"}));
