@@ -12,7 +12,8 @@ class QTableWidget;
 
 namespace bask {
 
-/// Object names: "metricsTable" (copied with Ctrl+C as tab-separated text), "metricsDetails".
+/// Where the columns do not fit beside each other, names and numbers take several lines. Object names:
+/// "metricsTable" (copied with Ctrl+C as tab-separated text), "metricsDetails".
 class MetricsPanel : public QWidget {
     Q_OBJECT
 
@@ -34,6 +35,7 @@ protected:
 
 private:
     void refresh();
+    void fit(); ///< columns and rows to the room
 
     QStringList m_names;
     RunMetrics m_metrics;

@@ -221,7 +221,7 @@ QWidget* ReviewPage::buildDetails() {
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_final);
     column->addStretch(1);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_events, m_metrics, finals, buildIdentified(pages),
+    for (QWidget* page : std::initializer_list<QWidget*>{m_metrics, m_events, finals, buildIdentified(pages),
                                                          buildFacts(pages)}) {
         pages->addWidget(page);
         m_detail->addItem(QString());
@@ -496,7 +496,7 @@ void ReviewPage::refreshTexts() {
                                                    tr("&VTK, for ParaView\u2026")};
     for (std::size_t k = 0; k < forms.size(); ++k)
         m_export->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
-    const QString details[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),
+    const QString details[] = {tr("Metrics"), tr("Events and notes"), tr("Final values"), tr("Heat rates"),
                                tr("About the recording")};
     for (int i = 0; i < m_detail->count(); ++i)
         m_detail->setItemText(i, details[i]);

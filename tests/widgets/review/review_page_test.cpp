@@ -29,6 +29,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTabWidget>
@@ -621,6 +622,28 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
     emit child<QLabel>("metricsDetails")->linkActivated("#");
     EXPECT_EQ(wanted.count(), 1);
+}
+
+// Catches numbers of an object that are out of sight until a splitter is dragged, or cut in their cell.
+TEST_F(ReviewPageTest, MetricsOfThreeObjectsAreSeenAtOnce) {
+    page.resize(1180, 640); // in a window of 1280 x 800
+    show(record());
+    QApplication::processEvents();
+    const auto* table = child<QTableWidget>("metricsTable");
+    ASSERT_TRUE(table->isVisible()) << "without choosing it";
+    EXPECT_EQ(table->horizontalScrollBar()->maximum(), 0);
+    const int margin = 2 * (page.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, table) + 1);
+    for (int row = 0; row < table->rowCount(); ++row)
+        for (int column = 0; column < table->columnCount(); ++column) {
+            const QTableWidgetItem* item = table->item(row, column);
+            if (item == nullptr || table->columnSpan(row, column) > 1)
+                continue;
+            const QRect needed = table->fontMetrics().boundingRect(0, 0, table->columnWidth(column) - margin,
+                                                                   1000, Qt::TextWordWrap, item->text());
+            EXPECT_LE(needed.width(), table->columnWidth(column) - margin) << item->text().toStdString();
+            EXPECT_LE(needed.height(), table->rowHeight(row)) << item->text().toStdString();
+        }
+    EXPECT_TRUE(page.grab().save("review_metrics.png"));
 }
 
 // Catches a run that is laid over itself, or twice.
