@@ -128,21 +128,27 @@ QString quantityAxis(Quantity quantity, TemperatureUnit unit) {
     const auto shown = shownOf(quantity);
     if (!shown)
         return TracePlot::tr("Speed (% of limit)");
-    const auto withUnit = [&](const QString& symbol) {
-        return TracePlot::tr("%1 (%2)", "quantity and unit").arg(columnWord(shown->label), symbol);
-    };
+    const QString symbol = quantityAxisUnit(quantity, unit);
+    return symbol.isEmpty()
+               ? columnWord(shown->label)
+               : TracePlot::tr("%1 (%2)", "quantity and unit").arg(columnWord(shown->label), symbol);
+}
+
+QString quantityAxisUnit(Quantity quantity, TemperatureUnit unit) {
+    const auto shown = shownOf(quantity);
+    if (!shown)
+        return QStringLiteral("%");
     switch (shown->as) {
     case ShownAs::Temperature:
-        return withUnit(temperatureUnitSymbol(unit));
+        return temperatureUnitSymbol(unit);
     case ShownAs::Difference:
-        return withUnit(differenceUnitSymbol(unit));
+        return differenceUnitSymbol(unit);
     case ShownAs::RatePerMinute:
-        return withUnit(differenceUnitSymbol(unit) + QStringLiteral("/min"));
+        return differenceUnitSymbol(unit) + QStringLiteral("/min");
     case ShownAs::Number:
         break;
     }
-    const QString symbol = QString::fromUtf8(shown->unit->symbol);
-    return symbol.isEmpty() ? columnWord(shown->label) : withUnit(symbol);
+    return QString::fromUtf8(shown->unit->symbol);
 }
 
 QString quantitySeries(Quantity quantity, std::size_t series) {

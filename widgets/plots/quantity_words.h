@@ -16,6 +16,8 @@ std::vector<Quantity> furtherQuantities();
 QString quantityKey(Quantity quantity);
 QString quantityTitle(Quantity quantity);                      ///< "View factors"
 QString quantityAxis(Quantity quantity, TemperatureUnit unit); ///< "Rate (\u00b0C/min)"
+/// Returns only its unit, as in it; empty for a number without one.
+QString quantityAxisUnit(Quantity quantity, TemperatureUnit unit);
 /// name of a series of the run; empty for a quantity of objects
 QString quantitySeries(Quantity quantity, std::size_t series);
 /// Returns the caption for the report, with its "%1" if it has one; empty if the report has no such figure.

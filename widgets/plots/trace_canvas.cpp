@@ -68,6 +68,7 @@ TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
     m_empty->setLayer(QStringLiteral("labels"));
     m_empty->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_empty->position->setCoords(0.5, 0.5);
+    m_empty->setClipToAxisRect(false);
     m_predictionText = new QCPItemText(this);
     m_predictionText->setLayer(QStringLiteral("labels"));
     m_predictionText->position->setType(QCPItemPosition::ptAbsolute);

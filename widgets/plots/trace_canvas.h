@@ -57,6 +57,8 @@ public:
     void restyle(bool dark);
     void retranslate();
     QString axisText() const;
+    void placeAxisTexts();             ///< as much of them as the height has room for
+    QColor inkOfRun(int series) const; ///< of a quantity of the run
     QPen penOfSeries(int series) const;
     QCPItemText* makeLineLabel(); ///< at the end of a line, right of the picture
     void placeLabels();
@@ -186,6 +188,7 @@ private:
     QCPItemRect* m_errorBand = nullptr;
     QCPItemStraightLine* m_reference = nullptr; ///< zero of errors and rates, 100 % of speeds
     QCPItemText* m_empty = nullptr;
+    int m_emptyStrip = 0;                    ///< height of its strip above predicted lines, px; 0 elsewhere
     QCPItemText* m_predictionText = nullptr; ///< says what the pale lines are
     QCPItemLine* m_cursor = nullptr;
     QCPItemLine* m_pinned = nullptr;

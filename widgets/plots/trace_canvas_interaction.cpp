@@ -35,6 +35,7 @@ void TracePlot::Canvas::connectInteraction() {
     setProperty(kKeptFree_px, 3 * fontMetrics().height());                       // until it is known
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         setProperty(kKeptFree_px, height() - axisRect()->bottom());
+        placeAxisTexts();
         placeLabels();
         placePredictionWords();
         placeMarkerTexts();

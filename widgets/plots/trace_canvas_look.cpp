@@ -11,13 +11,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr int kLongestLabel = 130; // px; longer names are elided
 constexpr int kLongestMarker = 220;
-constexpr double kBelowTheLines = 0.85; // of the height: what is heated goes up
 
 QColor withAlpha(QColor color, int alpha) {
     color.setAlpha(alpha);
@@ -30,10 +30,15 @@ QPen TracePlot::Canvas::penOfSeries(int series) const {
     const bool isPlain = !overlays.empty(); // dashes tell the runs apart then
     if (!isOfRun())
         return isPlain ? QPen(seriesColor(series, dark), 1.8) : seriesPen(series, dark, 1.8);
-    QPen pen(series == 0 ? palette().color(QPalette::Text) : accentColor(dark), 1.6);
+    QPen pen(inkOfRun(series), 1.6);
     if (series == 1 && !isPlain)
         pen.setDashPattern({6, 2.5});
     return pen;
+}
+
+/// Of the theme that it is told: its own palette may still be that of the one before.
+QColor TracePlot::Canvas::inkOfRun(int series) const {
+    return series == 0 ? themePalette(dark).color(QPalette::Text) : accentColor(dark);
 }
 
 void TracePlot::Canvas::restyle(bool darkGround) {
@@ -126,6 +131,18 @@ void TracePlot::Canvas::retranslate() {
     schedule();
 }
 
+/// Whole words, or none of them: where an axis is low its unit, and the tab or the plot beside it name it.
+void TracePlot::Canvas::placeAxisTexts() {
+    const QRect area = axisRect()->rect();
+    const int room = area.height() - 4 + 2 * std::max(0, std::min(area.top(), height() - area.bottom() - 1));
+    const auto fitting = [&](Quantity of, const QString& whole) {
+        return QFontMetrics(font()).horizontalAdvance(whole) <= room ? whole : quantityAxisUnit(of, unit);
+    };
+    yAxis->setLabel(fitting(quantity, axisText()));
+    if (rightAxis.quantity)
+        yAxis2->setLabel(fitting(*rightAxis.quantity, rightAxisText()));
+}
+
 /// A thick line with dashes takes thirty times as long as a plain one, a thin one another tenth: while it is
 /// moved it is plain where samples stand close, and always plain and thin where they are denser than pixels.
 void TracePlot::Canvas::fitPensToDensity() {
@@ -169,7 +186,8 @@ void TracePlot::Canvas::fitMargins() {
     for (const QString& name : std::as_const(names))
         widest = std::max(widest, std::min(kLongestLabel, boldMetrics.horizontalAdvance(name)));
     const int left = metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20;
-    axisRect()->setMargins(QMargins(left, std::max(10, markerStrip()), widest + 14 + rightAxisWidth(), 0));
+    axisRect()->setMargins(
+        QMargins(left, std::max({10, markerStrip(), m_emptyStrip}), widest + 14 + rightAxisWidth(), 0));
     axisRect()->setMinimumMargins(QMargins(0, 0, 0, 0));
 }
 
@@ -183,8 +201,15 @@ void TracePlot::Canvas::updateEmptyText() {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
     m_empty->setText(inLines(text, font(), axisRect()->width()));
-    m_empty->position->setCoords(0.5, isPredicted ? kBelowTheLines : 0.5);
+    const bool isAbove = isPredicted && !text.isEmpty(); // over the lines it would hide them
+    m_empty->position->setCoords(0.5, isAbove ? 0.0 : 0.5);
+    m_empty->setPositionAlignment(Qt::AlignHCenter | (isAbove ? Qt::AlignBottom : Qt::AlignVCenter));
     m_empty->setVisible(!text.isEmpty());
+    const int strip =
+        isAbove ? QFontMetrics(font()).height() * (1 + static_cast<int>(m_empty->text().count(u'\n'))) + 4
+                : 0;
+    if (std::exchange(m_emptyStrip, strip) != strip)
+        fitMargins();
     m_errorBand->setVisible(quantity == Quantity::Error);
     const ShownAs shown = quantityShownAs(quantity);
     m_reference->setVisible(shown == ShownAs::Difference || shown == ShownAs::RatePerMinute ||

@@ -89,7 +89,7 @@ void TracePlot::Canvas::styleOverlays(Density density) {
             const int object = same >= 0 ? same : i;
             QPen pen(seriesColor(object, dark), 1.4);
             if (isOfRun())
-                pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
+                pen.setColor(inkOfRun(i));
             pen.setCapStyle(Qt::FlatCap);
             if (density == Density::Loose)
                 pen.setDashPattern(overlayDashes(static_cast<int>(k)));

@@ -52,10 +52,7 @@ QString TracePlot::Canvas::rightAxisText() const {
 
 QPen TracePlot::Canvas::penOfRight(int series) const {
     const bool isOfObjects = plottedColumn(*rightAxis.quantity) != nullptr;
-    QPen pen(isOfObjects   ? seriesColor(series, dark)
-             : series == 0 ? palette().color(QPalette::Text)
-                           : accentColor(dark),
-             1.5);
+    QPen pen(isOfObjects ? seriesColor(series, dark) : inkOfRun(series), 1.5);
     pen.setCapStyle(Qt::FlatCap);
     pen.setDashPattern(dotGroups(series));
     return pen;

@@ -183,6 +183,10 @@ QString TracePlot::valueAxisLabel() const {
     return m_canvas->axisText();
 }
 
+QString TracePlot::shownAxisLabel() const {
+    return m_canvas->yAxis->label();
+}
+
 QList<QPointF> TracePlot::rightPoints(int series) const {
     const auto right = m_canvas->rightAxis.quantity;
     return right ? m_canvas->allPoints(*right, series) : QList<QPointF>();

@@ -109,6 +109,7 @@ public:
     double visibleLowest() const; ///< lower end of the value axis, display unit
     double visibleHighest() const;
     QString valueAxisLabel() const;
+    QString shownAxisLabel() const; ///< as much of it as the height has room for
     QList<QPointF> rightPoints(int series) const;
     double rightLowest() const; ///< lower end of the right axis, display unit
     double rightHighest() const;

@@ -8,6 +8,7 @@
 #include "widgets/common/language.h"
 #include "widgets/common/theme.h"
 
+#include <QApplication>
 #include <QImage>
 #include <QLabel>
 #include <QPen>
@@ -131,6 +132,39 @@ TEST(TracePlot, ContainsEverySampleInTheDisplayUnit) {
     EXPECT_EQ(shown.plot.valueAxisLabel(), QStringLiteral("Temperature (°F)"));
     EXPECT_GT(shown.plot.visibleHighest(), 104.0) << "the target is in view";
     EXPECT_LT(shown.plot.visibleLowest(), 80.0);
+}
+
+// Catches the title of an axis that is cut where a plot is low.
+TEST(TracePlot, TheTitleOfALowAxisIsItsUnit) {
+    ShownPlot shown, speed(Quantity::Speed);
+    for (TracePlot* plot : {&shown.plot, &speed.plot}) {
+        plot->append(warmUp(20));
+        EXPECT_TRUE(test::waitFor([&] { return plot->shownAxisLabel() == plot->valueAxisLabel(); }));
+        plot->resize(800, 100);
+        EXPECT_TRUE(test::waitFor([&] { return plot->shownAxisLabel() != plot->valueAxisLabel(); }));
+    }
+    EXPECT_EQ(shown.plot.shownAxisLabel(), QStringLiteral("°C"));
+    EXPECT_EQ(speed.plot.shownAxisLabel(), QStringLiteral("%"));
+}
+
+// Catches a name in the ink of the theme before: black on black.
+TEST(TracePlot, NamesOfTheRunsLinesFollowTheTheme) {
+    ShownPlot shown(Quantity::Speed);
+    shown.plot.append(warmUp(20));
+    for (const Theme theme : {Theme::Dark, Theme::Light}) {
+        applyTheme(*qApp, theme);
+        QCoreApplication::processEvents();
+        int seen = 0;
+        for (const QObject* item : canvasOf(shown.plot)->children()) {
+            if (!item->inherits("QCPItemText") ||
+                item->property("text").toString() != TracePlot::tr("translation"))
+                continue;
+            ++seen;
+            EXPECT_EQ(item->property("color").value<QColor>(),
+                      themePalette(theme == Theme::Dark).color(QPalette::Text));
+        }
+        EXPECT_EQ(seen, 1);
+    }
 }
 
 // Catches an invalid reading drawn as a value or as a line across the gap.
