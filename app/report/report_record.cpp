@@ -91,6 +91,14 @@ bool isGains(const QString& key) {
            key == QLatin1String("adaptive");
 }
 
+QString utcText(const QDateTime& time) {
+    return QLocale().toString(time.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) + QStringLiteral(" UTC");
+}
+
+QString utcText(double utc_s) {
+    return utcText(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(utc_s), QTimeZone::utc()));
+}
+
 constexpr double kNotRead = 1e12; ///< no time and no temperature
 
 QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit unit) {
@@ -103,9 +111,9 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
             return formatDifference(d_K, unit, 2);
         }));
     if (key == QLatin1String("zeroed_utc_s") && isNumber)
-        return RecordText::tr("zeroed %1 UTC")
-            .arg(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(value.toDouble()), QTimeZone::utc())
-                     .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+        return RecordText::tr("zeroed %1").arg(utcText(value.toDouble()));
+    if (key == QLatin1String("started_utc_s") && isNumber)
+        return utcText(value.toDouble());
     if (key == QLatin1String("accept_infeasible"))
         return value.toBool() ? RecordText::tr("targets out of reach accepted") : QString();
     if (key == QLatin1String("targets_K"))
@@ -221,6 +229,22 @@ QString headWords(const RunReportInput& input) {
                                                         : RecordText::tr("not known");
 }
 
+/// Of the clock on the wall: minutes may lie between Arm, with which the recording begins, and Start.
+QString beginWords(const SessionRecord& session) {
+    const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
+    const QString armed = created.isValid() ? utcText(created) : RecordText::tr("date not known");
+    const auto start = std::ranges::find(session.commands, "start", &CommandRow::name);
+    const QJsonValue started = start == session.commands.end()
+                                   ? QJsonValue()
+                                   : QJsonDocument::fromJson(QByteArray::fromStdString(start->value))
+                                         .object()
+                                         .value(QLatin1String("started_utc_s"));
+    const double started_s = started.toDouble(kNotRead);
+    if (!(std::abs(started_s) < kNotRead))
+        return armed;
+    return RecordText::tr("from Arm at %1; Start at %2").arg(armed, utcText(started_s));
+}
+
 int alarmCount(const SessionRecord& session) {
     return static_cast<int>(alarmSpells(session.events, 0.0).size());
 }
@@ -252,15 +276,11 @@ QString outcomeWords(const SessionRecord& session) {
 
 QString summarySection(const RunReportInput& input) {
     const SessionRecord& session = input.session;
-    const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
     const RunMetrics metrics = runMetrics(session);
     const QString alarms = RecordText::tr("%n alarm(s)", nullptr, alarmCount(session));
     QList<std::pair<QString, QString>> rows{
         {RecordText::tr("Outcome"), outcomeWords(session)},
-        {RecordText::tr("Recorded"),
-         created.isValid() ? QLocale().toString(created.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-                                 QStringLiteral(" UTC")
-                           : RecordText::tr("date not known")},
+        {RecordText::tr("Recorded"), beginWords(session)},
         {RecordText::tr("Control from Start until Stop"),
          RecordText::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
              .arg(formatDuration(metrics.duration_s))},
@@ -453,9 +473,7 @@ QString originSection(const RunReportInput& input) {
                    QStringLiteral("Bask %1, Qt %2, VTK %3, %4")
                        .arg(QStringLiteral(BASK_VERSION), QString::fromLatin1(qVersion()),
                             QString::fromStdString(versionOfVtk()), QSysInfo::prettyProductName())},
-                  {RecordText::tr("Report made at"),
-                   QLocale().toString(input.now.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
-                       QStringLiteral(" UTC")},
+                  {RecordText::tr("Report made at"), utcText(input.now)},
                   {RecordText::tr("Session file"), QString::fromStdString(session.path)},
                   {RecordText::tr("Size of the session file"),
                    RecordText::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},

@@ -105,6 +105,30 @@ Facts rigFacts(const SessionRecord& session) {
     return rows;
 }
 
+/// Measured, with the set point of that moment: objects that settle over a source on its way are not as warm
+/// by another one.
+QString sourceReadings(const SessionRecord& session, TemperatureUnit unit) {
+    QStringList parts;
+    const auto add = [&](const QString& when, const TraceSample& sample) {
+        if (std::isfinite(sample.source_K))
+            parts << SetupText::tr("%1 %2 (set point %3)", "when: the source's temperature")
+                         .arg(when, formatTemperature(sample.source_K, unit),
+                              formatTemperature(sourceSetPoint_K(session.experiment.source, sample.time_s),
+                                                unit));
+    };
+    const std::vector<TraceSample> samples = session.controlledSamples();
+    if (samples.empty())
+        return SetupText::tr("not known");
+    add(SetupText::tr("at Start"), samples.front());
+    for (const TraceEvent& event : session.events) {
+        const auto settled = std::ranges::lower_bound(samples, event.time_s, {}, &TraceSample::time_s);
+        if (event.message.code == MessageCode::EventSettled && settled != samples.end())
+            add(SetupText::tr("settled at %1 s").arg(QLocale().toString(event.time_s, 'f', 1)), *settled);
+    }
+    add(SetupText::tr("at the end of control"), samples.back());
+    return parts.isEmpty() ? SetupText::tr("not known") : parts.join(QStringLiteral("; "));
+}
+
 Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
     const SourceSpec& source = session.experiment.source;
     Facts facts{
@@ -113,6 +137,7 @@ Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
          formatTemperature(source.temperature_K, unit) +
              (source.temperatureProfile.empty() ? QString()
                                                 : SetupText::tr(", changing by a profile during the run"))},
+        {SetupText::tr("Source in the run"), sourceReadings(session, unit)},
         {SetupText::tr("Emittance of the source"), number(source.emittance)},
         {SetupText::tr("Model of the source"), source.model == SourceModel::Gray
                                                    ? SetupText::tr("grey, with reflection")
@@ -122,7 +147,7 @@ Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
         {SetupText::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)},
         {SetupText::tr("Air"), airWords(session.experiment.air)}};
     if (!source.uneven.isEven())
-        facts.insert(3, {SetupText::tr("Evenness of the source"), evennessText(session.experiment)});
+        facts.insert(4, {SetupText::tr("Evenness of the source"), evennessText(session.experiment)});
     return facts;
 }
 

@@ -208,6 +208,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_state = RunState::Running;
     m_runOn = true;
     command("start", R"({"environment_K":)" + formatNumber(m_readings.environment_K(), 10) +
+                         R"(,"started_utc_s":)" + formatNumber(utcNow_s(), 13) +
                          (acceptInfeasible ? R"(,"accept_infeasible":true})" : "}"));
     event(MessageCode::EventStarted);
     // The first step is taken at once, on the readings just made.

@@ -177,6 +177,28 @@ TEST_F(RunReport, IsSelfContainedAndEscapesWhatWasTyped) {
     EXPECT_FALSE(html.contains("href=") || html.contains("url("));
 }
 
+// Catches a source that warmed up during the run, and minutes between Arm and Start, of which nothing is
+// told.
+TEST_F(RunReport, TellsTheSourceAndTheMomentOfStart) {
+    auto session = readSession(recorded(test::twoDisks(), 240, "settled").toStdString());
+    ASSERT_TRUE(session);
+    QString text = readable(runReportHtml(reportInput(*session, TemperatureUnit::Celsius)));
+    EXPECT_FALSE(text.contains("Start at")) << "an older recording does not say it";
+    session->created = "2026-11-29T22:17:32Z";
+    std::ranges::find(session->commands, "start", &CommandRow::name)->value =
+        R"({"environment_K":297.97,"started_utc_s":1795991862.4})";
+    for (TraceSample& sample : session->samples)
+        sample.source_K = kelvinFromCelsius(107.0 + sample.time_s);
+    session->events.push_back({60.2, {MessageCode::EventSettled, {}}});
+    session->experiment.source.temperature_K = kelvinFromCelsius(200.0);
+    text = readable(runReportHtml(reportInput(*session, TemperatureUnit::Celsius)));
+    for (const char* told :
+         {"from Arm at 2026-11-29 22:17:32 UTC; Start at 2026-11-29 ",
+          "at Start 107.0 °C (set point 200.0 °C)", "settled at 60.2 s 167.5 °C (set point 200.0 °C)",
+          "at the end of control 226.5 °C (set point 200.0 °C)"})
+        EXPECT_TRUE(text.contains(told)) << told << "\n" << text.toStdString();
+}
+
 TEST_F(RunReport, APdfHasPages) {
     const QByteArray pdf = report(recorded(test::twoDisks(), 240, "settled"), "report.pdf");
     EXPECT_TRUE(pdf.startsWith("%PDF"));
