@@ -8,6 +8,7 @@
 #include "widgets/calibrate/sheet_panel.h"
 #include "widgets/calibrate/thermal_board_watch.h"
 #include "widgets/calibrate/thermal_panel.h"
+#include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
 #include "widgets/thermal/thermal_picture_view.h"
 
@@ -74,7 +75,7 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_choiceLabel->setBuddy(m_choice);
     m_tabs->setObjectName("calibrateTabs");
     m_tabs->setDocumentMode(true);
-    m_tabs->setFixedWidth(kPanelWidth);
+    m_tabs->setMinimumWidth(kPanelWidth);
     const auto scrollFrom = [](auto* panel, QScrollArea* scroll) {
         using Panel = std::remove_pointer_t<decltype(panel)>;
         connect(panel, &Panel::attentionWanted, scroll, [scroll](QWidget* part) {
@@ -91,15 +92,22 @@ CalibratePage::CalibratePage(QWidget* parent)
     auto* choice = new QHBoxLayout;
     choice->addWidget(m_choiceLabel);
     choice->addWidget(m_choice, 1);
-    auto* left = new QVBoxLayout;
+    auto* seen = new QWidget(this);
+    auto* left = new QVBoxLayout(seen);
+    left->setContentsMargins(0, 0, 0, 0);
     left->setSpacing(8);
     left->addLayout(choice);
     left->addWidget(m_pictures, 1);
-    auto* layout = new QHBoxLayout(this);
+    auto* sides = new FoldingSplitter(this);
+    sides->setHandleWidth(12);
+    sides->addWidget(seen);
+    sides->addWidget(m_tabs);
+    sides->setStretchFactor(0, 1);
+    sides->setStretchFactor(1, 0);
+    sides->setSizes({1, 0}); // the panels have their least, the picture the rest
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
-    layout->setSpacing(12);
-    layout->addLayout(left, 1);
-    layout->addWidget(m_tabs);
+    layout->addWidget(sides);
     connectAll();
     chooseThermal(false);
     retranslate();

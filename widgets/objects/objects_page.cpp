@@ -4,6 +4,7 @@
 #include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/file_folders.h"
+#include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
@@ -29,7 +30,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -88,13 +88,16 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent) {
     m_importPanel = new ImportPanel(this);
     m_importPanel->setObjectName("importPanel");
 
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->addWidget(buildLeft());
-    splitter->addWidget(buildCentre());
+    auto* outlines = new FoldingSplitter(this);
+    outlines->addWidget(buildLeft());
+    outlines->addWidget(buildCentre());
+    outlines->setStretchFactor(1, 1);
+    outlines->setSizes({300, 560});
+    auto* splitter = new FoldingSplitter(this);
+    splitter->addWidget(outlines);
     splitter->addWidget(buildRight());
-    splitter->setStretchFactor(1, 1);
-    splitter->setChildrenCollapsible(false);
-    splitter->setSizes({300, 560, 340});
+    splitter->setStretchFactor(0, 1);
+    splitter->setSizes({860, 340});
 
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(splitter);

@@ -43,6 +43,8 @@ namespace bask {
 
 namespace {
 
+constexpr int kListWidth = 430; // px: names of runs and three objects' metrics can be read in it
+
 // In the order of the export button's menu.
 constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml,   SessionForm::Figures,
                             SessionForm::Csv,       SessionForm::CsvAllDigits, SessionForm::Nexus,
@@ -280,7 +282,9 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
 void ReviewPage::showRun(bool isOpen) {
     m_details->setVisible(isOpen);
     m_stack->setCurrentIndex(isOpen ? 1 : 0);
-    m_splitter->setSizes(isOpen ? QList<int>{430, 760} : QList<int>{720, 470});
+    const int whole = m_splitter->width();
+    const int list = std::max(36 * whole / 100, std::min(kListWidth, whole / 2));
+    m_splitter->setSizes(isOpen ? QList<int>{list, whole - list} : QList<int>{720, 470});
 }
 
 void ReviewPage::setCounting(int percent) {

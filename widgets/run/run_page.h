@@ -65,8 +65,6 @@ public:
     /// Shows a recorded moment on all plots (from the event list).
     void showMoment(double time_s);
 
-    QSize minimumSizeHint() const override;
-
 public slots:
     /// Shows what the rig's thermal camera sees.
     void setThermalView(const bask::ThermalView& view);

@@ -1,6 +1,7 @@
 // How the Run page is put together: its parts, their arrangement and their texts.
 
 #include "widgets/common/floating_place.h"
+#include "widgets/common/folding_splitter.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
 #include "widgets/plots/plot_place.h"
@@ -50,9 +51,8 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     m_tiles->setObjectName(QStringLiteral("runTiles"));
     m_source = new SourceTile(this);
 
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    auto* splitter = new FoldingSplitter(this);
     splitter->setObjectName(QStringLiteral("runSplitter"));
-    splitter->setChildrenCollapsible(false);
     splitter->setHandleWidth(kGap);
     splitter->addWidget(makePlots());
     splitter->addWidget(makeSide());
@@ -76,10 +76,6 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
 }
 
 RunPage::~RunPage() = default;
-
-QSize RunPage::minimumSizeHint() const {
-    return {860, layout()->minimumSize().height()};
-}
 
 PlotPlace* RunPage::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);

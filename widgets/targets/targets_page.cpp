@@ -1,6 +1,7 @@
 #include "widgets/targets/targets_page.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/folding_splitter.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
@@ -17,7 +18,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -125,10 +125,9 @@ TargetsPage::TargetsPage(QWidget* parent)
     m_views->setDocumentMode(true);
     m_views->addTab(m_surfaces, QString());
     m_views->addTab(m_pairs, QString());
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    auto* splitter = new FoldingSplitter(this);
     splitter->addWidget(scroll);
     splitter->addWidget(m_views);
-    splitter->setChildrenCollapsible(false);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({650, 530});
     outer->addWidget(splitter);
