@@ -202,6 +202,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
     armWithLabels(snapshot);
+    dropOldQuestions(snapshot);
     if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused), snapshot.state))
         m_refused.reset();
     m_undo->setState(snapshot.state);
@@ -302,8 +303,9 @@ void MainWindow::askToArm() {
 }
 
 void MainWindow::askRetreat() {
+    m_retreatAskedIn = m_last.state;
     askOnTheWayUp(this, QStringLiteral("retreatQuestion"), tr("Retreat"),
-                  tr("The robot moves now: it takes the objects away from the source, and the heat goes off. "
+                  tr("The robot will move: it takes the objects away from the source, and the heat goes off. "
                      "Are all hands off "
                      "the robot and is nothing in its way?"),
                   tr("Retreat now"), [this] {
@@ -320,6 +322,22 @@ void MainWindow::askHome() {
                       m_recipe->takeOverAtRest();
                       m_engine.send(HomeRobot{});
                   });
+}
+
+/// What was asked in another state is not answered in this one.
+void MainWindow::dropOldQuestions(const Snapshot& snapshot) {
+    const auto kindOf = [](RunState state) { return std::pair(isRunOn(state), state == RunState::Fault); };
+    const std::pair<QString, bool> questions[] = {
+        {QStringLiteral("armQuestion"), allows(snapshot, Verb::Arm)},
+        {QStringLiteral("retreatQuestion"),
+         allows(snapshot, Verb::Retreat) && kindOf(snapshot.state) == kindOf(m_retreatAskedIn)}};
+    for (const auto& [name, holds] : questions)
+        if (const auto* box = findChild<QMessageBox*>(name); box != nullptr && box->isVisible() && !holds) {
+            const QString title = box->windowTitle();
+            dropQuestion(this, name);
+            m_pages->messages().showBriefly(
+                tr("The question \"%1\" was closed: the state has changed since it was asked.").arg(title));
+        }
 }
 
 void MainWindow::arm() {

@@ -86,6 +86,7 @@ private:
     void askToArm();
     void askRetreat();
     void askHome();
+    void dropOldQuestions(const Snapshot& snapshot);
     void arm();
     void askInfeasible();
     void refuse(const Message& refusal);
@@ -138,6 +139,7 @@ private:
     std::optional<RunLabels> m_armsWith; ///< arms when the engine has these
     std::optional<Verb> m_refused;       ///< the verb that the message bar says is not possible
     std::function<Closing()> m_closeQuestion;
+    RunState m_retreatAskedIn = RunState::Idle;
     bool m_closesAtRest = false; ///< a person asked to close when the run has ended
     bool m_isHeatLeft = false;   ///< a real source was not seen to go off at the engine's end
     QElapsedTimer m_sinceAnswer;

@@ -1004,6 +1004,25 @@ TEST_F(MainWindowTest, RetreatAsksAndKeepsStopWithinReach) {
     EXPECT_TRUE(waitFor([&] { return window->lastSnapshot().latest.coordinates[kZ] > before_m + 0.01; }));
 }
 
+// Catches: a question that stays open over another state, and is answered in it.
+TEST_F(MainWindowTest, AQuestionGoesWithTheStateItWasAskedIn) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(startRun(2));
+    click("stopButton");
+    ASSERT_TRUE(waitForState(RunState::Fault));
+    const auto question = [this] {
+        return window->findChild<QMessageBox*>(QStringLiteral("retreatQuestion"));
+    };
+    ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().canRetreat; }));
+    click("retreatButton");
+    ASSERT_TRUE(question());
+    EXPECT_TRUE(question()->text().startsWith(QStringLiteral("The robot will move"))) << "nothing moves yet";
+    click("resetButton");
+    EXPECT_TRUE(waitFor([&] { return question() == nullptr; }));
+    EXPECT_TRUE(message().contains(QStringLiteral("Retreat"))) << message().toStdString();
+    EXPECT_TRUE(waitForState(RunState::Ready));
+}
+
 // Catches: "Ready" alone over a hot plate.
 TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     openWindow();

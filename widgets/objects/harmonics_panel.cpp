@@ -35,8 +35,8 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     : QWidget(parent), m_fits(new FourierFits(this)), m_caption(new QLabel(this)),
       m_slider(new QSlider(Qt::Horizontal, this)), m_spin(new WholeNumberField(this)),
       m_fewest(new QPushButton(this)), m_tolerance(new NumberField(this)), m_useOutline(new QCheckBox(this)),
-      m_residual(new QLabel(this)), m_verdict(new QLabel(this)), m_warningIcon(new QLabel(this)),
-      m_warning(new QLabel(this)), m_plot(new ResidualPlot(this)) {
+      m_residual(new QLabel(this)), m_verdict(new QLabel(this)), m_takeClosest(new QPushButton(this)),
+      m_warningIcon(new QLabel(this)), m_warning(new QLabel(this)), m_plot(new ResidualPlot(this)) {
     m_slider->setObjectName("harmonicsSlider");
     m_spin->setObjectName("harmonicsSpin");
     m_fewest->setObjectName("fewestHarmonics");
@@ -44,6 +44,7 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     m_useOutline->setObjectName("useOutline");
     m_residual->setObjectName("residual");
     m_verdict->setObjectName("toleranceVerdict");
+    m_takeClosest->setObjectName("takeClosest");
     m_warning->setObjectName("crossingWarning");
     m_plot->setObjectName("residualPlot");
     m_slider->setRange(1, kMaxHarmonics);
@@ -59,6 +60,7 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     for (QLabel* label : {m_residual, m_verdict, m_warning})
         label->setWordWrap(true);
     m_verdict->hide();
+    m_takeClosest->hide();
     for (QLabel* label :
          {m_warningIcon, m_warning}) { // or the preview would change its size while the slider is dragged
         QSizePolicy kept = label->sizePolicy();
@@ -84,7 +86,8 @@ void HarmonicsPanel::arrange() {
     choices->addWidget(m_useOutline);
     layout->addLayout(choices, 5, 0, 1, 3);
     layout->addWidget(m_residual, 0, 0, 1, 3);
-    layout->addWidget(m_verdict, 1, 0, 1, 3);
+    layout->addWidget(m_verdict, 1, 0, 1, 2);
+    layout->addWidget(m_takeClosest, 1, 2, Qt::AlignTop);
     auto* warning = new QHBoxLayout;
     warning->addWidget(m_warningIcon);
     warning->addWidget(m_warning, 1);
@@ -107,6 +110,7 @@ void HarmonicsPanel::connectAll() {
         m_sought_m.reset(); // what was said is of another tolerance
         setVerdict({});
     });
+    connect(m_takeClosest, &QPushButton::clicked, this, [this] { choose(m_closest, true); });
     connect(m_useOutline, &QCheckBox::toggled, this, &HarmonicsPanel::useOutline);
     connect(m_fits, &FourierFits::fitReady, this, &HarmonicsPanel::onFitReady);
 }
@@ -203,7 +207,8 @@ void HarmonicsPanel::chooseFewest() {
                        .arg(asked)
                        .arg(kMaxHarmonics)
                        .arg(closest->contour.harmonics())
-                       .arg(number(closest->hausdorff_m * 1e3, 3)));
+                       .arg(number(closest->hausdorff_m * 1e3, 3)),
+                   closest->contour.harmonics());
     else
         setVerdict(tr("With any number of harmonics up to %1 the outline crosses itself. The outline itself "
                       "is exact.")
@@ -233,9 +238,13 @@ void HarmonicsPanel::onFitReady(int harmonics) {
     chooseFewest();
 }
 
-void HarmonicsPanel::setVerdict(const QString& text) {
+void HarmonicsPanel::setVerdict(const QString& text, int closest) {
+    m_closest = closest;
     m_verdict->setText(text);
     m_verdict->setVisible(!text.isEmpty());
+    m_takeClosest->setText(tr("Take %1", "a number of harmonics").arg(closest));
+    m_takeClosest->setAccessibleName(tr("Take %1 harmonics").arg(closest));
+    m_takeClosest->setVisible(closest > 0 && closest != m_slider->value());
 }
 
 void HarmonicsPanel::refreshTexts() {
@@ -251,9 +260,10 @@ void HarmonicsPanel::refreshTexts() {
     m_useOutline->setText(tr("Use the outli&ne itself"));
     m_useOutline->setToolTip(tr("Takes the imported outline as a polygon, corner by corner, in place of a "
                                 "Fourier outline. Exact; slower the more corners it has."));
-    m_residual->setToolTip(
-        tr("Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of "
-           "one outline is from the other. Area: of the Fourier outline against the imported one."));
+    m_residual->setToolTip(tr(
+        "Residual: between points at equal arc length, as a root mean square (rms) and at most. Hausdorff "
+        "distance: the farthest that any point of one outline is from the nearest of the other; it is what "
+        "\"Fewest harmonics within\" is about. Area: of the Fourier outline against the imported one."));
     m_warning->setText(tr("With this number of harmonics the outline crosses itself; choose another."));
     m_warningIcon->setPixmap(alarmPixmap(3, isDark(this), 16, devicePixelRatioF()));
     refreshResidual();

@@ -24,7 +24,7 @@ class WholeNumberField;
 /// Works on an outline; the fits run off the GUI thread. Dragging the slider gives `fitChanged`; releasing it
 /// (or a key, the spin box, a click in the plot, a tolerance) gives `fitCommitted`. Object names:
 /// "harmonicsSlider", "harmonicsSpin", "fewestHarmonics", "tolerance", "useOutline", "residual",
-/// "toleranceVerdict", "crossingWarning", "residualPlot".
+/// "toleranceVerdict", "takeClosest", "crossingWarning", "residualPlot".
 class HarmonicsPanel : public QWidget {
     Q_OBJECT
 
@@ -62,7 +62,7 @@ private:
     void refreshTexts();
     void refreshResidual();
     QString outlineText() const;
-    void setVerdict(const QString& text);
+    void setVerdict(const QString& text, int closest = 0);
 
     FourierFits* m_fits;
     QLabel* m_caption;
@@ -73,6 +73,8 @@ private:
     QCheckBox* m_useOutline;
     QLabel* m_residual;
     QLabel* m_verdict; ///< result for the tolerance
+    QPushButton* m_takeClosest;
+    int m_closest = 0; ///< number of harmonics that it offers; 0: none
     QLabel* m_warningIcon;
     QLabel* m_warning;
     ResidualPlot* m_plot;

@@ -52,11 +52,29 @@ QString fileSentence(const QString& path, const Error& error) {
     return QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message));
 }
 
-/// A Fourier contour if one of few or of many harmonics leaves the holes whole, else the outline itself.
+bool crossesItself(const Shape& shape) {
+    const auto* fitted = outlineAs<FourierContour>(shape);
+    return fitted != nullptr && (!(fitted->area() > 0.0) || findCrossing(*fitted));
+}
+
+/// A Fourier contour that does not cross itself and leaves the holes whole, of more harmonics or else of
+/// fewer than usual; one that crosses itself where all do; else the outline itself.
 Result<OriginalShape> firstShape(const PickedOutline& picked) {
-    for (const int harmonics : {kImportHarmonics, kMaxHarmonics})
-        if (auto made = shapeFromOutline(picked.contour, picked.holes, harmonics))
+    std::vector<int> numbers;
+    for (int harmonics = kImportHarmonics; harmonics <= kMaxHarmonics; ++harmonics)
+        numbers.push_back(harmonics);
+    for (int harmonics = kImportHarmonics - 1; harmonics >= 1; --harmonics)
+        numbers.push_back(harmonics);
+    std::optional<OriginalShape> crossing;
+    for (const int harmonics : numbers) {
+        auto made = shapeFromOutline(picked.contour, picked.holes, harmonics);
+        if (made && !crossesItself(made->shape))
             return made;
+        if (made && !crossing)
+            crossing = std::move(*made);
+    }
+    if (crossing)
+        return std::move(*crossing);
     return shapeFromOutline(picked.contour, picked.holes, 0);
 }
 

@@ -184,6 +184,13 @@ TEST_F(ObjectsPageTest, AToleranceOutOfReachIsToldWithWhatIsReached) {
     EXPECT_EQ(edited.count(), 0);
     child<QDoubleSpinBox>("tolerance")->setValue(0.02);
     EXPECT_FALSE(verdict->isVisible()) << "it was said of another tolerance";
+    EXPECT_FALSE(child<QPushButton>("takeClosest")->isVisible());
+    click("fewestHarmonics");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return child<QPushButton>("takeClosest")->isVisible(); }, 120000));
+    click("takeClosest");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 120000));
+    EXPECT_NEAR(fitFourier(outline, last().objects[1].origin.harmonics)->hausdorff_m, min_m, 1e-9);
+    EXPECT_FALSE(child<QPushButton>("takeClosest")->isVisible());
 }
 
 // Catches the outline itself lost, off its place or not to be undone, and no way back to the fit before.
@@ -500,6 +507,32 @@ TEST_F(ObjectsPageTest, AddDuplicateRemoveUndo) {
     EXPECT_EQ(last().objects[3].name, "hand 2");
     EXPECT_EQ(last().objects[3].shape, example().objects[2].shape);
     EXPECT_EQ(last().objects[3].mounting.tail<4>(), last().objects[2].mounting.tail<4>());
+}
+
+// Catches a first choice of harmonics that crosses itself where another one does not.
+TEST_F(ObjectsPageTest, TheFirstFitDoesNotCrossItself) {
+    QString points;
+    for (int k = 0; k < 6; ++k)
+        points += QStringLiteral("%1,81 %2,1 %3,81 ").arg(10 * k).arg(10 * k + 0.5).arg(10 * k + 1);
+    const QTemporaryDir folder;
+    QFile file(folder.filePath("comb.svg"));
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"60mm\" height=\"90mm\" "
+                              "viewBox=\"0 0 60 90\"><polygon points=\"%151,82 0,82\"/></svg>")
+                   .arg(points)
+                   .toUtf8());
+    file.close();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(file.fileName())});
+    QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&page, &drop);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 120000)) << message().toStdString();
+    const ContourOrigin& origin = last().objects.at(3).origin;
+    bool isAnySimple = false;
+    for (int h = 1; h <= kMaxHarmonics; ++h)
+        if (const auto fit = fitFourier(origin.outline, h); fit && !fit->crossesItself)
+            isAnySimple = true;
+    EXPECT_EQ(!fitFourier(origin.outline, origin.harmonics)->crossesItself, isAnySimple);
 }
 
 // Catches a drop that goes another way than the button's, a plain drawing that asks, an import of more than
