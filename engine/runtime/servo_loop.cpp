@@ -182,6 +182,7 @@ Result<void> ServoLoop::disarm() {
         return refusal(CommandVerb::Disarm);
     m_state = RunState::Ready;
     command("disarm");
+    event(MessageCode::EventStopped);
     return {};
 }
 
