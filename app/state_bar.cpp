@@ -299,7 +299,9 @@ void StateBar::showLabels() {
 }
 
 void StateBar::showUntilCold() {
-    m_untilCold->setText(tr("recorded until cold", "under the clock: the run has ended"));
+    m_untilCold->setText(m_shortParts < kWithoutCaption
+                             ? tr("recorded until cold", "under the clock: the run has ended")
+                             : tr("until cold", "the same where there is less room"));
     m_untilCold->setToolTip(m_untilColdTip);
     m_untilCold->setVisible(m_shortParts < kShortParts && !m_untilColdTip.isEmpty());
     const QString tip = tr("Time since Start");

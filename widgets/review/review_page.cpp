@@ -44,6 +44,7 @@ namespace bask {
 namespace {
 
 constexpr int kListWidth = 430; // px: names of runs and three objects' metrics can be read in it
+constexpr int kUsualWidth = 1190;
 
 // In the order of the export button's menu.
 constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml,   SessionForm::Figures,
@@ -282,7 +283,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
 void ReviewPage::showRun(bool isOpen) {
     m_details->setVisible(isOpen);
     m_stack->setCurrentIndex(isOpen ? 1 : 0);
-    const int whole = m_splitter->width();
+    const int whole = isVisible() ? m_splitter->width() : kUsualWidth; // it has none before
     const int list = std::max(36 * whole / 100, std::min(kListWidth, whole / 2));
     m_splitter->setSizes(isOpen ? QList<int>{list, whole - list} : QList<int>{720, 470});
 }
