@@ -2,6 +2,7 @@
 
 #include "tests/app/window_fixture.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/plots/trace_plot.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -92,6 +93,9 @@ private:
         } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
             if (!button->text().isEmpty() && button->minimumSizeHint().isValid())
                 need(button, button->minimumSizeHint(), button->text());
+        } else if (const auto* plot = qobject_cast<const TracePlot*>(widget)) {
+            const QString title = plot->shownAxisLabel(); // written upwards
+            need(plot, {0, plot->fontMetrics().horizontalAdvance(title)}, title);
         } else if (const auto* combo = qobject_cast<const QComboBox*>(widget)) {
             QStyleOptionComboBox option;
             option.initFrom(combo);
