@@ -332,7 +332,8 @@ void MainWindow::dropOldQuestions(const Snapshot& snapshot) {
         {QStringLiteral("retreatQuestion"),
          allows(snapshot, Verb::Retreat) && kindOf(snapshot.state) == kindOf(m_retreatAskedIn)}};
     for (const auto& [name, holds] : questions)
-        if (const auto* box = findChild<QMessageBox*>(name); box != nullptr && box->isVisible() && !holds) {
+        if (const auto* box = findChild<QMessageBox*>(name, Qt::FindDirectChildrenOnly);
+            box != nullptr && box->isVisible() && !holds) {
             const QString title = box->windowTitle();
             dropQuestion(this, name);
             m_pages->messages().showBriefly(

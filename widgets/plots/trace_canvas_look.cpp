@@ -200,7 +200,8 @@ void TracePlot::Canvas::updateEmptyText() {
     } else if (quantity == Quantity::Strength && !traces->hasValues(quantity)) {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
-    m_empty->setText(inLines(text, font(), axisRect()->width()));
+    const int room = std::max(axisRect()->width(), width() / 2); // it has none before the first layout
+    m_empty->setText(inLines(text, font(), room));
     const bool isAbove = isPredicted && !text.isEmpty(); // over the lines it would hide them
     m_empty->position->setCoords(0.5, isAbove ? 0.0 : 0.5);
     m_empty->setPositionAlignment(Qt::AlignHCenter | (isAbove ? Qt::AlignBottom : Qt::AlignVCenter));
