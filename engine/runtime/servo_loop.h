@@ -156,8 +156,11 @@ public:
     std::optional<PendingAction> pending() const;
     /// Why it cannot retreat now; code None if it can.
     Message keepsFromRetreat() const;
-    /// Whether the end-effector is known to be as far off the source as a retreat moves it.
-    bool isAway() const { return m_readings.robot().isPlaceSure && m_retreat.isAway(); }
+    /// Whether the end-effector is known to be as far off the source as a retreat moves it; never where no
+    /// free axis leads away.
+    bool isAway() const {
+        return m_readings.robot().isPlaceSure && m_retreat.longest_m() > 0.0 && m_retreat.isAway();
+    }
     /// Latched faults, then what the safety monitor finds, then a compromise.
     std::vector<AlarmCondition> alarmConditions() const;
     SensorTrust sensorTrust(std::size_t object) const;
