@@ -30,6 +30,8 @@ constexpr double kDiskHysteresis = 1.1;
 constexpr double kOpinionSigmas = 2.0;
 constexpr double kSwapped_K = 1.5;   ///< noise, offsets and what objects warm in a period
 constexpr double kDeviating_K = 1.0; ///< readings of two objects that deviate in opposite ways
+constexpr double kExplained_K = 0.2; ///< and would not if they were exchanged
+constexpr double kPair_s = 36.0;     ///< by what has changed in this time
 constexpr double kStayed = 0.1;      ///< a smaller share of the expected change is none
 
 /// All problems of one sensor share one alarm, named after the first problem.
@@ -170,6 +172,8 @@ void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         if (auto& other = m_objects[i].swappedWith; other && !(isJumping(i) && isJumping(*other)))
             other.reset();
+    for (ObjectWatch& object : m_objects)
+        object.seemsSwappedWith.reset();
     if (!isHeated(seen)) // somebody may exchange them by hand
         return;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
@@ -181,14 +185,29 @@ void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
                 std::abs(other.to_K - one.from_K) <= kSwapped_K) {
                 m_objects[i].swappedWith = j;
                 m_objects[j].swappedWith = i;
+            } else if (seemSwapped(i, j)) {
+                m_objects[i].seemsSwappedWith = j;
+                m_objects[j].seemsSwappedWith = i;
             }
         }
+}
+
+/// Whether what both read deviates from their heat, in opposite ways, and would not if it were exchanged.
+bool SafetyMonitor::seemSwapped(std::size_t i, std::size_t j) const {
+    const WarmingWatch &one = m_objects[i].warming, &other = m_objects[j].warming;
+    const auto ofOne_K = one.unexplained_K(one, kPair_s), ofOther_K = other.unexplained_K(other, kPair_s);
+    if (!ofOne_K || !ofOther_K || *ofOne_K * *ofOther_K >= 0.0 ||
+        std::min(std::abs(*ofOne_K), std::abs(*ofOther_K)) < kDeviating_K)
+        return false;
+    const auto exchanged_K = one.unexplained_K(other, kPair_s), back_K = other.unexplained_K(one, kPair_s);
+    return exchanged_K && back_K && std::max(std::abs(*exchanged_K), std::abs(*back_K)) <= kExplained_K;
 }
 
 std::optional<std::size_t> SafetyMonitor::swappedWith(std::size_t object) const {
     if (const auto& found = m_opinion.finding(object); found && found->verdict == OpinionVerdict::Swapped)
         return found->other;
-    return m_objects.at(object).swappedWith;
+    const ObjectWatch& watch = m_objects.at(object);
+    return watch.swappedWith ? watch.swappedWith : watch.seemsSwappedWith;
 }
 
 void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
@@ -206,6 +225,9 @@ void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
                 i);
         return;
     }
+    if (const auto other = m_objects[i].seemsSwappedWith; other && i < *other)
+        add(Condition::SensorsSwapped,
+            {MessageCode::SafetySensorsSeemSwapped, {name(i), name(*other), formatNumber(kPair_s)}}, i);
     if (!object.isKnown || !(object.isLost || isJumping))
         return;
     if (object.jump.inARow > 0)
@@ -359,8 +381,8 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
 std::optional<std::size_t> SafetyMonitor::deviatingOtherwise(std::size_t i, const Unfollowed& found) const {
     for (std::size_t j = 0; j < m_objects.size(); ++j) {
         const WarmingWatch& other = m_objects[j].warming;
-        const double missing_K = found.missing_K() < 0.0 ? -1.0 : 1.0;
-        if (j != i && missing_K * other.unexplained_K(other, found.time_s) >= kDeviating_K)
+        const double sign = found.missing_K() < 0.0 ? -1.0 : 1.0;
+        if (j != i && sign * other.unexplained_K(other, found.time_s).value_or(0.0) >= kDeviating_K)
             return j;
     }
     return std::nullopt;

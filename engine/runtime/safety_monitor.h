@@ -127,8 +127,8 @@ public:
     bool isSensorStill(std::size_t object) const;
     /// A person confirms that the object's sensor is correct: its earlier readings are forgotten.
     void confirmSensor(std::size_t object);
-    /// Returns the object whose sensor is swapped with that of `object`, by the thermal camera or because
-    /// both jumped to what the other had read; empty: none.
+    /// Returns the object whose sensor is swapped with that of `object`, by the thermal camera, because both
+    /// jumped to what the other had read, or because each follows the other's heat; empty: none.
     std::optional<std::size_t> swappedWith(std::size_t object) const;
     /// Call when the sensors have been zeroed: the objects are at rest at the room's temperature.
     void atRest(const SafetyObservation& seen);
@@ -159,10 +159,12 @@ private:
         std::optional<double> frozenAt_K{};
         double frozenSince_s = 0.0;
         QuietWatch quiet{};
-        std::optional<std::size_t> swappedWith{}; ///< as its jump tells
+        std::optional<std::size_t> swappedWith{};      ///< as its jump tells
+        std::optional<std::size_t> seemsSwappedWith{}; ///< as the heat of both tells
     };
     void addObject(std::size_t i, const SafetyObservation& seen);
     void noteSwaps(const SafetyObservation& seen);
+    bool seemSwapped(std::size_t i, std::size_t j) const;
     void addSensor(std::size_t i, const SafetyObservation& seen);
     bool isFrozen(std::size_t i) const;
     double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated

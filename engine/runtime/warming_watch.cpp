@@ -225,16 +225,16 @@ std::optional<WarmingWatch::Mark> WarmingWatch::at(double time_s) const {
     return out;
 }
 
-double WarmingWatch::unexplained_K(const WarmingWatch& readings, double time_s) const {
+std::optional<double> WarmingWatch::unexplained_K(const WarmingWatch& readings, double time_s) const {
     if (m_bins.size() < 2 || readings.m_bins.size() < 2)
-        return 0.0;
+        return std::nullopt;
     // the last bin is being filled
     const double to_s =
         std::min(m_bins[m_bins.size() - 2].time_s, readings.m_bins[readings.m_bins.size() - 2].time_s);
     std::optional<Mark> from = at(to_s - time_s), to = at(to_s);
     const std::optional<Mark> readFrom = readings.at(to_s - time_s), readTo = readings.at(to_s);
     if (!from || !to || !readFrom || !readTo)
-        return 0.0;
+        return std::nullopt;
     const auto readAs = [](Mark& mark, const Mark& read) {
         mark.temperature_K = read.temperature_K;
         mark.linear_K_s = read.linear_K_s;

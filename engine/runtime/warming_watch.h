@@ -55,9 +55,9 @@ public:
     /// The largest rise of the last kRise_s that no rates explain, updated every few seconds.
     const std::optional<ForeignHeat>& foreignHeat() const { return m_foreignHeat; }
     /// How far the change of `readings` over the last `time_s` is from what this object's heat explains by
-    /// what was learnt, K, positive if they are too warm; 0 if it explains them, or if it is not known. An
-    /// object's own readings are *this; those of another one tell whether the sensors are swapped.
-    double unexplained_K(const WarmingWatch& readings, double time_s) const;
+    /// what was learnt, K, positive if they are too warm; empty if it is not known. An object's own readings
+    /// are *this; those of another one tell whether the sensors are swapped.
+    std::optional<double> unexplained_K(const WarmingWatch& readings, double time_s) const;
     /// How long the readings have been exactly the same, s.
     double sameFor_s() const;
     /// Returns the worst contradiction of at least min_K since the readings became the same.
