@@ -715,7 +715,7 @@ TEST_F(MainWindowTest, TheChipSaysWhyNotReady) {
     auto* chip = find<RunStateChip>("runStateChip");
     if (state() == RunState::NotReady) {
         ASSERT_FALSE(chip->reasons().isEmpty());
-        EXPECT_TRUE(chip->reasons().first().contains(QStringLiteral("estimator")))
+        EXPECT_TRUE(chip->reasons().first().contains(QStringLiteral("Ready in")))
             << chip->reasons().first().toStdString();
     }
     EXPECT_TRUE(waitForState(RunState::Ready));
