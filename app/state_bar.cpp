@@ -140,7 +140,7 @@ void StateBar::apply(const Snapshot& snapshot) {
     }
     m_state = snapshot.state;
     m_reasons = snapshot.reasons;
-    m_isPlaceSure = snapshot.place == PlaceState::Sure;
+    m_isPlaceSure = isPlaceSettled(snapshot);
     m_gravest = gravestPriority(snapshot.reasons, snapshot.alarms);
     showChip();
     QAction* hold = m_actions.verb(snapshot.state == RunState::Holding ? Verb::Resume : Verb::Hold);

@@ -29,6 +29,7 @@ constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowMark = 16;
 constexpr int kGap = 8;
 constexpr int kIndent = 16;
+constexpr int kLowGuidance = 36; // with Home under it no higher than the list
 
 /// A clock.
 QPixmap shelfPixmap(const QColor& ink, double devicePixelRatio) {
@@ -95,23 +96,25 @@ AlarmList::AlarmList(QWidget* parent)
     m_guidance->setReadOnly(true);
     m_guidance->setTabChangesFocus(true);
     m_guidance->setFrameShape(QFrame::NoFrame);
-    m_guidance->setMinimumWidth(150);
+    m_guidance->setMinimumSize(150, kLowGuidance);
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 
     m_shelve->setObjectName(QStringLiteral("shelveAlarm"));
     m_shelve->setFocusPolicy(Qt::StrongFocus);
     m_shelve->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    m_shelve->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_home->setObjectName(QStringLiteral("homeFromAlarm"));
     m_home->setFocusPolicy(Qt::StrongFocus);
     m_home->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     m_home->hide();
 
+    auto* one = new QHBoxLayout;
+    one->setSpacing(kGap / 2);
+    one->addWidget(m_acknowledge, 1);
+    one->addWidget(m_shelve);
     auto* buttons = new QVBoxLayout;
-    buttons->addWidget(m_acknowledge);
+    buttons->addLayout(one);
     buttons->addWidget(m_acknowledgeAll);
-    buttons->addWidget(m_shelve);
     buttons->addStretch(1);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

@@ -148,6 +148,10 @@ bool isAboutPlace(MessageCode code) {
            code == MessageCode::RobotElsewhere;
 }
 
+bool isPlaceSettled(const Snapshot& snapshot) {
+    return snapshot.place == PlaceState::Sure && snapshot.robotAlarm.code == MessageCode::None;
+}
+
 QString placeSureAgainText() {
     return DeviceWords::tr("The robot's place was not sure. It is sure again: press Reset.");
 }

@@ -127,7 +127,7 @@ QString activityWord(ObjectActivity activity);
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio);
 /// Returns the priority of the alarm that tells the same, with whose mark and colour it is shown; 0 for none.
 int activityPriority(ObjectActivity activity);
-constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
+inline constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
 /// Returns whether the object's temperature is not known.
 bool isUnknown(ObjectActivity activity);
 

@@ -109,7 +109,7 @@ void CheckList::refresh() {
     for (std::size_t i = 0; i < m_reasons.size(); ++i) {
         if (i < m_last.reasons.size()) {
             const Message& reason = m_last.reasons[i];
-            const bool isOver = m_last.place == PlaceState::Sure && isAboutPlace(reason.code);
+            const bool isOver = isPlaceSettled(m_last) && isAboutPlace(reason.code);
             put(m_reasons[i], Kind::Reason, isOver ? placeSureAgainText() : sentenceText(reason, m_unit),
                 statePriority(RunState::NotReady, reasonPriority(reason, m_last.alarms)));
         } else {
