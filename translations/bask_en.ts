@@ -61,6 +61,16 @@
     </message>
 </context>
 <context>
+    <name>bask::ComparisonView</name>
+    <message numerus="yes">
+        <source>Copied %n row(s)</source>
+        <translation>
+            <numerusform>Copied %n row</numerusform>
+            <numerusform>Copied %n rows</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::DeviceCard</name>
     <message numerus="yes">
         <source>%n answer(s) discarded</source>

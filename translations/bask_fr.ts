@@ -82,6 +82,14 @@
         <source>Close anyway</source>
         <translation>Fermer quand même</translation>
     </message>
+    <message>
+        <source>The recording is on</source>
+        <translation>L’enregistrement est en cours</translation>
+    </message>
+    <message>
+        <source>If Bask is closed now, the recording ends. What is recorded stays.</source>
+        <translation>Si Bask est fermé maintenant, l’enregistrement se termine. Ce qui est enregistré est conservé.</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -182,6 +190,10 @@
     <message>
         <source>its database is not whole</source>
         <translation>sa base de données n’est pas intacte</translation>
+    </message>
+    <message>
+        <source>it has a format number that no version has</source>
+        <translation>il a un numéro de format qu’aucune version n’a</translation>
     </message>
 </context>
 <context>
@@ -1164,10 +1176,6 @@
         <translation>Aucune expérience n’est chargée. Ouvrez-en une ou créez-en une nouvelle.</translation>
     </message>
     <message>
-        <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
-        <translation>L’estimateur de vitesse a&#xa0;%1 échantillons sur&#xa0;%2. Patientez un instant.</translation>
-    </message>
-    <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>Les objets ne sont pas stables à la température ambiante (%1), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
     </message>
@@ -2039,6 +2047,34 @@
         <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
         <translation>La consigne de « %1 », %2, n’est pas ce que la caméra thermique qui le lit peut indiquer : de %3 à %4 avec cette émissivité. Changez la consigne, ou laissez un capteur lire l’objet.</translation>
     </message>
+    <message>
+        <source>Ready in %1 s: the first readings are being collected.</source>
+        <translation>Prêt dans %1 s : les premières mesures sont en cours d’acquisition.</translation>
+    </message>
+    <message>
+        <source>the order was not taken (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2809,6 +2845,22 @@
         <source>Large &amp;numbers</source>
         <translation>&amp;Grands nombres</translation>
     </message>
+    <message>
+        <source>Ho&amp;me the robot…</source>
+        <translation>Prise d’ori&amp;gine du robot…</translation>
+    </message>
+    <message>
+        <source>All &amp;alarms…</source>
+        <translation>Toutes les alar&amp;mes…</translation>
+    </message>
+    <message>
+        <source>The alarms of all recorded runs, with how often and when</source>
+        <translation>Les alarmes de tous les essais enregistrés, avec leur nombre et leur date</translation>
+    </message>
+    <message>
+        <source>The robot seeks its switches to know its place: it moves</source>
+        <translation>Le robot cherche ses contacts pour connaître sa position : il bouge</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -3161,6 +3213,18 @@
         <source>Shelve: put the alarm aside for a time, with a reason</source>
         <translation>Mettre l’alarme de côté pour un temps, avec une raison</translation>
     </message>
+    <message>
+        <source>All alarms…</source>
+        <translation>Toutes les alarmes…</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Shelve…</source>
+        <translation>Mettre de côté…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmWords</name>
@@ -3231,6 +3295,13 @@
     <message>
         <source>%1 where its axis reads zero</source>
         <translation>%1 là où son axe indique zéro</translation>
+    </message>
+</context>
+<context>
+    <name>bask::BeliefText</name>
+    <message>
+        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <translation>Le régulateur a commencé avec des coefficients thermiques faux d’un facteur allant jusqu’à %1, comme le demande l’expérience.</translation>
     </message>
 </context>
 <context>
@@ -3977,6 +4048,13 @@
         <source>Once all metrics are computed</source>
         <translation>Une fois tous les indicateurs calculés</translation>
     </message>
+    <message numerus="yes">
+        <source>Copied %n row(s)</source>
+        <translation>
+            <numerusform>%n ligne copiée</numerusform>
+            <numerusform>%n lignes copiées</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::ControllerPanel</name>
@@ -4287,6 +4365,10 @@
     <message>
         <source>heats though off</source>
         <translation>chauffe malgré l’arrêt</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
+        <translation>La position du robot n’était pas sûre. Elle l’est de nouveau : appuyez sur Réinitialiser.</translation>
     </message>
 </context>
 <context>
@@ -5000,6 +5082,53 @@
     </message>
 </context>
 <context>
+    <name>bask::FigureDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>With a &amp;heading</source>
+        <translation>Avec un &amp;en-tête</translation>
+    </message>
+    <message>
+        <source>Size of the figure</source>
+        <translation>Taille de la figure</translation>
+    </message>
+    <message>
+        <source>One column: %1 mm</source>
+        <translation>Une colonne : %1 mm</translation>
+    </message>
+    <message>
+        <source>Two columns: %1 mm</source>
+        <translation>Deux colonnes : %1 mm</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>Title, names of the files and marked moments. Without it, a simulated run is called so in the corner.</source>
+        <translation>Titre, noms des fichiers et moments marqués. Sans lui, un essai simulé est désigné comme tel dans le coin.</translation>
+    </message>
+    <message>
+        <source>&amp;Size on paper</source>
+        <translation>&amp;Taille sur papier</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>The letters have 7 to 9 points at any width.</source>
+        <translation>Les lettres ont 7 à 9 points à toute largeur.</translation>
+    </message>
+    <message>
+        <source>Choose the place…</source>
+        <translation>Choisir l’emplacement…</translation>
+    </message>
+</context>
+<context>
     <name>bask::FinalValuesTable</name>
     <message>
         <source>Final values</source>
@@ -5109,16 +5238,25 @@
         <translation>Prend le contour importé comme polygone, sommet par sommet, au lieu d’un contour de Fourier. Exact&#xa0;; d’autant plus lent qu’il a de sommets.</translation>
     </message>
     <message>
-        <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
-        <translation>Résidu&#xa0;: entre points de même abscisse curviligne. Distance de Hausdorff&#xa0;: le plus grand éloignement d’un point d’un contour à l’autre. Aire&#xa0;: celle du contour de Fourier par rapport au contour importé.</translation>
-    </message>
-    <message>
         <source>The imported outline itself is used: %1 corners.</source>
         <translation>Le contour importé lui-même est utilisé&#xa0;: %1 sommets.</translation>
     </message>
     <message>
         <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
         <translation>Le contour importé lui-même est utilisé, réduit de %1 à %2 sommets.</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <comment>a number of harmonics</comment>
+        <translation>Prendre %1</translation>
+    </message>
+    <message>
+        <source>Take %1 harmonics</source>
+        <translation>Prendre %1 harmoniques</translation>
+    </message>
+    <message>
+        <source>Residual: between points at equal arc length, as a root mean square (rms) and at most. Hausdorff distance: the farthest that any point of one outline is from the nearest of the other; it is what &quot;Fewest harmonics within&quot; is about. Area: of the Fourier outline against the imported one.</source>
+        <translation>Résidu : entre points de même abscisse curviligne, en moyenne quadratique (rms) et au plus. Distance de Hausdorff : le plus grand éloignement d’un point d’un contour au point le plus proche de l’autre ; c’est d’elle qu’il s’agit dans « Le moins d’harmoniques pour ». Aire : celle du contour de Fourier par rapport au contour importé.</translation>
     </message>
 </context>
 <context>
@@ -5299,6 +5437,14 @@
     <message>
         <source>not usable</source>
         <translation>inutilisable</translation>
+    </message>
+    <message>
+        <source>At Start</source>
+        <translation>Au démarrage</translation>
+    </message>
+    <message>
+        <source>λ₁ with which the controller began</source>
+        <translation>λ₁ avec lequel le régulateur a commencé</translation>
     </message>
 </context>
 <context>
@@ -5618,6 +5764,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Place UNKNOWN: the robot has not told it yet.</source>
         <translation>Position INCONNUE : le robot ne l’a pas encore dite.</translation>
     </message>
+    <message>
+        <source>Confirm its place</source>
+        <translation>Confirmer sa position</translation>
+    </message>
 </context>
 <context>
     <name>bask::LabelsDialog</name>
@@ -5681,6 +5831,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Bask: large numbers</source>
         <translation>Bask&#xa0;: grands nombres</translation>
+    </message>
+    <message>
+        <source>In %1 s: %2</source>
+        <comment>seconds, and what the engine does then</comment>
+        <translation>Dans %1 s : %2</translation>
     </message>
 </context>
 <context>
@@ -5872,10 +6027,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Retrait</translation>
     </message>
     <message>
-        <source>The robot moves now: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
-        <translation>Le robot va bouger : il éloigne les objets de la source, et le chauffage est coupé. Toutes les mains sont-elles loin du robot et rien ne lui fait-il obstacle ?</translation>
-    </message>
-    <message>
         <source>Retreat now</source>
         <translation>Retrait immédiat</translation>
     </message>
@@ -5912,6 +6063,31 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Arm the simulated rig</source>
         <translation>Armer le banc simulé</translation>
+    </message>
+    <message>
+        <source>The robot will move: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
+        <translation>Le robot va bouger : il éloigne les objets de la source, et le chauffage est coupé. Toutes les mains sont-elles loin du robot et rien ne lui fait-il obstacle ?</translation>
+    </message>
+    <message>
+        <source>Home the robot</source>
+        <translation>Prise d’origine du robot</translation>
+    </message>
+    <message>
+        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation>Le robot bouge maintenant : il cherche ses contacts pour connaître sa position. Toutes les mains sont-elles loin du robot et rien n’est-il sur son passage ?</translation>
+    </message>
+    <message>
+        <source>Home now</source>
+        <translation>Lancer la prise d’origine</translation>
+    </message>
+    <message>
+        <source>The question &quot;%1&quot; was closed: the state has changed since it was asked.</source>
+        <translation>La question « %1 » a été fermée : l’état a changé depuis qu’elle a été posée.</translation>
+    </message>
+    <message>
+        <source>ready in %1 s</source>
+        <comment>readings are being collected</comment>
+        <translation>prêt dans %1 s</translation>
     </message>
 </context>
 <context>
@@ -6217,20 +6393,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop.</source>
-        <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
-    </message>
-    <message>
         <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
         <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
     </message>
     <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
-    </message>
-    <message>
-        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
-        <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec l’écart-type des échantillons.</translation>
     </message>
     <message>
         <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
@@ -6274,8 +6442,16 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>La même valeur d’après la température propre de l’objet simulé, qu’aucun capteur n’indique.</translation>
     </message>
     <message>
-        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
-        <translation>Ce que le thermomètre de l’objet a lu au dernier échantillon avant l’arrêt. Les autres valeurs se fondent aussi sur ses mesures.</translation>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too. ± is the standard uncertainty: of a sensor that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings, without its own error away from the room&apos;s temperature and that of its contact.</source>
+        <translation>Ce que le thermomètre de l’objet a lu au dernier échantillon avant l’arrêt. Les autres valeurs prennent aussi ses mesures. ± est l’incertitude type : pour un capteur, celle de la température de la pièce à laquelle il a été ajusté, de son ajustement, et du pas et du bruit de ses mesures, sans son erreur propre loin de la température de la pièce ni celle de son contact.</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
+        <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt. L’événement « Tous les objets sont stabilisés » est autre chose et vient plus tard : quand tous les objets sont aussi proches depuis %2 s d’après les estimations du régulateur, et que le robot n’a pas à aller ailleurs. ± est ce qu’en font la période, le pas et le bruit des mesures.</translation>
+    </message>
+    <message>
+        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
+        <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec son incertitude type (±) et l’écart-type des échantillons.</translation>
     </message>
 </context>
 <context>
@@ -6777,6 +6953,20 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
         <translation>Âge de la dernière mesure crue, ou ce que la caméra thermique voit de l’objet, avec deux fois l’incertitude type</translation>
     </message>
+    <message>
+        <source>Above its warning limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>Limite d’avertissement dépassée</translation>
+    </message>
+    <message>
+        <source>Above its trip limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>Limite de déclenchement dépassée</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
+        <translation>Incertitude type %1 %2. Pour un capteur, c’est celle de la température de la pièce à laquelle il a été ajusté, de son ajustement, et du pas et du bruit de ses mesures. N’y sont pas : l’erreur propre du capteur loin de la température de la pièce, et la qualité de son contact avec l’objet.</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectsPage</name>
@@ -6926,6 +7116,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Damaged</source>
         <translation>Endommagé</translation>
+    </message>
+    <message>
+        <source>Altered</source>
+        <translation>Modifié</translation>
     </message>
 </context>
 <context>
@@ -7254,6 +7448,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Table (CSV)…</source>
         <translation>Tableau (CSV)…</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>Mesurer à partir d’ici</translation>
     </message>
 </context>
 <context>
@@ -8161,6 +8359,47 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>T&amp;ableaux avec tous les chiffres (CSV)…</translation>
     </message>
+    <message>
+        <source>Not verified: %1</source>
+        <translation>Non vérifié : %1</translation>
+    </message>
+    <message>
+        <source>No object shades another</source>
+        <translation>Aucun objet ne fait d’ombre à un autre</translation>
+    </message>
+    <message>
+        <source>At most %1 % of an object&apos;s view factor is taken by the others</source>
+        <translation>Au plus %1 % du facteur de forme d’un objet sont pris par les autres</translation>
+    </message>
+    <message>
+        <source>Being verified…</source>
+        <translation>Vérification en cours…</translation>
+    </message>
+    <message>
+        <source>Head of the hash chain: %1</source>
+        <translation>Tête de la chaîne de hachage : %1</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>Vérification</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>Coefficients thermiques au démarrage</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>Ombre</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>%1, recorded until %2</source>
+        <comment>two times since Start</comment>
+        <translation>%1, enregistré jusqu’à %2</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8270,6 +8509,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Use these limits</source>
         <translation>Utiliser ces limites</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Home the robot or confirm its place, then press Reset.</source>
+        <translation>Un arrêt ou un défaut est verrouillé. Lancez la prise d’origine du robot ou confirmez sa position, puis appuyez sur Réinitialiser.</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Reset is possible when its cause is over.</source>
+        <translation>Un arrêt ou un défaut est verrouillé. Réinitialiser est possible quand sa cause est terminée.</translation>
     </message>
 </context>
 <context>
@@ -8416,6 +8663,19 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
 </context>
 <context>
+    <name>bask::RunDifferences</name>
+    <message>
+        <source>all %1</source>
+        <comment>objects of a run; their target</comment>
+        <translation>tous à %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>objects, and their one target</comment>
+        <translation>%1 : %2</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunLabelWords</name>
     <message>
         <source>operator %1</source>
@@ -8442,6 +8702,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>The run had been stopped; what followed is not recorded to its end.</source>
         <translation>L’essai avait été arrêté&#xa0;; ce qui a suivi n’est pas enregistré jusqu’au bout.</translation>
+    </message>
+    <message>
+        <source>Faster than real time: %1 (min:s) of the simulated rig in %2 by the clock</source>
+        <translation>Plus vite que le temps réel : %1 (min:s) du banc simulé en %2 d’après l’horloge</translation>
     </message>
 </context>
 <context>
@@ -9237,10 +9501,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est rapporté.</translation>
     </message>
     <message>
-        <source>zeroed %1 UTC</source>
-        <translation>ajustés le %1 UTC</translation>
-    </message>
-    <message>
         <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
         <translation>Toutes les consignes peuvent être tenues ensemble, avec les matériaux indiqués, en %1 ; marge de %2 jusqu’à la limite la plus proche (%3).</translation>
     </message>
@@ -9363,6 +9623,79 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>Cet enregistrement a été modifié après coup&#xa0;: rien ici n’est donc prouvé&#xa0;; bask verify dit où.</translation>
+    </message>
+    <message>
+        <source>zeroed %1</source>
+        <translation>ajustés le %1</translation>
+    </message>
+    <message>
+        <source>from Arm at %1; Start at %2</source>
+        <translation>dès l’armement, %1 ; démarrage, %2</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>Coefficients thermiques au démarrage</translation>
+    </message>
+    <message>
+        <source>%1 %2 (set point %3)</source>
+        <comment>when: the source&apos;s temperature</comment>
+        <translation>%1 %2 (consigne %3)</translation>
+    </message>
+    <message>
+        <source>at Start</source>
+        <translation>au démarrage</translation>
+    </message>
+    <message>
+        <source>settled at %1 s</source>
+        <translation>stabilisés à %1 s</translation>
+    </message>
+    <message>
+        <source>at the end of control</source>
+        <translation>à la fin de la régulation</translation>
+    </message>
+    <message>
+        <source>Source in the run</source>
+        <translation>Source pendant l’essai</translation>
+    </message>
+    <message>
+        <source>λ₁ at Start (K/s)</source>
+        <translation>λ₁ au démarrage (K/s)</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>d’après le matériau</translation>
+    </message>
+    <message>
+        <source>λ₂ at Start (1/(K³ s))</source>
+        <translation>λ₂ au démarrage (1/(K³ s))</translation>
+    </message>
+    <message>
+        <source>Where from</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>given by the experiment</source>
+        <translation>donnés par l’expérience</translation>
+    </message>
+    <message>
+        <source>the material, made wrong</source>
+        <translation>le matériau, faussés</translation>
+    </message>
+    <message>
+        <source>the material</source>
+        <translation>le matériau</translation>
+    </message>
+    <message>
+        <source>Heat rates with which the controller began</source>
+        <translation>Coefficients thermiques avec lesquels le régulateur a commencé</translation>
+    </message>
+    <message>
+        <source>± is the standard uncertainty of a material&apos;s value.</source>
+        <translation>± est l’incertitude type d’une valeur du matériau.</translation>
     </message>
 </context>
 <context>
@@ -9686,6 +10019,26 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
         <translation>Les figures et les rapports ne sont tracés que si aucun essai et aucune recette n’est en cours ni ne commence, si aucune chauffe n’est demandée et si le robot est immobile : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
     </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Choisir un autre nom</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 existe déjà.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>Save the NeXus file</source>
+        <translation>Enregistrer le fichier NeXus</translation>
+    </message>
+    <message>
+        <source>NeXus (*.nxs)</source>
+        <translation>NeXus (*.nxs)</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9733,10 +10086,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Clôturer</translation>
     </message>
     <message>
-        <source>Draws the selected run over the one that is open, both from their Start.</source>
-        <translation>Dessine l’essai choisi par-dessus celui qui est ouvert, tous deux depuis leur démarrage.</translation>
-    </message>
-    <message>
         <source>Duration</source>
         <translation>Durée</translation>
     </message>
@@ -9751,10 +10100,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>LIVE</source>
         <translation>RÉEL</translation>
-    </message>
-    <message>
-        <source>Lay the selected run over the open one</source>
-        <translation>Superposer l’essai choisi à celui qui est ouvert</translation>
     </message>
     <message>
         <source>No recorded runs in this folder.</source>
@@ -9885,8 +10230,20 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Les alarmes qu’ont eues les essais listés, combien de fois et quand</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long : quand il est ouvert) et reste marqué jusqu’à ce que le fichier change ou que Bask soit fermé ; si le fichier a été modifié, bask verify le dit.</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
+        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long : quand il est ouvert), un fichier modifié quand il est ouvert ; les deux restent marqués jusqu’à ce que le fichier change ou que Bask soit fermé.</translation>
+    </message>
+    <message>
+        <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
+        <translation>Du démarrage à l’arrêt, à STOP ou à la fin de l’essai par le moteur. Ce qui est enregistré ensuite, jusqu’à ce que tout soit éloigné ou froid, ne compte pas.</translation>
+    </message>
+    <message>
+        <source>Lay the selected runs over the open one</source>
+        <translation>Superposer les essais choisis à celui qui est ouvert</translation>
+    </message>
+    <message>
+        <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
+        <translation>Dessine les essais choisis par-dessus celui qui est ouvert, tous depuis leur démarrage. Si aucun n’est ouvert, choisissez-en plusieurs (Ctrl et un clic) : le premier est ouvert.</translation>
     </message>
 </context>
 <context>
@@ -10052,6 +10409,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
         <translation>La source est à %1, sa consigne est de %2 (%3). Démarrer ne l’attend pas&#xa0;: l’essai commence, et son temps compte, pendant que la source chauffe.</translation>
     </message>
+    <message>
+        <source>The run has ended. Its time and its recording go on until the source and the objects are cold (source %1), or until the next Arm.</source>
+        <translation>L’essai est terminé. Son temps et son enregistrement continuent jusqu’à ce que la source et les objets soient froids (source %1), ou jusqu’au prochain armement.</translation>
+    </message>
 </context>
 <context>
     <name>bask::StateBar</name>
@@ -10091,6 +10452,16 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
         <translation>défaut actif</translation>
+    </message>
+    <message>
+        <source>recorded until cold</source>
+        <comment>under the clock: the run has ended</comment>
+        <translation>enreg. jusqu’au froid</translation>
+    </message>
+    <message>
+        <source>until cold</source>
+        <comment>the same where there is less room</comment>
+        <translation>jusqu’au froid</translation>
     </message>
 </context>
 <context>
@@ -10204,6 +10575,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
         <translation>Dernière température de la source, et si elle est chauffée, comme l’appareil l’a confirmé. INCONNU : elle peut être chaude, quel que soit l’ordre donné. Chauffe quoique coupée : elle se réchauffe malgré tout.</translation>
+    </message>
+    <message>
+        <source>recorded until cold: source %1; %2, %3 samples</source>
+        <translation>enregistré jusqu’au froid : source %1 ; %2, %3 échantillons</translation>
     </message>
 </context>
 <context>
@@ -10477,6 +10852,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
+    </message>
+    <message>
+        <source>No object shades another at this pose.</source>
+        <translation>À cette pose, aucun objet ne fait d’ombre à un autre.</translation>
     </message>
 </context>
 <context>
@@ -11147,6 +11526,50 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
 </context>
 <context>
+    <name>bask::Verification</name>
+    <message>
+        <source>table %1</source>
+        <translation>table %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>a time since Start</comment>
+        <translation>à %1</translation>
+    </message>
+    <message>
+        <source>Altered: in tags, or in bytes of the file that are in no row. An older Bask that changed the tags does that, too.</source>
+        <translation>Modifié : dans les étiquettes, ou dans des octets du fichier qui ne sont dans aucune ligne. Un Bask plus ancien qui a changé les étiquettes le fait aussi.</translation>
+    </message>
+    <message>
+        <source>Altered: %1; see bask verify</source>
+        <translation>Modifié : %1 ; voir bask verify</translation>
+    </message>
+    <message>
+        <source>Altered: %1, and %2 more; see bask verify</source>
+        <translation>Modifié : %1, et %2 autres ; voir bask verify</translation>
+    </message>
+    <message>
+        <source>Damaged: bask verify tells what of it can be read</source>
+        <translation>Endommagé : bask verify dit ce qui peut en être lu</translation>
+    </message>
+    <message>
+        <source>Not verifiable: recorded by an older Bask, without a hash chain</source>
+        <translation>Non vérifiable : enregistré par un Bask plus ancien, sans chaîne de hachage</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, sealed, head %2</source>
+        <translation>Intact : %1 lignes, scellé, tête %2</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, not sealed, head %2</source>
+        <translation>Intact : %1 lignes, non scellé, tête %2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ViewBar</name>
     <message>
         <source>Top</source>
@@ -11340,6 +11763,34 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>This run has no prediction: it could not be computed.</source>
         <translation>Cet essai n’est pas prédit : le calcul n’a pas abouti.</translation>
+    </message>
+    <message>
+        <source>Reset waits for the source to cool by %1: it does not cool yet. Switch it off at its mains.</source>
+        <translation>Réinitialiser attend que la source ait refroidi de %1 : elle ne refroidit pas encore. Coupez son alimentation secteur.</translation>
+    </message>
+    <message>
+        <source>The source cools: Reset is possible when it has fallen by %1; now %2.</source>
+        <translation>La source refroidit : Réinitialiser est possible quand elle aura baissé de %1 ; maintenant %2.</translation>
+    </message>
+    <message>
+        <source>Home the robot: here, or on the page Rig, By hand, where its place can be confirmed instead.</source>
+        <translation>Lancez la prise d’origine du robot : ici, ou à la page Banc, À la main, où l’on peut aussi confirmer sa position.</translation>
+    </message>
+    <message>
+        <source>Then Reset, then Arm.</source>
+        <translation>Ensuite Réinitialiser, puis Armer.</translation>
+    </message>
+    <message>
+        <source>Home is not possible: no experiment is loaded.</source>
+        <translation>La prise d’origine n’est pas possible : aucune expérience n’est chargée.</translation>
+    </message>
+    <message>
+        <source>Home is not possible: a run is armed or on. Stop it first.</source>
+        <translation>La prise d’origine n’est pas possible : un essai est armé ou en cours. Arrêtez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Home is not possible: the robot does not answer.</source>
+        <translation>La prise d’origine n’est pas possible : le robot ne répond pas.</translation>
     </message>
 </context>
 <context>

@@ -82,6 +82,14 @@
         <source>Close anyway</source>
         <translation>仍然关闭</translation>
     </message>
+    <message>
+        <source>The recording is on</source>
+        <translation>正在记录</translation>
+    </message>
+    <message>
+        <source>If Bask is closed now, the recording ends. What is recorded stays.</source>
+        <translation>现在关闭 Bask，记录即结束。已记录的内容会保留。</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -182,6 +190,10 @@
     <message>
         <source>its database is not whole</source>
         <translation>其数据库不完整</translation>
+    </message>
+    <message>
+        <source>it has a format number that no version has</source>
+        <translation>其格式编号不属于任何版本</translation>
     </message>
 </context>
 <context>
@@ -1164,10 +1176,6 @@
         <translation>未载入实验。请打开或新建一个实验。</translation>
     </message>
     <message>
-        <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
-        <translation>变化率估计器已有 %1 个采样，共需 %2 个。请稍候。</translation>
-    </message>
-    <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>物体未静置于室温（%1），因此传感器无法校零。请等待冷却，或更正环境温度。</translation>
     </message>
@@ -2039,6 +2047,34 @@
         <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
         <translation>“%1”的目标 %2 不在读取它的热像仪所能测的范围内：以此发射率为 %3 至 %4。请更改目标，或改用传感器读取该物体。</translation>
     </message>
+    <message>
+        <source>Ready in %1 s: the first readings are being collected.</source>
+        <translation>%1 s 后就绪：正在采集最初的读数。</translation>
+    </message>
+    <message>
+        <source>the order was not taken (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2809,6 +2845,22 @@
         <source>Large &amp;numbers</source>
         <translation>大号数字(&amp;N)</translation>
     </message>
+    <message>
+        <source>Ho&amp;me the robot…</source>
+        <translation>机器人回零(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>All &amp;alarms…</source>
+        <translation>所有报警(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The alarms of all recorded runs, with how often and when</source>
+        <translation>所有已记录运行的报警，及其次数和时间</translation>
+    </message>
+    <message>
+        <source>The robot seeks its switches to know its place: it moves</source>
+        <translation>机器人寻找其限位开关以确定位置：它会移动</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -3157,6 +3209,18 @@
         <source>Shelve: put the alarm aside for a time, with a reason</source>
         <translation>搁置：将报警暂时放在一边，须说明理由</translation>
     </message>
+    <message>
+        <source>All alarms…</source>
+        <translation>所有报警…</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>取消搁置</translation>
+    </message>
+    <message>
+        <source>Shelve…</source>
+        <translation>搁置…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmWords</name>
@@ -3227,6 +3291,13 @@
     <message>
         <source>%1 where its axis reads zero</source>
         <translation>该轴读数为零时的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::BeliefText</name>
+    <message>
+        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <translation>按实验的要求，控制器起始时所用的热速率有误，误差最大为 %1 倍。</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4041,12 @@
         <source>Once all metrics are computed</source>
         <translation>所有指标计算完成之后</translation>
     </message>
+    <message numerus="yes">
+        <source>Copied %n row(s)</source>
+        <translation>
+            <numerusform>已复制 %n 行</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::ControllerPanel</name>
@@ -4280,6 +4357,10 @@
     <message>
         <source>heats though off</source>
         <translation>已关仍在加热</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
+        <translation>机器人的位置曾不确定，现已确定：请按“复位”。</translation>
     </message>
 </context>
 <context>
@@ -4992,6 +5073,53 @@
     </message>
 </context>
 <context>
+    <name>bask::FigureDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>With a &amp;heading</source>
+        <translation>带标题(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Size of the figure</source>
+        <translation>图的尺寸</translation>
+    </message>
+    <message>
+        <source>One column: %1 mm</source>
+        <translation>一栏：%1 mm</translation>
+    </message>
+    <message>
+        <source>Two columns: %1 mm</source>
+        <translation>两栏：%1 mm</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Title, names of the files and marked moments. Without it, a simulated run is called so in the corner.</source>
+        <translation>标题、文件名和标出的时刻。没有它时，仿真运行在角上注明。</translation>
+    </message>
+    <message>
+        <source>&amp;Size on paper</source>
+        <translation>纸上尺寸(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>宽度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The letters have 7 to 9 points at any width.</source>
+        <translation>无论宽度多少，字都为 7 至 9 磅。</translation>
+    </message>
+    <message>
+        <source>Choose the place…</source>
+        <translation>选择位置…</translation>
+    </message>
+</context>
+<context>
     <name>bask::FinalValuesTable</name>
     <message>
         <source>Final values</source>
@@ -5101,16 +5229,25 @@
         <translation>将导入的轮廓逐角点作为多边形使用，代替傅里叶轮廓。精确；角点越多越慢。</translation>
     </message>
     <message>
-        <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
-        <translation>残差：弧长相同处两点之间的距离。豪斯多夫距离：一条轮廓上的点离另一条轮廓的最远距离。面积：傅里叶轮廓与导入轮廓之比较。</translation>
-    </message>
-    <message>
         <source>The imported outline itself is used: %1 corners.</source>
         <translation>使用导入的轮廓本身：%1 个角点。</translation>
     </message>
     <message>
         <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
         <translation>使用导入的轮廓本身，由 %1 个角点精简为 %2 个。</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <comment>a number of harmonics</comment>
+        <translation>采用 %1</translation>
+    </message>
+    <message>
+        <source>Take %1 harmonics</source>
+        <translation>采用 %1 个谐波</translation>
+    </message>
+    <message>
+        <source>Residual: between points at equal arc length, as a root mean square (rms) and at most. Hausdorff distance: the farthest that any point of one outline is from the nearest of the other; it is what &quot;Fewest harmonics within&quot; is about. Area: of the Fourier outline against the imported one.</source>
+        <translation>残差：弧长相同处两点之间的距离，给出均方根（rms）和最大值。豪斯多夫距离：一条轮廓上任意点到另一条轮廓最近点的最远距离；“最少谐波数，误差不超过”即指它。面积：傅里叶轮廓与导入轮廓之比较。</translation>
     </message>
 </context>
 <context>
@@ -5291,6 +5428,14 @@
     <message>
         <source>not usable</source>
         <translation>不可用</translation>
+    </message>
+    <message>
+        <source>At Start</source>
+        <translation>开始时</translation>
+    </message>
+    <message>
+        <source>λ₁ with which the controller began</source>
+        <translation>控制器起始时所用的 λ₁</translation>
     </message>
 </context>
 <context>
@@ -5610,6 +5755,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Place UNKNOWN: the robot has not told it yet.</source>
         <translation>位置未知：机器人尚未告知。</translation>
     </message>
+    <message>
+        <source>Confirm its place</source>
+        <translation>确认其位置</translation>
+    </message>
 </context>
 <context>
     <name>bask::LabelsDialog</name>
@@ -5673,6 +5822,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Bask: large numbers</source>
         <translation>Bask：大号数字</translation>
+    </message>
+    <message>
+        <source>In %1 s: %2</source>
+        <comment>seconds, and what the engine does then</comment>
+        <translation>%1 s 后：%2</translation>
     </message>
 </context>
 <context>
@@ -5864,10 +6018,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>撤离</translation>
     </message>
     <message>
-        <source>The robot moves now: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
-        <translation>机器人即将运动：使物体离开热源，并关闭加热。所有人的手都已离开机器人，且路径上没有障碍吗？</translation>
-    </message>
-    <message>
         <source>Retreat now</source>
         <translation>立即撤离</translation>
     </message>
@@ -5904,6 +6054,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Arm the simulated rig</source>
         <translation>使模拟装置进入待命</translation>
+    </message>
+    <message>
+        <source>The robot will move: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
+        <translation>机器人即将运动：使物体离开热源，并关闭加热。所有人的手都已离开机器人，且路径上没有障碍吗？</translation>
+    </message>
+    <message>
+        <source>Home the robot</source>
+        <translation>机器人回零</translation>
+    </message>
+    <message>
+        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation>机器人现在会移动：它寻找其限位开关以确定位置。所有人的手是否都已离开机器人，其路径上是否没有障碍？</translation>
+    </message>
+    <message>
+        <source>Home now</source>
+        <translation>立即回零</translation>
+    </message>
+    <message>
+        <source>The question &quot;%1&quot; was closed: the state has changed since it was asked.</source>
+        <translation>问题“%1”已关闭：提出后状态已改变。</translation>
+    </message>
+    <message>
+        <source>ready in %1 s</source>
+        <comment>readings are being collected</comment>
+        <translation>%1 s 后就绪</translation>
     </message>
 </context>
 <context>
@@ -6209,20 +6384,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最后设定的目标。其余数值从该时刻（若未更改过，则从“开始”）算起，到“停止”为止。</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop.</source>
-        <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。</translation>
-    </message>
-    <message>
         <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
         <translation>首次越过阶跃的 10 % 与首次越过 90 % 之间的时间；阶跃从设定目标时的温度到目标为止。阶跃小于容差带两倍时不给出。</translation>
     </message>
     <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>温度沿阶跃方向超出目标的量，以及它占阶跃的比例。阶跃小于容差带两倍时不给出。</translation>
-    </message>
-    <message>
-        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
-        <translation>到“停止”为止的最后 %1 s 内（若稳定后的时间更短，则自稳定时起）温度减目标的平均值，附采样的标准差。</translation>
     </message>
     <message>
         <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
@@ -6266,8 +6433,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>按仿真物体自身的温度计算的同一指标，没有传感器能读到该温度。</translation>
     </message>
     <message>
-        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
-        <translation>到“停止”为止最后一个采样时物体温度计的读数。其他各项也取其读数。</translation>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too. ± is the standard uncertainty: of a sensor that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings, without its own error away from the room&apos;s temperature and that of its contact.</source>
+        <translation>物体的温度计在到“停止”为止的最后一个采样时的读数。其他数值也取其读数。± 为标准不确定度：对传感器而言，来自校零所依据的室温、校零本身以及读数的步长和噪声，不包括其远离室温时自身的误差和接触的误差。</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
+        <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。事件“所有物体均已稳定”是另一回事，并且更晚：按控制器的估计，全部物体已如此接近 %2 s，且机器人无需再去别处。± 为读数的周期、步长和噪声所致。</translation>
+    </message>
+    <message>
+        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
+        <translation>到“停止”为止的最后 %1 s 内（若稳定后的时间更短，则自稳定时起）温度减目标的平均值，附其标准不确定度（±）和各采样的标准差。</translation>
     </message>
 </context>
 <context>
@@ -6769,6 +6944,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
         <translation>最近一次被采信的读数距今多久，或热像仪所见的该物体的温度及其两倍标准不确定度</translation>
     </message>
+    <message>
+        <source>Above its warning limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>超过警告限值</translation>
+    </message>
+    <message>
+        <source>Above its trip limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>超过跳闸限值</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
+        <translation>标准不确定度 %1 %2。对传感器而言，它来自校零所依据的室温、校零本身，以及读数的步长和噪声。不包括：传感器在远离室温时自身的误差，以及它与物体接触的好坏。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectsPage</name>
@@ -6918,6 +7107,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Damaged</source>
         <translation>已损坏</translation>
+    </message>
+    <message>
+        <source>Altered</source>
+        <translation>已改动</translation>
     </message>
 </context>
 <context>
@@ -7246,6 +7439,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Table (CSV)…</source>
         <translation>表格 (CSV)…</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>从此处测量</translation>
     </message>
 </context>
 <context>
@@ -8150,6 +8347,47 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位数的表格 (CSV)(&amp;A)…</translation>
     </message>
+    <message>
+        <source>Not verified: %1</source>
+        <translation>未验证：%1</translation>
+    </message>
+    <message>
+        <source>No object shades another</source>
+        <translation>物体之间没有遮挡</translation>
+    </message>
+    <message>
+        <source>At most %1 % of an object&apos;s view factor is taken by the others</source>
+        <translation>某个物体的角系数最多有 %1 % 被其他物体挡住</translation>
+    </message>
+    <message>
+        <source>Being verified…</source>
+        <translation>正在验证…</translation>
+    </message>
+    <message>
+        <source>Head of the hash chain: %1</source>
+        <translation>哈希链的头：%1</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>验证</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>开始时的热速率</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>遮挡</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>%1, recorded until %2</source>
+        <comment>two times since Start</comment>
+        <translation>%1，记录至 %2</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8259,6 +8497,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Use these limits</source>
         <translation>使用这些限值</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Home the robot or confirm its place, then press Reset.</source>
+        <translation>停止或故障已锁存。请使机器人回零或确认其位置，然后按“复位”。</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Reset is possible when its cause is over.</source>
+        <translation>停止或故障已锁存。其原因解除后方可复位。</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8651,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::RunDifferences</name>
+    <message>
+        <source>all %1</source>
+        <comment>objects of a run; their target</comment>
+        <translation>全部 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>objects, and their one target</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunLabelWords</name>
     <message>
         <source>operator %1</source>
@@ -8431,6 +8690,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The run had been stopped; what followed is not recorded to its end.</source>
         <translation>运行已被停止；其后的过程没有记录完整。</translation>
+    </message>
+    <message>
+        <source>Faster than real time: %1 (min:s) of the simulated rig in %2 by the clock</source>
+        <translation>快于实际时间：仿真装置的 %1（分:秒）按时钟只用了 %2</translation>
     </message>
 </context>
 <context>
@@ -9220,10 +9483,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>已中断：记录未经“停止”而结束，后来才关闭。本报告为已写入的内容。</translation>
     </message>
     <message>
-        <source>zeroed %1 UTC</source>
-        <translation>校零于 %1 UTC</translation>
-    </message>
-    <message>
         <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
         <translation>按给定的材料，所有目标可在 %1 处同时保持；距最近的限制（%3）余量 %2。</translation>
     </message>
@@ -9346,6 +9605,79 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此记录在记录之后被改动过，因此这里的内容均无法证明；bask verify 会指出位置。</translation>
+    </message>
+    <message>
+        <source>zeroed %1</source>
+        <translation>校零于 %1</translation>
+    </message>
+    <message>
+        <source>from Arm at %1; Start at %2</source>
+        <translation>自待命起，%1；开始，%2</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>仿真</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>开始时的热速率</translation>
+    </message>
+    <message>
+        <source>%1 %2 (set point %3)</source>
+        <comment>when: the source&apos;s temperature</comment>
+        <translation>%1 %2（设定值 %3）</translation>
+    </message>
+    <message>
+        <source>at Start</source>
+        <translation>开始时</translation>
+    </message>
+    <message>
+        <source>settled at %1 s</source>
+        <translation>%1 s 稳定时</translation>
+    </message>
+    <message>
+        <source>at the end of control</source>
+        <translation>控制结束时</translation>
+    </message>
+    <message>
+        <source>Source in the run</source>
+        <translation>运行中的热源</translation>
+    </message>
+    <message>
+        <source>λ₁ at Start (K/s)</source>
+        <translation>开始时的 λ₁（K/s）</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>按材料</translation>
+    </message>
+    <message>
+        <source>λ₂ at Start (1/(K³ s))</source>
+        <translation>开始时的 λ₂（1/(K³ s)）</translation>
+    </message>
+    <message>
+        <source>Where from</source>
+        <translation>来源</translation>
+    </message>
+    <message>
+        <source>given by the experiment</source>
+        <translation>由实验给出</translation>
+    </message>
+    <message>
+        <source>the material, made wrong</source>
+        <translation>材料，有意加入误差</translation>
+    </message>
+    <message>
+        <source>the material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Heat rates with which the controller began</source>
+        <translation>控制器起始时所用的热速率</translation>
+    </message>
+    <message>
+        <source>± is the standard uncertainty of a material&apos;s value.</source>
+        <translation>± 为材料数值的标准不确定度。</translation>
     </message>
 </context>
 <context>
@@ -9669,6 +10001,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
         <translation>只有没有运行或配方正在进行或开始、未要求加热且机器人静止时才绘制图形和报告：否则带有 STOP 的窗口必须等待。未写入任何内容。</translation>
     </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>选择其他名称</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 已经存在。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>替换</translation>
+    </message>
+    <message>
+        <source>Save the NeXus file</source>
+        <translation>保存 NeXus 文件</translation>
+    </message>
+    <message>
+        <source>NeXus (*.nxs)</source>
+        <translation>NeXus (*.nxs)</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9712,10 +10064,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>正确关闭</translation>
     </message>
     <message>
-        <source>Draws the selected run over the one that is open, both from their Start.</source>
-        <translation>将所选运行叠加到已打开的运行上，两者都从开始时刻对齐。</translation>
-    </message>
-    <message>
         <source>Duration</source>
         <translation>时长</translation>
     </message>
@@ -9730,10 +10078,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>LIVE</source>
         <translation>实机</translation>
-    </message>
-    <message>
-        <source>Lay the selected run over the open one</source>
-        <translation>将所选运行叠加到已打开的运行上</translation>
     </message>
     <message>
         <source>No recorded runs in this folder.</source>
@@ -9864,8 +10208,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列运行中出现过哪些报警、多少次、何时</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>各次运行结束时给出的结果。文件损坏在选中该运行时发现（较长的运行在打开时发现），并保留到文件改变或 Bask 关闭；文件是否被改动过由 bask verify 指出。</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
+        <translation>各次运行结束时给出的结果。文件损坏在选中该运行时发现（较长的运行在打开时发现），是否被改动过在打开时发现；两者都保留到文件改变或 Bask 关闭。</translation>
+    </message>
+    <message>
+        <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
+        <translation>从“开始”到“停止”、软件停止或引擎结束运行为止。此后记录到一切撤离或冷却为止的部分不计。</translation>
+    </message>
+    <message>
+        <source>Lay the selected runs over the open one</source>
+        <translation>将所选的各次运行叠加到已打开的运行上</translation>
+    </message>
+    <message>
+        <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
+        <translation>将所选的各次运行叠加到已打开的运行上，都从开始时刻对齐。没有打开的运行时，请选择几次（按住 Ctrl 并单击）：其中第一个会被打开。</translation>
     </message>
 </context>
 <context>
@@ -10031,6 +10387,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
         <translation>热源为 %1，其设定值为 %2（%3）。“开始”不会等待它：热源升温期间运行已经开始并计时。</translation>
     </message>
+    <message>
+        <source>The run has ended. Its time and its recording go on until the source and the objects are cold (source %1), or until the next Arm.</source>
+        <translation>运行已结束。其时间和记录继续，直到热源和物体冷却（热源 %1）或下一次待命为止。</translation>
+    </message>
 </context>
 <context>
     <name>bask::StateBar</name>
@@ -10070,6 +10430,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
         <translation>有故障</translation>
+    </message>
+    <message>
+        <source>recorded until cold</source>
+        <comment>under the clock: the run has ended</comment>
+        <translation>记录至冷却</translation>
+    </message>
+    <message>
+        <source>until cold</source>
+        <comment>the same where there is less room</comment>
+        <translation>至冷却</translation>
     </message>
 </context>
 <context>
@@ -10181,6 +10551,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
         <translation>热源的最新温度，以及设备所确认的是否加热。未知：无论下过什么命令，它都可能是热的。关闭仍加热：它照样升温。</translation>
+    </message>
+    <message>
+        <source>recorded until cold: source %1; %2, %3 samples</source>
+        <translation>记录至冷却：热源 %1；%2，%3 个采样</translation>
     </message>
 </context>
 <context>
@@ -10454,6 +10828,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若运行中有目标无法达到，需要您在开始时明确同意。运行将保持所找到的最佳折中并予以说明，会话中也会记录您已同意。运行期间，新目标立即生效；若无法保持，会有事件说明原因。</translation>
+    </message>
+    <message>
+        <source>No object shades another at this pose.</source>
+        <translation>在该位姿时物体之间没有遮挡。</translation>
     </message>
 </context>
 <context>
@@ -11121,6 +11499,50 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::Verification</name>
+    <message>
+        <source>table %1</source>
+        <translation>表 %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>a time since Start</comment>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>Altered: in tags, or in bytes of the file that are in no row. An older Bask that changed the tags does that, too.</source>
+        <translation>已改动：在标签中，或在文件中不属于任何行的字节中。较旧的 Bask 更改标签时也会如此。</translation>
+    </message>
+    <message>
+        <source>Altered: %1; see bask verify</source>
+        <translation>已改动：%1；详见 bask verify</translation>
+    </message>
+    <message>
+        <source>Altered: %1, and %2 more; see bask verify</source>
+        <translation>已改动：%1，另有 %2 处；详见 bask verify</translation>
+    </message>
+    <message>
+        <source>Damaged: bask verify tells what of it can be read</source>
+        <translation>已损坏：bask verify 说明其中可以读取的内容</translation>
+    </message>
+    <message>
+        <source>Not verifiable: recorded by an older Bask, without a hash chain</source>
+        <translation>无法验证：由较旧的 Bask 记录，没有哈希链</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, sealed, head %2</source>
+        <translation>完好：%1 行，已封存，链头 %2</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, not sealed, head %2</source>
+        <translation>完好：%1 行，未封存，链头 %2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ViewBar</name>
     <message>
         <source>Top</source>
@@ -11314,6 +11736,34 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This run has no prediction: it could not be computed.</source>
         <translation>此次运行没有预测：无法计算。</translation>
+    </message>
+    <message>
+        <source>Reset waits for the source to cool by %1: it does not cool yet. Switch it off at its mains.</source>
+        <translation>复位在等待热源降温 %1：它尚未降温。请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The source cools: Reset is possible when it has fallen by %1; now %2.</source>
+        <translation>热源正在降温：降低 %1 后方可复位；目前为 %2。</translation>
+    </message>
+    <message>
+        <source>Home the robot: here, or on the page Rig, By hand, where its place can be confirmed instead.</source>
+        <translation>请使机器人回零：在此处，或在“装置”页的“手动”中，那里也可改为确认其位置。</translation>
+    </message>
+    <message>
+        <source>Then Reset, then Arm.</source>
+        <translation>然后复位，再待命。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: no experiment is loaded.</source>
+        <translation>无法回零：未载入实验。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: a run is armed or on. Stop it first.</source>
+        <translation>无法回零：有运行处于待命或进行中。请先停止它。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: the robot does not answer.</source>
+        <translation>无法回零：机器人没有应答。</translation>
     </message>
 </context>
 <context>

@@ -82,6 +82,14 @@
         <source>Close anyway</source>
         <translation>仍要關閉</translation>
     </message>
+    <message>
+        <source>The recording is on</source>
+        <translation>正在記錄</translation>
+    </message>
+    <message>
+        <source>If Bask is closed now, the recording ends. What is recorded stays.</source>
+        <translation>現在關閉 Bask，記錄即結束。已記錄的內容會保留。</translation>
+    </message>
 </context>
 <context>
     <name>Column</name>
@@ -182,6 +190,10 @@
     <message>
         <source>its database is not whole</source>
         <translation>其資料庫不完整</translation>
+    </message>
+    <message>
+        <source>it has a format number that no version has</source>
+        <translation>其格式編號不屬於任何版本</translation>
     </message>
 </context>
 <context>
@@ -1164,10 +1176,6 @@
         <translation>未載入實驗。請開啟或新建一個實驗。</translation>
     </message>
     <message>
-        <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
-        <translation>變化率估計器已有 %1 個取樣，共需 %2 個。請稍候。</translation>
-    </message>
-    <message>
         <source>The objects are not at rest at the room&apos;s temperature (%1), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
         <translation>物體未靜置於室溫（%1），因此感測器無法歸零。請等待冷卻，或更正環境溫度。</translation>
     </message>
@@ -2039,6 +2047,34 @@
         <source>The target of &quot;%1&quot;, %2, is not what the thermal camera that reads it can tell: %3 to %4 with this emittance. Change the target, or let a sensor read the object.</source>
         <translation>「%1」的目標 %2 不在讀取它的熱像儀所能測的範圍內：以此發射率為 %3 至 %4。請更改目標，或改用感測器讀取該物體。</translation>
     </message>
+    <message>
+        <source>Ready in %1 s: the first readings are being collected.</source>
+        <translation>%1 s 後就緒：正在擷取最初的讀數。</translation>
+    </message>
+    <message>
+        <source>the order was not taken (simulated)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -2809,6 +2845,22 @@
         <source>Large &amp;numbers</source>
         <translation>大型數字(&amp;N)</translation>
     </message>
+    <message>
+        <source>Ho&amp;me the robot…</source>
+        <translation>機器人回原點(&amp;M)…</translation>
+    </message>
+    <message>
+        <source>All &amp;alarms…</source>
+        <translation>所有警報(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>The alarms of all recorded runs, with how often and when</source>
+        <translation>所有已記錄運轉的警報，及其次數和時間</translation>
+    </message>
+    <message>
+        <source>The robot seeks its switches to know its place: it moves</source>
+        <translation>機器人尋找其極限開關以確定位置：它會移動</translation>
+    </message>
 </context>
 <context>
     <name>bask::AirForm</name>
@@ -3157,6 +3209,18 @@
         <source>Shelve: put the alarm aside for a time, with a reason</source>
         <translation>擱置：將警報暫時放在一邊，須說明理由</translation>
     </message>
+    <message>
+        <source>All alarms…</source>
+        <translation>所有警報…</translation>
+    </message>
+    <message>
+        <source>Unshelve</source>
+        <translation>取消擱置</translation>
+    </message>
+    <message>
+        <source>Shelve…</source>
+        <translation>擱置…</translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmWords</name>
@@ -3227,6 +3291,13 @@
     <message>
         <source>%1 where its axis reads zero</source>
         <translation>該軸讀數為零時的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::BeliefText</name>
+    <message>
+        <source>The controller began with heat rates wrong by up to ×%1, as the experiment asks.</source>
+        <translation>依實驗的要求，控制器起始時所用的熱速率有誤，誤差最大為 %1 倍。</translation>
     </message>
 </context>
 <context>
@@ -3970,6 +4041,12 @@
         <source>Once all metrics are computed</source>
         <translation>所有指標計算完成之後</translation>
     </message>
+    <message numerus="yes">
+        <source>Copied %n row(s)</source>
+        <translation>
+            <numerusform>已複製 %n 列</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::ControllerPanel</name>
@@ -4280,6 +4357,10 @@
     <message>
         <source>heats though off</source>
         <translation>已關仍在加熱</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
+        <translation>機器人的位置曾不確定，現已確定：請按「復歸」。</translation>
     </message>
 </context>
 <context>
@@ -4992,6 +5073,53 @@
     </message>
 </context>
 <context>
+    <name>bask::FigureDialog</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>With a &amp;heading</source>
+        <translation>帶標題(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Size of the figure</source>
+        <translation>圖的尺寸</translation>
+    </message>
+    <message>
+        <source>One column: %1 mm</source>
+        <translation>一欄：%1 mm</translation>
+    </message>
+    <message>
+        <source>Two columns: %1 mm</source>
+        <translation>兩欄：%1 mm</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>其他</translation>
+    </message>
+    <message>
+        <source>Title, names of the files and marked moments. Without it, a simulated run is called so in the corner.</source>
+        <translation>標題、檔名和標出的時刻。沒有它時，模擬運轉在角上註明。</translation>
+    </message>
+    <message>
+        <source>&amp;Size on paper</source>
+        <translation>紙上尺寸(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>寬度(&amp;W)</translation>
+    </message>
+    <message>
+        <source>The letters have 7 to 9 points at any width.</source>
+        <translation>無論寬度多少，字都為 7 至 9 點。</translation>
+    </message>
+    <message>
+        <source>Choose the place…</source>
+        <translation>選擇位置…</translation>
+    </message>
+</context>
+<context>
     <name>bask::FinalValuesTable</name>
     <message>
         <source>Final values</source>
@@ -5101,16 +5229,25 @@
         <translation>將匯入的輪廓逐角點作為多邊形使用，代替傅立葉輪廓。精確；角點越多越慢。</translation>
     </message>
     <message>
-        <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
-        <translation>殘差：弧長相同處兩點之間的距離。豪斯多夫距離：一條輪廓上的點離另一條輪廓的最遠距離。面積：傅立葉輪廓與匯入輪廓之比較。</translation>
-    </message>
-    <message>
         <source>The imported outline itself is used: %1 corners.</source>
         <translation>使用匯入的輪廓本身：%1 個角點。</translation>
     </message>
     <message>
         <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
         <translation>使用匯入的輪廓本身，由 %1 個角點精簡為 %2 個。</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <comment>a number of harmonics</comment>
+        <translation>採用 %1</translation>
+    </message>
+    <message>
+        <source>Take %1 harmonics</source>
+        <translation>採用 %1 個諧波</translation>
+    </message>
+    <message>
+        <source>Residual: between points at equal arc length, as a root mean square (rms) and at most. Hausdorff distance: the farthest that any point of one outline is from the nearest of the other; it is what &quot;Fewest harmonics within&quot; is about. Area: of the Fourier outline against the imported one.</source>
+        <translation>殘差：弧長相同處兩點之間的距離，給出均方根（rms）和最大值。豪斯多夫距離：一條輪廓上任意點到另一條輪廓最近點的最遠距離；「最少諧波數，誤差不超過」即指它。面積：傅立葉輪廓與匯入輪廓之比較。</translation>
     </message>
 </context>
 <context>
@@ -5291,6 +5428,14 @@
     <message>
         <source>not usable</source>
         <translation>不可用</translation>
+    </message>
+    <message>
+        <source>At Start</source>
+        <translation>開始時</translation>
+    </message>
+    <message>
+        <source>λ₁ with which the controller began</source>
+        <translation>控制器起始時所用的 λ₁</translation>
     </message>
 </context>
 <context>
@@ -5610,6 +5755,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Place UNKNOWN: the robot has not told it yet.</source>
         <translation>位置未知：機器人尚未告知。</translation>
     </message>
+    <message>
+        <source>Confirm its place</source>
+        <translation>確認其位置</translation>
+    </message>
 </context>
 <context>
     <name>bask::LabelsDialog</name>
@@ -5673,6 +5822,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Bask: large numbers</source>
         <translation>Bask：大型數字</translation>
+    </message>
+    <message>
+        <source>In %1 s: %2</source>
+        <comment>seconds, and what the engine does then</comment>
+        <translation>%1 s 後：%2</translation>
     </message>
 </context>
 <context>
@@ -5864,10 +6018,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>撤離</translation>
     </message>
     <message>
-        <source>The robot moves now: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
-        <translation>機器人即將運動：使物體離開熱源，並關閉加熱。所有人的手都已離開機器人，且路徑上沒有障礙嗎？</translation>
-    </message>
-    <message>
         <source>Retreat now</source>
         <translation>立即撤離</translation>
     </message>
@@ -5904,6 +6054,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Arm the simulated rig</source>
         <translation>使模擬實驗台進入待命</translation>
+    </message>
+    <message>
+        <source>The robot will move: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
+        <translation>機器人即將運動：使物體離開熱源，並關閉加熱。所有人的手都已離開機器人，且路徑上沒有障礙嗎？</translation>
+    </message>
+    <message>
+        <source>Home the robot</source>
+        <translation>機器人回原點</translation>
+    </message>
+    <message>
+        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation>機器人現在會移動：它尋找其極限開關以確定位置。所有人的手是否都已離開機器人，其路徑上是否沒有障礙？</translation>
+    </message>
+    <message>
+        <source>Home now</source>
+        <translation>立即回原點</translation>
+    </message>
+    <message>
+        <source>The question &quot;%1&quot; was closed: the state has changed since it was asked.</source>
+        <translation>問題「%1」已關閉：提出後狀態已改變。</translation>
+    </message>
+    <message>
+        <source>ready in %1 s</source>
+        <comment>readings are being collected</comment>
+        <translation>%1 s 後就緒</translation>
     </message>
 </context>
 <context>
@@ -6209,20 +6384,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>最後設定的目標。其餘數值從該時刻（若未更改過，則從「開始」）算起，到「停止」為止。</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop.</source>
-        <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。</translation>
-    </message>
-    <message>
         <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
         <translation>首次越過步階的 10 % 與首次越過 90 % 之間的時間；步階從設定目標時的溫度到目標為止。步階小於容差帶兩倍時不給出。</translation>
     </message>
     <message>
         <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
         <translation>溫度沿步階方向超出目標的量，以及它佔步階的比例。步階小於容差帶兩倍時不給出。</translation>
-    </message>
-    <message>
-        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
-        <translation>到「停止」為止的最後 %1 s 內（若穩定後的時間更短，則自穩定時起）溫度減目標的平均值，附取樣的標準差。</translation>
     </message>
     <message>
         <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
@@ -6266,8 +6433,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>按模擬物體自身的溫度計算的同一指標，沒有感測器能讀到該溫度。</translation>
     </message>
     <message>
-        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too.</source>
-        <translation>到「停止」為止最後一個取樣時物體溫度計的讀數。其他各項也取其讀數。</translation>
+        <source>What the object&apos;s thermometer read at the last sample until Stop. The other numbers take its readings, too. ± is the standard uncertainty: of a sensor that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings, without its own error away from the room&apos;s temperature and that of its contact.</source>
+        <translation>物體的溫度計在到「停止」為止的最後一個取樣時的讀數。其他數值也取其讀數。± 為標準不確定度：對感測器而言，來自歸零所依據的室溫、歸零本身以及讀數的步長和雜訊，不包括其遠離室溫時自身的誤差和接觸的誤差。</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
+        <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。事件「所有物體均已穩定」是另一回事，並且更晚：依控制器的估計，全部物體已如此接近 %2 s，且機器人無需再去別處。± 為讀數的週期、步長和雜訊所致。</translation>
+    </message>
+    <message>
+        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
+        <translation>到「停止」為止的最後 %1 s 內（若穩定後的時間更短，則自穩定時起）溫度減目標的平均值，附其標準不確定度（±）和各取樣的標準差。</translation>
     </message>
 </context>
 <context>
@@ -6769,6 +6944,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
         <translation>最近一次被採信的讀數距今多久，或熱像儀所見的該物體的溫度及其兩倍標準不確定度</translation>
     </message>
+    <message>
+        <source>Above its warning limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>超過警告限值</translation>
+    </message>
+    <message>
+        <source>Above its trip limit</source>
+        <comment>the temperature of an object</comment>
+        <translation>超過跳脫限值</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
+        <translation>標準不確定度 %1 %2。對感測器而言，它來自歸零所依據的室溫、歸零本身，以及讀數的步長和雜訊。不包括：感測器在遠離室溫時自身的誤差，以及它與物體接觸的好壞。</translation>
+    </message>
 </context>
 <context>
     <name>bask::ObjectsPage</name>
@@ -6918,6 +7107,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Damaged</source>
         <translation>已損壞</translation>
+    </message>
+    <message>
+        <source>Altered</source>
+        <translation>已改動</translation>
     </message>
 </context>
 <context>
@@ -7246,6 +7439,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Table (CSV)…</source>
         <translation>表格 (CSV)…</translation>
+    </message>
+    <message>
+        <source>Measure from here</source>
+        <translation>從此處測量</translation>
     </message>
 </context>
 <context>
@@ -8150,6 +8347,47 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Tables with &amp;all digits (CSV)…</source>
         <translation>全部位數的表格 (CSV)(&amp;A)…</translation>
     </message>
+    <message>
+        <source>Not verified: %1</source>
+        <translation>未驗證：%1</translation>
+    </message>
+    <message>
+        <source>No object shades another</source>
+        <translation>物體之間沒有遮擋</translation>
+    </message>
+    <message>
+        <source>At most %1 % of an object&apos;s view factor is taken by the others</source>
+        <translation>某個物體的角係數最多有 %1 % 被其他物體擋住</translation>
+    </message>
+    <message>
+        <source>Being verified…</source>
+        <translation>正在驗證…</translation>
+    </message>
+    <message>
+        <source>Head of the hash chain: %1</source>
+        <translation>雜湊鏈的頭：%1</translation>
+    </message>
+    <message>
+        <source>Verification</source>
+        <translation>驗證</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>開始時的熱速率</translation>
+    </message>
+    <message>
+        <source>Shade</source>
+        <translation>遮擋</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>模擬</translation>
+    </message>
+    <message>
+        <source>%1, recorded until %2</source>
+        <comment>two times since Start</comment>
+        <translation>%1，記錄至 %2</translation>
+    </message>
 </context>
 <context>
     <name>bask::RigDevices</name>
@@ -8259,6 +8497,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Use these limits</source>
         <translation>使用這些限值</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Home the robot or confirm its place, then press Reset.</source>
+        <translation>停止或故障已閂鎖。請使機器人回原點或確認其位置，然後按「復歸」。</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Reset is possible when its cause is over.</source>
+        <translation>停止或故障已閂鎖。其原因解除後方可復歸。</translation>
     </message>
 </context>
 <context>
@@ -8405,6 +8651,19 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
 </context>
 <context>
+    <name>bask::RunDifferences</name>
+    <message>
+        <source>all %1</source>
+        <comment>objects of a run; their target</comment>
+        <translation>全部 %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>objects, and their one target</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>bask::RunLabelWords</name>
     <message>
         <source>operator %1</source>
@@ -8431,6 +8690,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The run had been stopped; what followed is not recorded to its end.</source>
         <translation>運轉已被停止；其後的過程沒有記錄完整。</translation>
+    </message>
+    <message>
+        <source>Faster than real time: %1 (min:s) of the simulated rig in %2 by the clock</source>
+        <translation>快於實際時間：模擬實驗台的 %1（分:秒）按時鐘只用了 %2</translation>
     </message>
 </context>
 <context>
@@ -9220,10 +9483,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>已中斷：記錄未經「停止」而結束，後來才關閉。本報告為已寫入的內容。</translation>
     </message>
     <message>
-        <source>zeroed %1 UTC</source>
-        <translation>歸零於 %1 UTC</translation>
-    </message>
-    <message>
         <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
         <translation>按給定的材料，所有目標可在 %1 處同時保持；距最近的限制（%3）餘量 %2。</translation>
     </message>
@@ -9346,6 +9605,79 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>This recording was altered after it had been recorded, so nothing here is proven; bask verify tells where.</source>
         <translation>此記錄在記錄之後被改動過，因此這裡的內容均無法證明；bask verify 會指出位置。</translation>
+    </message>
+    <message>
+        <source>zeroed %1</source>
+        <translation>歸零於 %1</translation>
+    </message>
+    <message>
+        <source>from Arm at %1; Start at %2</source>
+        <translation>自待命起，%1；開始，%2</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <translation>模擬</translation>
+    </message>
+    <message>
+        <source>Heat rates at Start</source>
+        <translation>開始時的熱速率</translation>
+    </message>
+    <message>
+        <source>%1 %2 (set point %3)</source>
+        <comment>when: the source&apos;s temperature</comment>
+        <translation>%1 %2（設定值 %3）</translation>
+    </message>
+    <message>
+        <source>at Start</source>
+        <translation>開始時</translation>
+    </message>
+    <message>
+        <source>settled at %1 s</source>
+        <translation>%1 s 穩定時</translation>
+    </message>
+    <message>
+        <source>at the end of control</source>
+        <translation>控制結束時</translation>
+    </message>
+    <message>
+        <source>Source in the run</source>
+        <translation>運轉中的熱源</translation>
+    </message>
+    <message>
+        <source>λ₁ at Start (K/s)</source>
+        <translation>開始時的 λ₁（K/s）</translation>
+    </message>
+    <message>
+        <source>by the material</source>
+        <translation>依材料</translation>
+    </message>
+    <message>
+        <source>λ₂ at Start (1/(K³ s))</source>
+        <translation>開始時的 λ₂（1/(K³ s)）</translation>
+    </message>
+    <message>
+        <source>Where from</source>
+        <translation>來源</translation>
+    </message>
+    <message>
+        <source>given by the experiment</source>
+        <translation>由實驗給出</translation>
+    </message>
+    <message>
+        <source>the material, made wrong</source>
+        <translation>材料，有意加入誤差</translation>
+    </message>
+    <message>
+        <source>the material</source>
+        <translation>材料</translation>
+    </message>
+    <message>
+        <source>Heat rates with which the controller began</source>
+        <translation>控制器起始時所用的熱速率</translation>
+    </message>
+    <message>
+        <source>± is the standard uncertainty of a material&apos;s value.</source>
+        <translation>± 為材料數值的標準不確定度。</translation>
     </message>
 </context>
 <context>
@@ -9669,6 +10001,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Figures and reports are drawn only while no run and no recipe is on or begins, no heat is asked for and the robot stands still: the window, with its STOP, would have to wait for them. Nothing was written.</source>
         <translation>只有沒有運轉或配方正在進行或開始、未要求加熱且機器人靜止時才繪製圖形和報告：否則帶有 STOP 的視窗必須等待。未寫入任何內容。</translation>
     </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>選擇其他名稱</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 已經存在。</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>取代</translation>
+    </message>
+    <message>
+        <source>Save the NeXus file</source>
+        <translation>儲存 NeXus 檔案</translation>
+    </message>
+    <message>
+        <source>NeXus (*.nxs)</source>
+        <translation>NeXus (*.nxs)</translation>
+    </message>
 </context>
 <context>
     <name>bask::SessionExport</name>
@@ -9712,10 +10064,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>正確關閉</translation>
     </message>
     <message>
-        <source>Draws the selected run over the one that is open, both from their Start.</source>
-        <translation>將所選運轉疊加到已開啟的運轉上，兩者都從開始時刻對齊。</translation>
-    </message>
-    <message>
         <source>Duration</source>
         <translation>持續時間</translation>
     </message>
@@ -9730,10 +10078,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>LIVE</source>
         <translation>實機</translation>
-    </message>
-    <message>
-        <source>Lay the selected run over the open one</source>
-        <translation>將所選運轉疊加到已開啟的運轉上</translation>
     </message>
     <message>
         <source>No recorded runs in this folder.</source>
@@ -9864,8 +10208,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>所列運轉中出現過哪些警報、多少次、何時</translation>
     </message>
     <message>
-        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened) and listed until the file changes or Bask is closed; whether the file was altered says bask verify.</source>
-        <translation>各次運轉結束時給出的結果。檔案損壞在選取該運轉時發現（較長的運轉在開啟時發現），並保留到檔案改變或 Bask 關閉；檔案是否被改動過由 bask verify 指出。</translation>
+        <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
+        <translation>各次運轉結束時給出的結果。檔案損壞在選取該運轉時發現（較長的運轉在開啟時發現），是否被改動過在開啟時發現；兩者都保留到檔案改變或 Bask 關閉。</translation>
+    </message>
+    <message>
+        <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
+        <translation>從「開始」到「停止」、軟體停止或引擎結束運轉為止。此後記錄到一切撤離或冷卻為止的部分不計。</translation>
+    </message>
+    <message>
+        <source>Lay the selected runs over the open one</source>
+        <translation>將所選的各次運轉疊加到已開啟的運轉上</translation>
+    </message>
+    <message>
+        <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
+        <translation>將所選的各次運轉疊加到已開啟的運轉上，都從開始時刻對齊。沒有開啟的運轉時，請選取幾次（按住 Ctrl 並按一下）：其中第一個會被開啟。</translation>
     </message>
 </context>
 <context>
@@ -10031,6 +10387,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>The source has %1, its set point is %2 (%3). Start does not wait for it: the run begins, and its time counts, while the source warms up.</source>
         <translation>熱源為 %1，其設定值為 %2（%3）。「開始」不會等待它：熱源升溫期間運轉已經開始並計時。</translation>
     </message>
+    <message>
+        <source>The run has ended. Its time and its recording go on until the source and the objects are cold (source %1), or until the next Arm.</source>
+        <translation>運轉已結束。其時間和記錄繼續，直到熱源和物體冷卻（熱源 %1）或下一次待命為止。</translation>
+    </message>
 </context>
 <context>
     <name>bask::StateBar</name>
@@ -10070,6 +10430,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>fault active</source>
         <comment>a simulated one; under SIMULATED</comment>
         <translation>有故障</translation>
+    </message>
+    <message>
+        <source>recorded until cold</source>
+        <comment>under the clock: the run has ended</comment>
+        <translation>記錄至冷卻</translation>
+    </message>
+    <message>
+        <source>until cold</source>
+        <comment>the same where there is less room</comment>
+        <translation>至冷卻</translation>
     </message>
 </context>
 <context>
@@ -10181,6 +10551,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered. Heats though off: it warms all the same.</source>
         <translation>熱源的最新溫度，以及裝置所確認的是否加熱。未知：無論下過什麼命令，它都可能是熱的。關閉仍加熱：它照樣升溫。</translation>
+    </message>
+    <message>
+        <source>recorded until cold: source %1; %2, %3 samples</source>
+        <translation>記錄至冷卻：熱源 %1；%2，%3 個取樣</translation>
     </message>
 </context>
 <context>
@@ -10454,6 +10828,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
         <translation>若運轉中有目標無法達到，需要您在開始時明確同意。運轉將保持所找到的最佳折衷並予以說明，工作階段中也會記錄您已同意。運轉期間，新目標立即生效；若無法保持，會有事件說明原因。</translation>
+    </message>
+    <message>
+        <source>No object shades another at this pose.</source>
+        <translation>在該位姿時物體之間沒有遮擋。</translation>
     </message>
 </context>
 <context>
@@ -11121,6 +11499,50 @@ This is a software stop, not a safety-rated emergency stop.</source>
     </message>
 </context>
 <context>
+    <name>bask::Verification</name>
+    <message>
+        <source>table %1</source>
+        <translation>表 %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>第 %1 列</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <comment>a time since Start</comment>
+        <translation>在 %1</translation>
+    </message>
+    <message>
+        <source>Altered: in tags, or in bytes of the file that are in no row. An older Bask that changed the tags does that, too.</source>
+        <translation>已改動：在標籤中，或在檔案中不屬於任何列的位元組中。較舊的 Bask 更改標籤時也會如此。</translation>
+    </message>
+    <message>
+        <source>Altered: %1; see bask verify</source>
+        <translation>已改動：%1；詳見 bask verify</translation>
+    </message>
+    <message>
+        <source>Altered: %1, and %2 more; see bask verify</source>
+        <translation>已改動：%1，另有 %2 處；詳見 bask verify</translation>
+    </message>
+    <message>
+        <source>Damaged: bask verify tells what of it can be read</source>
+        <translation>已損壞：bask verify 說明其中可以讀取的內容</translation>
+    </message>
+    <message>
+        <source>Not verifiable: recorded by an older Bask, without a hash chain</source>
+        <translation>無法驗證：由較舊的 Bask 記錄，沒有雜湊鏈</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, sealed, head %2</source>
+        <translation>完好：%1 列，已封存，鏈頭 %2</translation>
+    </message>
+    <message>
+        <source>Intact: %1 rows, not sealed, head %2</source>
+        <translation>完好：%1 列，未封存，鏈頭 %2</translation>
+    </message>
+</context>
+<context>
     <name>bask::ViewBar</name>
     <message>
         <source>Top</source>
@@ -11314,6 +11736,34 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>This run has no prediction: it could not be computed.</source>
         <translation>此次運轉沒有預測：無法計算。</translation>
+    </message>
+    <message>
+        <source>Reset waits for the source to cool by %1: it does not cool yet. Switch it off at its mains.</source>
+        <translation>復歸在等待熱源降溫 %1：它尚未降溫。請切斷其電源。</translation>
+    </message>
+    <message>
+        <source>The source cools: Reset is possible when it has fallen by %1; now %2.</source>
+        <translation>熱源正在降溫：降低 %1 後方可復歸；目前為 %2。</translation>
+    </message>
+    <message>
+        <source>Home the robot: here, or on the page Rig, By hand, where its place can be confirmed instead.</source>
+        <translation>請使機器人回原點：在此處，或在「實驗台」頁的「手動」中，那裡也可改為確認其位置。</translation>
+    </message>
+    <message>
+        <source>Then Reset, then Arm.</source>
+        <translation>然後復歸，再待命。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: no experiment is loaded.</source>
+        <translation>無法回原點：未載入實驗。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: a run is armed or on. Stop it first.</source>
+        <translation>無法回原點：有運轉處於待命或進行中。請先停止它。</translation>
+    </message>
+    <message>
+        <source>Home is not possible: the robot does not answer.</source>
+        <translation>無法回原點：機器人沒有回應。</translation>
     </message>
 </context>
 <context>

@@ -238,7 +238,7 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     case ObjectMetric::Settling:
         return MetricWords::tr(
                    "Time until the temperature stays within %1 of the target until Stop. The event "
-                   "\u201cAll objects settled\u201d is another and comes later: when all objects have been "
+                   "\"All objects settled\" is another and comes later: when all objects have been "
                    "so near for %2 s by the controller's estimates, and the robot needs no other place. "
                    "\u00b1 is "
                    "what period, step and noise of the readings make of it.")
