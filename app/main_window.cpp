@@ -63,7 +63,8 @@ constexpr double kNear = 0.02; ///< view factor: further away a source of 300 de
 bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
     const bool isHot =
         std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHandWarm_K;
-    return isHot && !isRunOn(snapshot.state) && !snapshot.isAway &&
+    const bool isShut = snapshot.simulated && snapshot.heat == HeatState::Off;
+    return isHot && !isShut && !isRunOn(snapshot.state) && !snapshot.isAway &&
            std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
                return object.viewFactor > kNear; // NaN where the robot's place is not sure
            });

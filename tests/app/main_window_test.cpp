@@ -1037,6 +1037,10 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     told.sourceAge_s = 0.1;
     for (ObjectSample& object : told.latest.objects)
         object.viewFactor = 0.2;
+    told.heat = HeatState::Off;
+    emit window->engine().snapshot(told);
+    EXPECT_FALSE(chip->caption().contains(QStringLiteral("over hot source"))) << "its shutter is closed";
+    told.simulated = false;
     emit window->engine().snapshot(told);
     EXPECT_EQ(chip->caption(), QStringLiteral("over hot source: 212\u00a0°C")) << "not: too cold, below 212";
     EXPECT_TRUE(chip->reasonsMenu()->actions().at(2)->text().contains(QStringLiteral("Retreat")));

@@ -123,6 +123,8 @@ void HeatPanel::showState() {
         text = tr("Heating towards %1: %2 now.").arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
     else if (heat == ShownHeat::On)
         text = tr("The heat is on: %1 now.").arg(now);
+    else if (m_last.simulated)
+        text = tr("The heat is off: %1 now, behind the closed shutter of the simulated source.").arg(now);
     else
         text = tr("The heat is off: %1 now.").arg(now);
     if (priority > 0)
