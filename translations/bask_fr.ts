@@ -1800,8 +1800,8 @@
         <translation>Le capteur de «&#xa0;%1&#xa0;» indique %2 et n’a pas suivi la chaleur de son objet. Vérifiez que le capteur est sur son objet, puis confirmez-le.</translation>
     </message>
     <message>
-        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
-        <translation>ce que l’air emporte est inconnu et n’est pas compté&#xa0;: les objets se stabilisent plus froids qu’indiqué ici&#xa0;; indiquez la convection de l’air dans l’expérience</translation>
+        <source>what the air takes is unknown and not counted: in air objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>ce que l’air emporte est inconnu et n’est pas compté&#xa0;: dans l’air les objets se stabilisent plus froids qu’indiqué ici&#xa0;; indiquez la convection de l’air dans l’expérience</translation>
     </message>
     <message>
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>

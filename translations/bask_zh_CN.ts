@@ -1800,8 +1800,8 @@
         <translation>“%1”的传感器读数为 %2，且没有跟随其物体的受热。请检查传感器是否在物体上，然后确认。</translation>
     </message>
     <message>
-        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
-        <translation>空气带走的热量未知，未计入：物体的稳态温度会低于此处所示；请在实验中说明空气的对流</translation>
+        <source>what the air takes is unknown and not counted: in air objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>空气带走的热量未知，未计入：在空气中物体的稳态温度会低于此处所示；请在实验中说明空气的对流</translation>
     </message>
     <message>
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>

@@ -1800,8 +1800,8 @@
         <translation>「%1」的感測器讀數為 %2，且沒有跟隨其物體的受熱。請檢查感測器是否在物體上，然後確認。</translation>
     </message>
     <message>
-        <source>what the air takes is unknown and not counted: objects settle colder than told here; state the convection of the air in the experiment</source>
-        <translation>空氣帶走的熱量未知，未計入：物體的穩態溫度會低於此處所示；請在實驗中說明空氣的對流</translation>
+        <source>what the air takes is unknown and not counted: in air objects settle colder than told here; state the convection of the air in the experiment</source>
+        <translation>空氣帶走的熱量未知，未計入：在空氣中物體的穩態溫度會低於此處所示；請在實驗中說明空氣的對流</translation>
     </message>
     <message>
         <source>this record cannot tell radiation from what the air takes: only the loss of both together and its slope at %1 are certain; state the convection of the air in the experiment, or record wide temperatures</source>
