@@ -25,6 +25,7 @@ namespace bask {
 namespace {
 
 enum Column { kPriority, kState, kRaised, kTimes, kWhat, kColumns };
+constexpr int kUnread_ms = 1000; // after which a person can have seen that another alarm is selected
 constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowMark = 16;
 constexpr int kGap = 8;
@@ -147,6 +148,8 @@ AlarmList::AlarmList(QWidget* parent)
             emit acknowledgeRequested(*m_chosen);
     });
     connect(m_acknowledgeAll, &QPushButton::clicked, this, &AlarmList::acknowledgeAllRequested);
+    m_unread.setSingleShot(true);
+    connect(&m_unread, &QTimer::timeout, this, &AlarmList::showChosen);
     retranslateUi();
 }
 
@@ -167,10 +170,16 @@ void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
 bool AlarmList::chooseGravest() {
     const std::optional<std::uint64_t> before = m_chosen;
     const Alarm* const kept = chosen();
-    if (kept != nullptr && (m_isChosenByPerson || !kept->isAcknowledged || before == m_acknowledged))
+    const AlarmGroup* const top = gravest(m_groups);
+    const bool isGraver = kept != nullptr && !m_isChosenByPerson && top != nullptr && top->alarm.isActive &&
+                          top->alarm.priority < kept->priority;
+    if (kept != nullptr && !isGraver &&
+        (m_isChosenByPerson || !kept->isAcknowledged || before == m_acknowledged))
         return false;
+    if (isGraver)
+        m_unread.start(kUnread_ms);
     const bool isDone = before && kept == nullptr && (m_isChosenByPerson || before == m_acknowledged);
-    const AlarmGroup* const first = isDone ? nullptr : gravest(m_groups);
+    const AlarmGroup* const first = isDone ? nullptr : top;
     m_isChosenByPerson = false;
     m_chosen = first != nullptr ? std::optional(first->alarm.id) : std::nullopt;
     return m_chosen != before;
@@ -370,7 +379,8 @@ void AlarmList::showChosen() {
     if (text != m_shown) // else it would scroll back
         m_guidance->setHtml(m_shown = text);
     const Alarm* alarm = chosen();
-    m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged);
+    m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged &&
+                              !m_unread.isActive());
     m_acknowledgeAll->setEnabled(!m_isStale && !std::ranges::all_of(m_alarms, &Alarm::isAcknowledged));
     m_home->setVisible(m_home->defaultAction() != nullptr && alarm != nullptr && alarm->isActive &&
                        isAboutPlace(alarm->message.code));

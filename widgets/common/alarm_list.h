@@ -6,6 +6,7 @@
 #include "widgets/common/alarm_groups.h"
 
 #include <QDate>
+#include <QTimer>
 #include <QWidget>
 
 #include <cstdint>
@@ -36,7 +37,8 @@ public:
     /// Alarms as sorted by the engine. What is selected stays, as scroll position and focus do: Acknowledge
     /// must not hit another than the one that was read. Where none is selected, or one that needs no
     /// acknowledgement and that no person has selected, the gravest is. When an alarm disappears that a
-    /// person has selected or acknowledged, none is until the alarms change again.
+    /// person has selected or acknowledged, none is until the alarms change again. A graver one that comes
+    /// takes the place of one that no person has selected; for a second nothing is acknowledged then.
     void setAlarms(const std::vector<Alarm>& alarms);
     /// What homes the robot; shown with an alarm that its place is not sure.
     void setHomeAction(QAction* home);
@@ -81,6 +83,7 @@ private:
     bool m_isStale = false;
     std::optional<std::uint64_t> m_chosen;
     bool m_isChosenByPerson = false;
+    QTimer m_unread; ///< a graver alarm has just taken the place of the selected one
     std::optional<std::uint64_t> m_acknowledged; ///< the last one that was asked for here
     QString m_shown;                             ///< the shown guidance
     QTreeWidget* m_tree;

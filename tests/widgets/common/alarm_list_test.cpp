@@ -169,8 +169,15 @@ TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
     later.raised_s += 2.0;
     list.setAlarms({slight});
     EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "nobody has clicked a line";
+    later.priority = grave.priority = 2;
     list.setAlarms({grave, slight});
-    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "a graver one came later";
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "a graver one came later";
+    EXPECT_FALSE(button("acknowledgeAlarm")->isEnabled()) << "nobody can have read it yet";
+    EXPECT_TRUE(QTest::qWaitFor([this] { return button("acknowledgeAlarm")->isEnabled(); }));
+    list.setAlarms({slight});
+    grave.priority = later.priority = slight.priority;
+    list.setAlarms({grave, slight});
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "one of the same priority";
     slight.isActive = false;
     list.setAlarms({later, grave, slight});
     EXPECT_EQ(chosenRow(), 2) << "it is over";
