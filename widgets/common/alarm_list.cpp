@@ -376,8 +376,12 @@ void AlarmList::showChosen() {
     if (m_isStale)
         text.prepend(QStringLiteral("<p style=\"margin:0 0 4px 0\"><b>%1</b></p>")
                          .arg(tr("The engine is not answering: these alarms may be old.")));
-    if (text != m_shown) // else it would scroll back
+    if (text != m_shown) {
+        const int scrolled = m_shownId == m_chosen ? m_guidance->verticalScrollBar()->value() : 0;
         m_guidance->setHtml(m_shown = text);
+        m_guidance->verticalScrollBar()->setValue(scrolled); // only its value may be another
+        m_shownId = m_chosen;
+    }
     const Alarm* alarm = chosen();
     m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged &&
                               !m_unread.isActive());

@@ -86,6 +86,7 @@ private:
     QTimer m_unread; ///< a graver alarm has just taken the place of the selected one
     std::optional<std::uint64_t> m_acknowledged; ///< the last one that was asked for here
     QString m_shown;                             ///< the shown guidance
+    std::optional<std::uint64_t> m_shownId{};    ///< its alarm
     QTreeWidget* m_tree;
     QTextEdit* m_guidance;
     QPushButton* m_acknowledge;
