@@ -110,6 +110,8 @@ void ServoLoop::watch() {
         tellEnd(finding);
     for (const SafetyFinding& finding : changes.raised) {
         using Condition = SafetyCondition;
+        if (m_runOn && finding.condition == Condition::HeatNotOff) // it has not ended as meant
+            m_outcome = "fault";
         if (finding.condition == Condition::NotWarming || finding.condition == Condition::SensorNotOnObject ||
             finding.condition == Condition::SensorsSwapped)
             m_readings.sensors().doubt(finding.object);
@@ -160,11 +162,11 @@ void ServoLoop::react(const SafetyFinding& finding) {
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
     const AlarmEntry& row = alarmEntry(finding.condition);
-    if (finding.condition == SafetyCondition::HeatedOtherwise)
-        event(messageAbout(MessageCode::EventAlarmOver, finding.message));
-    else if (row.isLoss && row.isOfObject)
+    const bool isBack = finding.condition != SafetyCondition::HeatedOtherwise &&
+                        (!row.isOfObject || m_readings.sensors().isTrusted(finding.object));
+    if (row.isLoss && row.isOfObject && isBack)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
-    else if (row.isLoss)
+    else if (row.isLoss && isBack)
         event(MessageCode::EventSourcePoseBack);
     else
         event(messageAbout(MessageCode::EventAlarmOver, finding.message));

@@ -123,7 +123,7 @@ Result<void> SimulatedHeatSource::keepHeating(double setPoint_K, double validFor
 
 Result<void> SimulatedHeatSource::heatOff() {
     if (m_trouble == SourceTrouble::KeepsHeat && heating())
-        return Error(MessageCode::ReasonSourceLost, {}, {"simulated order not taken"});
+        return Error(MessageCode::SimulatedOrderNotTaken, {});
     m_on = false;
     if (m_trouble == SourceTrouble::LinkLost)
         return Error(MessageCode::ReasonSourceLost, {}, {"simulated link lost"});

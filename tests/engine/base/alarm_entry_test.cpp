@@ -44,8 +44,8 @@ TEST(AlarmEntries, HaveTheirTraitsAndDelays) {
     EXPECT_EQ(hot.on_s, 0.0);
     EXPECT_EQ(hot.off_s, 1.0);
     const AlarmEntry& frozen = alarmEntry(SafetyCondition::SensorFrozen);
-    EXPECT_TRUE(frozen.isOfObject && frozen.isLoss);
-    EXPECT_FALSE(frozen.isSeenOver);
+    EXPECT_TRUE(frozen.isOfObject && frozen.isLoss && frozen.isSeenOver);
+    EXPECT_FALSE(alarmEntry(SafetyCondition::NotWarming).isSeenOver);
     EXPECT_STREQ(alarmEntry(SafetyCondition::SensorOpen).key, "SensorLost");
     EXPECT_EQ(alarmEntry(SafetyCondition::RobotLost).code, MessageCode::None)
         << "the robot has its own words";

@@ -476,6 +476,22 @@ TEST(Safety, SwappedSensorsAreNamed) {
     EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Distrusted);
 }
 
+// Equally warm when they are swapped: none jumps. Catches that one of them is blamed, and words that are not
+// true of a temperature that falls by 8 K.
+TEST(Safety, SensorsThatFollowEachOthersHeatAreNamed) {
+    Rig rig(readExperiment(BASK_EXAMPLES "/three-objects.json").value());
+    rig.run(150.0);
+    setFault(rig.rig, SimulatedFault::SensorsSwapped, 1, true);
+    EXPECT_LE(rig.until([&] { return !rig.loop.alarmConditions().empty(); }, 150.0), 150.0);
+    ASSERT_TRUE(rig.isAlarm(MessageCode::SafetySensorsSeemSwapped));
+    const Message& told = rig.loop.alarmConditions().front().message;
+    EXPECT_EQ(told.args.at(0), "bunny");
+    EXPECT_EQ(told.args.at(1), "hand");
+    EXPECT_EQ(rig.loop.state(), RunState::Stopping);
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Distrusted);
+    EXPECT_EQ(rig.loop.sensorTrust(2), SensorTrust::Distrusted);
+}
+
 // The example as it is shipped. Catches an object that warms far beyond its target by a reading that stays,
 // and another cause that is named.
 TEST(Safety, AFrozenSensorHoldsTheExampleBeforeItsObjectIsHot) {
@@ -535,6 +551,22 @@ TEST(Safety, HeatThatCannotBeSwitchedOffIsTold) {
     rig.periods(2);
     EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyHeatNotOff));
     EXPECT_FALSE(rig.rig.heatSource().heating());
+    EXPECT_LE(rig.until([&] { return rig.loop.state() == RunState::Stopped; }, 60.0), 60.0);
+    EXPECT_EQ(rig.loop.outcome(), "fault") << "no run that ended as meant";
+}
+
+// Catches an alarm of a sensor that stays active until somebody resets, beside the event that it is back.
+TEST(Safety, AFrozenSensorIsOverWhenItMovesAgain) {
+    Rig rig;
+    rig.run(20.0);
+    setFault(rig.rig, SimulatedFault::SensorFrozen, 1, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 120.0), 120.0);
+    ASSERT_TRUE(rig.isAlarm(MessageCode::SafetySensorFrozen));
+    EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorBack));
+    setFault(rig.rig, SimulatedFault::SensorFrozen, 1, false);
+    EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetySensorFrozen); }, 5.0), 5.0);
+    EXPECT_EQ(rig.isRecorded(MessageCode::EventSensorBack), rig.loop.sensorTrust(1) == SensorTrust::Trusted);
+    EXPECT_EQ(rig.loop.state(), RunState::Fault) << "latched";
 }
 
 // A person keeps it hot. Catches an operator who believes that STOP has switched it off.
