@@ -352,7 +352,8 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     watch.frozen.add(seen.now_s, new_K, power_K_s(i, seen));
     if (isNew)
         watch.quiet.add(seen.now_s, *object.measured_K);
-    if (watch.frozenAt_K && object.measured_K && *watch.frozenAt_K != *object.measured_K)
+    const bool isOther = object.measured_K && watch.frozenAt_K && *watch.frozenAt_K != *object.measured_K;
+    if (isOther || object.jump.inARow > 0) // it gives another value, believed or not
         watch.frozenAt_K.reset();
     if (!watch.frozenAt_K && object.measured_K && isHeated(seen) && isFrozen(i)) {
         watch.frozenAt_K = object.measured_K;

@@ -162,8 +162,10 @@ void ServoLoop::react(const SafetyFinding& finding) {
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
     const AlarmEntry& row = alarmEntry(finding.condition);
-    const bool isBack = finding.condition != SafetyCondition::HeatedOtherwise &&
-                        (!row.isOfObject || m_readings.sensors().isTrusted(finding.object));
+    const SensorChannels& sensors = m_readings.sensors();
+    const bool isBelieved =
+        !row.isOfObject || (sensors.isTrusted(finding.object) && sensors.jump(finding.object).inARow == 0);
+    const bool isBack = isBelieved && finding.condition != SafetyCondition::HeatedOtherwise;
     if (row.isLoss && row.isOfObject && isBack)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
     else if (row.isLoss && isBack)

@@ -484,7 +484,7 @@ TEST(Safety, SensorsThatFollowEachOthersHeatAreNamed) {
     setFault(rig.rig, SimulatedFault::SensorsSwapped, 1, true);
     EXPECT_LE(rig.until([&] { return !rig.loop.alarmConditions().empty(); }, 150.0), 150.0);
     ASSERT_TRUE(rig.isAlarm(MessageCode::SafetySensorsSeemSwapped));
-    const Message& told = rig.loop.alarmConditions().front().message;
+    const Message told = rig.loop.alarmConditions().front().message;
     EXPECT_EQ(told.args.at(0), "bunny");
     EXPECT_EQ(told.args.at(1), "hand");
     EXPECT_EQ(rig.loop.state(), RunState::Stopping);
@@ -565,6 +565,7 @@ TEST(Safety, AFrozenSensorIsOverWhenItMovesAgain) {
     EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorBack));
     setFault(rig.rig, SimulatedFault::SensorFrozen, 1, false);
     EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetySensorFrozen); }, 5.0), 5.0);
+    (void)rig.until([] { return false; }, 1.0);
     EXPECT_EQ(rig.isRecorded(MessageCode::EventSensorBack), rig.loop.sensorTrust(1) == SensorTrust::Trusted);
     EXPECT_EQ(rig.loop.state(), RunState::Fault) << "latched";
 }
