@@ -2053,27 +2053,27 @@
     </message>
     <message>
         <source>the order was not taken (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>l’ordre n’a pas été pris (simulé)</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu. Son capteur est peut-être décollé ou sur un autre objet, l’objet est peut-être parti, ou la source est ailleurs que prévu. Le chauffage est coupé. Vérifiez tout cela, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu, et « %5 » s’écarte dans l’autre sens. Leurs capteurs sont peut-être échangés, ou celui de « %1 » est décollé. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>Les capteurs de « %1 » et « %2 » semblent échangés : ce qu’ils ont indiqué dans les %3 dernières secondes s’accorde avec la chaleur de l’autre objet, non avec celle du leur. Le chauffage est coupé. Vérifiez les deux, confirmez-les, puis réinitialisez.</translation>
     </message>
     <message>
         <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>« %1 » chauffe de %2/s ; la source explique au plus %3/s : autre chose le chauffe, ou son capteur n’est pas sur lui. Vérifiez les deux ; Arrêter ou Retrait l’éloigne.</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
-        <translation type="unfinished"></translation>
+        <translation>La source est à %1, %2 au-dessus de sa consigne, et ne refroidit pas. Vérifiez son régulateur et son capteur ; Arrêter éloigne les objets et coupe le chauffage.</translation>
     </message>
 </context>
 <context>
@@ -5256,7 +5256,7 @@
     </message>
     <message>
         <source>Residual: between points at equal arc length, as a root mean square (rms) and at most. Hausdorff distance: the farthest that any point of one outline is from the nearest of the other; it is what &quot;Fewest harmonics within&quot; is about. Area: of the Fourier outline against the imported one.</source>
-        <translation>Résidu : entre points de même abscisse curviligne, en moyenne quadratique (rms) et au plus. Distance de Hausdorff : le plus grand éloignement d’un point d’un contour au point le plus proche de l’autre ; c’est d’elle qu’il s’agit dans « Le moins d’harmoniques pour ». Aire : celle du contour de Fourier par rapport au contour importé.</translation>
+        <translation>Résidu&#xa0;: entre points de même abscisse curviligne, en moyenne quadratique (rms) et au plus. Distance de Hausdorff&#xa0;: le plus grand éloignement d’un point d’un contour au point le plus proche de l’autre&#xa0;; c’est d’elle qu’il s’agit dans «&#xa0;Le moins d’harmoniques pour&#xa0;». Aire&#xa0;: celle du contour de Fourier par rapport au contour importé.</translation>
     </message>
 </context>
 <context>
@@ -5328,6 +5328,10 @@
     <message>
         <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
         <translation>Elle chauffe bien que son chauffage soit arrêté : %1 maintenant. Coupez son alimentation.</translation>
+    </message>
+    <message>
+        <source>The heat is off: %1 now, behind the closed shutter of the simulated source.</source>
+        <translation>Le chauffage est arrêté : %1 à présent, derrière l’obturateur fermé de la source simulée.</translation>
     </message>
 </context>
 <context>
@@ -6066,7 +6070,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The robot will move: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
-        <translation>Le robot va bouger : il éloigne les objets de la source, et le chauffage est coupé. Toutes les mains sont-elles loin du robot et rien ne lui fait-il obstacle ?</translation>
+        <translation>Le robot va bouger&#xa0;: il éloigne les objets de la source, et le chauffage est coupé. Toutes les mains sont-elles loin du robot et rien ne lui fait-il obstacle&#xa0;?</translation>
     </message>
     <message>
         <source>Home the robot</source>
@@ -8361,7 +8365,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Not verified: %1</source>
-        <translation>Non vérifié : %1</translation>
+        <translation>Non vérifié&#xa0;: %1</translation>
     </message>
     <message>
         <source>No object shades another</source>
@@ -8369,7 +8373,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>At most %1 % of an object&apos;s view factor is taken by the others</source>
-        <translation>Au plus %1 % du facteur de forme d’un objet sont pris par les autres</translation>
+        <translation>Au plus %1&#xa0;% du facteur de forme d’un objet sont pris par les autres</translation>
     </message>
     <message>
         <source>Being verified…</source>
@@ -8377,7 +8381,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Head of the hash chain: %1</source>
-        <translation>Tête de la chaîne de hachage : %1</translation>
+        <translation>Tête de la chaîne de hachage&#xa0;: %1</translation>
     </message>
     <message>
         <source>Verification</source>
@@ -10231,7 +10235,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>What each run told at its end. Damage of its file is found when the run is selected (a long one: when it is opened), whether it was altered when it is opened; both are listed until the file changes or Bask is closed.</source>
-        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long : quand il est ouvert), un fichier modifié quand il est ouvert ; les deux restent marqués jusqu’à ce que le fichier change ou que Bask soit fermé.</translation>
+        <translation>Ce que chaque essai a dit à sa fin. Un fichier endommagé est reconnu quand l’essai est choisi (un long&#xa0;: quand il est ouvert), un fichier modifié quand il est ouvert&#xa0;; les deux restent marqués jusqu’à ce que le fichier change ou que Bask soit fermé.</translation>
     </message>
     <message>
         <source>From Start to Stop, STOP or the engine&apos;s end of the run. What is recorded after it, until all is away or cold, does not count.</source>
@@ -10243,7 +10247,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Draws the selected runs over the one that is open, all from their Start. Without an open one, select several (Ctrl and click): the first of them is opened.</source>
-        <translation>Dessine les essais choisis par-dessus celui qui est ouvert, tous depuis leur démarrage. Si aucun n’est ouvert, choisissez-en plusieurs (Ctrl et un clic) : le premier est ouvert.</translation>
+        <translation>Dessine les essais choisis par-dessus celui qui est ouvert, tous depuis leur démarrage. Si aucun n’est ouvert, choisissez-en plusieurs (Ctrl et un clic)&#xa0;: le premier est ouvert.</translation>
     </message>
 </context>
 <context>
@@ -11542,31 +11546,31 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </message>
     <message>
         <source>Altered: in tags, or in bytes of the file that are in no row. An older Bask that changed the tags does that, too.</source>
-        <translation>Modifié : dans les étiquettes, ou dans des octets du fichier qui ne sont dans aucune ligne. Un Bask plus ancien qui a changé les étiquettes le fait aussi.</translation>
+        <translation>Modifié&#xa0;: dans les étiquettes, ou dans des octets du fichier qui ne sont dans aucune ligne. Un Bask plus ancien qui a changé les étiquettes le fait aussi.</translation>
     </message>
     <message>
         <source>Altered: %1; see bask verify</source>
-        <translation>Modifié : %1 ; voir bask verify</translation>
+        <translation>Modifié&#xa0;: %1&#xa0;; voir bask verify</translation>
     </message>
     <message>
         <source>Altered: %1, and %2 more; see bask verify</source>
-        <translation>Modifié : %1, et %2 autres ; voir bask verify</translation>
+        <translation>Modifié&#xa0;: %1, et %2 autres&#xa0;; voir bask verify</translation>
     </message>
     <message>
         <source>Damaged: bask verify tells what of it can be read</source>
-        <translation>Endommagé : bask verify dit ce qui peut en être lu</translation>
+        <translation>Endommagé&#xa0;: bask verify dit ce qui peut en être lu</translation>
     </message>
     <message>
         <source>Not verifiable: recorded by an older Bask, without a hash chain</source>
-        <translation>Non vérifiable : enregistré par un Bask plus ancien, sans chaîne de hachage</translation>
+        <translation>Non vérifiable&#xa0;: enregistré par un Bask plus ancien, sans chaîne de hachage</translation>
     </message>
     <message>
         <source>Intact: %1 rows, sealed, head %2</source>
-        <translation>Intact : %1 lignes, scellé, tête %2</translation>
+        <translation>Intact&#xa0;: %1 lignes, scellé, tête %2</translation>
     </message>
     <message>
         <source>Intact: %1 rows, not sealed, head %2</source>
-        <translation>Intact : %1 lignes, non scellé, tête %2</translation>
+        <translation>Intact&#xa0;: %1 lignes, non scellé, tête %2</translation>
     </message>
 </context>
 <context>

@@ -2053,27 +2053,27 @@
     </message>
     <message>
         <source>the order was not taken (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>命令未被接受（模拟）</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2。其传感器可能脱落或在另一物体上，物体可能已不在，或热源不在预期位置。加热已关闭。请检查这些，然后复位。</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2，且“%5”向相反方向偏离。两者的传感器可能互换了，或“%1”的传感器脱落。加热已关闭。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”和“%2”的传感器似乎互换了：它们最近 %3 s 的读数与另一物体的受热一致，而与自己物体的不一致。加热已关闭。请检查两者，确认它们，然后复位。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”以 %2/s 升温；热源最多能解释 %3/s：有别的东西在加热它，或其传感器不在它上面。请检查两者；停止或撤离可将它移开。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
-        <translation type="unfinished"></translation>
+        <translation>热源为 %1，高于设定值 %2，且未降温。请检查其控制器和传感器；停止会将物体移开并关闭加热。</translation>
     </message>
 </context>
 <context>
@@ -5319,6 +5319,10 @@
     <message>
         <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
         <translation>加热已关闭却仍在加热：当前 %1。请切断其电源。</translation>
+    </message>
+    <message>
+        <source>The heat is off: %1 now, behind the closed shutter of the simulated source.</source>
+        <translation>加热已关闭：现在 %1，位于模拟热源闭合的快门之后。</translation>
     </message>
 </context>
 <context>

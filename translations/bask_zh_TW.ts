@@ -2053,27 +2053,27 @@
     </message>
     <message>
         <source>the order was not taken (simulated)</source>
-        <translation type="unfinished"></translation>
+        <translation>命令未被接受（模擬）</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2。其感測器可能脫落或在另一物體上，物體可能已不在，或熱源不在預期位置。加熱已關閉。請檢查這些，然後復歸。</translation>
     </message>
     <message>
         <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2，且「%5」向相反方向偏離。兩者的感測器可能互換了，或「%1」的感測器脫落。加熱已關閉。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」和「%2」的感測器似乎互換了：它們最近 %3 s 的讀數與另一物體的受熱一致，而與自己物體的不一致。加熱已關閉。請檢查兩者，確認它們，然後復歸。</translation>
     </message>
     <message>
         <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation type="unfinished"></translation>
+        <translation>「%1」以 %2/s 升溫；熱源最多能解釋 %3/s：有別的東西在加熱它，或其感測器不在它上面。請檢查兩者；停止或撤離可將它移開。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
-        <translation type="unfinished"></translation>
+        <translation>熱源為 %1，高於設定值 %2，且未降溫。請檢查其控制器和感測器；停止會將物體移開並關閉加熱。</translation>
     </message>
 </context>
 <context>
@@ -5319,6 +5319,10 @@
     <message>
         <source>It heats though its heat is off: %1 now. Switch it off at its mains.</source>
         <translation>加熱已關閉卻仍在加熱：目前 %1。請切斷其電源。</translation>
+    </message>
+    <message>
+        <source>The heat is off: %1 now, behind the closed shutter of the simulated source.</source>
+        <translation>加熱已關閉：現在 %1，位於模擬熱源閉合的快門之後。</translation>
     </message>
 </context>
 <context>
