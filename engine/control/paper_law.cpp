@@ -41,16 +41,11 @@ void leaveDark(const RigGeometry& geometry, const Observation& observation, cons
                const std::vector<double>& targets_K, double dt_s, ControlOutput& out) {
     constexpr double kDark = 1e-9;  // view factor, and its derivatives
     constexpr double kCold_K = 0.5; // that noise alone leads nowhere
-    constexpr double kStands = 1e-6;
-    if (out.rates.cwiseAbs().maxCoeff() > kStands)
-        return;
-    bool isInDark = false;
-    for (std::size_t i = 0; i < targets_K.size(); ++i) {
-        const auto row = static_cast<Eigen::Index>(i);
-        isInDark = isInDark || (seen.F[row] <= kDark && seen.dF.row(row).cwiseAbs().maxCoeff() <= kDark &&
-                                observation.objects[i].temperature_K < targets_K[i] - kCold_K);
-    }
-    if (!isInDark)
+    const bool isDark = seen.F.maxCoeff() <= kDark && seen.dF.cwiseAbs().maxCoeff() <= kDark;
+    bool isCold = false;
+    for (std::size_t i = 0; i < targets_K.size(); ++i)
+        isCold = isCold || observation.objects[i].temperature_K < targets_K[i] - kCold_K;
+    if (!isDark || !isCold)
         return;
     const Vector6d& q = observation.coordinates;
     const VelocitySolution way =

@@ -15,9 +15,9 @@ ControlOutput followWanted(const RigGeometry& geometry, const ControllerSettings
                            const Eigen::Matrix<double, Eigen::Dynamic, 6>& rows,
                            const Eigen::VectorXd& wanted);
 
-/// Leads out of the dark: no motion changes the view factor of an object that does not see the source at all,
-/// so both laws stand there for ever. Where `out` stands and such an object is colder than its target, it
-/// goes towards the pose that faces the source instead.
+/// Leads out of the dark: where no object sees the source, no motion changes a view factor, and both laws
+/// stand for ever. If one is colder than its target then, `out` goes towards the pose that faces the source
+/// instead. (One that is dark beside another that is lit is left to the law.)
 void leaveDark(const RigGeometry& geometry, const Observation& observation, const ViewFactors& seen,
                const std::vector<double>& targets_K, double dt_s, ControlOutput& out);
 

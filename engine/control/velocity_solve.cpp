@@ -208,18 +208,23 @@ std::optional<double> tooLowAfter_s(const RigGeometry& geometry, const Vector6d&
 /// Adds the points that are too low after so long, which the rows of the points that are lowest at q do not
 /// see: where a face is parallel to the floor, another side of it comes down with each tilt. If the way is
 /// curved downwards, the rates have to make up for it.
-void addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double time_s,
+/// The lowest first, at most `room`; returns whether there was any room.
+bool addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double time_s,
              double min_m, std::size_t room, std::vector<Cut>& cuts) {
     const Vector6d low = q + time_s * rates;
     const std::vector<Clearance> there = geometry.clearances(low);
     const std::vector<Clearance> here = geometry.clearances(q, low);
-    for (std::size_t i = 0; i < here.size() && room > 0; ++i) {
-        if (there[i].height_m >= min_m - kHeightSlack_m)
-            continue;
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < there.size(); ++i)
+        if (there[i].height_m < min_m - kHeightSlack_m)
+            order.push_back(i);
+    std::ranges::sort(order, {}, [&](std::size_t i) { return there[i].height_m; });
+    order.resize(std::min(order.size(), room));
+    for (const std::size_t i : order) {
         const double straight_m = there[i].height_m - here[i].gradient.dot(low - q);
         cuts.push_back({here[i].gradient, (min_m - std::min(here[i].height_m, straight_m)) / time_s});
-        --room;
     }
+    return !order.empty();
 }
 
 /// Shortens a step that even the cuts do not keep clear.
@@ -319,7 +324,8 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
         if (!time_s)
             return out;
         const std::size_t room = kMaxRows - static_cast<std::size_t>(s.h.size()) - s.norms.size();
-        addCuts(geometry, q, out.rates, *time_s, min_m, room, cuts);
+        if (!addCuts(geometry, q, out.rates, *time_s, min_m, room, cuts))
+            break;
     }
     shorten(geometry, problem, braked, min_m, out);
     return out;

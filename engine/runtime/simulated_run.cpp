@@ -242,6 +242,8 @@ Result<void> addSpread(PredictedRun& run, const Experiment& experiment,
             return other.error();
         if (stop.stop_requested() || other->samples.empty())
             return {};
+        if (other->end == PredictedEnd::Fault)
+            continue;
         auto there = other->samples.begin();
         for (PredictedSample& sample : wide) {
             while (std::next(there) != other->samples.end() && std::next(there)->time_s <= sample.time_s)

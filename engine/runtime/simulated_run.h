@@ -70,8 +70,9 @@ Result<PredictedRun> predictedRun(const Experiment& experiment, const std::optio
                                   const std::function<void(double time_s)>& progress = {});
 
 /// Adds to a prediction of predictedRun how far apart its temperatures lie in `draws` runs that differ from
-/// it by the noise of their sensors alone: a controller that learns, or whose law is rough, may go another
-/// way. A run that ends sooner keeps its last temperatures. Adds nothing if it is stopped.
+/// it by what the seed draws, that is noise and offsets of the sensors: a controller that learns, or whose
+/// law is rough, may go another way. A run that ends sooner keeps its last temperatures; one that ends in a
+/// fault does not count. Adds nothing if it is stopped.
 Result<void> addSpread(PredictedRun& run, const Experiment& experiment,
                        const std::optional<RigCondition>& from, int draws, std::stop_token stop = {},
                        const std::function<void(double time_s)>& progress = {});

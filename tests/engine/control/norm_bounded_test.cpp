@@ -132,8 +132,15 @@ TEST(NormBounded, ConvergesWhereMuchMoreIsWantedThanAllowed) {
         p.f = 10.0 * A.transpose() * SmallVector::NullaryExpr(3, [&] { return normal(random); });
         if (trial % 2 == 0) // at the floor
             p.h.tail(3).setZero();
-        const auto solution = solveNormBounded(p.H, p.f, p.G, p.h, {p.norms[0], p.norms[2]});
-        EXPECT_TRUE(solution.converged) << trial;
+        p.norms = {p.norms[0], p.norms[2]};
+        const auto solution = solveNormBounded(p.H, p.f, p.G, p.h, p.norms);
+        ASSERT_TRUE(solution.converged) << trial;
+        EXPECT_LT(p.violation(solution.y), 1e-8) << trial;
+        if (trial % 100 == 0) { // no small step within the bounds is better
+            const SmallVector ahead = p.projected(solution.y - 1e-3 * (p.H * solution.y - p.f));
+            EXPECT_GE(p.cost(ahead), p.cost(solution.y) - 1e-6 * (1.0 + std::abs(p.cost(solution.y))))
+                << trial;
+        }
     }
 }
 
