@@ -162,7 +162,7 @@ void EngineWorker::tellHeatNotOff() {
     std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
     conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
     if (m_alarms.update(utcNow_s(), conditions))
-        m_keeper.keep(m_alarms.all());
+        keepAlarms();
 }
 
 void EngineWorker::post(const bask::Command& command) {
@@ -232,8 +232,8 @@ void EngineWorker::answer(const Result<void>& result) {
     }
     m_pending.refusal = result ? Message{} : result.error().message;
     record();
+    updateAlarms(); // before a recording that tells of them is closed
     closeFinished();
-    updateAlarms();
     publish();
 }
 
@@ -613,7 +613,7 @@ Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
     const bool changed = id ? m_alarms.acknowledge(*id, m_labels.operatorName)
                             : m_alarms.acknowledgeAll(m_labels.operatorName);
     if (changed)
-        m_keeper.keep(m_alarms.all());
+        keepAlarms();
     for (const Alarm& alarm : seen)
         if (m_session)
             m_session->loop.reportAcknowledged(alarm);
@@ -628,7 +628,7 @@ Result<void> EngineWorker::shelve(const ShelveAlarm& wanted) {
     const auto alarm = std::ranges::find(m_alarms.alarms(), wanted.id, &Alarm::id);
     if (m_session)
         m_session->loop.reportShelved(*alarm, wanted.for_s);
-    m_keeper.keep(m_alarms.all());
+    keepAlarms();
     return {};
 }
 
@@ -639,13 +639,17 @@ Result<void> EngineWorker::unshelve(std::uint64_t id) {
     if (m_session)
         m_session->loop.reportShelved(*alarm, 0.0);
     m_alarms.unshelve(id);
-    m_keeper.keep(m_alarms.all());
+    keepAlarms();
     return {};
+}
+
+void EngineWorker::keepAlarms() {
+    m_keeper.keep(m_alarms.all(), {m_recordings.isOn(), m_labels.operatorName});
 }
 
 void EngineWorker::updateAlarms() {
     if (m_session && m_alarms.update(utcNow_s(), m_session->loop.alarmConditions()))
-        m_keeper.keep(m_alarms.all());
+        keepAlarms();
 }
 
 void EngineWorker::tell(const Message& message) {
@@ -666,7 +670,7 @@ void EngineWorker::hearBackground() {
             tell(before->problem->message);
         if (!before->ownFile.empty())
             tell({MessageCode::AlarmsElsewhere, {before->ownFile}});
-        m_keeper.keep(m_alarms.all());
+        keepAlarms();
     }
     if (const auto failure = m_keeper.takeFailure())
         tell(failure->message);
@@ -767,8 +771,8 @@ void EngineWorker::tick() {
     m_session->loop.tick();
     ++m_ticksSinceRate;
     record();
+    updateAlarms(); // before a recording that tells of them is closed
     closeFinished();
-    updateAlarms();
 }
 
 /// In a hold the simulation runs in real time, so that a person can follow the countdown.

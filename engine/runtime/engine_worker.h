@@ -119,6 +119,7 @@ private:
     Result<void> shelve(const ShelveAlarm& alarm);
     Result<void> unshelve(std::uint64_t id);
     void updateAlarms();
+    void keepAlarms();
     void tell(const Message& message); ///< adds an event
     void tellUnfinished(const Error& error);
     void watchDisk();

@@ -9,7 +9,7 @@
 namespace bask::test {
 
 void WindowTest::SetUp() {
-    for (const char* kept : {"/bask.ini", "/alarms.json"})
+    for (const char* kept : {"/bask.ini", "/alarms.json", "/alarms-without-run.jsonl"})
         QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
     for (const QString& kept : {unsavedFolder(), runMarkFolder()})
         QDir(kept).removeRecursively();

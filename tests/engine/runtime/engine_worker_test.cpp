@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/experiment/alarm_file.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/experiment/unrecorded_alarms.h"
 #include "engine/recording/run_metrics.h"
 #include "engine/recording/session_header.h"
 #include "engine/recording/session_store.h"
@@ -218,6 +219,58 @@ TEST(EngineWorker, AnAlarmKeepsWhoHasSeenIt) {
     ASSERT_TRUE(kept);
     ASSERT_FALSE(kept->empty());
     EXPECT_EQ(kept->front().seenBy, "A. Hu");
+}
+
+// Catches an alarm that came while nothing was recorded and has no trace.
+TEST(EngineWorker, AnAlarmWithoutARunIsKept) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    constexpr auto kUnasked = MessageCode::SafetySourceHeatsUnasked;
+    {
+        Rig rig(path);
+        rig.send(SetLabels{{"A. Hu", "", ""}});
+        rig.send(SetSimulationSpeed{20.0});
+        rig.send(LoadExperiment{oneDisk()});
+        ASSERT_TRUE(rig.reaches(RunState::Ready));
+        rig.send(SimulateFault{SimulatedFault::SourceHeatsAlone});
+        ASSERT_TRUE(rig.waitFor([&] { return isActive(rig.last.alarms, kUnasked); }));
+        rig.send(AcknowledgeAll{});
+        ASSERT_TRUE(
+            rig.waitFor([&] { return std::ranges::all_of(rig.last.alarms, &Alarm::isAcknowledged); }));
+        rig.send(SimulateFault{SimulatedFault::None});
+        ASSERT_TRUE(rig.waitFor([&] { return !isActive(rig.last.alarms, kUnasked); }));
+    }
+    const auto kept = readUnrecordedAlarms(unrecordedAlarmFile(path));
+    ASSERT_TRUE(kept);
+    std::vector<AlarmChange> changes;
+    for (const UnrecordedChange& each : kept->changes)
+        if (each.message.code == kUnasked) {
+            EXPECT_EQ(each.operatorName, "A. Hu");
+            changes.push_back(each.change);
+        }
+    ASSERT_GE(changes.size(), 3U);
+    EXPECT_EQ(changes[0], AlarmChange::Raised);
+    EXPECT_EQ(changes[1], AlarmChange::Acknowledged);
+    EXPECT_EQ(changes[2], AlarmChange::Over);
+}
+
+// Catches an alarm that a recording tells, and the file of those without a run, too.
+TEST(EngineWorker, AnAlarmOfARunIsNotOneWithoutARun) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    {
+        Rig rig(path);
+        rig.send(LoadExperiment{oneDisk()});
+        ASSERT_TRUE(rig.reaches(RunState::Ready));
+        rig.send(Arm{folder.filePath("run.bask").toStdString()});
+        ASSERT_TRUE(rig.reaches(RunState::Armed));
+        rig.send(SimulateFault{SimulatedFault::RobotLost});
+        ASSERT_TRUE(rig.waitFor([&] { return isActive(rig.last.alarms, MessageCode::ReasonRobotLost); }));
+    }
+    const auto kept = readUnrecordedAlarms(unrecordedAlarmFile(path));
+    ASSERT_TRUE(kept);
+    for (const UnrecordedChange& each : kept->changes)
+        EXPECT_FALSE(each.change == AlarmChange::Raised && each.key == "RobotLost") << describe(each.message);
 }
 
 // Catches targets that cannot be held and are run without a person's word, and one whose Start is lost.
