@@ -11,7 +11,8 @@
 
 namespace bask {
 
-AlarmHistoryControl::AlarmHistoryControl(SessionList& list) : m_list(list) {
+AlarmHistoryControl::AlarmHistoryControl(SessionList& list, std::string unrecordedFile)
+    : m_list(list), m_unrecordedFile(std::move(unrecordedFile)) {
     m_pool.setMaxThreadCount(1);
     m_timer.setInterval(kInterval_ms);
     connect(&m_timer, &QTimer::timeout, this, [this] { m_dialog->setReading(*m_percent); });
@@ -52,11 +53,14 @@ void AlarmHistoryControl::read() {
     m_dialog->setReading(0);
     m_timer.start();
     m_job.run(
-        [runs = m_list.listed(), percent = m_percent](const std::stop_token& stop) mutable {
+        [runs = m_list.listed(), file = m_unrecordedFile,
+         percent = m_percent](const std::stop_token& stop) mutable {
             giveWay();
             std::ranges::stable_sort(runs, std::ranges::greater(), recordedAt); // as the dialog dates them
-            return readAlarmHistory(std::move(runs), stop,
-                                    [&](double share) { *percent = static_cast<int>(100.0 * share); });
+            AlarmHistory history = readAlarmHistory(
+                std::move(runs), stop, [&](double share) { *percent = static_cast<int>(100.0 * share); });
+            addUnrecorded(history, file);
+            return history;
         },
         [this](AlarmHistory history) {
             m_timer.stop();

@@ -1,6 +1,6 @@
 #pragma once
-// The window's side of the alarms of the listed runs: their dialog, made when it is first wanted, and reading
-// them.
+// The window's side of the alarms of the listed runs, and of those without a run: their dialog, made when it
+// is first wanted, and reading them.
 
 #include "engine/recording/alarm_history.h"
 #include "widgets/common/latest_job.h"
@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 
 namespace bask {
 
@@ -26,8 +27,9 @@ class AlarmHistoryControl : public QObject {
 public:
     static constexpr int kInterval_ms = 100; ///< interval between shown percentages
 
-    /// Serves the list, which must outlive it.
-    explicit AlarmHistoryControl(SessionList& list);
+    /// Serves the list, which must outlive it. The file is that of the alarms without a run; with an empty
+    /// name there are none.
+    explicit AlarmHistoryControl(SessionList& list, std::string unrecordedFile = {});
     ~AlarmHistoryControl() override;
 
     void open();
@@ -43,6 +45,7 @@ private:
     void read();
 
     SessionList& m_list;
+    std::string m_unrecordedFile;
     QPointer<AlarmHistoryDialog> m_dialog; ///< null if it is not open
     std::shared_ptr<std::atomic<int>> m_percent;
     QTimer m_timer;

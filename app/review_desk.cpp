@@ -1,7 +1,9 @@
 #include "app/review_desk.h"
 
+#include "app/data_folder.h"
 #include "app/error_text.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/unrecorded_alarms.h"
 #include "engine/radiation/mounted_objects.h"
 #include "engine/recording/session_store.h"
 #include "widgets/review/comparison_view.h"
@@ -19,7 +21,8 @@ namespace bask {
 
 ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent)
     : QObject(parent), m_page(page), m_document(document), m_files(files), m_library(*page.sessions()),
-      m_overlayCount(*page.replay()), m_alarms(*page.sessions()) {
+      m_overlayCount(*page.replay()),
+      m_alarms(*page.sessions(), unrecordedAlarmFile(alarmFile().toStdString())) {
     connectList();
     connectCount();
     connectVerification();

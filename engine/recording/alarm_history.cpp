@@ -2,14 +2,17 @@
 
 #include "engine/base/alarm_entry.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/unrecorded_alarms.h"
 #include "engine/recording/session_facts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 namespace bask {
@@ -265,19 +268,28 @@ double AlarmInRun::active_s() const {
     });
 }
 
+const Message& PastAlarm::message() const {
+    return runs.empty() ? withoutRun.front().message : runs.front().spells.back().message;
+}
+
+/// Some sentences of devices have one as an alarm alone.
 int PastAlarm::priority() const {
-    return alarmPriority(message().code);
+    const int ofSentence = alarmPriority(message().code);
+    return ofSentence > 0 || withoutRun.empty() ? ofSentence : withoutRun.front().priority;
 }
 
 std::size_t PastAlarm::times() const {
-    return std::accumulate(runs.begin(), runs.end(), std::size_t{0},
+    return std::accumulate(runs.begin(), runs.end(), withoutRun.size(),
                            [](std::size_t sum, const AlarmInRun& each) { return sum + each.spells.size(); });
 }
 
 double PastAlarm::active_s() const {
-    return std::accumulate(runs.begin(), runs.end(), kNoEnd, [](double sum_s, const AlarmInRun& each) {
-        return sumOf(sum_s, each.active_s());
-    });
+    const double inRuns_s =
+        std::accumulate(runs.begin(), runs.end(), kNoEnd,
+                        [](double sum_s, const AlarmInRun& each) { return sumOf(sum_s, each.active_s()); });
+    return std::accumulate(
+        withoutRun.begin(), withoutRun.end(), inRuns_s,
+        [](double sum_s, const UnrecordedSpell& each) { return sumOf(sum_s, each.active_s); });
 }
 
 std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s,
@@ -328,6 +340,41 @@ AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_t
         count.add();
     }
     return history;
+}
+
+void addUnrecorded(AlarmHistory& history, const std::string& file) {
+    if (file.empty())
+        return;
+    const auto read = readUnrecordedAlarms(file);
+    if (!read) {
+        history.failure = read.error();
+        return;
+    }
+    history.damagedLines = read->damaged;
+    std::map<AlarmKey, std::size_t> places;
+    for (std::size_t k = 0; k < history.alarms.size(); ++k)
+        places.try_emplace(keyOf(history.alarms[k].message()), k);
+    struct Unended {
+        std::size_t alarm, spell;
+    };
+    std::map<std::tuple<std::string, bool, double>, Unended> open;
+    for (const UnrecordedChange& change : read->changes) {
+        const std::tuple which(change.key, change.isLive, change.raised_s);
+        if (change.change == AlarmChange::Raised) {
+            const auto [place, isNew] = places.try_emplace(keyOf(change.message), history.alarms.size());
+            if (isNew)
+                history.alarms.emplace_back();
+            auto& spells = history.alarms[place->second].withoutRun;
+            open.insert_or_assign(which, Unended{place->second, spells.size()});
+            spells.push_back({change.message, change.priority, change.isLive, change.raised_s});
+        } else if (const auto of = open.find(which); change.change == AlarmChange::Over && of != open.end()) {
+            history.alarms[of->second.alarm].withoutRun[of->second.spell].active_s =
+                std::max(change.utc_s - change.raised_s, 0.0);
+            open.erase(of);
+        }
+    }
+    for (PastAlarm& alarm : history.alarms)
+        std::ranges::stable_sort(alarm.withoutRun, std::ranges::greater(), &UnrecordedSpell::raised_s);
 }
 
 } // namespace bask

@@ -1,12 +1,16 @@
 #pragma once
-// The alarms of many recorded runs: which were raised, how often, when and for how long.
+// The alarms of many recorded runs, and of the time without one: which were raised, how often, when and for
+// how long.
 
 #include "engine/base/share_done.h"
 #include "engine/model/trace.h"
 #include "engine/recording/session_header.h"
 
+#include <cstddef>
 #include <limits>
+#include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 namespace bask {
@@ -28,21 +32,34 @@ struct AlarmInRun {
     double active_s() const; ///< of all spells; NaN if none has an end
 };
 
-/// An alarm in all runs. The same sentence about the same objects, or devices, is one alarm, whatever its
-/// values.
-struct PastAlarm {
-    std::vector<AlarmInRun> runs; ///< the newest first; never empty
+/// A time that an alarm was raised while nothing was recorded.
+struct UnrecordedSpell {
+    Message message;
+    int priority = 1;
+    bool isLive = false;
+    double raised_s = 0.0;                                      ///< UTC seconds since 1970
+    double active_s = std::numeric_limits<double>::quiet_NaN(); ///< NaN: its end is not known
+};
 
-    const Message& message() const { return runs.front().spells.back().message; } ///< of the last time
+/// An alarm in all runs, and without one. The same sentence about the same objects, or devices, is one alarm,
+/// whatever its values. It has a run, or a time without one.
+struct PastAlarm {
+    std::vector<AlarmInRun> runs;            ///< the newest first
+    std::vector<UnrecordedSpell> withoutRun; ///< the newest first
+
+    /// Of the last time in a run; of one that was in none, of the last time.
+    const Message& message() const;
     int priority() const;
     std::size_t times() const;
-    double active_s() const; ///< of all runs; NaN if none has an end
+    double active_s() const; ///< of all times; NaN if none has an end
 };
 
 struct AlarmHistory {
     std::vector<SessionHeader> runs;
     std::vector<PastAlarm> alarms;       ///< in no particular order
     std::vector<std::size_t> unreadable; ///< indices of the runs that cannot be read, which have their error
+    std::size_t damagedLines = 0;        ///< that tell of alarms without a run and cannot be read
+    std::optional<Error> failure;        ///< of the file of the alarms without a run
 };
 
 /// Returns the alarms among the events of a run, in their order; the recording ends at `end_s`. What counts
@@ -60,5 +77,9 @@ bool isSameAlarm(const Message& a, const Message& b);
 /// read so far, once `stop` is requested.
 AlarmHistory readAlarmHistory(std::vector<SessionHeader> runs, const std::stop_token& stop = {},
                               const ShareDone& done = {});
+
+/// Adds the alarms that were raised while nothing was recorded, see readUnrecordedAlarms(); none if the name
+/// of the file is empty.
+void addUnrecorded(AlarmHistory& history, const std::string& file);
 
 } // namespace bask

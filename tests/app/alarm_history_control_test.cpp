@@ -4,6 +4,7 @@
 #include "app/examples.h"
 #include "app/resources.h"
 #include "engine/base/message_code.h"
+#include "engine/experiment/unrecorded_alarms.h"
 #include "engine/recording/session_file.h"
 #include "tests/support/wait_for.h"
 #include "widgets/review/session_list.h"
@@ -70,7 +71,8 @@ protected:
 
     QTemporaryDir folder;
     SessionList list;
-    AlarmHistoryControl control{list};
+    const std::string unrecorded = folder.filePath("alarms-without-run.jsonl").toStdString();
+    AlarmHistoryControl control{list, unrecorded};
     QStringList chosen;
     double chosen_s = 0.0;
 };
@@ -153,6 +155,31 @@ TEST_F(AlarmHistoryControlTest, TheNewestRunIsTheOneWithTheLastDate) {
     openDialog();
     ASSERT_TRUE(waitForAlarms("2"));
     EXPECT_TRUE(tree("alarmHistoryAlarms")->topLevelItem(0)->text(6).startsWith("late, "));
+}
+
+// Catches: alarms that came while nothing was recorded which the dialog does not read, or reads once alone.
+TEST_F(AlarmHistoryControlTest, AlarmsWithoutARunAreRead) {
+    record("a.bask");
+    listAll();
+    const Message unasked{MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    const auto raise = [&](double utc_s) {
+        return appendUnrecordedAlarms(
+            {{AlarmChange::Raised, utc_s, utc_s, "SafetySourceHeatsUnasked", unasked, 1, false, {}}},
+            unrecorded);
+    };
+    const auto waitForTimes = [&](const QString& times) {
+        return waitFor([&] {
+            const QTreeWidget* alarms = tree("alarmHistoryAlarms");
+            return alarms->topLevelItemCount() == 2 && alarms->topLevelItem(0)->text(2) == "0" &&
+                   alarms->topLevelItem(0)->text(3) == times;
+        });
+    };
+    ASSERT_TRUE(raise(4e9));
+    openDialog();
+    EXPECT_TRUE(waitForTimes("1"));
+    ASSERT_TRUE(raise(4.1e9));
+    openDialog();
+    EXPECT_TRUE(waitForTimes("2"));
 }
 
 } // namespace

@@ -60,6 +60,17 @@ double lastRaised(const SessionHeader& run, const AlarmInRun& in) {
            std::clamp(in.spells.back().raised_s / kLongestRun_s, 0.0, 0.99);
 }
 
+/// Whether the last time that an alarm was raised is without a run; one in a run is later than its date.
+bool isLastUnrecorded(const AlarmHistory& history, const PastAlarm& alarm) {
+    return alarm.runs.empty() || (!alarm.withoutRun.empty() &&
+                                  alarm.withoutRun.front().raised_s >
+                                      lastRaised(history.runs[alarm.runs.front().run], alarm.runs.front()));
+}
+
+QDateTime unrecordedDate(const UnrecordedSpell& spell) {
+    return QDateTime::fromMSecsSinceEpoch(std::llround(1e3 * spell.raised_s));
+}
+
 /// A number by which alarms are sorted: by priority, those of one by when they were raised, the latest first.
 double gravity(int priority, double raised) {
     constexpr double kApart = 1e10; // more seconds than a date of the next two centuries has
@@ -124,6 +135,12 @@ void fitPastColumns(QTreeWidget& tree) {
                                 std::max({name, tree.columnWidth(column), header.sectionSizeHint(column)}));
 }
 
+std::size_t timesUnrecorded(const AlarmHistory& history) {
+    return std::accumulate(
+        history.alarms.begin(), history.alarms.end(), std::size_t{0},
+        [](std::size_t sum, const PastAlarm& alarm) { return sum + alarm.withoutRun.size(); });
+}
+
 std::size_t runsWithAlarms(const AlarmHistory& history) {
     std::set<std::size_t> runs;
     for (const PastAlarm& alarm : history.alarms)
@@ -143,8 +160,7 @@ AlarmHistoryDialog::AlarmHistoryDialog(QWidget* parent)
     build();
     connect(m_filter, &QLineEdit::textChanged, this, &AlarmHistoryDialog::filter);
     connect(m_alarms, &QTreeWidget::currentItemChanged, this, &AlarmHistoryDialog::showRuns);
-    connect(m_runs, &QTreeWidget::currentItemChanged, this,
-            [this](const QTreeWidgetItem* row) { m_open->setEnabled(row != nullptr); });
+    connect(m_runs, &QTreeWidget::currentItemChanged, this, &AlarmHistoryDialog::enableOpen);
     connect(m_runs, &QTreeWidget::itemActivated, this, &AlarmHistoryDialog::openRun);
     connect(m_copy, &QPushButton::clicked, this, &AlarmHistoryDialog::copy);
     connect(m_open, &QPushButton::clicked, this, &AlarmHistoryDialog::openRun);
@@ -256,8 +272,8 @@ void AlarmHistoryDialog::showAlarms(const Message& chosen) {
 
 QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
     const PastAlarm& alarm = m_history.alarms[place];
-    const SessionHeader& last = m_history.runs[alarm.runs.front().run];
-    const QString sentence = sentenceText(alarm.message());
+    const bool isUnrecorded = isLastUnrecorded(m_history, alarm);
+    const QString sentence = sentenceText(isUnrecorded ? alarm.withoutRun.front().message : alarm.message());
     auto* row = new PastRow;
     row->set(kPastAlarm, sentence);
     row->setData(kPastAlarm, kPastPlaceRole, QVariant::fromValue<qulonglong>(place));
@@ -265,18 +281,26 @@ QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
                  tr("Priority %1: %2").arg(alarm.priority()).arg(sentence));
     row->setIcon(kPastAlarm,
                  QIcon(alarmPixmap(alarm.priority(), isDark(this), kPastMark, devicePixelRatioF())));
-    const double raised = lastRaised(last, alarm.runs.front());
+    const double raised = isUnrecorded
+                              ? alarm.withoutRun.front().raised_s
+                              : lastRaised(m_history.runs[alarm.runs.front().run], alarm.runs.front());
     row->set(kPastPriority, QString::number(alarm.priority()), gravity(alarm.priority(), raised));
     row->set(kPastRuns, QString::number(alarm.runs.size()), static_cast<double>(alarm.runs.size()));
     row->set(kPastTimes, QString::number(alarm.times()), static_cast<double>(alarm.times()));
     row->setActive(kPastActive, alarm.active_s());
-    row->set(kPastLast,
-             tr("%1 + %2", "when a run was recorded, and the time in it")
-                 .arg(pastDate(recordedAt(last)), formatDuration(alarm.runs.front().spells.back().raised_s)));
+    if (isUnrecorded) {
+        row->set(kPastLast, pastDate(unrecordedDate(alarm.withoutRun.front())));
+        row->set(kPastLastRun, tr("No run"));
+    } else {
+        const AlarmInRun& in = alarm.runs.front();
+        const SessionHeader& last = m_history.runs[in.run];
+        row->set(kPastLast, tr("%1 + %2", "when a run was recorded, and the time in it")
+                                .arg(pastDate(recordedAt(last)), formatDuration(in.spells.back().raised_s)));
+        row->setToolTip(kPastLast, QString::fromStdString(last.path));
+        row->set(kPastLastRun, tr("%1, %2", "a run: its name, and when it was recorded")
+                                   .arg(listedName(last), pastDate(recordedAt(last))));
+    }
     row->setData(kPastLast, kPastSortRole, raised);
-    row->setToolTip(kPastLast, QString::fromStdString(last.path));
-    row->set(kPastLastRun, tr("%1, %2", "a run: its name, and when it was recorded")
-                               .arg(listedName(last), pastDate(recordedAt(last))));
     return row;
 }
 
@@ -322,12 +346,25 @@ void AlarmHistoryDialog::showRuns() {
         QList<QTreeWidgetItem*> rows;
         for (const AlarmInRun& in : alarm->runs)
             rows << runRow(in);
+        const std::size_t shown = std::min(alarm->withoutRun.size(), kMaxShown);
+        for (std::size_t k = 0; k < shown; ++k)
+            rows << unrecordedRow(alarm->withoutRun[k]);
         m_runs->addTopLevelItems(rows);
     }
     m_runs->setSortingEnabled(true);
     m_runs->setCurrentItem(m_runs->topLevelItem(0));
-    m_open->setEnabled(m_runs->currentItem() != nullptr);
+    enableOpen();
     fitPastColumns(*m_runs);
+}
+
+/// The path of the selected run; empty if none is, and for an alarm without one.
+QString AlarmHistoryDialog::selectedPath() const {
+    const QTreeWidgetItem* row = m_runs->currentItem();
+    return row == nullptr ? QString() : row->data(kInDate, kInPathRole).toString();
+}
+
+void AlarmHistoryDialog::enableOpen() {
+    m_open->setEnabled(!selectedPath().isEmpty());
 }
 
 QTreeWidgetItem* AlarmHistoryDialog::runRow(const AlarmInRun& in) const {
@@ -353,12 +390,26 @@ QTreeWidgetItem* AlarmHistoryDialog::runRow(const AlarmInRun& in) const {
     return row;
 }
 
+QTreeWidgetItem* AlarmHistoryDialog::unrecordedRow(const UnrecordedSpell& spell) const {
+    auto* row = new PastRow;
+    row->setText(kInDate, pastDate(unrecordedDate(spell)));
+    row->setData(kInDate, kPastSortRole, 1e3 * spell.raised_s);
+    row->set(kInName, tr("No run"));
+    row->setToolTip(kInName, tr("Raised while nothing was recorded"));
+    row->set(kInRig, spell.isLive ? tr("LIVE") : tr("SIMULATED"));
+    row->set(kInTimes, QString::number(1), 1.0);
+    row->setActive(kInActive, spell.active_s);
+    row->set(kInAt, kNoValue);
+    row->setData(kInAt, kPastSortRole, -1.0); // before all that are since Start
+    return row;
+}
+
 void AlarmHistoryDialog::showSummary() {
     const auto read = static_cast<int>(m_history.runs.size() - m_history.unreadable.size());
     const int rows = m_alarms->topLevelItemCount();
     if (m_isReading)
         m_summary->setText(tr("Reading the runs: %1 %").arg(m_percent));
-    else if (m_history.runs.empty())
+    else if (m_history.runs.empty() && rows == 0)
         m_summary->setText(tr("The list has no run."));
     else if (rows == 0)
         m_summary->setText(tr("No alarm was raised in %n run(s).", nullptr, read));
@@ -369,7 +420,11 @@ void AlarmHistoryDialog::showSummary() {
 }
 
 QString AlarmHistoryDialog::raisedWords(int read) const {
-    const QString raised = tr("Alarms in %1 of %n run(s)", nullptr, read).arg(runsWithAlarms(m_history));
+    QString raised = tr("Alarms in %1 of %n run(s)", nullptr, read).arg(runsWithAlarms(m_history));
+    if (const std::size_t times = timesUnrecorded(m_history); times > 0)
+        raised = tr("%1, and %n time(s) while nothing was recorded", "%1: Alarms in 2 of 5 runs",
+                    static_cast<int>(times))
+                     .arg(raised);
     return m_history.alarms.size() <= kMaxShown
                ? raised
                : tr("%1. Only %2 of %3 alarms are shown, the gravest.", "%1: Alarms in 2 of 5 runs")
@@ -389,16 +444,26 @@ void AlarmHistoryDialog::showUnread() {
         else if (names.size() == kMaxNamed)
             names << QStringLiteral("\u2026");
     }
-    m_unread->setVisible(!names.isEmpty());
-    m_unread->setText(tr("%n recording(s) could not be read: %1", nullptr, static_cast<int>(reasons.size()))
-                          .arg(names.join(QStringLiteral(", "))));
+    QStringList told;
+    if (!names.isEmpty())
+        told << tr("%n recording(s) could not be read: %1", nullptr, static_cast<int>(reasons.size()))
+                    .arg(names.join(QStringLiteral(", ")));
+    if (m_history.failure) {
+        told << tr("The alarms that were raised while nothing was recorded could not be read.");
+        reasons << QString::fromStdString(m_history.failure->where) + QStringLiteral(": ") +
+                       sentenceText(m_history.failure->message);
+    }
+    if (m_history.damagedLines > 0)
+        told << tr("%n line(s) with alarms that were raised while nothing was recorded could not be read.",
+                   nullptr, static_cast<int>(m_history.damagedLines));
+    m_unread->setVisible(!told.isEmpty());
+    m_unread->setText(told.join(u'\n'));
     m_unread->setToolTip(reasons.join(u'\n'));
 }
 
 void AlarmHistoryDialog::openRun() {
-    if (const QTreeWidgetItem* row = m_runs->currentItem())
-        emit runChosen(row->data(kInDate, kInPathRole).toString(),
-                       row->data(kInDate, kInRaisedRole).toDouble());
+    if (const QString path = selectedPath(); !path.isEmpty())
+        emit runChosen(path, m_runs->currentItem()->data(kInDate, kInRaisedRole).toDouble());
 }
 
 /// The alarms that are shown, for a spreadsheet.
@@ -437,6 +502,7 @@ void AlarmHistoryDialog::retranslate() {
     m_runs->setHeaderLabels(
         {tr("Recorded"), tr("Run"), tr("Rig"), tr("Times"), tr("Active"), tr("Raised at")});
     m_runs->setAccessibleName(tr("Runs of the selected alarm"));
+    m_runs->headerItem()->setToolTip(kInDate, tr("Without a run, when the alarm was raised"));
     m_runs->headerItem()->setToolTip(kInAt, tr("Time since Start"));
     m_copy->setText(tr("Copy"));
     m_copy->setToolTip(tr("Copy the alarms as text, for a spreadsheet"));

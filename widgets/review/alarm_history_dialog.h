@@ -1,5 +1,5 @@
 #pragma once
-// The alarms of the listed runs: how often each was raised, and in which runs.
+// The alarms of the listed runs, and those without a run: how often each was raised, and in which runs.
 
 #include "engine/recording/alarm_history.h"
 
@@ -19,7 +19,8 @@ namespace bask {
 /// Reading is the receiver's work. Not modal, so that STOP stays reachable. Object names:
 /// "alarmHistoryDialog", "alarmHistoryFilter", "alarmHistorySummary" (also that there is none),
 /// "alarmHistoryAlarms" (a row for each alarm, up to kMaxShown), "alarmHistoryRuns" (a row for each run of
-/// the selected alarm), "alarmHistoryUnread", "alarmHistoryCopy", "alarmHistoryOpen", "alarmHistoryClose".
+/// the selected alarm, and for each time without a run, up to kMaxShown), "alarmHistoryUnread",
+/// "alarmHistoryCopy", "alarmHistoryOpen", "alarmHistoryClose".
 class AlarmHistoryDialog : public QDialog {
     Q_OBJECT
 
@@ -51,6 +52,9 @@ private:
     void hideOthers();
     void showRuns();
     QTreeWidgetItem* runRow(const AlarmInRun& in) const;
+    QTreeWidgetItem* unrecordedRow(const UnrecordedSpell& spell) const;
+    QString selectedPath() const;
+    void enableOpen();
     void showSummary();
     QString raisedWords(int read) const;
     void showUnread();

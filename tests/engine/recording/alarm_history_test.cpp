@@ -1,6 +1,7 @@
 // The alarms of many recorded runs: how often, for how long, and in which.
 
 #include "engine/base/message_code.h"
+#include "engine/experiment/unrecorded_alarms.h"
 #include "engine/recording/alarm_history.h"
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_store.h"
@@ -328,6 +329,51 @@ TEST_F(AlarmHistoryTest, AHostileRecordingIsReadInPart) {
     ASSERT_NE(link, nullptr);
     EXPECT_EQ(link->message().args.size(), 10U);
     EXPECT_NEAR(link->active_s(), kEnd_s - 1.0, 1e-9);
+}
+
+// Catches: alarms without a run that are not those of the runs, an end of another time, an order that is not
+// theirs, and a file that is not there or cannot be read taken for one.
+TEST_F(AlarmHistoryTest, AddsWhatNoRunTells) {
+    const auto change = [](AlarmChange what, double raised_s, double utc_s, const Message& message) {
+        return UnrecordedChange{what, utc_s, raised_s, "key", message, 1, true, "A. Hu"};
+    };
+    const Message unasked{MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}};
+    using enum AlarmChange;
+    const std::string without = file("alarms-without-run.jsonl");
+    ASSERT_TRUE(appendUnrecordedAlarms(
+        {change(Raised, 1e9, 1e9, unasked), change(Acknowledged, 1e9, 1e9 + 1.0, unasked),
+         change(Raised, 2e9, 2e9, unasked), change(Over, 2e9, 2e9 + 30.0, unasked),
+         change(Over, 3e9, 3e9 + 5.0, unasked), change(Raised, 1.5e9, 1.5e9, kLeftHotter)},
+        without));
+    QFile text(QString::fromStdString(without));
+    ASSERT_TRUE(text.open(QIODevice::Append) && text.write("damaged\n") == 8);
+    text.close();
+
+    AlarmHistory history = readAlarmHistory({recorded("a.bask", "2026-03-14T09:26:53Z", {{10.0, kLeftHot}})});
+    addUnrecorded(history, {});
+    addUnrecorded(history, file("none.jsonl"));
+    ASSERT_EQ(history.alarms.size(), 1U);
+    EXPECT_TRUE(history.alarms[0].withoutRun.empty());
+    addUnrecorded(history, without);
+    EXPECT_EQ(history.damagedLines, 1U);
+    EXPECT_FALSE(history.failure);
+    ASSERT_EQ(history.alarms.size(), 2U);
+    const PastAlarm* hot = find(history, MessageCode::SafetyObjectHot);
+    ASSERT_NE(hot, nullptr);
+    EXPECT_EQ(hot->times(), 2U) << "one in a run, one without";
+    EXPECT_EQ(hot->message(), kLeftHot);
+    EXPECT_NEAR(hot->active_s(), kEnd_s - 10.0, 1e-9) << "the other one's end is not known";
+    const PastAlarm* alone = find(history, MessageCode::SafetySourceHeatsUnasked);
+    ASSERT_NE(alone, nullptr);
+    ASSERT_EQ(alone->times(), 2U);
+    EXPECT_EQ(alone->message(), unasked);
+    EXPECT_EQ(alone->priority(), 1);
+    EXPECT_EQ(alone->withoutRun[0].raised_s, 2e9) << "the newest first";
+    EXPECT_EQ(alone->withoutRun[0].active_s, 30.0);
+    EXPECT_TRUE(std::isnan(alone->withoutRun[1].active_s)) << "it ended in a run, or with Bask";
+    EXPECT_EQ(alone->active_s(), 30.0);
+    addUnrecorded(history, m_folder.path().toStdString());
+    EXPECT_TRUE(history.failure);
 }
 
 } // namespace

@@ -332,5 +332,81 @@ TEST_F(AlarmHistoryDialogTest, StopIsHeardFromHere) {
     EXPECT_TRUE(dialog.isVisible());
 }
 
+/// "hand" was hot once without a run, after the younger run, and "foot" before any run; the source heated by
+/// itself without a run alone.
+AlarmHistory somePastWithoutRun() {
+    AlarmHistory past = somePast();
+    const auto utc_s = [](const char* date) {
+        return static_cast<double>(
+            QDateTime::fromString(QLatin1String(date), Qt::ISODate).toSecsSinceEpoch());
+    };
+    past.alarms[0].withoutRun = {{hot("foot", "99"), 1, false, utc_s("2026-03-01T08:00:00Z"), 5.0}};
+    past.alarms[1].withoutRun = {{hot("hand", "98"), 1, true, utc_s("2026-03-17T08:00:00Z"), 8.0}};
+    PastAlarm source;
+    source.withoutRun = {{{MessageCode::SafetySourceHeatsUnasked, {"11", "20", "10"}},
+                          1,
+                          true,
+                          utc_s("2026-03-17T09:00:00Z")}};
+    past.alarms.push_back(source);
+    return past;
+}
+
+// Catches: an alarm that came without a run and is in no row, an older one that is taken for the last, and a
+// date in the time of another place.
+TEST_F(AlarmHistoryDialogTest, AlarmsWithoutARunAreInTheTable) {
+    dialog.setHistory(somePastWithoutRun());
+    ASSERT_EQ(alarms->topLevelItemCount(), 4);
+    EXPECT_EQ(cells(alarm("warmed")),
+              (QStringList{"1", "0", "1", kNoValue, date("2026-03-17T09:00:00Z"), "No run"}));
+    EXPECT_EQ(alarm("hand\"")->text(0), sentenceText(hot("hand", "98"))) << "as the last time";
+    EXPECT_EQ(cells(alarm("hand\"")),
+              (QStringList{"1", "2", "14", "1:00:10", date("2026-03-17T08:00:00Z"), "No run"}));
+    EXPECT_EQ(alarm("foot")->text(0), sentenceText(hot("foot", "96")));
+    EXPECT_EQ(cells(alarm("foot")).mid(1, 4),
+              (QStringList{"1", "3", "0:34", date("2026-03-14T09:26:53Z") + " + 1:10"}));
+    EXPECT_EQ(order().first(), "The") << "the gravest that was raised last: the source";
+    EXPECT_TRUE(said("alarmHistorySummary").contains("3 time")) << said("alarmHistorySummary").toStdString();
+}
+
+// Catches: a time without a run that opens another run, or an empty one, by mouse, keyboard or button.
+TEST_F(AlarmHistoryDialogTest, WhatHasNoRunIsNotOpened) {
+    dialog.setHistory(somePastWithoutRun());
+    QSignalSpy chosen(&dialog, &AlarmHistoryDialog::runChosen);
+    alarms->setCurrentItem(alarm("hand\""));
+    ASSERT_EQ(runs->topLevelItemCount(), 3);
+    EXPECT_EQ(runs->topLevelItem(0)->text(0), date("2026-03-17T08:00:00Z")) << "the newest first";
+    EXPECT_EQ(cells(runs->topLevelItem(0)), (QStringList{"No run", "LIVE", "1", "0:08", kNoValue}));
+    EXPECT_FALSE(open->isEnabled());
+    runs->setFocus();
+    QTest::keyClick(runs, Qt::Key_Return);
+    const QPoint first = runs->visualItemRect(runs->topLevelItem(0)).center();
+    QTest::mouseClick(runs->viewport(), Qt::LeftButton, {}, first);
+    QTest::mouseDClick(runs->viewport(), Qt::LeftButton, {}, first);
+    EXPECT_EQ(chosen.count(), 0);
+    runs->setCurrentItem(runs->topLevelItem(1));
+    EXPECT_TRUE(open->isEnabled());
+    QTest::mouseClick(open, Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.front().at(0).toString(), "/runs/younger.bask");
+}
+
+// Catches: alarms hidden where no run is listed, and a damaged file without a word.
+TEST_F(AlarmHistoryDialogTest, WithoutAnyRunTheyAreShown) {
+    AlarmHistory past;
+    past.alarms = {somePastWithoutRun().alarms.back()};
+    past.damagedLines = 2;
+    dialog.setHistory(past);
+    EXPECT_EQ(alarms->topLevelItemCount(), 1);
+    EXPECT_TRUE(said("alarmHistorySummary").contains("1 time"));
+    EXPECT_TRUE(said("alarmHistoryUnread").startsWith("2 line"));
+    past = {};
+    past.failure = Error(MessageCode::FileUnreadable, "/data/alarms-without-run.jsonl", {"access refused"});
+    dialog.setHistory(past);
+    EXPECT_TRUE(said("alarmHistoryUnread").contains("while nothing was recorded"));
+    EXPECT_TRUE(dialog.findChild<QLabel*>("alarmHistoryUnread")
+                    ->toolTip()
+                    .startsWith("/data/alarms-without-run.jsonl: "));
+}
+
 } // namespace
 } // namespace bask
