@@ -143,13 +143,14 @@ AlarmList::AlarmList(QWidget* parent)
     connect(m_shelve, &QToolButton::clicked, this, &AlarmList::openShelf);
     connect(m_shelf, &ShelfPopup::shelveRequested, this, &AlarmList::shelveRequested);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
+        if (m_unread.isActive())
+            return;
         m_acknowledged = m_chosen;
         if (m_chosen)
             emit acknowledgeRequested(*m_chosen);
     });
     connect(m_acknowledgeAll, &QPushButton::clicked, this, &AlarmList::acknowledgeAllRequested);
     m_unread.setSingleShot(true);
-    connect(&m_unread, &QTimer::timeout, this, &AlarmList::showChosen);
     retranslateUi();
 }
 
@@ -383,8 +384,10 @@ void AlarmList::showChosen() {
         m_shownId = m_chosen;
     }
     const Alarm* alarm = chosen();
-    m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged &&
-                              !m_unread.isActive());
+    const bool needsAnswer = !m_isStale && alarm != nullptr && !alarm->isAcknowledged;
+    if (!needsAnswer && m_acknowledge->hasFocus())
+        m_tree->setFocus(); // else the button for all has the keyboard, and Space presses that
+    m_acknowledge->setEnabled(needsAnswer);
     m_acknowledgeAll->setEnabled(!m_isStale && !std::ranges::all_of(m_alarms, &Alarm::isAcknowledged));
     m_home->setVisible(m_home->defaultAction() != nullptr && alarm != nullptr && alarm->isActive &&
                        isAboutPlace(alarm->message.code));

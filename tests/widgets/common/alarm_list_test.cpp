@@ -4,6 +4,7 @@
 #include "widgets/common/alarm_button.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QDateTime>
 #include <QLineEdit>
 #include <QMenu>
@@ -172,8 +173,6 @@ TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
     later.priority = grave.priority = 2;
     list.setAlarms({grave, slight});
     EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "a graver one came later";
-    EXPECT_FALSE(button("acknowledgeAlarm")->isEnabled()) << "nobody can have read it yet";
-    EXPECT_TRUE(QTest::qWaitFor([this] { return button("acknowledgeAlarm")->isEnabled(); }));
     list.setAlarms({slight});
     grave.priority = later.priority = slight.priority;
     list.setAlarms({grave, slight});
@@ -181,8 +180,10 @@ TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
     slight.isActive = false;
     list.setAlarms({later, grave, slight});
     EXPECT_EQ(chosenRow(), 2) << "it is over";
-    QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton);
-    ASSERT_EQ(one.count(), 1);
+    ASSERT_TRUE(QTest::qWaitFor([&] { // what came has to be there for a while
+        QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton);
+        return one.count() == 1;
+    }));
     EXPECT_EQ(one.first().first().toULongLong(), 1U);
 
     list.setAlarms({later, grave});
@@ -203,6 +204,39 @@ TEST_F(AlarmListTest, WhatIsSelectedStaysUntilItNeedsNothing) {
     EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << "a person has chosen it";
     list.setAlarms({later});
     EXPECT_EQ(chosenRow(), -1);
+}
+
+// Catches: Space that acknowledges all alarms, since the button that had the keyboard cannot be pressed any
+// more, and one that nobody can have read.
+TEST_F(AlarmListTest, SpaceNeverAcknowledgesMoreThanTheOneThatWasRead) {
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
+    QSignalSpy all(&list, &AlarmList::acknowledgeAllRequested);
+    const auto space = [] { QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space); };
+    list.show();
+    list.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&list));
+    Alarm slight = hot(1, "hand"), grave = hot(2, "foot");
+    slight.priority = 3;
+    list.setAlarms({slight});
+    button("acknowledgeAlarm")->setFocus();
+    list.setAlarms({grave, slight});
+    ASSERT_TRUE(guidance().contains(QStringLiteral("foot"))) << "a graver one came";
+    EXPECT_TRUE(button("acknowledgeAlarm")->hasFocus());
+    space();
+    EXPECT_EQ(one.count(), 0) << "nobody can have read it yet";
+    EXPECT_TRUE(QTest::qWaitFor([&] {
+        space();
+        return one.count() > 0;
+    }));
+    EXPECT_EQ(one.first().first().toULongLong(), 2U);
+
+    grave.isAcknowledged = true;
+    list.setAlarms({grave, slight});
+    ASSERT_FALSE(canAcknowledge());
+    ASSERT_TRUE(canAcknowledgeAll());
+    EXPECT_TRUE(tree()->hasFocus());
+    space();
+    EXPECT_EQ(all.count(), 0);
 }
 
 // Catches: a mark of priority that has the colour of the selected row.
