@@ -321,10 +321,15 @@ void AlarmList::showMenu(const QPoint& at) {
     if (QTreeWidgetItem* item = m_tree->itemAt(at))
         m_tree->setCurrentItem(item);
     auto* menu = new QMenu(this);
+    m_menu = menu;
+    m_menuId = m_chosen;
     menu->setObjectName(QStringLiteral("alarmMenu"));
     menu->setAttribute(Qt::WA_DeleteOnClose);
     for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{m_acknowledge, m_shelve}) {
-        QAction* action = menu->addAction(button->text(), button, &QAbstractButton::click);
+        QAction* action = menu->addAction(button->text(), this, [this, button, id = m_chosen] {
+            if (id == m_chosen)
+                button->click();
+        });
         action->setEnabled(button->isEnabled());
     }
     menu->addSeparator();
@@ -383,6 +388,8 @@ void AlarmList::showChosen() {
         m_guidance->verticalScrollBar()->setValue(scrolled); // only its value may be another
         m_shownId = m_chosen;
     }
+    if (m_menu && m_menuId != m_chosen)
+        m_menu->close(); // it is of the alarm that was chosen
     const Alarm* alarm = chosen();
     const bool needsAnswer = !m_isStale && alarm != nullptr && !alarm->isAcknowledged;
     if (!needsAnswer && m_acknowledge->hasFocus())

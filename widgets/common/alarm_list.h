@@ -6,6 +6,7 @@
 #include "widgets/common/alarm_groups.h"
 
 #include <QDate>
+#include <QPointer>
 #include <QTimer>
 #include <QWidget>
 
@@ -14,6 +15,7 @@
 #include <set>
 #include <vector>
 
+class QMenu;
 class QPushButton;
 class QTextEdit;
 class QToolButton;
@@ -85,6 +87,8 @@ private:
     bool m_isChosenByPerson = false;
     QTimer m_unread; ///< a graver alarm has just taken the place of the selected one
     std::optional<std::uint64_t> m_acknowledged; ///< the last one that was asked for here
+    QPointer<QMenu> m_menu;                      ///< of the right button
+    std::optional<std::uint64_t> m_menuId;       ///< its alarm
     QString m_shown;                             ///< the shown guidance
     std::optional<std::uint64_t> m_shownId{};    ///< its alarm
     QTreeWidget* m_tree;

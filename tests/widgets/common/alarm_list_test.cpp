@@ -391,6 +391,27 @@ TEST_F(AlarmListTest, ARightClickOffersWhatCanBeDone) {
     menu->close();
 }
 
+// Catches: a menu that stays open and works on the alarm that came meanwhile.
+TEST_F(AlarmListTest, AMenuIsOfTheAlarmItWasOpenedFor) {
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
+    list.resize(900, 200);
+    list.setAlarms({hot(1, "hand"), hot(2, "foot")});
+    list.show();
+    emit tree()->customContextMenuRequested(tree()->visualItemRect(tree()->topLevelItem(0)).center());
+    auto* menu = list.findChild<QMenu*>(QStringLiteral("alarmMenu"));
+    ASSERT_NE(menu, nullptr);
+    ASSERT_TRUE(menu->isVisible());
+    QAction* acknowledge = menu->actions().first();
+    Alarm other = hot(2, "foot");
+    other.count = 2;
+    list.setAlarms({hot(1, "hand"), other});
+    EXPECT_TRUE(menu->isVisible()) << "another line has changed";
+    list.choose(2);
+    EXPECT_FALSE(menu->isVisible());
+    acknowledge->trigger(); // deleted by the event loop only
+    EXPECT_EQ(one.count(), 0);
+}
+
 // Catches: bold red for what is over, and consequences and shelved ones counted.
 TEST(AlarmButton, CallsOnlyForWhatStillIsSo) {
     const auto isCallingRed = [](AlarmButton& button) {
