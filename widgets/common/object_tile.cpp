@@ -200,10 +200,6 @@ void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
         m_trend.add(time_s, sample.measured_K, sample.rate_K_s);
 }
 
-bool ObjectTile::isAbove(double limit_K, const ObjectSample& sample) const {
-    return sample.measured_K > limit_K - (activityPriority(m_activity) > 0 ? kBelowLimit_K : 0.0);
-}
-
 ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     takeRate(time_s, sample);
     const double error_K = sample.measured_K - sample.target_K;
@@ -218,8 +214,14 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
         return ObjectActivity::SensorInvalid;
     if (m_sensor.trust == SensorTrust::Stale)
         return ObjectActivity::SensorStale;
-    if (isAbove(m_warning_K, sample))
-        return isAbove(m_trip_K, sample) ? ObjectActivity::AboveTrip : ObjectActivity::AboveWarning;
+    const auto isAbove = [&](double limit_K, bool wasAbove) {
+        return sample.measured_K > limit_K - (wasAbove ? kBelowLimit_K : 0.0);
+    };
+    const bool wasAboveTrip = m_activity == ObjectActivity::AboveTrip;
+    if (isAbove(m_trip_K, wasAboveTrip))
+        return ObjectActivity::AboveTrip;
+    if (isAbove(m_warning_K, wasAboveTrip || m_activity == ObjectActivity::AboveWarning))
+        return ObjectActivity::AboveWarning;
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;

@@ -102,7 +102,6 @@ private:
     void showTemperature(const ShownObject& now);
     QString cameraText() const;
     QString uncertaintyTip() const;
-    bool isAbove(double limit_K, const ObjectSample& sample) const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
 

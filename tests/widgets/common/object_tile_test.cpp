@@ -105,11 +105,15 @@ TEST(ObjectTile, AboveALimitItHasItsColourAndWord) {
     EXPECT_NE(warned, usual);
     shown.feed(4.0, 391.3, -0.1);
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::AboveWarning) << "its alarm stays as well";
+    shown.feed(4.5, 422.0, 0.5);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::AboveWarning) << "not above its trip limit yet";
     shown.feed(5.0, 424.0, 0.5);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Above its trip limit"));
     EXPECT_EQ(activityPriority(shown.tile.activity()), 1);
     EXPECT_NE(ground(), warned);
     EXPECT_EQ(shown.tile.shown().activity, ObjectActivity::AboveTrip);
+    shown.feed(5.5, 422.0, -0.1);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::AboveTrip) << "its alarm stays as well";
     shown.feed(6.0, 424.0, 0.5, false);
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::SensorInvalid) << "nobody knows";
     shown.feed(7.0, 390.0, -0.1);
