@@ -316,8 +316,9 @@ void MainWindow::askRetreat() {
 }
 
 void MainWindow::askHome() {
+    m_homeAskedIn = m_last.state;
     askOnTheWayUp(this, QStringLiteral("homeQuestion"), tr("Home the robot"),
-                  tr("The robot moves now: it seeks its switches to know its place. Are all hands off the "
+                  tr("The robot will move: it seeks its switches to know its place. Are all hands off the "
                      "robot and is nothing in its way?"),
                   tr("Home now"), [this] {
                       m_recipe->takeOverAtRest();
@@ -328,10 +329,11 @@ void MainWindow::askHome() {
 /// What was asked in another state is not answered in this one.
 void MainWindow::dropOldQuestions(const Snapshot& snapshot) {
     const auto kindOf = [](RunState state) { return std::pair(isRunOn(state), state == RunState::Fault); };
+    const auto isOfKind = [&](RunState askedIn) { return kindOf(snapshot.state) == kindOf(askedIn); };
     const std::pair<QString, bool> questions[] = {
         {QStringLiteral("armQuestion"), allows(snapshot, Verb::Arm)},
-        {QStringLiteral("retreatQuestion"),
-         allows(snapshot, Verb::Retreat) && kindOf(snapshot.state) == kindOf(m_retreatAskedIn)}};
+        {QStringLiteral("retreatQuestion"), allows(snapshot, Verb::Retreat) && isOfKind(m_retreatAskedIn)},
+        {QStringLiteral("homeQuestion"), allowsHome(snapshot) && isOfKind(m_homeAskedIn)}};
     for (const auto& [name, holds] : questions)
         if (const auto* box = findChild<QMessageBox*>(name, Qt::FindDirectChildrenOnly);
             box != nullptr && box->isVisible() && !holds) {

@@ -139,7 +139,7 @@ private:
     std::optional<RunLabels> m_armsWith; ///< arms when the engine has these
     std::optional<Verb> m_refused;       ///< the verb that the message bar says is not possible
     std::function<Closing()> m_closeQuestion;
-    RunState m_retreatAskedIn = RunState::Idle;
+    RunState m_retreatAskedIn = RunState::Idle, m_homeAskedIn = RunState::Idle;
     bool m_closesAtRest = false; ///< a person asked to close when the run has ended
     bool m_isHeatLeft = false;   ///< a real source was not seen to go off at the engine's end
     QElapsedTimer m_sinceAnswer;

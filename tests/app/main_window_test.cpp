@@ -1023,6 +1023,36 @@ TEST_F(MainWindowTest, AQuestionGoesWithTheStateItWasAskedIn) {
     EXPECT_TRUE(waitForState(RunState::Ready));
 }
 
+// Catches: a robot that is homed by an answer that was meant for another state.
+TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Snapshot told = window->lastSnapshot();
+    told.newSamples.clear();
+    told.newEvents.clear();
+    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    const auto question = [this] { return window->findChild<QMessageBox*>(QStringLiteral("homeQuestion")); };
+    const auto ask = [&] {
+        told.state = RunState::Ready;
+        emit window->engine().snapshot(told);
+        find<QAction>("homeTheRobot")->trigger();
+        emit window->engine().snapshot(told);
+    };
+    for (const RunState other : {RunState::Armed, RunState::Fault, RunState::NotReady}) {
+        ask();
+        ASSERT_TRUE(question());
+        EXPECT_TRUE(question()->text().startsWith(QStringLiteral("The robot will move"))) << "not yet";
+        told.state = other;
+        emit window->engine().snapshot(told);
+        EXPECT_EQ(question() != nullptr, other == RunState::NotReady) << "robot at rest, as before";
+    }
+    told.place = PlaceState::Unknown; // it does not answer
+    emit window->engine().snapshot(told);
+    EXPECT_FALSE(question());
+    EXPECT_TRUE(message().contains(QStringLiteral("Home the robot"))) << message().toStdString();
+}
+
 // Catches: "Ready" alone over a hot plate.
 TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     openWindow();
