@@ -66,11 +66,6 @@ bool allowsEdits(RunState state) {
     return state != RunState::Armed && !isRunOn(state);
 }
 
-bool allowsHome(const Snapshot& snapshot) {
-    return allowsEdits(snapshot.state) && snapshot.state != RunState::Idle &&
-           snapshot.place != PlaceState::Unknown;
-}
-
 bool isUnfitTarget(MessageCode reason) {
     return reason == MessageCode::TargetAboveWarning || reason == MessageCode::TargetNotTold;
 }

@@ -33,9 +33,6 @@ bool allows(const Snapshot& snapshot, Verb verb);
 /// Returns whether another experiment, or other sensors, robot or source may be used: no run is armed or on.
 bool allowsEdits(RunState state);
 
-/// Returns whether the engine homes the robot now.
-bool allowsHome(const Snapshot& snapshot);
-
 /// Returns whether a reason is an error of checkTargets(): with these targets nothing can be armed.
 bool isUnfitTarget(MessageCode reason);
 

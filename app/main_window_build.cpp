@@ -181,6 +181,7 @@ void MainWindow::connectParts() {
             m_recipe->takeOver();
         m_engine.send(command);
     });
+    connect(m_pages, &PageHost::homeRequested, this, &MainWindow::askHome);
     connect(m_pages, &PageHost::manualRequested, this, &MainWindow::showManual);
     connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
         m_actions.showPage(static_cast<int>(page));

@@ -124,6 +124,7 @@ void PageHost::connectRig() {
         m_messages.dropRefusal();
         emit commandIssued(command);
     });
+    connect(m_rig, &RigPage::homeRequested, this, &PageHost::homeRequested);
     connect(m_rig, &RigPage::experimentEdited, this, [this](const Experiment& experiment) {
         if (const auto edited = m_document.edit(experiment, Page::Rig); !edited)
             m_rig->showError(sentence(edited.error()));

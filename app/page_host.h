@@ -78,6 +78,7 @@ public:
 
 signals:
     void commandIssued(const bask::Command& command);
+    void homeRequested(); ///< the window asks first
     void pageChanged(bask::Page page);
     /// Opens a page of the manual, such as "manual.md#review".
     void manualRequested(const QString& page);

@@ -1036,7 +1036,7 @@ TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
     const auto ask = [&] {
         told.state = RunState::Ready;
         emit window->engine().snapshot(told);
-        find<QAction>("homeTheRobot")->trigger();
+        find<QAbstractButton>("homeRobot")->click(); // of the page Rig, as the action
         emit window->engine().snapshot(told);
     };
     for (const RunState other : {RunState::Armed, RunState::Fault, RunState::NotReady}) {

@@ -1,6 +1,7 @@
 #include "app/why_not.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/device_words.h"
 
 #include <gtest/gtest.h>
 

@@ -148,6 +148,11 @@ bool isAboutPlace(MessageCode code) {
            code == MessageCode::RobotElsewhere;
 }
 
+bool allowsHome(const Snapshot& snapshot) {
+    const bool isRun = isRunOn(snapshot.state) || snapshot.state == RunState::Armed;
+    return !isRun && snapshot.state != RunState::Idle && snapshot.place != PlaceState::Unknown;
+}
+
 bool isPlaceSettled(const Snapshot& snapshot) {
     return snapshot.place == PlaceState::Sure && snapshot.robotAlarm.code == MessageCode::None;
 }

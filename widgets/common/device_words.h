@@ -14,6 +14,8 @@ namespace bask {
 /// Returns the source's newest reading; NaN if it is not valid, or the source does not answer.
 /// Returns whether a message tells that the robot's place is not sure: homing is the remedy.
 bool isAboutPlace(MessageCode code);
+/// Returns whether the engine homes the robot now.
+bool allowsHome(const Snapshot& snapshot);
 /// Returns whether the place is sure and the robot in no alarm: nothing about it is left to do.
 bool isPlaceSettled(const Snapshot& snapshot);
 /// What a reason about the place says then, while its fault is still latched.

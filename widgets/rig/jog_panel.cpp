@@ -67,7 +67,7 @@ JogPanel::JogPanel(QWidget* parent)
     connect(&m_repeat, &QTimer::timeout, this, &JogPanel::repeat);
     connect(m_go, &QPushButton::clicked, this, &JogPanel::goToPose);
     connect(m_take, &QPushButton::clicked, this, &JogPanel::takePose);
-    connect(m_home, &QPushButton::clicked, this, [this] { emit commandWanted(HomeRobot{}); });
+    connect(m_home, &QPushButton::clicked, this, &JogPanel::homeWanted);
     connect(m_clear, &QPushButton::clicked, this, [this] { emit commandWanted(ClearRobotAlarm{}); });
     setLimits(RobotLimits());
     retranslate();
@@ -184,7 +184,7 @@ void JogPanel::apply(const Snapshot& snapshot, bool mayMove) {
     m_placeAge_s = snapshot.placeAge_s;
     if (!m_isMoving)
         m_goal.reset();
-    m_mayHome = mayMove || snapshot.state == RunState::Fault; // which may be for its unsure place
+    m_mayHome = allowsHome(snapshot);
     if (!m_mayMove)
         letGo();
     if (!m_isPoseTaken && m_at.allFinite() && !snapshot.latest.objects.empty())

@@ -38,6 +38,7 @@ public:
 
 signals:
     void commandWanted(const bask::Command& command);
+    void homeWanted(); ///< once a person has confirmed it
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -142,6 +142,7 @@ void RigPage::connectAll() {
     connect(m_readings, &ReadingPanel::chosen, this, &RigPage::readObject);
     connect(m_zero, &ZeroPanel::zeroWanted, this, [this] { emit commandIssued(ZeroSensors{}); });
     connect(m_jog, &JogPanel::commandWanted, this, &RigPage::commandIssued);
+    connect(m_jog, &JogPanel::homeWanted, this, &RigPage::homeRequested);
     connect(m_heat, &HeatPanel::commandWanted, this, &RigPage::commandIssued);
 }
 

@@ -57,6 +57,7 @@ public:
 signals:
     void experimentEdited(const bask::Experiment& experiment);
     void commandIssued(const bask::Command& command);
+    void homeRequested(); ///< the window asks first
     void openRigRequested();
     void saveRigRequested();
 

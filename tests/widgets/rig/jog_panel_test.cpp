@@ -12,6 +12,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 #include <QTimer>
 #include <QToolButton>
@@ -199,6 +200,7 @@ TEST_F(JogPanelTest, TheLastPlaceOfALostRobotIsGreyWithItsAge) {
 
 // Catches motion offered during a run, and an alarm that nobody sees or cannot clear.
 TEST_F(JogPanelTest, FollowsWhatTheEngineAllows) {
+    snapshot.state = RunState::Running;
     panel.apply(snapshot, false);
     for (const char* name : {"stepUp.x", "holdUp.x", "goToPose", "homeRobot"})
         EXPECT_FALSE(child<QAbstractButton>(name)->isEnabled()) << name;
@@ -217,8 +219,14 @@ TEST_F(JogPanelTest, FollowsWhatTheEngineAllows) {
     EXPECT_TRUE(child<QLabel>("robotProblem")->isVisible());
     snapshot.state = RunState::Fault; // for that very reason
     panel.apply(snapshot, false);
+    QSignalSpy home(&panel, &JogPanel::homeWanted);
+    const std::size_t before = sent.size();
     click("homeRobot");
-    EXPECT_TRUE(std::holds_alternative<HomeRobot>(sent.back()));
+    EXPECT_EQ(home.count(), 1);
+    EXPECT_EQ(sent.size(), before) << "nobody has been asked";
+    snapshot.place = PlaceState::Unknown; // the engine would refuse
+    panel.apply(snapshot, false);
+    EXPECT_FALSE(child<QPushButton>("homeRobot")->isEnabled());
 }
 
 } // namespace bask
