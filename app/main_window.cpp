@@ -513,15 +513,15 @@ void MainWindow::showNotes() {
     if (isCold)
         notes << coldSourceText(m_last, unit);
     m_stateBar->chip()->setNotes(m_overlaps + notes + m_ages);
-    const auto filling =
-        std::ranges::find(m_last.reasons, MessageCode::ReasonEstimatorFilling, &Message::code);
+    const bool isFilling =
+        m_last.reasons.size() == 1 && m_last.reasons.front().code == MessageCode::ReasonEstimatorFilling;
     QString caption;
     if (isOverHeat)
         caption = tr("over hot source: %1", "the objects are over it; its temperature")
                       .arg(formatTemperature(m_last.latest.source_K, unit, 0));
-    else if (filling != m_last.reasons.end())
+    else if (isFilling) // and nothing else stands in the way
         caption = tr("ready in %1 s", "readings are being collected")
-                      .arg(QString::fromStdString(filling->args.at(0).text()));
+                      .arg(QString::fromStdString(m_last.reasons.front().args.at(0).text()));
     else if (isCold)
         caption = tr("source %1 of %2", "temperatures: that of now, and the set point")
                       .arg(formatTemperatureNumber(m_last.latest.source_K, unit, 0),

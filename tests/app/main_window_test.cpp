@@ -1084,6 +1084,25 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     EXPECT_EQ(chip->caption(), QString());
 }
 
+// Catches: "ready in 5 s" while something else stands in the way as well.
+TEST_F(MainWindowTest, ReadyInASecondIsSaidOnlyWhereNothingElseIsMissing) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Snapshot told = window->lastSnapshot();
+    told.newSamples.clear();
+    told.newEvents.clear();
+    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    const auto* chip = find<RunStateChip>("runStateChip");
+    told.state = RunState::NotReady;
+    told.reasons = {{MessageCode::ReasonEstimatorFilling, {"5"}}};
+    emit window->engine().snapshot(told);
+    EXPECT_EQ(chip->caption(), QStringLiteral("ready in 5 s"));
+    told.reasons.push_back({MessageCode::RobotPlaceUnsure, {}});
+    emit window->engine().snapshot(told);
+    EXPECT_FALSE(chip->caption().contains(QStringLiteral("ready in"))) << chip->caption().toStdString();
+}
+
 // Catches: a Start with a cold source of which nobody was told what it costs.
 TEST_F(MainWindowTest, AColdSourceIsToldBeforeStart) {
     openWindow();
