@@ -140,7 +140,7 @@ void StateBar::apply(const Snapshot& snapshot) {
     }
     m_state = snapshot.state;
     m_reasons = snapshot.reasons;
-    m_isPlaceSure = isPlaceSettled(snapshot);
+    m_placeSureAgain = placeSureAgainText(snapshot);
     m_gravest = gravestPriority(snapshot.reasons, snapshot.alarms);
     showChip();
     QAction* hold = m_actions.verb(snapshot.state == RunState::Holding ? Verb::Resume : Verb::Hold);
@@ -273,7 +273,8 @@ void StateBar::showChip() {
     }
     QStringList sentences;
     for (const Message& reason : m_reasons)
-        sentences << (m_isPlaceSure && isAboutPlace(reason.code) ? placeSureAgainText() : sentence(reason));
+        sentences << (!m_placeSureAgain.isEmpty() && isAboutPlace(reason.code) ? m_placeSureAgain
+                                                                               : sentence(reason));
     m_chip->setState(m_state, sentences, m_gravest);
 }
 

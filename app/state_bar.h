@@ -69,9 +69,9 @@ private:
     int m_shortParts = 0;
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
-    int m_gravest = 0; ///< priority of the gravest of them
-    bool m_isPlaceSure = false;
-    QString m_fitted; ///< the last content that was fitted, and its width
+    int m_gravest = 0;        ///< priority of the gravest of them
+    QString m_placeSureAgain; ///< what a reason about the place says; empty before
+    QString m_fitted;         ///< the last content that was fitted, and its width
     QFrame* m_tag;
     QLabel* m_tagIcon;
     QLabel* m_tagWord;

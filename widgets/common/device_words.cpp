@@ -153,12 +153,12 @@ bool allowsHome(const Snapshot& snapshot) {
     return !isRun && snapshot.state != RunState::Idle && snapshot.place != PlaceState::Unknown;
 }
 
-bool isPlaceSettled(const Snapshot& snapshot) {
-    return snapshot.place == PlaceState::Sure && snapshot.robotAlarm.code == MessageCode::None;
-}
-
-QString placeSureAgainText() {
-    return DeviceWords::tr("The robot's place was not sure. It is sure again: press Reset.");
+QString placeSureAgainText(const Snapshot& snapshot) {
+    if (snapshot.place != PlaceState::Sure || snapshot.robotAlarm.code != MessageCode::None)
+        return {};
+    return snapshot.remedy.code == MessageCode::RemedyReset
+               ? DeviceWords::tr("The robot's place was not sure. It is sure again: press Reset.")
+               : DeviceWords::tr("The robot's place was not sure. It is sure again.");
 }
 
 double sourceTemperature_K(const Snapshot& snapshot) {

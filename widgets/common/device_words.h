@@ -11,16 +11,15 @@
 
 namespace bask {
 
-/// Returns the source's newest reading; NaN if it is not valid, or the source does not answer.
 /// Returns whether a message tells that the robot's place is not sure: homing is the remedy.
 bool isAboutPlace(MessageCode code);
 /// Returns whether the engine homes the robot now.
 bool allowsHome(const Snapshot& snapshot);
-/// Returns whether the place is sure and the robot in no alarm: nothing about it is left to do.
-bool isPlaceSettled(const Snapshot& snapshot);
-/// What a reason about the place says then, while its fault is still latched.
-QString placeSureAgainText();
+/// Returns what a reason about the place says once that is sure again and its fault is still latched; empty
+/// before.
+QString placeSureAgainText(const Snapshot& snapshot);
 
+/// Returns the source's newest reading; NaN if it is not valid, or the source does not answer.
 double sourceTemperature_K(const Snapshot& snapshot);
 
 /// Returns "182.3 °C" if it is current; otherwise the last one with its age, "182.3 °C, 12 s old"; a dash if

@@ -106,11 +106,12 @@ void CheckList::refresh() {
     showRecording();
     while (m_reasons.size() < m_last.reasons.size())
         m_reasons.push_back(addLine(QStringLiteral("reason.%1").arg(m_reasons.size())));
+    const QString sureAgain = placeSureAgainText(m_last);
     for (std::size_t i = 0; i < m_reasons.size(); ++i) {
         if (i < m_last.reasons.size()) {
             const Message& reason = m_last.reasons[i];
-            const bool isOver = isPlaceSettled(m_last) && isAboutPlace(reason.code);
-            put(m_reasons[i], Kind::Reason, isOver ? placeSureAgainText() : sentenceText(reason, m_unit),
+            const bool isOver = !sureAgain.isEmpty() && isAboutPlace(reason.code);
+            put(m_reasons[i], Kind::Reason, isOver ? sureAgain : sentenceText(reason, m_unit),
                 statePriority(RunState::NotReady, reasonPriority(reason, m_last.alarms)));
         } else {
             m_reasons[i].mark->hide();

@@ -354,6 +354,7 @@ TEST_F(RigPageTest, AnUnsurePlaceIsToldOnceWithItsSteps) {
     EXPECT_TRUE(child<QPushButton>("homeRobot")->isEnabled());
     EXPECT_EQ(child<QPushButton>("clearAlarm")->text(), "Confirm its place");
     snapshot.place = PlaceState::Sure;
+    snapshot.remedy = {MessageCode::RemedyReset, {}};
     page.apply(snapshot, true);
     EXPECT_TRUE(says("Press Reset first"));
     EXPECT_EQ(text("reason.0"), "The robot's place was not sure. It is sure again: press Reset.");
@@ -361,6 +362,7 @@ TEST_F(RigPageTest, AnUnsurePlaceIsToldOnceWithItsSteps) {
     snapshot.remedy = messageAbout(MessageCode::RemedyWait, {MessageCode::SafetySourceHot, {"253.8", "250"}});
     page.apply(snapshot, true);
     EXPECT_FALSE(says("Press Reset first"));
+    EXPECT_EQ(text("reason.0"), "The robot's place was not sure. It is sure again.") << "Reset is refused";
 }
 
 // Catches a source that is too cold without a word about how long it takes, and a time of another set point.
