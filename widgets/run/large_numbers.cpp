@@ -48,8 +48,11 @@ LargeNumbers::LargeNumbers(QWidget* parent)
     m_alarm->setWordWrap(true);
     m_stop->setKeyShown(false);
     connect(m_stop, &StopButton::stopRequested, this, &LargeNumbers::stopRequested);
-    new QShortcut(Qt::Key_F11, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
-    new QShortcut(Qt::Key_Escape, this, [this] { closeOrShrink(); });
+    auto* fill =
+        new QShortcut(Qt::Key_F11, this, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    auto* end = new QShortcut(Qt::Key_Escape, this, [this] { closeOrShrink(); });
+    for (QShortcut* key : {fill, end}) // Esc that is held would close the window with its STOP
+        key->setAutoRepeat(false);
     setMinimumSize(480, 300);
     resize(960, 600);
     retranslate();

@@ -419,7 +419,7 @@ TEST(LargeNumbers, StopActsOnPress) {
     EXPECT_EQ(stop.count(), 2);
 }
 
-// Catches: a full screen that no key begins, or ends.
+// Catches: a full screen that no key begins, or ends, and a held key that closes the window.
 TEST(LargeNumbers, FillsTheScreenByKey) {
     Large large(kSmallest);
     large.window.activateWindow();
@@ -428,8 +428,12 @@ TEST(LargeNumbers, FillsTheScreenByKey) {
     for (const Qt::Key end : {Qt::Key_F11, Qt::Key_Escape}) {
         QTest::keyClick(&large.window, Qt::Key_F11);
         EXPECT_TRUE(large.window.isFullScreen());
-        QTest::keyClick(&large.window, end);
+        QTest::keyPress(&large.window, end);
         EXPECT_FALSE(large.window.isFullScreen());
+        QTest::simulateEvent(&large.window, true, end, Qt::NoModifier, QString(), true); // it is held
+        EXPECT_FALSE(large.window.isFullScreen());
+        EXPECT_TRUE(large.window.isVisible()) << "with its STOP";
+        QTest::keyRelease(&large.window, end);
     }
     QTest::keyClick(&large.window, Qt::Key_Escape);
     EXPECT_FALSE(large.window.isVisible()) << "it fills no screen: Esc closes it";
