@@ -72,10 +72,14 @@ void RunForecast::apply(const Snapshot& snapshot, bool isWatched) {
     if (m_isOfRun || !isWatched)
         return pause();
     m_newest_K = now->source_K;
+    if (m_from && (m_rest.isActive() || m_job.busy()))
+        return;
+    if (m_isMade && m_spread)
+        return m_spread(); // nobody looked meanwhile
+    if (m_isMade)
+        return;
     if (!m_from)
         m_from = now;
-    else if (m_isMade || m_rest.isActive() || m_job.busy())
-        return;
     m_rest.start();
 }
 
@@ -133,6 +137,7 @@ void RunForecast::drop() {
     pause();
     m_from.reset();
     m_isMade = false;
+    m_spread = nullptr;
     if (m_predicted.samples.empty())
         return;
     m_predicted = {};
@@ -164,8 +169,10 @@ void RunForecast::predict() {
         m_from->source_K = m_newest_K;
         m_predicted = run;
         emit changed();
-        if (run.end == PredictedEnd::Settled && !run.samples.empty())
-            spread(experiment, from);
+        if (run.end != PredictedEnd::Settled || run.samples.empty())
+            return;
+        m_spread = [this, experiment, from] { spread(experiment, from); };
+        m_spread();
     });
 }
 
@@ -180,6 +187,8 @@ void RunForecast::spread(const Experiment& experiment, const RigCondition& from)
         return wide;
     };
     m_job.run(compute, [this](const PredictedRun& run) {
+        m_spread = nullptr;
+        m_from->source_K = m_newest_K;
         m_predicted = run;
         emit changed();
     });

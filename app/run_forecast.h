@@ -11,6 +11,7 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -81,6 +82,7 @@ private:
     std::uint64_t m_runId = 0;
     double m_newest_K = 0.0; ///< of the source
     PredictedRun m_predicted;
+    std::function<void()> m_spread; ///< computes how far other noise takes it; empty: done, or of no use
     int m_longest_ms = kLongest_ms;
     QTimer m_rest;
     QThreadPool m_pool;

@@ -48,11 +48,14 @@ struct RunForecastTest : testing::Test {
             return isPredicted();
         });
     }
+    /// Whether another prediction is waited for. What is being computed may be the spread of this one.
+    bool isAsked() const { return forecast.isPending() && !forecast.isComputing(); }
+    bool isSpread() const { return isPredicted() && !forecast.predicted().samples.front().lowest_K.empty(); }
     /// Whether the rig, told so, makes it drop a prediction or compute one.
     bool isMovedBy(const Snapshot& snapshot, bool isWatched = true) {
         const int before = changes;
         forecast.apply(snapshot, isWatched);
-        return changes > before || forecast.isPending();
+        return changes > before || isAsked();
     }
 };
 
@@ -157,7 +160,7 @@ TEST_F(RunForecastTest, ARunFromElsewhereHasNone) {
         run.state = isArmedSeen ? RunState::Armed : RunState::Running;
         forecast.apply(run, false);
         EXPECT_FALSE(isPredicted()) << isArmedSeen;
-        EXPECT_FALSE(forecast.isPending()) << "nobody looks";
+        EXPECT_FALSE(isAsked()) << "nobody looks";
         run.state = RunState::Running;
         EXPECT_FALSE(isMovedBy(run)) << "a run is on";
         forecast.setExperiment(experiment);
@@ -208,8 +211,27 @@ TEST_F(RunForecastTest, ASourceThatCoolsDoesNotBeginItAgain) {
     EXPECT_TRUE(forecast.isComputing());
     ASSERT_TRUE(waitFor([&] { return isPredicted(); })) << "it was begun again";
     EXPECT_FALSE(isMovedBy(cooling));
+    ASSERT_TRUE(forecast.isComputing()) << "its spread";
+    *cooling.source_K -= 8.0;
+    EXPECT_FALSE(isMovedBy(cooling));
+    ASSERT_TRUE(waitFor([&] { return isSpread(); }));
+    EXPECT_FALSE(isMovedBy(cooling)) << "the spread is there, as late as that";
     *cooling.source_K -= 8.0;
     EXPECT_TRUE(isMovedBy(cooling)) << "it is another one by now";
+}
+
+// Catches a spread that never comes, since the page was left while it was computed.
+TEST_F(RunForecastTest, ASpreadThatWasLeftIsMadeLater) {
+    ASSERT_TRUE(predictsFor(ready()));
+    forecast.apply(ready(), false);
+    ASSERT_TRUE(waitFor([&] { return !forecast.isComputing(); }));
+    EXPECT_FALSE(isSpread()) << "nobody looks";
+    EXPECT_TRUE(waitFor([&] {
+        forecast.apply(ready(), true);
+        return isSpread();
+    }));
+    EXPECT_EQ(changes, 2);
+    EXPECT_FALSE(isMovedBy(ready()));
 }
 
 // Catches a prediction that is cut by the time and looks as if it had ended so.
