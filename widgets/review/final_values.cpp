@@ -23,7 +23,8 @@ enum Column { kName, kTarget, kFinal, kTrue, kError, kSettling, kColumns };
 
 } // namespace
 
-std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics) {
+std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics,
+                                    TemperatureUnit unit) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     std::vector<FinalValue> values;
     for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
@@ -32,7 +33,7 @@ std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& 
         values.push_back({names.value(static_cast<qsizetype>(i)), object.target_K,
                           object.final_K.value_or(kUnknown),
                           hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown,
-                          object.settledFrom_s, metricFinestDecimals({ObjectMetric::Final}, metrics)});
+                          object.settledFrom_s, metricDecimals({ObjectMetric::Final}, metrics, i, unit)});
     }
     return values;
 }
@@ -42,8 +43,9 @@ FinalValuesTable::FinalValuesTable(QWidget* parent) : QTableWidget(0, kColumns, 
     refresh();
 }
 
-void FinalValuesTable::setValues(std::vector<FinalValue> values) {
-    m_values = std::move(values);
+void FinalValuesTable::setRun(const QStringList& names, const RunMetrics& metrics) {
+    m_names = names;
+    m_metrics = metrics;
     refresh();
 }
 
@@ -53,12 +55,12 @@ void FinalValuesTable::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void FinalValuesTable::refresh() {
+    const std::vector<FinalValue> values = finalValues(m_names, m_metrics, m_unit);
     setAccessibleName(tr("Final values"));
     setHorizontalHeaderLabels(
         {tr("Object"), tr("Target"), tr("Final"), tr("True"), tr("Error"), tr("Settled after")});
-    setColumnHidden(kTrue, std::ranges::none_of(m_values, [](const FinalValue& value) {
-                        return std::isfinite(value.true_K);
-                    }));
+    setColumnHidden(kTrue, std::ranges::none_of(
+                               values, [](const FinalValue& value) { return std::isfinite(value.true_K); }));
     horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeaderItem(kFinal)->setToolTip(tr("What the thermometer read when the run was stopped"));
     horizontalHeaderItem(kTrue)->setToolTip(
@@ -66,10 +68,10 @@ void FinalValuesTable::refresh() {
     horizontalHeaderItem(kSettling)->setToolTip(
         tr("Time from which the object stays within %1 of its target until the end")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));
-    setRowCount(static_cast<int>(m_values.size()));
+    setRowCount(static_cast<int>(values.size()));
     fitHeightToRows(*this);
     for (int row = 0; row < rowCount(); ++row) {
-        const FinalValue& value = m_values[static_cast<std::size_t>(row)];
+        const FinalValue& value = values[static_cast<std::size_t>(row)];
         const QString settling = value.settling_s
                                      ? tr("%1 s").arg(QLocale().toString(*value.settling_s, 'f', 0))
                                      : tr("not settled");

@@ -5,6 +5,7 @@
 #include "engine/base/units.h"
 #include "engine/recording/run_metrics.h"
 
+#include <QStringList>
 #include <QTableWidget>
 
 #include <optional>
@@ -18,9 +19,10 @@ struct FinalValue {
     double final_K = 0.0; ///< by its thermometer
     double true_K = 0.0;
     std::optional<double> settling_s;
-    int decimals = 2; ///< of what was read
+    int decimals = 2; ///< of what was read, as metricDecimals
 };
-std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics);
+std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics,
+                                    TemperatureUnit unit);
 
 /// One row for each object; read-only, copied with Ctrl+C as tab-separated text.
 class FinalValuesTable : public QTableWidget {
@@ -29,7 +31,8 @@ class FinalValuesTable : public QTableWidget {
 public:
     explicit FinalValuesTable(QWidget* parent = nullptr);
 
-    void setValues(std::vector<FinalValue> values);
+    /// Without objects in `metrics`: no rows.
+    void setRun(const QStringList& names, const RunMetrics& metrics);
     void setTemperatureUnit(TemperatureUnit unit);
 
 protected:
@@ -39,7 +42,8 @@ protected:
 private:
     void refresh();
 
-    std::vector<FinalValue> m_values;
+    QStringList m_names;
+    RunMetrics m_metrics;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };
 

@@ -268,7 +268,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_verdict.reset();
     m_unverified.clear();
     m_shadeShare = std::numeric_limits<double>::quiet_NaN();
-    m_final->setValues({});
+    m_final->setRun({}, {});
     m_metrics->clear();
     m_replay->setRun(m_session);
     m_sessions->setOpened(QString::fromStdString(m_session->facts().path));
@@ -308,7 +308,7 @@ void ReviewPage::setMetrics(const RunMetrics& metrics) {
     const QStringList names = objectNames(*m_session);
     m_counted_percent.reset();
     showCounting();
-    m_final->setValues(finalValues(names, metrics));
+    m_final->setRun(names, metrics);
     m_metrics->setMetrics(names, metrics);
     m_replay->setMetrics(QString::fromStdString(m_session->facts().path), &metrics);
 }
@@ -380,7 +380,7 @@ void ReviewPage::showShade() {
 void ReviewPage::clear() {
     m_session.reset();
     m_sentences.clear();
-    m_final->setValues({});
+    m_final->setRun({}, {});
     m_metrics->clear();
     m_events->clear();
     m_replay->clear();

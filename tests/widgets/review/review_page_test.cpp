@@ -11,6 +11,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/metric_words.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_place.h"
 #include "widgets/plots/trace_plot.h"
@@ -368,6 +369,25 @@ TEST_F(ReviewPageTest, TellsWhatTheRecordSaysOfTheAir) {
     EXPECT_TRUE(child<QPushButton>("useIdentified")->isEnabled());
     page.setIdentified({apart});
     EXPECT_EQ(text("identifiedNote"), "");
+}
+
+// Catches a final value with other digits than among the metrics of the same page.
+TEST_F(ReviewPageTest, AFinalValueHasTheDigitsOfItsUncertainty) {
+    const SessionRecord session = record();
+    RunMetrics metrics = runMetrics(session);
+    metrics.objects[0].readingUncertainty_K = 0.02;
+    metrics.objects[1].readingUncertainty_K = 40.0;
+    page.setSession(opened(session), sentences());
+    page.setMetrics(metrics);
+    for (const TemperatureUnit unit : {TemperatureUnit::Celsius, TemperatureUnit::Fahrenheit}) {
+        page.setTemperatureUnit(unit);
+        for (int i = 0; i < 3; ++i) {
+            QString told = metricText({ObjectMetric::Final}, metrics, static_cast<std::size_t>(i), unit);
+            told.replace(QChar(0x00a0), ' ');
+            EXPECT_EQ(cell(i, 2).toStdString(), told.section(" \u00b1", 0, 0).toStdString()) << i;
+        }
+        EXPECT_NE(cell(0, 2).section('.', 1).size(), cell(1, 2).section('.', 1).size());
+    }
 }
 
 // Catches the cool-down after Stop taken for the run's end.
