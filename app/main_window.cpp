@@ -43,7 +43,6 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
 #include <QToolBar>
@@ -286,21 +285,12 @@ void MainWindow::askToArm() {
     if (!m_last.simulated)
         questions << tr("This rig is real: once the run is started, the robot moves and the source heats. Is "
                         "everybody and everything out of the way?");
-    delete findChild<QMessageBox*>(QStringLiteral("armQuestion"));
+    dropQuestion(this, QStringLiteral("armQuestion"));
     if (questions.isEmpty())
         return arm();
-    auto* box = new QMessageBox(QMessageBox::Warning,
-                                m_last.simulated ? tr("Arm the simulated rig") : tr("Arm the real rig"),
-                                questions.join(QStringLiteral("\n\n")), QMessageBox::NoButton, this);
-    box->setObjectName(QStringLiteral("armQuestion"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* go = box->addButton(tr("Arm"), QMessageBox::AcceptRole);
-    QPushButton* stay = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
-    box->setDefaultButton(stay);
-    box->setEscapeButton(stay);
-    connect(go, &QPushButton::clicked, this, &MainWindow::arm);
-    box->setModal(false);
-    box->show();
+    askOnTheWayUp(this, QStringLiteral("armQuestion"),
+                  m_last.simulated ? tr("Arm the simulated rig") : tr("Arm the real rig"),
+                  questions.join(QStringLiteral("\n\n")), tr("Arm"), [this] { arm(); });
 }
 
 void MainWindow::askRetreat() {

@@ -76,6 +76,7 @@ bool SessionActions::mayReplaceFile(const FileQuestion& question, const QString&
             QMessageBox refusal(QMessageBox::Warning, question.title, sentence(allowed.error()),
                                 QMessageBox::NoButton, m_window);
             refusal.setObjectName(QStringLiteral("replaceRefusal"));
+            refusal.setTextFormat(Qt::PlainText); // the file's name is in it
             refusal.addButton(tr("Choose another name"), QMessageBox::AcceptRole);
             refusal.exec();
             return false;
@@ -84,6 +85,7 @@ bool SessionActions::mayReplaceFile(const FileQuestion& question, const QString&
                     tr("%1 is there already.").arg(QFileInfo(path).fileName()), QMessageBox::NoButton,
                     m_window);
     box.setObjectName(QStringLiteral("replaceQuestion"));
+    box.setTextFormat(Qt::PlainText);
     QPushButton* replacing = box.addButton(tr("Replace"), QMessageBox::AcceptRole);
     QPushButton* staying = box.addButton(tr("Choose another name"), QMessageBox::RejectRole);
     box.setDefaultButton(staying);

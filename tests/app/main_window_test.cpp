@@ -926,6 +926,7 @@ TEST_F(MainWindowTest, ArmAsksAboutObjectsThatOverlap) {
     auto* question = window->findChild<QMessageBox*>(QStringLiteral("armQuestion"));
     ASSERT_TRUE(question);
     EXPECT_TRUE(question->text().contains(QStringLiteral("overlap"))) << question->text().toStdString();
+    EXPECT_EQ(question->textFormat(), Qt::PlainText) << "names from files are in it";
     QTest::keyClick(question, Qt::Key_Return); // the default answer
     EXPECT_EQ(state(), RunState::Ready);
 }

@@ -470,6 +470,7 @@ TEST_F(SessionActionsTest, ReplacingIsAskedOnce) {
         last = dialog;
         if (auto* box = qobject_cast<QMessageBox*>(dialog)) {
             shown << box->objectName();
+            EXPECT_EQ(box->textFormat(), Qt::PlainText) << "the name of the file is in it";
             for (QAbstractButton* button : box->buttons())
                 if (box->buttonRole(button) == QMessageBox::AcceptRole)
                     return button->click();
