@@ -16,6 +16,7 @@
 #include <QScopeGuard>
 
 #include <filesystem>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -67,21 +68,21 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
         return write(m_files[form], to, [form, from, path = to.toStdString()](const std::stop_token& stop) {
             return written(form, from, path, stop);
         });
-    Drawing& drawing = m_drawings[form];
-    drawing.to = to;
-    drawing.input.run(
-        [from, unit]() -> Result<RunReportInput> {
-            auto record = readSession(from);
-            return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();
-        },
-        [this, form, to, language, layout](Result<RunReportInput> input) {
-            if (!input)
-                return tell(input.error(), to);
-            if (m_mayDraw && !m_mayDraw())
-                return;
-            input->language = language;
-            tell(drawn(form, *input, to.toStdString(), layout), to);
-        });
+    const auto read = [from, unit](const std::stop_token&) -> Result<RunReportInput> {
+        auto record = readSession(from);
+        return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();
+    };
+    const auto draw = [this, form, to, language, layout](Result<RunReportInput> input) {
+        if (!input)
+            return tell(input.error(), to);
+        if (m_mayDraw && !m_mayDraw())
+            return;
+        input->language = language;
+        tell(drawn(form, *input, to.toStdString(), layout), to);
+    };
+    Drawings& drawings = m_drawings[form];
+    drawings.unfinished.push_back({to, read, draw});
+    drawNext(drawings);
 }
 
 Result<void> SessionExport::checkComparison(const std::string& path) {
@@ -144,6 +145,18 @@ void SessionExport::writeNext(Queue& queue) {
     });
 }
 
+void SessionExport::drawNext(Drawings& drawings) {
+    if (drawings.input.busy() || drawings.unfinished.empty())
+        return;
+    drawings.input.run(std::move(drawings.unfinished.front().read),
+                       [this, &drawings](Result<RunReportInput> input) {
+                           const Drawing next = std::move(drawings.unfinished.front());
+                           drawings.unfinished.pop_front();
+                           next.draw(std::move(input));
+                           drawNext(drawings);
+                       });
+}
+
 QStringList SessionExport::unfinished() const {
     QStringList places;
     const auto add = [&](const Queue& queue) {
@@ -154,8 +167,8 @@ QStringList SessionExport::unfinished() const {
     add(m_tables);
     for (const auto& [form, queue] : m_files)
         add(queue);
-    for (const auto& [form, drawing] : m_drawings)
-        if (drawing.input.busy())
+    for (const auto& [form, drawings] : m_drawings)
+        for (const Drawing& drawing : drawings.unfinished)
             places << drawing.to;
     return places;
 }

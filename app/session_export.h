@@ -75,17 +75,24 @@ private:
     /// What is read before it is drawn, and where it goes.
     struct Drawing {
         QString to;
+        LatestJob<Result<RunReportInput>>::Work read;
+        LatestJob<Result<RunReportInput>>::Done draw;
+    };
+    /// One after another.
+    struct Drawings {
+        std::deque<Drawing> unfinished; ///< the first is being read
         LatestJob<Result<RunReportInput>> input;
     };
     void write(Queue& queue, const QString& to, LatestJob<Files>::Work work);
     void writeNext(Queue& queue);
+    void drawNext(Drawings& drawings);
     void tell(const Files& files, const QString& to);
 
     std::function<bool()> m_mayDraw;
     std::map<SessionForm, Queue> m_files;
     Queue m_small;  ///< comparisons and figures
     Queue m_tables; ///< a long run is read for minutes
-    std::map<SessionForm, Drawing> m_drawings;
+    std::map<SessionForm, Drawings> m_drawings;
 };
 
 } // namespace bask

@@ -554,14 +554,17 @@ TEST_F(SessionActionsTest, AnExportIsUnfinishedUntilItIsTold) {
     EXPECT_TRUE(files.unfinishedExports().isEmpty());
     HeldPool pool;
     QStringList places{first.path(), second.path(), folder.filePath(QStringLiteral("run.html")),
+                       folder.filePath(QStringLiteral("again.html")),
                        folder.filePath(QStringLiteral("plot.csv"))};
     for (const QString& to : {places[0], places[1]}) {
         answer = to;
         files.exportSession(SessionForm::Csv);
     }
-    answer = places[2];
-    files.exportSession(SessionForm::ReportHtml);
-    answer = places[3];
+    for (const QString& to : {places[2], places[3]}) {
+        answer = to;
+        files.exportSession(SessionForm::ReportHtml);
+    }
+    answer = places[4];
     files.exportPlot(place, PlotForm::Csv);
     QStringList unfinished = files.unfinishedExports();
     places.sort();
@@ -569,11 +572,13 @@ TEST_F(SessionActionsTest, AnExportIsUnfinishedUntilItIsTold) {
     EXPECT_EQ(unfinished, places);
     EXPECT_EQ(written, 0);
     pool.release();
-    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 4; }));
-    EXPECT_EQ(written, 4) << problems.join('\n').toStdString();
+    ASSERT_TRUE(waitFor([&] { return written + problems.size() == 5; }));
+    EXPECT_EQ(written, 5) << problems.join('\n').toStdString();
     EXPECT_TRUE(files.unfinishedExports().isEmpty());
     for (const QTemporaryDir* each : {&first, &second})
         EXPECT_TRUE(QFile::exists(each->filePath(QStringLiteral("traces.csv"))));
+    for (const char* report : {"run.html", "again.html"})
+        EXPECT_TRUE(QFile::exists(folder.filePath(QLatin1String(report)))) << report;
 }
 
 // Catches: a table of a long live run without its first samples, and nobody is told.
