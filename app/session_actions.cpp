@@ -70,8 +70,8 @@ QString SessionActions::askPlace(const FileQuestion& question) {
 }
 
 bool SessionActions::mayReplaceFile(const FileQuestion& question, const QString& path) {
-    constexpr qint64 kReadAtOnce = 64 << 20; // bytes; the export itself looks at larger ones
-    if (question.mayReplace && QFileInfo(path).size() <= kReadAtOnce)
+    constexpr qint64 kReadAtOnce = 1 << 20; // bytes: the window waits; the export looks at larger ones
+    if (question.mayReplace && (!question.readsAll || QFileInfo(path).size() <= kReadAtOnce))
         if (const auto allowed = question.mayReplace(path.toStdString()); !allowed) {
             QMessageBox refusal(QMessageBox::Warning, question.title, sentence(allowed.error()),
                                 QMessageBox::NoButton, m_window);
@@ -407,7 +407,7 @@ void SessionActions::exportSession(SessionForm form) {
     } else if (form == SessionForm::Nexus) {
         const QString name = QString::fromStdString(nexusName(from.toStdString()));
         to = ask({FileQuestion::Kind::SaveFile, tr("Save the NeXus file"), QDir(folder).filePath(name),
-                  tr("NeXus (*.nxs)"), QStringLiteral("nxs"), FileFolder::Exports, checkNexus});
+                  tr("NeXus (*.nxs)"), QStringLiteral("nxs"), FileFolder::Exports, checkNexus, false});
     } else {
         to = ask({FileQuestion::Kind::Folder,
                   tr("Folder for the exported files"),

@@ -35,6 +35,7 @@ struct FileQuestion {
     FileFolder place = FileFolder::Experiments; ///< where the answer's folder is remembered
     /// Refuses to replace a file, before anybody is asked about it; empty: any may be replaced.
     std::function<Result<void>(const std::string& path)> mayReplace{};
+    bool readsAll = true; ///< mayReplace reads the whole file, not its first bytes
 };
 
 class SessionActions : public QObject {

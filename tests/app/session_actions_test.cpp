@@ -492,6 +492,24 @@ TEST_F(SessionActionsTest, ReplacingIsAskedOnce) {
     QFile mine(folder.filePath(QStringLiteral("mine.csv")));
     ASSERT_TRUE(mine.open(QIODevice::ReadOnly));
     EXPECT_EQ(mine.readAll(), "my own table\n");
+
+    const QByteArray large((1 << 20) + 1, 'x');
+    write("large.csv", large);
+    write("large.nxs", large);
+    shown.clear();
+    names = {QStringLiteral("large.csv")};
+    files.exportComparison(QStringLiteral("metric,object,A,B,B - A\n"));
+    EXPECT_EQ(shown.join(u' ').toStdString(), "large.csv replaceQuestion") << "the window would wait for it";
+    ASSERT_TRUE(waitFor([&] { return problems.size() == 1; })) << "the export itself refuses it";
+    int opened = 0;
+    QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
+    files.open(recorded(folder));
+    ASSERT_TRUE(waitFor([&] { return opened == 1; }));
+    shown.clear();
+    names = {QStringLiteral("large.nxs"), QStringLiteral("new.nxs")};
+    files.exportSession(SessionForm::Nexus);
+    EXPECT_EQ(shown.join(u' ').toStdString(), "large.nxs replaceRefusal new.nxs") << "its first bytes tell";
+    ASSERT_TRUE(waitFor([&] { return files.unfinishedExports().isEmpty(); }));
 }
 
 // Catches: a figure whose size is not the chosen one, is forgotten, or is asked for where it is of no use.
