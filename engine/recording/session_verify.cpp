@@ -395,7 +395,8 @@ Result<SessionVerdict> verifyOpenSession(const std::string& path, const std::sto
         if (stop.stop_requested() || before.empty() || before == stampOf(path))
             return verdict;
     }
-    return Error(MessageCode::SessionBusy, path, {"it is written to again and again"});
+    return Error(MessageCode::SessionBusy, path,
+                 {QT_TRANSLATE_NOOP("Parameter", "it is written to again and again")});
 }
 
 const char* verificationWord(const SessionVerdict& verdict) {
