@@ -30,7 +30,8 @@ void LargeNumbersControl::make() {
 }
 
 void LargeNumbersControl::setOpen(bool isOpen) {
-    if (!isOpen) {
+    const bool isUnseen = m_view && m_view->isVisible() && m_view->isMinimized();
+    if (!isOpen && !isUnseen) {
         if (m_view)
             m_view->close();
         return;
@@ -41,6 +42,7 @@ void LargeNumbersControl::setOpen(bool isOpen) {
     m_view->show();
     m_view->raise();
     m_view->activateWindow();
+    emit openChanged(true);
 }
 
 void LargeNumbersControl::setAnswering(bool answering) {
@@ -52,8 +54,6 @@ void LargeNumbersControl::setAnswering(bool answering) {
 bool LargeNumbersControl::eventFilter(QObject* watched, QEvent* event) {
     if (m_view && watched == m_view.get() && event->type() == QEvent::Close)
         m_settings.setLargeNumbersGeometry(m_view->saveGeometry());
-    else if (m_view && watched == m_view.get() && event->type() == QEvent::Show)
-        emit openChanged(true);
     else if (m_view && watched == m_view.get() && event->type() == QEvent::Hide && !event->spontaneous())
         emit openChanged(false);
     else if (m_view && watched == m_window && event->type() == QEvent::Hide && !event->spontaneous())

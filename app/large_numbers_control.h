@@ -23,6 +23,7 @@ public:
     LargeNumbersControl(RunPage& run, QWidget* window);
     ~LargeNumbersControl() override;
 
+    /// One that is minimised is not closed but shown: nobody sees that it is open.
     void setOpen(bool isOpen);
     void setAnswering(bool answering);
 

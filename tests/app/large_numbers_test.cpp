@@ -155,6 +155,11 @@ TEST_F(LargeNumbersWindowTest, ComesAndGoesWithoutTouchingTheRun) {
     EXPECT_EQ(view()->parentWidget(), nullptr) << "it would stay above the main window";
     auto* const shown = find<QAction>("largeNumbers");
     EXPECT_TRUE(shown->isChecked());
+    view()->showMinimized();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return view()->isMinimized(); }));
+    shown->trigger();
+    EXPECT_TRUE(view()->isVisible() && !view()->isMinimized()) << "it was open, and nobody saw it";
+    EXPECT_TRUE(shown->isChecked());
     shown->trigger();
     EXPECT_FALSE(view()->isVisible()) << "the menu closes it, too";
     ASSERT_NO_FATAL_FAILURE(openLarge());
