@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/alarm_causes.h"
+#include "engine/runtime/latched_faults.h"
 #include "engine/runtime/safety_monitor.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
@@ -525,6 +526,23 @@ TEST(SafetyMonitor, TwoThatJumpToEachOthersReadingsAreSwapped) {
         EXPECT_TRUE(other.isActive(SafetyCondition::SensorJump));
         EXPECT_FALSE(other.monitor.swappedWith(0));
     }
+}
+
+// Catches a fault that is latched a second time, and an acknowledgement that is lost, because what is known of
+// the same fault is told in other words.
+TEST(SafetyMonitor, AFaultInOtherWordsIsTheSameAlarm) {
+    using enum MessageCode;
+    const Monitor m;
+    LatchedFaults faults(m.experiment, m.monitor);
+    const auto isNew = [&](SafetyCondition condition, MessageCode code) {
+        return faults.add(latchedFault({condition, 1, {code, {"right"}}}, m.experiment));
+    };
+    EXPECT_TRUE(isNew(SafetyCondition::NotWarming, SafetyNotWarming));
+    for (const MessageCode code : {SafetyNotFollowing, SafetyNotFollowingPair, SafetyBeyondHeat})
+        EXPECT_FALSE(isNew(SafetyCondition::NotWarming, code)) << messageName(code);
+    EXPECT_TRUE(isNew(SafetyCondition::SensorsSwapped, SafetySensorsSeemSwapped));
+    EXPECT_FALSE(isNew(SafetyCondition::SensorsSwapped, SafetySensorsSwapped));
+    EXPECT_EQ(faults.all().size(), 2U);
 }
 
 } // namespace bask
