@@ -199,9 +199,10 @@ void WarmingWatch::judgeRise() {
         const double gained_K = to.temperature_K - from.temperature_K;
         if (i + 2 == m_bins.size() && gained_K <= explained_K)
             break;
-        if (gained_K - explained_K <= most_K)
+        const double beyond_K = gained_K - explained_K - unsure_K(from, to);
+        if (beyond_K <= most_K)
             continue;
-        most_K = gained_K - explained_K;
+        most_K = beyond_K;
         const double time_s = to.time_s - from.time_s;
         m_foreignHeat = ForeignHeat{gained_K / time_s, explained_K / time_s};
     }

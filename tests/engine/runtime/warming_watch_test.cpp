@@ -70,7 +70,7 @@ double foreignHeat_s(const Object& object, const std::function<double(double)>& 
         double value = felt + noise(random);
         if (object.resolution_K > 0.0)
             value = std::round(value / object.resolution_K) * object.resolution_K;
-        watch.add(t, value, object.estimate * power_K_s(t));
+        watch.add(t, value, object.estimate * power_K_s(t), object.uncertainty_K);
         if (watch.foreignHeat())
             return t;
     }
@@ -127,6 +127,18 @@ TEST(WarmingWatch, FindsAnObjectThatSomethingElseHeats) {
             EXPECT_GT(told_s, 300.0);
             EXPECT_LT(told_s, 318.0) << lag_s << ' ' << noise_K;
         }
+}
+
+// Catches a thermal camera's error near the hot source taken for heat from elsewhere, and an object that is
+// heated by far more.
+TEST(WarmingWatch, WhatACameraErrsByIsNotHeatedOtherwise) {
+    const auto none = [](double) { return 0.0; };
+    const auto error = [](double t) { return t > 100.0 && t < 120.0 ? 0.3 : 0.0; };
+    Object object{0.02, 0.0};
+    EXPECT_LT(foreignHeat_s(object, none, error), 130.0);
+    object.uncertainty_K = 2.0;
+    EXPECT_GT(foreignHeat_s(object, none, error), 1500.0);
+    EXPECT_LT(foreignHeat_s(object, none, [](double t) { return t > 100.0 ? 1.7 : 0.0; }), 130.0);
 }
 
 // Catches a sensor that stopped for a while and comes back: it catches up at once.
