@@ -10,6 +10,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -28,11 +29,12 @@ constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
 constexpr double kOpinionSigmas = 2.0;
-constexpr double kSwapped_K = 1.5;   ///< noise, offsets and what objects warm in a period
-constexpr double kDeviating_K = 1.0; ///< readings of two objects that deviate in opposite ways
-constexpr double kExplained_K = 0.2; ///< and would not if they were exchanged
-constexpr double kPair_s = 36.0;     ///< by what has changed in this time
-constexpr double kStayed = 0.1;      ///< a smaller share of the expected change is none
+constexpr double kSwapped_K = 1.5;      ///< noise, offsets and what objects warm in a period
+constexpr double kDeviating_K = 1.0;    ///< readings of two objects that deviate in opposite ways
+constexpr double kExplained_K = 0.2;    ///< and would not if they were exchanged
+constexpr double kPair_s = 36.0;        ///< by what has changed in this time
+constexpr double kSeemSwapped_s = 10.0; ///< for so long: it may be of a moment
+constexpr double kStayed = 0.1;         ///< a smaller share of the expected change is none
 
 /// All problems of one sensor share one alarm, named after the first problem.
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
@@ -174,10 +176,14 @@ void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
             other.reset();
     for (ObjectWatch& object : m_objects)
         object.seemsSwappedWith.reset();
+    const auto before_s = std::exchange(m_seemSwapped_s, {});
     if (!isHeated(seen)) // somebody may exchange them by hand
         return;
+    const auto hasSensor = [&](std::size_t i) { return m_experiment.objects[i].readBy != ReadBy::Camera; };
     for (std::size_t i = 0; i < m_objects.size(); ++i)
         for (std::size_t j = i + 1; j < m_objects.size(); ++j) {
+            if (!hasSensor(i) || !hasSensor(j))
+                continue;
             const Jump &one = seen.objects[i].jump, &other = seen.objects[j].jump;
             if (isJumping(i) && isJumping(j) &&
                 std::abs(one.began_s - other.began_s) < 0.5 * m_experiment.sampling.period_s &&
@@ -186,6 +192,11 @@ void SafetyMonitor::noteSwaps(const SafetyObservation& seen) {
                 m_objects[i].swappedWith = j;
                 m_objects[j].swappedWith = i;
             } else if (seemSwapped(i, j)) {
+                const auto before = before_s.find({i, j});
+                const double since_s = before != before_s.end() ? before->second : seen.now_s;
+                m_seemSwapped_s[{i, j}] = since_s;
+                if (seen.now_s - since_s < kSeemSwapped_s)
+                    continue;
                 m_objects[i].seemsSwappedWith = j;
                 m_objects[j].seemsSwappedWith = i;
             }

@@ -16,8 +16,10 @@
 #include "engine/thermal/heat_balance.h"
 
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bask {
@@ -189,6 +191,7 @@ private:
 
     Experiment m_experiment;
     std::vector<ObjectWatch> m_objects;
+    std::map<std::pair<std::size_t, std::size_t>, double> m_seemSwapped_s; ///< pairs, since when
     SecondOpinion m_opinion;
     SourceWatch m_source;
     Neighbours m_neighbours;

@@ -14,6 +14,7 @@ constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // lengths of lea
 constexpr double kResting_s = 20.0; // a value that stays the same for longer gives no information
 constexpr double kStalled_s = 5.0;  // and what comes after it may catch up at once
 constexpr double kNoiseShare = 0.05;
+constexpr double kUsualShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // the change must exceed this many deviations in addition
 constexpr double kToleranceTimes = 5.0; // in deviations, for learnt changes: there are hundreds of them
 constexpr double kTolerance_K = 0.1;    // in addition, for the steps of a sensor
@@ -88,6 +89,11 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
     m_now.time_s = time_s;
     if (!temperature_K)
         return;
+    if (!isFirst) {
+        const double since_s = time_s - m_read_s;
+        m_usual_s += (m_usual_s > 0.0 ? kUsualShare : 1.0) * (since_s - m_usual_s);
+    }
+    m_read_s = time_s;
     const bool isSame = !isFirst && *temperature_K == m_now.temperature_K;
     if (m_now.count > 1 && !isSame) { // otherwise long constant values would make the noise look small
         const double second_K = (*temperature_K - 2.0 * m_now.temperature_K + m_before_K) / std::sqrt(6.0);
@@ -219,6 +225,7 @@ std::optional<WarmingWatch::Mark> WarmingWatch::at(double time_s) const {
     Mark out;
     out.time_s = time_s;
     out.temperature_K = between(before.temperature_K, after->temperature_K);
+    out.uncertainty_K = between(before.uncertainty_K, after->uncertainty_K);
     out.linear_K_s = between(before.linear_K_s, after->linear_K_s);
     out.radiated_K_s = between(before.radiated_K_s, after->radiated_K_s);
     for (std::size_t k = 0; k < out.energy_K.size(); ++k)
@@ -232,12 +239,16 @@ std::optional<double> WarmingWatch::unexplained_K(const WarmingWatch& readings, 
     // the last bin is being filled
     const double to_s =
         std::min(m_bins[m_bins.size() - 2].time_s, readings.m_bins[readings.m_bins.size() - 2].time_s);
+    const double usual_s = std::max(m_usual_s, readings.m_usual_s);
+    if (m_now.time_s - to_s > 2.0 * (std::max(m_bin_s, readings.m_bin_s) + usual_s))
+        return std::nullopt;
     std::optional<Mark> from = at(to_s - time_s), to = at(to_s);
     const std::optional<Mark> readFrom = readings.at(to_s - time_s), readTo = readings.at(to_s);
     if (!from || !to || !readFrom || !readTo)
         return std::nullopt;
     const auto readAs = [](Mark& mark, const Mark& read) {
         mark.temperature_K = read.temperature_K;
+        mark.uncertainty_K = read.uncertainty_K;
         mark.linear_K_s = read.linear_K_s;
         mark.radiated_K_s = read.radiated_K_s;
     };
@@ -246,9 +257,9 @@ std::optional<double> WarmingWatch::unexplained_K(const WarmingWatch& readings, 
     const HeatFit::Change change =
         ofAll(m_fits, [&](std::size_t fit) { return span(*from, *to, fit, kWrongNow); });
     const double gained_K = to->temperature_K - from->temperature_K;
-    const double noise_K = kToleranceTimes * std::max(m_noise_K, readings.m_noise_K);
-    return std::max(gained_K - change.max_K - noise_K, 0.0) +
-           std::min(gained_K - change.min_K + noise_K, 0.0);
+    const double hidden_K = kToleranceTimes * std::max(m_noise_K, readings.m_noise_K) + unsure_K(*from, *to);
+    return std::max(gained_K - change.max_K - hidden_K, 0.0) +
+           std::min(gained_K - change.min_K + hidden_K, 0.0);
 }
 
 double WarmingWatch::sameFor_s() const {

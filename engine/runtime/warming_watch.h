@@ -109,6 +109,8 @@ private:
     Mark m_now;               ///< its count is the number of readings so far
     Mark m_same;              ///< at the first of the equal readings
     LaggedPower m_power;
+    double m_read_s = 0.0;   ///< time of the newest reading
+    double m_usual_s = 0.0;  ///< usual time between two readings
     double m_before_K = 0.0; ///< the reading before the newest one
     double m_noise_K = 0.0;  ///< standard deviation of a reading, from second differences
 };

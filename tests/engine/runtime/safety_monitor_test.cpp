@@ -7,14 +7,17 @@
 #include "engine/runtime/safety_monitor.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace bask {
 namespace {
 
 struct Monitor {
-    Monitor() : experiment(twoDisks(40.0)), monitor(experiment) {
+    explicit Monitor(Experiment from = twoDisks(40.0)) : experiment(std::move(from)), monitor(experiment) {
         seen.source_K = experiment.source.temperature_K;
         for (int i = 0; i < 2; ++i) {
             ObservedObject object;
@@ -36,6 +39,36 @@ struct Monitor {
     SafetyMonitor monitor;
     SafetyObservation seen;
 };
+
+/// When the sensors of two equally warm objects are told to seem swapped, s; infinite: never. The left one is
+/// heated more from 240 s on, when they are swapped, and the right one no more; the heat is off for a moment.
+double seemSwapped_s(ReadBy readBy, double unheated_s) {
+    Experiment experiment = twoDisks(40.0);
+    for (ObjectSpec& object : experiment.objects)
+        object.readBy = readBy;
+    Monitor m(experiment);
+    m.seen.isSourceDark = false;
+    for (ObservedObject& object : m.seen.objects)
+        object.viewFactor = 1.0;
+    const double whole_K_s = m.monitor.powers_K_s(m.seen).front();
+    std::array<double, 2> T_K{experiment.environment_K, experiment.environment_K};
+    for (double t = 1.0; t < 400.0; t += 1.0) {
+        const bool isSwapped = t > 240.0;
+        const double before_K_s = t < 90.0 ? 0.12 : 0.03;
+        const std::array<double, 2> heat_K_s{isSwapped ? 0.3 : before_K_s, isSwapped ? 0.0 : before_K_s};
+        for (std::size_t i = 0; i < 2; ++i) {
+            T_K[i] += heat_K_s[i] - (T_K[i] - experiment.environment_K) / 300.0;
+            m.seen.objects[i].viewFactor = heat_K_s[i] / whole_K_s;
+        }
+        for (std::size_t i = 0; i < 2; ++i)
+            m.seen.objects[i].measured_K = T_K[isSwapped ? 1 - i : i];
+        m.seen.asked_K = t == unheated_s ? std::nullopt : std::optional(experiment.source.temperature_K);
+        m.after(1.0);
+        if (m.monitor.swappedWith(0))
+            return t;
+    }
+    return std::numeric_limits<double>::infinity();
+}
 
 } // namespace
 
@@ -528,8 +561,16 @@ TEST(SafetyMonitor, TwoThatJumpToEachOthersReadingsAreSwapped) {
     }
 }
 
-// Catches a fault that is latched a second time, and an acknowledgement that is lost, because what is known of
-// the same fault is told in other words.
+// Catches sensors that are called swapped by what lasts for a moment, and where there are none.
+TEST(SafetyMonitor, SensorsSeemSwappedOnlyForSomeTime) {
+    const double told_s = seemSwapped_s(ReadBy::Contact, 0.0);
+    ASSERT_LT(told_s, 350.0);
+    EXPECT_NEAR(seemSwapped_s(ReadBy::Contact, told_s - 5.0), told_s + 6.0, 1.5);
+    EXPECT_GT(seemSwapped_s(ReadBy::Camera, 0.0), 1000.0);
+}
+
+// Catches a fault that is latched a second time, and an acknowledgement that is lost, because what is known
+// of the same fault is told in other words.
 TEST(SafetyMonitor, AFaultInOtherWordsIsTheSameAlarm) {
     using enum MessageCode;
     const Monitor m;

@@ -156,6 +156,25 @@ TEST(WarmingWatch, ASensorThatComesBackIsNotHeatedOtherwise) {
     }
 }
 
+// Catches a deviation that is told of readings from long ago, or that a camera's uncertainty explains.
+TEST(WarmingWatch, ADeviationIsOfNowAndBeyondTheUncertainty) {
+    const auto unexplained_K = [](double uncertainty_K, double missing_s) {
+        WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
+        watch.restAt(0.0, 298.0);
+        double T = 298.0;
+        for (double t = 1.0; t < 240.0 + missing_s; t += 1.0) {
+            T += 0.12 - (T - 298.0) / 450.0;
+            const double value = T - std::max(0.0, 0.1 * (t - 200.0));
+            watch.add(t, t < 240.0 ? std::optional(value) : std::nullopt, 0.12, uncertainty_K);
+        }
+        return watch.unexplained_K(watch, 36.0);
+    };
+    EXPECT_LT(unexplained_K(0.0, 0.0).value(), -1.0);
+    EXPECT_LT(unexplained_K(0.0, 3.0).value(), -1.0);
+    EXPECT_FALSE(unexplained_K(0.0, 20.0));
+    EXPECT_EQ(unexplained_K(2.0, 0.0).value(), 0.0);
+}
+
 // Catches losses that are taken for linear, or for the fourth power, and are of air that rises by itself.
 TEST(WarmingWatch, GivesNoAlarmInFreeConvection) {
     const auto hot = [](double t) { return 6.0 * approach(t); }; // to 100 K over the room
