@@ -133,9 +133,8 @@ void ServoLoop::watchLoss() {
         const bool isSensor = alarmEntry(lost.condition).isOfObject;
         if (isSensor)
             args.push_back(m_experiment.objects[lost.object].name);
-        if (lost.condition != SafetyCondition::HeatedOtherwise) // it has readings
-            event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
-                  std::move(args));
+        event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
+              std::move(args));
         stopWith(latched(lost)); // also in a hold by a person: nobody sees how hot the object is
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedManually()) {
@@ -165,10 +164,9 @@ void ServoLoop::tellEnd(const SafetyFinding& finding) {
     const SensorChannels& sensors = m_readings.sensors();
     const bool isBelieved =
         !row.isOfObject || (sensors.isTrusted(finding.object) && sensors.jump(finding.object).inARow == 0);
-    const bool isBack = isBelieved && finding.condition != SafetyCondition::HeatedOtherwise;
-    if (row.isLoss && row.isOfObject && isBack)
+    if (row.isLoss && row.isOfObject && isBelieved)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
-    else if (row.isLoss && isBack)
+    else if (row.isLoss && isBelieved)
         event(MessageCode::EventSourcePoseBack);
     else
         event(messageAbout(MessageCode::EventAlarmOver, finding.message));
