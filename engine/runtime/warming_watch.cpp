@@ -11,10 +11,11 @@ constexpr double kBin_s = 6.0;
 constexpr double kMinBin_s = 2.0;
 constexpr double kBinsOfLoss = 0.02; // length of a bin as a share of the longest time constant
 constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // lengths of learnt spans, bins
-constexpr double kResting_s = 20.0; // a value that stays the same for longer gives no information
-constexpr double kStalled_s = 5.0;  // and what comes after it may catch up at once
-constexpr double kNoiseShare = 0.05;
+constexpr double kResting_s = 20.0;   // a value that stays the same for longer gives no information
+constexpr double kStalled_s = 5.0;    // and what comes after it may catch up at once
+constexpr double kStalledTimes = 2.5; // the usual time between two readings, if that is longer
 constexpr double kUsualShare = 0.05;
+constexpr double kNoiseShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // the change must exceed this many deviations in addition
 constexpr double kToleranceTimes = 5.0; // in deviations, for learnt changes: there are hundreds of them
 constexpr double kTolerance_K = 0.1;    // in addition, for the steps of a sensor
@@ -100,7 +101,7 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
         m_noise_K =
             std::sqrt((1.0 - kNoiseShare) * m_noise_K * m_noise_K + kNoiseShare * second_K * second_K);
     }
-    if (!isFirst && !isSame && time_s - m_same.time_s > kStalled_s)
+    if (!isFirst && !isSame && time_s - m_same.time_s > std::max(kStalled_s, kStalledTimes * m_usual_s))
         m_riseFrom_s = time_s;
     m_before_K = m_now.temperature_K;
     m_now.temperature_K = *temperature_K;

@@ -141,6 +141,23 @@ TEST(WarmingWatch, WhatACameraErrsByIsNotHeatedOtherwise) {
     EXPECT_LT(foreignHeat_s(object, none, [](double t) { return t > 100.0 ? 1.7 : 0.0; }), 130.0);
 }
 
+// Catches readings that come seldom and are each taken for the first one after a stop.
+TEST(WarmingWatch, FindsForeignHeatInSlowReadings) {
+    for (const double period_s : {1.0, 6.0, 10.0}) {
+        WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
+        watch.restAt(0.0, 298.0);
+        double T = 298.0, told_s = 0.0;
+        for (double t = period_s; t < 400.0 && told_s == 0.0; t += period_s) {
+            T += period_s * (t > 300.0 ? 1.7 : 0.05);
+            watch.add(t, T, 0.05);
+            if (watch.foreignHeat())
+                told_s = t;
+        }
+        EXPECT_GT(told_s, 300.0) << period_s;
+        EXPECT_LT(told_s, 300.0 + std::max(20.0, 4.0 * period_s)) << period_s;
+    }
+}
+
 // Catches a sensor that stopped for a while and comes back: it catches up at once.
 TEST(WarmingWatch, ASensorThatComesBackIsNotHeatedOtherwise) {
     WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
