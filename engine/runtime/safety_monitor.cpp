@@ -370,7 +370,10 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
         watch.frozenAt_K = object.measured_K;
         watch.frozenSince_s = seen.now_s - watch.warming.sameFor_s();
     }
-    if (watch.frozenAt_K) // also while readings are missing
+    const SafetyFinding* const heated = activeOne(Condition::HeatedOtherwise, i);
+    if (heated && isHeated(seen) && (!object.measured_K || watch.frozenAt_K))
+        add(Condition::HeatedOtherwise, heated->message, i); // its end was not observed
+    if (watch.frozenAt_K)                                    // also while readings are missing
         return add(
             Condition::SensorFrozen,
             {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
@@ -462,8 +465,9 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
     if (seen.isManual)
         return;
     if (!seen.source_K || seen.sourceProblem.code != MessageCode::None) {
-        if (const SafetyFinding* const unasked = activeOne(Condition::SourceHeatsUnasked))
-            add(Condition::SourceHeatsUnasked, unasked->message); // its end was not observed
+        for (const Condition unended : {Condition::SourceHeatsUnasked, Condition::SourceOver})
+            if (const SafetyFinding* const active = activeOne(unended))
+                add(unended, active->message); // its end was not observed
         return;
     }
     m_source.add(seen.now_s, *seen.source_K, seen.asked_K);

@@ -569,6 +569,37 @@ TEST(SafetyMonitor, SensorsSeemSwappedOnlyForSomeTime) {
     EXPECT_GT(seemSwapped_s(ReadBy::Camera, 0.0), 1000.0);
 }
 
+// Catches what runs away and is told to be over because its readings are missing.
+TEST(SafetyMonitor, WhatRunsAwayIsNotOverWhileReadingsAreMissing) {
+    Monitor m;
+    const double set_K = kelvinFromCelsius(150.0);
+    m.seen.asked_K = m.seen.source_K = set_K;
+    m.seen.isSourceDark = false;
+    const auto bothActive = [&] {
+        return m.isActive(SafetyCondition::HeatedOtherwise) && m.isActive(SafetyCondition::SourceOver);
+    };
+    for (int t = 0; t < 60 && !bothActive(); ++t) {
+        m.seen.source_K = *m.seen.source_K + 1.0;
+        *m.seen.objects[0].measured_K += t < 20 ? 0.0 : 1.7;
+        m.after(1.0);
+    }
+    ASSERT_TRUE(bothActive());
+    const double object_K = *m.seen.objects[0].measured_K;
+    m.seen.source_K.reset();
+    m.seen.objects[0].measured_K.reset();
+    for (int t = 0; t < 5; ++t)
+        m.after(1.0);
+    EXPECT_TRUE(bothActive());
+    m.seen.source_K = set_K;
+    m.seen.objects[0].measured_K = object_K;
+    for (int t = 0; t < 60; ++t) { // neither warms any more
+        *m.seen.objects[0].measured_K -= 0.01;
+        m.after(1.0);
+    }
+    EXPECT_FALSE(m.isActive(SafetyCondition::HeatedOtherwise));
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceOver));
+}
+
 // Catches a fault that is latched a second time, and an acknowledgement that is lost, because what is known
 // of the same fault is told in other words.
 TEST(SafetyMonitor, AFaultInOtherWordsIsTheSameAlarm) {
