@@ -181,8 +181,7 @@ Result<void> ServoLoop::disarm() {
     if (m_state != RunState::Armed)
         return refusal(CommandVerb::Disarm);
     m_state = RunState::Ready;
-    command("disarm");
-    event(MessageCode::EventStopped);
+    command("disarm"); // no event: none of a run has begun that could be stopped
     return {};
 }
 

@@ -46,15 +46,16 @@ TEST_F(ServoLoopTest, NothingMovesOrHeatsBeforeStart) {
     EXPECT_NEAR(rig.trueTemperatures_K()[0], experiment.environment_K, 1e-6);
 }
 
-// Catches an Arm that is taken back without a line among the events.
-TEST_F(ServoLoopTest, DisarmingIsAnEvent) {
+// Catches an Arm that is taken back and taken for the end of a run.
+TEST_F(ServoLoopTest, DisarmingIsACommandAndStopsNoRun) {
     periods(60);
     ASSERT_TRUE(loop.arm());
     (void)loop.takeRecord();
     ASSERT_TRUE(loop.stop());
     const LoopRecord rows = loop.takeRecord();
-    ASSERT_EQ(rows.events.size(), 1U);
-    EXPECT_EQ(rows.events[0].message.code, MessageCode::EventStopped);
+    EXPECT_TRUE(rows.events.empty());
+    ASSERT_EQ(rows.commands.size(), 1U);
+    EXPECT_EQ(rows.commands[0].name, "disarm");
     EXPECT_EQ(loop.state(), RunState::Ready);
 }
 
