@@ -187,6 +187,7 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
         m_metrics.resolution_K = std::max(simulated.sensorResolution_K, simulated.sensorNoise_K);
     m_offsets_K = zeroOffsets_K(facts);
     m_window = facts.experiment.sampling.window;
+    m_stale_s = facts.experiment.safety.stalePeriods * m_metrics.period_s;
     for (const ObjectSpec& object : facts.experiment.objects)
         m_objects.emplace_back(object);
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
@@ -206,11 +207,15 @@ void RunMetricsCount::add(const TraceSample& sample) {
     if (sample.time_s > m_until_s)
         return;
     const Pose X_RE = poseFromCoordinates(sample.coordinates);
-    if (m_metrics.samples > 0)
+    const bool isFirst = m_metrics.samples == 0;
+    if (!isFirst)
         addMotion(sample.time_s, X_RE);
+    const bool isLate = !isFirst && sample.time_s - m_metrics.last.time_s > m_stale_s;
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         const ObjectSample& object = sample.objects[i];
         m_hasTruth = m_hasTruth || std::isfinite(object.true_K);
+        if (isLate)
+            m_objects[i].scatter.gap();
         m_objects[i].scatter.add(read_K(object));
         m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), object.rate_K_s,
                               m_metrics.band_K);
@@ -218,7 +223,7 @@ void RunMetricsCount::add(const TraceSample& sample) {
                                m_metrics.band_K);
     }
     m_pose = X_RE;
-    if (m_metrics.samples == 0)
+    if (isFirst)
         m_metrics.first = sample;
     m_metrics.last = sample;
     m_metrics.duration_s = sample.time_s;

@@ -93,6 +93,7 @@ private:
     RunMetrics m_metrics;
     std::vector<double> m_offsets_K; ///< of the zeroing; empty: not known
     int m_window = 1;                ///< readings of the zeroing
+    double m_stale_s = 0.0;          ///< readings further apart have a gap between them
     std::vector<ObjectCount> m_objects;
     Pose m_pose = Pose::Identity(); ///< of the end-effector at the last sample
     bool m_hasTruth = false;

@@ -128,6 +128,9 @@ void SensorChannels::accept(std::size_t i, const Reading& reading) {
     Channel& channel = m_channels[i];
     if (!channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K))
         return;
+    if (!channel.window.empty() &&
+        reading.time_s - channel.window.back().time_s > m_limits.stalePeriods * m_sampling.period_s)
+        channel.scatter.gap();
     channel.window.push_back(reading);
     channel.scatter.add(reading.value_K);
     if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))
@@ -148,7 +151,9 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
         if (isPlausible)
             channel.told = readings[i];
         channel.lastInvalid = !isPlausible || isJump(i, readings[i]);
-        if (!channel.lastInvalid)
+        if (channel.lastInvalid)
+            channel.scatter.gap();
+        else
             accept(i, readings[i]);
     }
 }
@@ -181,6 +186,7 @@ bool SensorChannels::confirm(std::size_t i, double now_s) {
         return false;
     channel.window.clear();
     channel.estimator.reset();
+    channel.scatter.gap();
     channel.jump = {};
     channel.jumped_K.clear();
     channel.losses = 0;

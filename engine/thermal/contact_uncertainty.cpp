@@ -14,7 +14,7 @@ constexpr double kSameReading_K = 1e-6; // what sums leave of equal readings
 
 void ReadingScatter::add(double T_K) {
     if (!std::isfinite(T_K))
-        return;
+        return gap();
     if (!m_newest_K.empty())
         if (const double change_K = std::abs(T_K - m_newest_K.back()); change_K > kSameReading_K)
             m_step_K = m_step_K > 0.0 ? std::min(m_step_K, change_K) : change_K;

@@ -12,8 +12,10 @@ namespace bask {
 /// Step and noise of a sensor, learned from its readings as they come.
 class ReadingScatter {
 public:
-    /// Takes the next reading, K; a reading that is not finite is left out.
+    /// Takes the next reading, K; one that is not finite is a gap.
     void add(double T_K);
+    /// Call where readings are missing: those before and after it do not follow each other. The step stays.
+    void gap() { m_newest_K.clear(); }
     /// Returns the smallest change between two readings in a row, K: the resolution of one that shows steps,
     /// and next to nothing of one that does not. 0 until the readings have changed.
     double step_K() const { return m_step_K; }

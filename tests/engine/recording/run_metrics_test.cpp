@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace bask {
 namespace {
@@ -93,6 +94,20 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
     EXPECT_NEAR(zeroed.readingUncertainty_K.value(), kClassB_K, 0.01) << "hardly any step or noise";
     EXPECT_LE(zeroed.steadyUncertainty_K.value(), zeroed.readingUncertainty_K.value());
     EXPECT_NEAR(zeroed.settlingUncertainty_s.value(), 0.5 / std::sqrt(12.0), 0.01);
+
+    const SessionRecord whole = record;
+    for (const bool isTold : {false, true}) { // its sensor is mended at rest, and confirmed
+        record = whole;
+        for (TraceSample& sample : record.samples)
+            if (sample.time_s >= 190.0)
+                sample.objects[0].measured_K += 20.0;
+        for (TraceSample& sample : record.samples)
+            sample.objects[0].valid = sample.time_s < 180.0 || sample.time_s >= 190.0;
+        if (!isTold)
+            std::erase_if(record.samples, [](const TraceSample& sample) { return !sample.objects[0].valid; });
+        EXPECT_NEAR(metrics().readingUncertainty_K.value(), kClassB_K, 0.01) << isTold;
+    }
+    record = whole;
 
     for (TraceSample& sample : record.samples) // a sensor of steps of 0.2 K
         sample.objects[0].measured_K = 0.2 * std::round(5.0 * sample.objects[0].measured_K);

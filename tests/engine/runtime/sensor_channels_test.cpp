@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace bask {
 namespace {
 
-SensorChannels filled(std::vector<double> values_K) {
-    SensorChannels channels(values_K.size(), SamplingSpec());
+SensorChannels filled(std::vector<double> values_K, SensorLimits limits = {}) {
+    SensorChannels channels(values_K.size(), SamplingSpec(), std::move(limits));
     for (int t = 0; t < 10; ++t) {
         std::vector<Reading> readings;
         for (const double value_K : values_K)
@@ -45,6 +47,27 @@ TEST(SensorChannels, TheUncertaintyIsThatOfTheZeroingOrWhatTheDeviceTells) {
     channels.add({told, {10.0, 298.4, true}, {10.0, 298.5, true}});
     EXPECT_EQ(channels.uncertainty_K(0), 0.05);
     EXPECT_GT(channels.uncertainty_K(1), 0.1);
+}
+
+// Catches a confirmed sensor whose jump is taken for noise.
+TEST(SensorChannels, AConfirmedJumpIsNoNoise) {
+    SensorLimits limits;
+    limits.largestRates_K_s = {1.0, 1.0};
+    for (const bool isConfirmed : {false, true}) {
+        SensorChannels channels = filled({298.0, 298.4}, limits);
+        channels.use(channels.findZero(298.15).value());
+        const double before_K = channels.uncertainty_K(0);
+        const auto addFrom = [&](double from_s, double value_K) {
+            for (double t = from_s; t < from_s + 12.0; t += 1.0)
+                channels.add({{t, value_K, true}, {t, 298.4, true}});
+        };
+        channels.add({{10.0, isConfirmed ? 318.0 : 298.0, true}, {10.0, 298.4, true}});
+        if (isConfirmed) {
+            ASSERT_TRUE(channels.confirm(0, 10.0));
+        }
+        addFrom(isConfirmed ? 11.0 : 30.0, 318.0); // or it was missing for 20 s
+        EXPECT_NEAR(channels.uncertainty_K(0), before_K, 1e-9) << isConfirmed;
+    }
 }
 
 // Catches offsets that pile up, and those of other sensors.

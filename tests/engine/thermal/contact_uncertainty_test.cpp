@@ -40,7 +40,23 @@ TEST(ReadingScatter, FindsTheStepAndNeedsSomeReadings) {
     EXPECT_FALSE(scatterOf(0.0, 0.02, 0.1, 9).deviation_K());
     ReadingScatter gap = scatterOf(0.0, 0.0, 0.1);
     gap.add(std::numeric_limits<double>::quiet_NaN());
-    EXPECT_EQ(gap.deviation_K().value(), 0.0);
+    EXPECT_FALSE(gap.deviation_K());
+}
+
+// Catches what changed where nothing was read taken for noise.
+TEST(ReadingScatter, AChangeInAGapIsNoNoise) {
+    for (const bool isTold : {false, true}) {
+        ReadingScatter scatter = scatterOf(0.0, 0.02, 0.1);
+        const double step_K = scatter.step_K();
+        if (isTold)
+            scatter.gap();
+        else
+            scatter.add(std::numeric_limits<double>::quiet_NaN());
+        for (int k = 0; k < 60; ++k)
+            scatter.add(320.0);
+        EXPECT_EQ(scatter.deviation_K().value(), 0.0);
+        EXPECT_EQ(scatter.step_K(), step_K) << "it is the sensor's";
+    }
 }
 
 // Catches a part that is forgotten, and one that a mean of many readings would do away with.
