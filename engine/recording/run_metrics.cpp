@@ -61,13 +61,11 @@ public:
     }
 
     /// Returns how well the moment is known from which T stays in the band, s, by the time since the reading
-    /// before and by what `scatter_K` makes of it at that rate; empty without such a moment.
+    /// before and by what `scatter_K` makes of it at that rate; empty without such a moment or rate.
     std::optional<double> settlingUncertainty_s(double scatter_K) const {
         if (!m_metrics.settledFrom_s || !(m_entry.gap_s > 0.0))
             return std::nullopt;
-        const double ofScatter_s =
-            std::isnan(m_entry.rate_K_s) ? 0.0 : scatter_K / std::abs(m_entry.rate_K_s);
-        const double u_s = std::hypot(m_entry.gap_s / std::sqrt(12.0), ofScatter_s);
+        const double u_s = std::hypot(m_entry.gap_s / std::sqrt(12.0), scatter_K / m_entry.rate_K_s);
         return std::isfinite(u_s) ? std::optional(u_s) : std::nullopt;
     }
 

@@ -96,6 +96,9 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
     EXPECT_NEAR(zeroed.settlingUncertainty_s.value(), 0.5 / std::sqrt(12.0), 0.01);
 
     const SessionRecord whole = record;
+    for (TraceSample& sample : record.samples) // no rate is known when it comes into the band
+        sample.objects[0].rate_K_s = kNaN;
+    EXPECT_FALSE(metrics().settlingUncertainty_s);
     for (const bool isTold : {false, true}) { // its sensor is mended at rest, and confirmed
         record = whole;
         for (TraceSample& sample : record.samples)
