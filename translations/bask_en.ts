@@ -24,6 +24,21 @@
             <numerusform>%n recordings could not be read: %1</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1, and %n time(s) while nothing was recorded</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>
+            <numerusform>%1, and %n time while nothing was recorded</numerusform>
+            <numerusform>%1, and %n times while nothing was recorded</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) with alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>
+            <numerusform>%n line with alarms that were raised while nothing was recorded could not be read.</numerusform>
+            <numerusform>%n lines with alarms that were raised while nothing was recorded could not be read.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>bask::AlarmList</name>

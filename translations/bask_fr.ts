@@ -2413,6 +2413,10 @@
         <source>a surface file written by Bask</source>
         <translation>un fichier de surfaces écrit par Bask</translation>
     </message>
+    <message>
+        <source>it is written to again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PoseWords</name>
@@ -3097,6 +3101,37 @@
     <message>
         <source>When the last run with it was recorded, and the time since Start when it was raised</source>
         <translation>Quand le dernier essai où elle est apparue a été enregistré, et le temps depuis Démarrer où elle est apparue</translation>
+    </message>
+    <message>
+        <source>No run</source>
+        <translation>Aucun essai</translation>
+    </message>
+    <message>
+        <source>Raised while nothing was recorded</source>
+        <translation>Apparue alors que rien n’était enregistré</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n time(s) while nothing was recorded</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>
+            <numerusform>%1, et %n fois alors que rien n’était enregistré</numerusform>
+            <numerusform>%1, et %n fois alors que rien n’était enregistré</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>Les alarmes apparues alors que rien n’était enregistré n’ont pas pu être lues.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) with alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>
+            <numerusform>%n ligne d’alarmes apparues alors que rien n’était enregistré n’a pas pu être lue.</numerusform>
+            <numerusform>%n lignes d’alarmes apparues alors que rien n’était enregistré n’ont pas pu être lues.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a run, when the alarm was raised</source>
+        <translation>Sans essai : quand l’alarme est apparue</translation>
     </message>
 </context>
 <context>
@@ -4369,6 +4404,10 @@
     <message>
         <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
         <translation>La position du robot n’était pas sûre. Elle l’est de nouveau : appuyez sur Réinitialiser.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5999,10 +6038,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Armer</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
-    </message>
-    <message>
         <source>Only files of this computer can be opened: save it here first.</source>
         <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts&#xa0;: enregistrez-le d’abord ici.</translation>
     </message>
@@ -6077,10 +6112,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Prise d’origine du robot</translation>
     </message>
     <message>
-        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation>Le robot bouge maintenant : il cherche ses contacts pour connaître sa position. Toutes les mains sont-elles loin du robot et rien n’est-il sur son passage ?</translation>
-    </message>
-    <message>
         <source>Home now</source>
         <translation>Lancer la prise d’origine</translation>
     </message>
@@ -6092,6 +6123,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>ready in %1 s</source>
         <comment>readings are being collected</comment>
         <translation>prêt dans %1 s</translation>
+    </message>
+    <message>
+        <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

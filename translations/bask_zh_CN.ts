@@ -2413,6 +2413,10 @@
         <source>a surface file written by Bask</source>
         <translation>Bask 写出的曲面文件</translation>
     </message>
+    <message>
+        <source>it is written to again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PoseWords</name>
@@ -3094,6 +3098,35 @@
     <message>
         <source>When the last run with it was recorded, and the time since Start when it was raised</source>
         <translation>最近一次出现该报警的运行的记录时刻，以及报警出现时自“开始”起的时间</translation>
+    </message>
+    <message>
+        <source>No run</source>
+        <translation>无运行</translation>
+    </message>
+    <message>
+        <source>Raised while nothing was recorded</source>
+        <translation>在没有进行记录时出现</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n time(s) while nothing was recorded</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>
+            <numerusform>%1，另有 %n 次在没有进行记录时出现</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>没有进行记录时出现的报警无法读取。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) with alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>
+            <numerusform>%n 行没有进行记录时出现的报警无法读取。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a run, when the alarm was raised</source>
+        <translation>没有运行时，为报警出现的时间</translation>
     </message>
 </context>
 <context>
@@ -4361,6 +4394,10 @@
     <message>
         <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
         <translation>机器人的位置曾不确定，现已确定：请按“复位”。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5990,10 +6027,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>待命</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Only files of this computer can be opened: save it here first.</source>
         <translation>只能打开此计算机上的文件：请先将其保存到此处。</translation>
     </message>
@@ -6068,10 +6101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>机器人回零</translation>
     </message>
     <message>
-        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation>机器人现在会移动：它寻找其限位开关以确定位置。所有人的手是否都已离开机器人，其路径上是否没有障碍？</translation>
-    </message>
-    <message>
         <source>Home now</source>
         <translation>立即回零</translation>
     </message>
@@ -6083,6 +6112,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>ready in %1 s</source>
         <comment>readings are being collected</comment>
         <translation>%1 s 后就绪</translation>
+    </message>
+    <message>
+        <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -2413,6 +2413,10 @@
         <source>a surface file written by Bask</source>
         <translation>Bask 寫出的曲面檔案</translation>
     </message>
+    <message>
+        <source>it is written to again and again</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>PoseWords</name>
@@ -3094,6 +3098,35 @@
     <message>
         <source>When the last run with it was recorded, and the time since Start when it was raised</source>
         <translation>最近一次出現該警報的運轉的記錄時刻，以及警報出現時自「開始」起的時間</translation>
+    </message>
+    <message>
+        <source>No run</source>
+        <translation>無運轉</translation>
+    </message>
+    <message>
+        <source>Raised while nothing was recorded</source>
+        <translation>在沒有進行記錄時出現</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1, and %n time(s) while nothing was recorded</source>
+        <comment>%1: Alarms in 2 of 5 runs</comment>
+        <translation>
+            <numerusform>%1，另有 %n 次在沒有進行記錄時出現</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>沒有進行記錄時出現的警報無法讀取。</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) with alarms that were raised while nothing was recorded could not be read.</source>
+        <translation>
+            <numerusform>%n 列沒有進行記錄時出現的警報無法讀取。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Without a run, when the alarm was raised</source>
+        <translation>沒有運轉時，為警報出現的時間</translation>
     </message>
 </context>
 <context>
@@ -4361,6 +4394,10 @@
     <message>
         <source>The robot&apos;s place was not sure. It is sure again: press Reset.</source>
         <translation>機器人的位置曾不確定，現已確定：請按「復歸」。</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s place was not sure. It is sure again.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5990,10 +6027,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>待命</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>取消</translation>
-    </message>
-    <message>
         <source>Only files of this computer can be opened: save it here first.</source>
         <translation>只能開啟此電腦上的檔案：請先將其儲存到此處。</translation>
     </message>
@@ -6068,10 +6101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>機器人回原點</translation>
     </message>
     <message>
-        <source>The robot moves now: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation>機器人現在會移動：它尋找其極限開關以確定位置。所有人的手是否都已離開機器人，其路徑上是否沒有障礙？</translation>
-    </message>
-    <message>
         <source>Home now</source>
         <translation>立即回原點</translation>
     </message>
@@ -6083,6 +6112,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>ready in %1 s</source>
         <comment>readings are being collected</comment>
         <translation>%1 s 後就緒</translation>
+    </message>
+    <message>
+        <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

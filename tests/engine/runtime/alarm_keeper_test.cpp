@@ -40,7 +40,8 @@ struct AlarmKeeperTest : testing::Test {
     /// What the file without a run tells, in short.
     std::string told() const {
         std::string out;
-        for (const UnrecordedChange& each : readUnrecordedAlarms(unrecorded).value().changes)
+        const auto read = readUnrecordedAlarms(unrecorded);
+        for (const UnrecordedChange& each : read.value().changes)
             out += shortly(each);
         return out;
     }

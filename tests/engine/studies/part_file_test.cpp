@@ -265,8 +265,8 @@ TEST(RowBytes, giveTheRowBack) {
     EXPECT_FALSE(closedLoopRowOf("nonsense", 1));
 
     AlarmStudyRow alarms;
-    alarms.drawn = {"adaptive", 3,  573.15, SourceModel::Paper, 0.1, 0.2, 0.3, SimulatedFault::SensorFrozen,
-                    "hand",     9.0};
+    alarms.drawn = {"adaptive",   3,    573.15, SourceModel::Paper,           0.1,    0.2, 0.3,
+                    ReadBy::Both, 0.05, 0.02,   SimulatedFault::SensorFrozen, "hand", 9.0};
     alarms.alarms = {{1.5, 2, "SafetyObjectHot", "hot", true, false}};
     alarms.acted_s = 3.5;
     alarms.unseen_K = 4.5;
@@ -275,6 +275,7 @@ TEST(RowBytes, giveTheRowBack) {
     EXPECT_EQ(bytesOf(*same), bytesOf(alarms));
     EXPECT_EQ(same->drawn.fault, SimulatedFault::SensorFrozen);
     EXPECT_EQ(same->drawn.sourceModel, SourceModel::Paper);
+    EXPECT_EQ(same->drawn.readBy, ReadBy::Both);
     EXPECT_EQ(same->alarms.at(0).sentence, "hot");
     EXPECT_EQ(same->acted_s, 3.5);
 }
