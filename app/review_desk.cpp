@@ -118,6 +118,8 @@ void ReviewDesk::connectList() {
         if (isDone)
             emit told(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
                           .arg(QFileInfo(path).fileName()));
+        if (m_page.replay()->isOver(path))
+            m_verification.add(path);
         if (!isOpen(path))
             return;
         if (isDone)

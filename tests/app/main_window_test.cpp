@@ -555,15 +555,18 @@ TEST_F(MainWindowTest, AnAlteredRunSaysSoWhereverItIsShown) {
         EXPECT_TRUE((*writer)->finish("stopped"));
         return path;
     };
-    const QString whole = record("whole.bask"), changed = record("changed.bask");
-    {
-        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), changed);
-        database.setDatabaseName(changed);
-        ASSERT_TRUE(database.open());
-        QSqlQuery query(database);
-        ASSERT_TRUE(query.exec(QStringLiteral("UPDATE step SET measured_K_1 = 300 WHERE number = 12")));
-    }
-    QSqlDatabase::removeDatabase(changed);
+    const auto alter = [](const QString& path) {
+        {
+            QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), path);
+            database.setDatabaseName(path);
+            EXPECT_TRUE(database.open());
+            QSqlQuery query(database);
+            EXPECT_TRUE(query.exec(QStringLiteral("UPDATE step SET measured_K_1 = 300 WHERE number = 12")));
+        }
+        QSqlDatabase::removeDatabase(path);
+    };
+    const QString whole = record("whole.bask"), changed = record("changed.bask"), late = record("late.bask");
+    alter(changed);
     const auto* altered = window->pages().review()->findChild<MessageBar*>(QStringLiteral("sessionAltered"));
     window->files().open(changed);
     ASSERT_TRUE(waitFor([&] { return altered->sentence().contains(QStringLiteral("row 12, at 0:11")); }));
@@ -572,9 +575,13 @@ TEST_F(MainWindowTest, AnAlteredRunSaysSoWhereverItIsShown) {
     const auto* verdict = window->pages().review()->findChild<QLabel*>(QStringLiteral("factVerification"));
     ASSERT_TRUE(waitFor([&] { return verdict->text().startsWith(QStringLiteral("Intact")); }));
     EXPECT_TRUE(altered->isHidden());
-    emit window->pages().review()->sessions()->comparisonRequested(whole, {changed});
+    emit window->pages().review()->sessions()->comparisonRequested(whole, {late, changed});
     EXPECT_TRUE(waitFor([&] { return message().contains(QStringLiteral("changed.bask: Altered")); }));
     EXPECT_TRUE(altered->isHidden()) << "the open one is not";
+    alter(late); // which was verified before the other
+    emit window->pages().review()->sessions()->closeRequested(late);
+    EXPECT_TRUE(waitFor([&] { return message().contains(QStringLiteral("late.bask: Altered")); }))
+        << "what was let go of is verified again";
 }
 
 // Catches: a run that is opened for an alarm and begins at Start, and one that begins where another one was

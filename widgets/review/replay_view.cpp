@@ -348,6 +348,11 @@ bool ReplayView::addOverlay(std::shared_ptr<RecordedSession> run) {
     return true;
 }
 
+bool ReplayView::isOver(const QString& path) const {
+    return std::ranges::any_of(m_runs.over(),
+                               [&](const OverlaidRuns::Run& run) { return run.path() == path; });
+}
+
 void ReplayView::removeOverlay(const QString& path) {
     m_runs.remove(path);
     showOverlays();

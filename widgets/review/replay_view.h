@@ -51,6 +51,8 @@ public:
     /// Draws another run over this one. Returns false if there is no room, or it is already shown.
     bool addOverlay(std::shared_ptr<RecordedSession> run);
     void removeOverlay(const QString& path);
+    /// Whether the run of this file lies over the open one.
+    bool isOver(const QString& path) const;
     /// Sets the metrics of the open run or of one over it, for their comparison; null: they cannot be
     /// computed.
     void setMetrics(const QString& path, const RunMetrics* metrics);
