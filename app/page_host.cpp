@@ -336,6 +336,8 @@ void PageHost::show(Page page) {
     m_place->place();
     if (page == Page::Review)
         m_reviewDesk.showList();
+    else
+        m_reviewDesk.forgetAlarms();
     emit pageChanged(page);
 }
 

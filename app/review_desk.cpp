@@ -65,8 +65,13 @@ void ReviewDesk::showList() {
 }
 
 void ReviewDesk::showAlarmsOnceListed() {
-    connect(m_page.sessions(), &SessionList::sessionsChanged, &m_alarms, &AlarmHistoryControl::open,
-            Qt::SingleShotConnection);
+    forgetAlarms();
+    m_onceListed = connect(m_page.sessions(), &SessionList::sessionsChanged, &m_alarms,
+                           &AlarmHistoryControl::open, Qt::SingleShotConnection);
+}
+
+void ReviewDesk::forgetAlarms() {
+    disconnect(m_onceListed);
 }
 
 void ReviewDesk::setRecording(const QString& path) {

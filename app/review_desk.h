@@ -26,6 +26,7 @@ public:
 
     void showList();                        ///< shows the list of the sessions' folder
     void showAlarmsOnceListed();            ///< the alarms of the listed runs, with the next list
+    void forgetAlarms();                    ///< the page was left before they were shown
     void setRecording(const QString& path); ///< the file that is being recorded; empty for none
     void setEditable(bool editable) { m_editable = editable; } ///< whether the open experiment can be edited
     void retranslate();
@@ -56,6 +57,7 @@ private:
     OverlayCount m_overlayCount;
     SessionVerification m_verification;
     AlarmHistoryControl m_alarms;
+    QMetaObject::Connection m_onceListed; ///< of the alarms that wait for the list
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
     QString m_comparedPath; ///< the run that is being opened for a comparison with m_comparedOver

@@ -6,6 +6,7 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/common/alarm_button.h"
 #include "widgets/review/review_page.h"
+#include "widgets/review/session_list.h"
 
 #include <QAction>
 #include <QDialog>
@@ -109,6 +110,16 @@ TEST_F(AlarmsTest, AllAlarmsAreBesideTheList) {
     click("allAlarmsButton");
     EXPECT_EQ(window->pages().page(), Page::Review);
     EXPECT_TRUE(waitFor([this] { return window->findChild<QDialog*>("alarmHistoryDialog") != nullptr; }));
+}
+
+// Catches: alarms of earlier runs that open over another page, since the list of runs was waited for.
+TEST_F(AlarmsTest, AllAlarmsDoNotFollowToAnotherPage) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    QSignalSpy listed(window->pages().review()->sessions(), &SessionList::sessionsChanged);
+    click("allAlarmsButton");
+    window->pages().show(Page::Run);
+    ASSERT_TRUE(waitFor([&] { return listed.count() > 0; }));
+    EXPECT_EQ(window->findChild<QDialog*>("alarmHistoryDialog"), nullptr);
 }
 
 // Catches: temperatures inside sentences that stay in degC, of an alarm, of an event and of a recorded run,
