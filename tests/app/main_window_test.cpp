@@ -1103,6 +1103,7 @@ TEST_F(MainWindowTest, ReadyInASecondIsSaidOnlyWhereNothingElseIsMissing) {
     QCoreApplication::processEvents(); // what it had sent
     const auto* chip = find<RunStateChip>("runStateChip");
     told.state = RunState::NotReady;
+    told.heat = HeatState::Off;
     told.reasons = {{MessageCode::ReasonEstimatorFilling, {"5"}}};
     emit window->engine().snapshot(told);
     EXPECT_EQ(chip->caption(), QStringLiteral("ready in 5 s"));
