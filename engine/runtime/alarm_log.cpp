@@ -11,7 +11,7 @@
 namespace bask {
 
 /// A consequence that appears within this time was acknowledged together with its cause; a serious one that
-/// comes later was not.
+/// comes later was not. What comes later is no consequence of the first alarm.
 constexpr double kAtOnce_s = 30.0;
 
 namespace {
@@ -60,6 +60,7 @@ void AlarmLog::use(bool isLive) {
     leave();
     std::swap(m_alarms, m_others);
     m_isLive = isLive;
+    m_first.clear();
     std::ranges::move(along, std::back_inserter(m_alarms));
     if (m_isLive) // the real rig's own checks decide now
         leave();
@@ -122,17 +123,17 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
                 find(condition.key)->message = condition.message; // its newest values
             }
         }
-    changed = markFirst() || changed;
+    changed = markFirst(utc_s) || changed;
     changed = forgetOver() || changed;
     if (changed)
         sort();
     return changed;
 }
 
-// One alone is the cause of nothing.
-bool AlarmLog::markFirst() {
+// One alone is the cause of nothing, and hardly of what comes long after it.
+bool AlarmLog::markFirst(double utc_s) {
     Alarm* const first = find(m_first);
-    if (first == nullptr || first->isFirst || !first->isActive ||
+    if (first == nullptr || first->isFirst || !first->isActive || utc_s - first->raised_s > kAtOnce_s ||
         std::ranges::count_if(m_alarms, &Alarm::isActive) < 2)
         return false;
     first->isFirst = true;

@@ -54,7 +54,7 @@ public:
 private:
     Alarm* find(const std::string& key);
     void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s);
-    bool markFirst(); ///< once others have come while it is active
+    bool markFirst(double utc_s); ///< once others have come soon after it, while it is active
     void acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName);
     static void takeBack(Alarm& alarm); ///< ends the shelving
     void leave();

@@ -110,6 +110,23 @@ TEST(AlarmLog, TheFirstIsMarkedAndTheGravestUnseenIsOnTop) {
         EXPECT_EQ(alarm.isFirst, alarm.key == "SafetySensorOpen:c");
 }
 
+// Catches an alarm of long ago, or of the other rig, that is called the likely cause of a new one.
+TEST(AlarmLog, NoneIsFirstOfWhatComesLongAfterItOrAtTheOtherRig) {
+    AlarmLog late;
+    late.update(1.0, {warm("a")});
+    late.update(4000.0, {warm("a"), open("b")});
+    EXPECT_TRUE(std::ranges::none_of(late.alarms(), &Alarm::isFirst));
+
+    AlarmLog other;
+    other.use(true);
+    const AlarmCondition left{"HeatLeftUnknown", {MessageCode::HeatLeftUnknown, {}}, 1};
+    other.update(1.0, {left}); // stays active over the simulated rig
+    other.use(false);
+    other.update(2.0, {open("b")});
+    ASSERT_EQ(other.alarms().size(), 2U);
+    EXPECT_TRUE(std::ranges::none_of(other.alarms(), &Alarm::isFirst));
+}
+
 // Catches alarms that a crash takes along, that come back as if they held, or a file half written.
 TEST(AlarmLog, AlarmsOutliveARestart) {
     const QTemporaryDir folder;
