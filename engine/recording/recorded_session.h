@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -108,7 +109,9 @@ private:
     std::unique_ptr<Reader> m_reader; ///< used by the thread that reads
 };
 
-/// Returns the time of Stop or STOP; infinity if there was none.
+/// The events that end a run.
+std::span<const MessageCode> runEnds();
+/// Returns the time of the first of them since Start; infinity if there was none.
 double controlledUntil_s(const SessionRecord& facts);
 /// Whether the record has no end, but tells of a Stop or STOP: what followed it, the retreat as well, may be
 /// missing in part.

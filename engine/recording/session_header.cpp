@@ -35,10 +35,15 @@ constexpr const char* kSelectMeta = "SELECT key, substr(value, 1, 65536) FROM me
                                     "'outcome', 'tags') LIMIT 7";
 constexpr const char* kSelectExperiment =
     "SELECT json FROM experiment WHERE length(json) < 16777216 ORDER BY rowid LIMIT 1";
-/// As controlledUntil_s() finds it.
-constexpr const char* kSelectStop = "SELECT time_s FROM event WHERE code IN ('EventStopped', "
-                                    "'EventStoppedFor', 'EventEmergencyStop') ORDER BY rowid LIMIT 1";
 constexpr const char* kSelectNotes = "SELECT substr(text, 1, 4096) FROM note ORDER BY rowid LIMIT 1000";
+
+/// As controlledUntil_s() finds it.
+std::string selectStop() {
+    std::string codes;
+    for (const MessageCode code : runEnds())
+        codes += (codes.empty() ? "" : ", ") + sqlText(messageName(code));
+    return "SELECT time_s FROM event WHERE time_s >= 0 AND code IN (" + codes + ") ORDER BY rowid LIMIT 1";
+}
 
 std::vector<std::string> textsOf(const nlohmann::json& list) {
     std::vector<std::string> texts;
@@ -125,10 +130,7 @@ Result<void> readInto(SessionHeader& header) {
                                     header.end_s = numberOf(row[1]);
                                 });
     if (done)
-        done = (*store)->select(kSelectStop, [&](Row row) {
-            if (const double stopped_s = numberOf(row[0]); stopped_s >= 0.0)
-                header.stopped_s = stopped_s;
-        });
+        done = (*store)->select(selectStop(), [&](Row row) { header.stopped_s = numberOf(row[0]); });
     if (done)
         done = (*store)->select(kSelectNotes,
                                 [&](Row row) { header.notes.push_back(printable(textOf(row[0]))); });

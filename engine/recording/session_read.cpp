@@ -8,6 +8,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -137,11 +138,15 @@ Result<void> copySession(const std::string& from, const std::string& to) {
     return copied;
 }
 
+std::span<const MessageCode> runEnds() {
+    static constexpr std::array kEnds{MessageCode::EventStopped, MessageCode::EventStoppedFor,
+                                      MessageCode::EventEmergencyStop};
+    return kEnds;
+}
+
 double controlledUntil_s(const SessionRecord& facts) {
     const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
-        return event.message.code == MessageCode::EventStopped ||
-               event.message.code == MessageCode::EventStoppedFor ||
-               event.message.code == MessageCode::EventEmergencyStop;
+        return event.time_s >= 0.0 && std::ranges::find(runEnds(), event.message.code) != runEnds().end();
     });
     return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
 }

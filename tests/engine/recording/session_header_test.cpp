@@ -103,6 +103,20 @@ TEST_F(SessionHeaderTest, TheLengthOfARunEndsWithItsStop) {
     EXPECT_EQ(unended.length_s(), unended.end_s);
 }
 
+// Catches a run that has no length, or no samples, because of what was stopped before its Start.
+TEST_F(SessionHeaderTest, AStopBeforeStartEndsNoRun) {
+    const std::string path = file("early.bask");
+    auto writer = SessionWriter::create(path, twoDisks(), true);
+    ASSERT_TRUE(writer);
+    for (int k = 0; k < 30; ++k)
+        ASSERT_TRUE((*writer)->add(madeUpSample(twoDisks(), k)));
+    for (const double time_s : {-8.0, 12.0})
+        ASSERT_TRUE((*writer)->add(TraceEvent{time_s, {MessageCode::EventStopped, {}}}));
+    ASSERT_TRUE((*writer)->finish("stopped"));
+    EXPECT_EQ(readSessionHeader(path).stopped_s, 12.0);
+    EXPECT_EQ(controlledUntil_s(readSession(path).value()), 12.0);
+}
+
 // Catches files that are left out of a list because they cannot be read, and ones that are no sessions in it.
 TEST_F(SessionHeaderTest, AFolderListsDamagedFilesWithTheirError) {
     QFile whole(QString::fromStdString(recorded("whole.bask", 200, "settled")));
