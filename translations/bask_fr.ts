@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>it is written to again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>on y écrit sans cesse</translation>
     </message>
 </context>
 <context>
@@ -4407,7 +4407,7 @@
     </message>
     <message>
         <source>The robot&apos;s place was not sure. It is sure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>La position du robot n’était pas sûre. Elle l’est de nouveau.</translation>
     </message>
 </context>
 <context>
@@ -6126,7 +6126,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation type="unfinished"></translation>
+        <translation>Le robot va bouger : il cherche ses contacts pour connaître sa position. Toutes les mains sont-elles loin du robot et rien n’est-il sur son passage ?</translation>
     </message>
 </context>
 <context>

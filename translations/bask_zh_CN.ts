@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>it is written to again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>它不断被写入</translation>
     </message>
 </context>
 <context>
@@ -4397,7 +4397,7 @@
     </message>
     <message>
         <source>The robot&apos;s place was not sure. It is sure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人的位置曾不确定，现已确定。</translation>
     </message>
 </context>
 <context>
@@ -6115,7 +6115,7 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation type="unfinished"></translation>
+        <translation>机器人即将运动：它寻找其限位开关以确定位置。所有人的手是否都已离开机器人，其路径上是否没有障碍？</translation>
     </message>
 </context>
 <context>

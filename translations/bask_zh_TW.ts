@@ -2415,7 +2415,7 @@
     </message>
     <message>
         <source>it is written to again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>它不斷被寫入</translation>
     </message>
 </context>
 <context>
@@ -4397,7 +4397,7 @@
     </message>
     <message>
         <source>The robot&apos;s place was not sure. It is sure again.</source>
-        <translation type="unfinished"></translation>
+        <translation>機器人的位置曾不確定，現已確定。</translation>
     </message>
 </context>
 <context>
@@ -6115,7 +6115,7 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </message>
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
-        <translation type="unfinished"></translation>
+        <translation>機器人即將運動：它尋找其極限開關以確定位置。所有人的手是否都已離開機器人，其路徑上是否沒有障礙？</translation>
     </message>
 </context>
 <context>
