@@ -268,6 +268,9 @@ AlarmCase drawAlarmCase(const std::vector<Experiment>& rigs, AlarmDraw draw, Rea
             drawn.fault.fault = faults[job % faults.size()];
         }
         const std::size_t minObjects = drawn.fault.fault == SimulatedFault::SensorsSwapped ? 2 : 1;
+        if (std::ranges::none_of(rigs,
+                                 [&](const Experiment& rig) { return rig.objects.size() >= minObjects; }))
+            throw std::invalid_argument("study of alarms: no rig has the objects of the fault");
         do
             drawn.experiment = drawExperiment(random, readSo(rigs.at(oneOf(random, rigs.size())), readBy));
         while (drawn.experiment.objects.size() < minObjects);

@@ -56,7 +56,7 @@ double alarmFaultFrequency(SimulatedFault fault);
 /// workspace and the source's shape are taken from one of the `rigs` (for Paper the whole experiment). All
 /// objects are read by `readBy`; with Both a healthy run is the same as with Contact, but for its second
 /// opinion, with Camera it begins and ends where the camera reads all objects. Throws std::invalid_argument
-/// for rigs without poses that keep the objects warm.
+/// for rigs without poses that keep the objects warm, or without the two objects whose sensors are swapped.
 AlarmCase drawAlarmCase(const std::vector<Experiment>& rigs, AlarmDraw draw, ReadBy readBy,
                         std::uint64_t seed, int index);
 

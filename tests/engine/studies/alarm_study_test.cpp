@@ -7,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -116,6 +118,16 @@ TEST(AlarmStudy, FaultsAreFoundInTheTimeThatIsStated) {
     const int each = 2;
     expectFound({rigs({"three-objects.json", "three-objects-in-line.json"}), AlarmDraw::Faulty,
                  each * static_cast<int>(alarmFaults(ReadBy::Contact).size()), 1});
+}
+
+// Catches a draw that never ends since the only rig has one object, whose sensor is swapped with none.
+TEST(AlarmStudy, NoSensorIsSwappedWithNone) {
+    auto rig = rigs({"three-objects.json"});
+    rig.front().objects.resize(1);
+    const auto faults = alarmFaults(ReadBy::Both);
+    const auto swapped = std::ranges::find(faults, SimulatedFault::SensorsSwapped) - faults.begin();
+    EXPECT_THROW((void)drawAlarmCase(rig, AlarmDraw::Faulty, ReadBy::Both, 1, static_cast<int>(swapped)),
+                 std::invalid_argument);
 }
 
 // Catches a camera whose draws change the runs beside which it stands.
