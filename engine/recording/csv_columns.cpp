@@ -25,6 +25,10 @@ constexpr std::array kFixedColumns{
     FixedColumn{"meta.csv", "finished", "", "when it was closed, by the same clock"},
     FixedColumn{"meta.csv", "simulated", "", "true, false"},
     FixedColumn{"meta.csv", "outcome", "", "how the run ended"},
+    FixedColumn{"meta.csv", "verification", "",
+                "whether the recording is as it was made, with the head of its hash chain"},
+    FixedColumn{"meta.csv", "simulation_pace", "",
+                "how fast it was simulated; only where that was not the pace of the computer's clock"},
 };
 
 constexpr std::array<const char*, 6> kCoordinateMeanings{

@@ -166,7 +166,6 @@ double roughRowsOf(const SessionStore& store, const std::string& table, std::siz
     return roughRows(store, "step") * static_cast<double>(isOfObjects ? objects : 1);
 }
 
-/// meta.csv tells, too, what the file itself cannot: whether it is as it was recorded.
 Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files,
                          const SessionRecord& facts, const ShareDone& told) {
     const std::size_t objects = facts.experiment.objects.size();
@@ -179,8 +178,6 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
             files[i]->add(row);
             count.add();
         });
-        if (tables[i] == "meta")
-            files[i]->add(std::array<SqlValue, 2>{std::string("verification"), facts.verification});
         if (done)
             done = files[i]->end();
         if (!done)
@@ -276,15 +273,22 @@ Result<void> writeTraces(const SessionRecord& facts, const TraceCells& cells, Cs
     return read ? file.end() : read;
 }
 
-/// Beside the tables, what their columns are.
-Result<void> writeColumns(const SessionRecord& facts, StagedFiles& stage) {
+/// Beside the tables, what their columns are. Earlier recordings lack some tables.
+Result<void> writeColumns(const SessionRecord& facts, const std::vector<std::string>& tables,
+                          StagedFiles& stage) {
     const std::vector<SqlValue> header{std::string("file"), std::string("column"), std::string("unit"),
                                        std::string("meaning")};
     CsvFile file(stage.target(std::string(kColumnsTable) + ".csv"));
     if (auto opened = file.open(stage, rowText(header).trimmed()); !opened)
         return opened;
     file.add(header);
+    const auto isThere = [&](const std::string& name) {
+        return name == "*.csv" || name == "traces.csv" ||
+               std::ranges::any_of(tables, [&](const std::string& table) { return table + ".csv" == name; });
+    };
     for (const CsvColumn& column : csvColumns(facts)) {
+        if (!isThere(column.file))
+            continue;
         const std::vector<SqlValue> row{column.file, column.column, column.unit, column.meaning};
         file.add(row);
     }
@@ -321,11 +325,13 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         done = writeTraces(*facts, TraceCells(digits), traces, last_s, partOf(told, 0.0, kAfterTraces));
     if (const auto pace = simulationPace(*facts, last_s); done && pace)
         addMeta(*tables, files, "simulation_pace", paceText(*pace));
+    if (done) // what the file itself cannot tell: whether it is as it was recorded
+        addMeta(*tables, files, "verification", facts->verification);
     if (done)
         done = writeTables(**store, *tables, files, *facts, partOf(told, kAfterTraces, 1.0));
     const bool hasName = std::ranges::find(*tables, kColumnsTable) == tables->end();
     if (done && hasName) // else a table of another maker has it
-        done = writeColumns(*facts, *stage);
+        done = writeColumns(*facts, *tables, *stage);
     if (done)
         done = addCrate(*stage, *facts);
     if (done)

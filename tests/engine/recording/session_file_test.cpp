@@ -246,6 +246,9 @@ TEST_F(SessionFile, OneWithoutTheSourcesPoseHasItAsInTheExperiment) {
     for (const TraceSample& sample : record->samples)
         EXPECT_LT((sample.source - experiment.source.pose).cwiseAbs().maxCoeff(), 1e-15);
     EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 14u);
+    const std::string columns = contents(qfile("csv/columns.csv"));
+    EXPECT_NE(columns.find("\npose.csv,"), std::string::npos) << columns;
+    EXPECT_EQ(columns.find("source_pose.csv"), std::string::npos) << "it has none";
 }
 
 // The columns are a promise to scripts.
@@ -606,7 +609,7 @@ TEST_F(SessionFile, ColumnsSayWhatTheTablesHold) {
                              "Rz(theta_z) Ry(theta_y) Rx(theta_x)",
                              "traces.csv,right measured (degC),degC,measured temperature\n",
                              "sample.csv,measured_K,K,measured temperature\n", "truth.csv,temperature_K,K,",
-                             "meta.csv,created,,"})
+                             "meta.csv,created,,", "meta.csv,verification,,", "meta.csv,simulation_pace,,"})
         EXPECT_NE(columns.find(line), std::string::npos) << line << '\n' << columns;
     std::istringstream traces(contents(qfile("csv/traces.csv")));
     std::string header;
