@@ -149,8 +149,10 @@ bool isAboutPlace(MessageCode code) {
 }
 
 bool allowsHome(const Snapshot& snapshot) {
-    const bool isRun = isRunOn(snapshot.state) || snapshot.state == RunState::Armed;
-    return !isRun && snapshot.state != RunState::Idle && snapshot.place != PlaceState::Unknown;
+    const RunState state = snapshot.state;
+    const bool isAtRest = state == RunState::NotReady || state == RunState::Ready ||
+                          state == RunState::Stopped || state == RunState::Fault;
+    return isAtRest && snapshot.place != PlaceState::Unknown;
 }
 
 QString placeSureAgainText(const Snapshot& snapshot) {
