@@ -230,7 +230,7 @@ TEST_F(CloseQuestionTest, ARealRigThatIsSeenOffClosesWithoutAWord) {
 TEST_F(CloseQuestionTest, AnExportThatIsNotFinishedIsAskedAbout) {
     openWindow();
     const QTemporaryDir folder;
-    const QString table = folder.filePath(QStringLiteral("the <b>day</b>.csv"));
+    const QString table = folder.filePath(QStringLiteral("the <b>day.csv"));
     HeldPool pool;
     exportTable(table);
     const QString said = closeOverExport();

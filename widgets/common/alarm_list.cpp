@@ -86,7 +86,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIconSize({kRowMark, kRowMark});
-    m_tree->setMinimumWidth(240);
+    m_tree->setMinimumWidth(180);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
     m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -97,7 +97,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_guidance->setReadOnly(true);
     m_guidance->setTabChangesFocus(true);
     m_guidance->setFrameShape(QFrame::NoFrame);
-    m_guidance->setMinimumSize(150, kLowGuidance);
+    m_guidance->setMinimumSize(130, kLowGuidance);
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 

@@ -256,6 +256,7 @@ void RunPage::retranslateUi() {
                                tr("last 30 minutes")};
     for (int i = 0; i < m_window->count(); ++i)
         m_window->setItemText(i, windows[i]);
+    m_window->setMinimumWidth(m_window->sizeHint().width()); // Qt keeps the minimum of the old words
     m_window->setAccessibleName(tr("Stretch of time shown while following"));
     m_showPrediction->setText(tr("Predicted"));
     m_showPrediction->setToolTip(

@@ -597,7 +597,7 @@ TEST(EngineWorker, AlarmsArePublishedAcknowledgedAndOutliveIt) {
         ASSERT_TRUE(rig.waitFor([&] { return !rig.last.alarms.empty(); }));
         const Alarm alarm = rig.last.alarms.front();
         EXPECT_EQ(alarm.message.code, MessageCode::RobotAlarm);
-        EXPECT_TRUE(alarm.isActive && alarm.isFirst && !alarm.isAcknowledged);
+        EXPECT_TRUE(alarm.isActive && !alarm.isFirst && !alarm.isAcknowledged) << "of one";
         EXPECT_GT(alarm.raised_s, 1.7e9);
         rig.send(Reset{}); // still in alarm
         ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::RobotAlarm; }));
@@ -874,7 +874,7 @@ TEST(EngineWorker, HeatByHandEndsTheRecordOfTheRunBefore) {
     ASSERT_NO_FATAL_FAILURE(beInTail(rig, path));
     rig.send(SetHeat{kelvinFromCelsius(100.0)});
     ASSERT_TRUE(rig.waitFor([&] { return readSessionHeader(path).outcome == "emergency-stop"; }));
-    EXPECT_TRUE(wasTold(rig, MessageCode::EventRecordEnded));
+    EXPECT_TRUE(rig.waitFor([&] { return wasTold(rig, MessageCode::EventRecordEnded); }));
     EXPECT_TRUE(rig.waitFor([&] { return rig.last.heatOn; }));
     const auto session = readSession(path);
     ASSERT_TRUE(session) << describe(session.error());

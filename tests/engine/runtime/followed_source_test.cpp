@@ -97,7 +97,9 @@ TEST(FollowedSource, ThatIsCarriedAwayUnseenEndsTheRun) {
     ASSERT_TRUE(outcome) << describe(outcome.error());
     EXPECT_TRUE(outcome->fault);
     EXPECT_TRUE(std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
-        return event.message.code == MessageCode::SafetyNotWarming;
+        return event.message.code == MessageCode::SafetyNotWarming ||
+               event.message.code == MessageCode::SafetyNotFollowing ||
+               event.message.code == MessageCode::SafetyNotFollowingPair;
     }));
 }
 

@@ -67,12 +67,16 @@ TEST(MovingSource, IsFollowedWhereItIsTrackedAndIsNotWhereItIsNot) {
             EXPECT_EQ(last.source, Vector6d::Zero());
             EXPECT_GT(offPlace, 0.05);
         }
-        // What the loop takes for the view factor of the first object, against the truth.
+        // What the loop takes for the view factors, against the truth.
         const auto F = rigGeometry(movedSource(tracked))
                            ->withSourceAt(run.rig.X_RS())
                            ->viewFactors(run.rig.simulatedRobot().coordinates())
                            .F;
-        EXPECT_EQ(std::abs(last.objects[0].viewFactor - F[0]) < 0.005, tracked) << last.objects[0].viewFactor;
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < last.objects.size(); ++i)
+            farthest =
+                std::max(farthest, std::abs(last.objects[i].viewFactor - F[static_cast<Eigen::Index>(i)]));
+        EXPECT_EQ(farthest < 0.005, tracked) << farthest;
     }
 }
 
