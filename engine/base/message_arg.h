@@ -86,7 +86,7 @@ private:
     Value m_value;
 };
 
-/// Returns a number for a sentence: %.*g with `digits` significant digits.
+/// Returns a number for a sentence: %.*g with `digits` significant digits; below 100,000 without an exponent.
 std::string formatNumber(double value, int digits = 4);
 /// Makes a temperature argument; the English text is in degC with `digits` significant digits.
 MessageArg temperatureArg(double t_K, int digits = 4);

@@ -100,7 +100,7 @@ TEST(BottomDockTest, TabsStayWhereTheyAreWhenAnAlarmComes) {
         alarm.key += 'x';
         snapshot.alarms.push_back(alarm);
         dock.apply(snapshot);
-        ASSERT_EQ(left(), before) << id << " alarms";
+        ASSERT_NEAR(left(), before, 1) << id << " alarms"; // widths are rounded
     }
 }
 

@@ -386,7 +386,7 @@ void ObjectTile::restyle() {
     // Widths of the longest figures, so that nothing moves while the numbers run.
     const QFontMetrics metrics(font());
     for (QLabel* value : {m_target, m_error, m_rate})
-        value->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
+        value->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")) + 2);
     m_temperature->setMinimumWidth(QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
     const int foot = std::max(m_age->sizeHint().height(), m_confirm->sizeHint().height());
     m_age->setMinimumHeight(foot); // the tile is as high with the one as with the other

@@ -18,6 +18,7 @@ namespace bask {
 namespace {
 
 constexpr int kDecimalsOfTruth = 2;
+constexpr int kDecimalsInKelvin = 2; // of a target typed in tenths of a degree Celsius, at least
 
 enum Column { kName, kTarget, kFinal, kTrue, kError, kSettling, kColumns };
 
@@ -26,14 +27,15 @@ enum Column { kName, kTarget, kFinal, kTrue, kError, kSettling, kColumns };
 std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics,
                                     TemperatureUnit unit) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const int least = unit == TemperatureUnit::Kelvin ? kDecimalsInKelvin : 0;
     std::vector<FinalValue> values;
     for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
         const ObjectMetrics& object = metrics.objects[i];
         const bool hasTruth = i < metrics.trueObjects.size();
-        values.push_back({names.value(static_cast<qsizetype>(i)), object.target_K,
-                          object.final_K.value_or(kUnknown),
-                          hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown,
-                          object.settledFrom_s, metricDecimals({ObjectMetric::Final}, metrics, i, unit)});
+        values.push_back(
+            {names.value(static_cast<qsizetype>(i)), object.target_K, object.final_K.value_or(kUnknown),
+             hasTruth ? metrics.trueObjects[i].final_K.value_or(kUnknown) : kUnknown, object.settledFrom_s,
+             std::max(least, metricDecimals({ObjectMetric::Final}, metrics, i, unit))});
     }
     return values;
 }

@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QPainter>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -192,6 +193,7 @@ void ReplayView::fill(Plot& each) {
     if (each.isFilled || !m_run)
         return;
     each.isFilled = true;
+    const QSignalBlocker quiet(each.plot); // it begins with the whole run, and the others keep their stretch
     each.plot->setRun(m_run);
     addMarkers(*each.plot);
     for (std::size_t k = 0; k < m_runs.over().size(); ++k)

@@ -8,7 +8,8 @@ namespace bask {
 namespace {
 
 struct Parts {
-    FoldingSplitter splitter;
+    QWidget window; // a splitter that is a window keeps all its parts beside each other
+    FoldingSplitter splitter{&window};
     QWidget* left = new QWidget;
     QWidget* right = new QWidget;
 
@@ -19,7 +20,8 @@ struct Parts {
         right->setMinimumSize(200, 80);
         splitter.setSizes({400, 200});
         splitter.resize(800, 400);
-        splitter.show();
+        window.resize(1000, 800);
+        window.show();
         settle();
     }
     void settle() const {

@@ -509,32 +509,6 @@ TEST_F(ObjectsPageTest, AddDuplicateRemoveUndo) {
     EXPECT_EQ(last().objects[3].mounting.tail<4>(), last().objects[2].mounting.tail<4>());
 }
 
-// Catches a first choice of harmonics that crosses itself where another one does not.
-TEST_F(ObjectsPageTest, TheFirstFitDoesNotCrossItself) {
-    QString points;
-    for (int k = 0; k < 6; ++k)
-        points += QStringLiteral("%1,81 %2,1 %3,81 ").arg(10 * k).arg(10 * k + 0.5).arg(10 * k + 1);
-    const QTemporaryDir folder;
-    QFile file(folder.filePath("comb.svg"));
-    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-    file.write(QStringLiteral("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"60mm\" height=\"90mm\" "
-                              "viewBox=\"0 0 60 90\"><polygon points=\"%151,82 0,82\"/></svg>")
-                   .arg(points)
-                   .toUtf8());
-    file.close();
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(file.fileName())});
-    QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(&page, &drop);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 120000)) << message().toStdString();
-    const ContourOrigin& origin = last().objects.at(3).origin;
-    bool isAnySimple = false;
-    for (int h = 1; h <= kMaxHarmonics; ++h)
-        if (const auto fit = fitFourier(origin.outline, h); fit && !fit->crossesItself)
-            isAnySimple = true;
-    EXPECT_EQ(!fitFourier(origin.outline, origin.harmonics)->crossesItself, isAnySimple);
-}
-
 // Catches a drop that goes another way than the button's, a plain drawing that asks, an import of more than
 // one step of undo.
 TEST_F(ObjectsPageTest, ADroppedDrawingOfOneOutlineBecomesAnObject) {

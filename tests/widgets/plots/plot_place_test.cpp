@@ -289,8 +289,8 @@ TEST(PlotPlace, CursorsWorkInTheWindow) {
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(canvas, &leave);
     plot->setPosition(7.4);
-    shown.page.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&shown.page, kWindow_ms));
+    plot->window()->activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(plot->window(), kWindow_ms));
     plot->setFocus();
     QTest::keyClick(plot, Qt::Key_M);
     EXPECT_EQ(plot->cursor_s(), std::optional(7.0)) << "at the moment of the replay";

@@ -414,7 +414,7 @@ TEST_F(ReviewPageTest, WithoutATruthTheReadingsStandAlone) {
         for (ObjectSample& object : sample.objects)
             object.true_K = kNan;
     show(session);
-    EXPECT_EQ(cell(0, 2).toStdString(), "39.95 °C");
+    EXPECT_EQ(cell(0, 2).toStdString(), "40.0 °C");
     EXPECT_TRUE(child<FinalValuesTable>("finalValues")->isColumnHidden(3));
     EXPECT_EQ(child<QTableWidget>("metricsTable")->rowCount(), 12);
     QTest::keyClick(child<FinalValuesTable>("finalValues"), Qt::Key_C, Qt::ControlModifier);
