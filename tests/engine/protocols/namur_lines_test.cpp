@@ -61,7 +61,7 @@ TEST(NamurLines, numbersAreThoseOfPrintfInEnglish) {
             ASSERT_EQ(formatNumber(value, digits), text.data());
         }
     }
-    for (const double value : {0.0, -0.0, 1.0, 100.0, 99999.0, 1e5, HUGE_VAL, -HUGE_VAL}) {
+    for (const double value : {0.0, -0.0, 1.0, 100.0, 9999.0, 1e5, HUGE_VAL, -HUGE_VAL}) {
         std::array<char, 40> text{};
         std::snprintf(text.data(), text.size(), "%.*g", 4, value);
         EXPECT_EQ(formatNumber(value), text.data());

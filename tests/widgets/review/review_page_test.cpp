@@ -798,6 +798,7 @@ TEST_F(ReviewLongRunTest, ASeekReadsThatMoment) {
 
 // Catches a short stretch that is drawn by the overview, or for which all of a run is read.
 TEST_F(ReviewLongRunTest, AShortStretchIsReadOfEachRun) {
+    page.replay()->seek(0.1 * kHot);
     plot->setTimeRange(0.1 * kHot - 10.0, 0.1 * kHot + 10.0);
     plot->redraw();
     EXPECT_GT(plot->visibleHighest(), kHot_K - 273.15);
