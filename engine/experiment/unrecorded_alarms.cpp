@@ -181,7 +181,7 @@ Result<void> appendUnrecordedAlarms(const std::vector<UnrecordedChange>& changes
     std::error_code code;
     const std::uintmax_t before = std::filesystem::file_size(path, code);
     if (!code && before + text.size() > kMaxUnrecordedBytes)
-        if (const auto dropped = dropOlderHalf(path, text.size()); !dropped)
+        if (auto dropped = dropOlderHalf(path, text.size()); !dropped)
             return dropped;
     const OpenFile file(path, O_RDWR | O_CREAT | O_APPEND);
     struct stat status {};

@@ -28,14 +28,14 @@ constexpr int kParallelStep = 4, kMaxParallelPoints = 128; // half of the points
 /// Cosines of half a circle's points, (k + 1/2) 2 pi / n: the other half has the same. One rule after
 /// another, the one of n points from n (n - kParallelStep) / (4 kParallelStep) on.
 const double* cosinesOf(int points) {
-    static const auto cosines = [] {
+    static const auto kCosines = [] {
         std::vector<double> made;
         for (int n = kParallelStep; n <= kMaxParallelPoints; n += kParallelStep)
             for (int k = 0; k < n / 2; ++k)
                 made.push_back(std::cos((2 * k + 1) * std::numbers::pi / n));
         return made;
     }();
-    return &cosines[static_cast<std::size_t>(points * (points - kParallelStep) / (4 * kParallelStep))];
+    return &kCosines[static_cast<std::size_t>(points * (points - kParallelStep) / (4 * kParallelStep))];
 }
 
 } // namespace

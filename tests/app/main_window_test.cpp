@@ -543,7 +543,7 @@ TEST_F(MainWindowTest, AnAlteredRunSaysSoWhereverItIsShown) {
     openWindow();
     const QTemporaryDir folder;
     const auto record = [&](const char* name) {
-        const QString path = folder.filePath(QLatin1String(name));
+        QString path = folder.filePath(QLatin1String(name));
         auto writer = SessionWriter::create(path.toStdString(), window->document().experiment(), true);
         EXPECT_TRUE(writer);
         TraceSample sample;

@@ -32,6 +32,7 @@ struct UnrecordedAlarmsTest : testing::Test {
     /// About 0.7 MB of them, from the number on.
     static std::vector<UnrecordedChange> many(int first) {
         std::vector<UnrecordedChange> out;
+        out.reserve(3000);
         for (int k = 0; k < 3000; ++k)
             out.push_back(raised(first + k));
         return out;

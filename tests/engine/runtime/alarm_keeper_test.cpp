@@ -158,7 +158,7 @@ TEST_F(AlarmKeeperTest, OnAFullDiskTheChangesWait) {
     ASSERT_TRUE(QFile::link("/dev/full", file));
     for (const auto& [key, isTold] : {std::tuple("a", true), std::tuple("b", false)}) {
         std::vector<Alarm> one = alarm(key);
-        one[0].id = *key;
+        one[0].id = static_cast<unsigned char>(*key);
         keeper.keep(one, idle);
         ASSERT_TRUE(isWritten(keeper));
         EXPECT_EQ(keeper.takeFailure().has_value(), isTold) << key;

@@ -110,7 +110,7 @@ std::size_t blocksHeld(const RecordedSession& session) {
 
 /// The record as a file of the folder.
 std::string written(const QTemporaryDir& folder, const SessionRecord& session) {
-    const std::string path = folder.filePath(QString::fromStdString(session.path)).toStdString();
+    std::string path = folder.filePath(QString::fromStdString(session.path)).toStdString();
     auto writer = SessionWriter::create(path, session.experiment, session.simulated, 1e6);
     EXPECT_TRUE(writer);
     for (const TraceSample& sample : session.samples)
