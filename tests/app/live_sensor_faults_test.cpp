@@ -133,6 +133,7 @@ TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
     Experiment hot = read();
     hot.safety.warning_K = kelvinFromCelsius(kWarning_degC);
     hot.safety.trip_K = kelvinFromCelsius(kTrip_degC);
+    hot.safety.warming_K = 1000.0; // a rise that no heat explains would end the run first
     load(hot);
     ASSERT_NO_FATAL_FAILURE(begin());
     // Until the register passes the limit: 2 K/s on top of what the robot takes back.
@@ -160,6 +161,21 @@ TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
     EXPECT_GT(state().place_m.z(), kAway_m);
     live.send(Reset{});
     EXPECT_EQ(live.refusal.code, MessageCode::SafetyObjectHot) << "not before it has cooled";
+    expectRecorded("fault");
+}
+
+// Catches a fast rise over a link that waits for a limit of temperature.
+TEST_F(LiveSensorFaults, aRiseThatNoHeatExplainsEndsTheRun) {
+    startBench();
+    load(read());
+    ASSERT_NO_FATAL_FAILURE(begin());
+    const ToldAs foreign{MessageCode::SafetyHeatedOtherwise, "something else heats it", 20000.0};
+    const Reaction seen = raise("thermometer rising", foreign);
+    EXPECT_GT(seen.off_ms, 0.0);
+    EXPECT_LE(seen.off_ms - seen.told_ms, kReaction_ms);
+    tell("thermometer none");
+    ASSERT_TRUE(reaches(RunState::Fault, 60000)) << reasons();
+    EXPECT_GT(state().place_m.z(), kAway_m) << "taken away";
     expectRecorded("fault");
 }
 
