@@ -2068,8 +2068,8 @@
         <translation>Les capteurs de « %1 » et « %2 » semblent échangés : ce qu’ils ont indiqué dans les %3 dernières secondes s’accorde avec la chaleur de l’autre objet, non avec celle du leur. Le chauffage est coupé. Vérifiez les deux, confirmez-les, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation>« %1 » chauffe de %2/s ; la source explique au plus %3/s : autre chose le chauffe, ou son capteur n’est pas sur lui. Vérifiez les deux ; Arrêter ou Retrait l’éloigne.</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
+        <translation>« %1 » chauffe de %2/s ; la source explique au plus %3/s : autre chose le chauffe, ou son capteur n’est pas sur lui. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>

@@ -2068,8 +2068,8 @@
         <translation>“%1”和“%2”的传感器似乎互换了：它们最近 %3 s 的读数与另一物体的受热一致，而与自己物体的不一致。加热已关闭。请检查两者，确认它们，然后复位。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation>“%1”以 %2/s 升温；热源最多能解释 %3/s：有别的东西在加热它，或其传感器不在它上面。请检查两者；停止或撤离可将它移开。</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
+        <translation>“%1”以 %2/s 升温；热源最多能解释 %3/s：有别的东西在加热它，或其传感器不在它上面。加热已关闭。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>

@@ -2068,8 +2068,8 @@
         <translation>「%1」和「%2」的感測器似乎互換了：它們最近 %3 s 的讀數與另一物體的受熱一致，而與自己物體的不一致。加熱已關閉。請檢查兩者，確認它們，然後復歸。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Check both; Stop or Retreat takes it away.</source>
-        <translation>「%1」以 %2/s 升溫；熱源最多能解釋 %3/s：有別的東西在加熱它，或其感測器不在它上面。請檢查兩者；停止或撤離可將它移開。</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
+        <translation>「%1」以 %2/s 升溫；熱源最多能解釋 %3/s：有別的東西在加熱它，或其感測器不在它上面。加熱已關閉。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
