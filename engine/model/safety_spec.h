@@ -37,6 +37,8 @@ struct SafetySpec {
     static constexpr double kSourceOver_K = 50.0;
     static constexpr double kMinRate_K_s = 2.0; ///< a person touching the object
     static constexpr double kSourceGain_K = 2.0;
+    /// So far below a limit an object or the source no longer counts as above it.
+    static constexpr double kHysteresis_K = 2.0;
     bool operator==(const SafetySpec&) const = default;
 };
 

@@ -135,8 +135,7 @@ void EngineSession::tell(Snapshot& snapshot) const {
     snapshot.robotAlarm = readings.robot().alarm;
     snapshot.isPlaceSure = readings.robot().isPlaceSure;
     snapshot.heatSetPoint_K = loop.heatSetPoint_K();
-    if (const auto fall = loop.unaskedFall())
-        snapshot.unaskedFall = UnaskedFall{fall->fallen_K, fall->needed_K};
+    snapshot.unaskedFall = loop.unaskedFall();
     snapshot.warmUp = warmUp();
     snapshot.isSourceManual = real && real->heatSource().isManual();
     snapshot.zeroing = readings.sensors().zeroing();

@@ -18,7 +18,6 @@ namespace {
 using Condition = SafetyCondition;
 using Reaction = SafetyReaction;
 
-constexpr double kHysteresis_K = 2.0; ///< for the limits of objects and source
 /// a sensor with exactly the same value is frozen beyond this expected change
 constexpr double kWhileSame_K = 0.5;
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
@@ -138,6 +137,11 @@ const SafetyFinding* SafetyMonitor::activeOne(SafetyCondition condition, std::si
     return found == m_active.end() ? nullptr : &*found;
 }
 
+void SafetyMonitor::keepActive(SafetyCondition condition, std::size_t object) {
+    if (const SafetyFinding* const active = activeOne(condition, object))
+        add(condition, active->message, object);
+}
+
 void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     addSensor(i, seen);
@@ -151,12 +155,12 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
         seen_K = std::max(seen_K.value_or(0.0),
                           object.opinion->camera_K - kOpinionSigmas * object.opinion->uncertainty_K);
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
-        const SafetyFinding* const active = activeOne(condition, i);
-        const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
+        const bool wasOver = isActive(condition, i);
+        const double from_K = limit_K - (wasOver ? SafetySpec::kHysteresis_K : 0.0);
         const bool isUnseen = !seen_K && object.max_K > from_K; // its end was not observed
         const bool isBelow = seen_K && *seen_K > from_K && *seen_K <= limit_K;
-        if (active && (isUnseen || isBelow)) // below its limit the sentence would be wrong
-            add(condition, active->message, i);
+        if (wasOver && (isUnseen || isBelow)) // below its limit the sentence would be wrong
+            keepActive(condition, i);
         else if (seen_K && *seen_K > from_K)
             add(condition, {code, {name(i), roundedTemperatureArg(*seen_K), temperatureArg(limit_K)}}, i);
     };
@@ -370,10 +374,9 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
         watch.frozenAt_K = object.measured_K;
         watch.frozenSince_s = seen.now_s - watch.warming.sameFor_s();
     }
-    const SafetyFinding* const heated = activeOne(Condition::HeatedOtherwise, i);
-    if (heated && isHeated(seen) && (!object.measured_K || watch.frozenAt_K))
-        add(Condition::HeatedOtherwise, heated->message, i); // its end was not observed
-    if (watch.frozenAt_K)                                    // also while readings are missing
+    if (isHeated(seen) && (!object.measured_K || watch.frozenAt_K))
+        keepActive(Condition::HeatedOtherwise, i); // its end was not observed
+    if (watch.frozenAt_K)                          // also while readings are missing
         return add(
             Condition::SensorFrozen,
             {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
@@ -446,12 +449,11 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
         add(Condition::HeaterGuardGone, seen.guardProblem);
     if (seen.isSourcePoseLost)
         add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
-    const SafetyFinding* const hot = activeOne(Condition::SourceHot);
     const double trip_K = sourceTripLimit_K(m_experiment);
-    const double from_K = trip_K - (hot ? kHysteresis_K : 0.0);
+    const double from_K = trip_K - (isActive(Condition::SourceHot) ? SafetySpec::kHysteresis_K : 0.0);
     const bool isBelow = seen.source_K && *seen.source_K > from_K && *seen.source_K <= trip_K;
-    if (hot && (!seen.source_K || isBelow)) // its end was not observed, or it is not over yet
-        add(Condition::SourceHot, hot->message);
+    if (!seen.source_K || isBelow) // its end was not observed, or it is not over yet
+        keepActive(Condition::SourceHot);
     if (!seen.source_K)
         return;
     if (*seen.source_K > trip_K)
@@ -465,9 +467,8 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
     if (seen.isManual)
         return;
     if (!seen.source_K || seen.sourceProblem.code != MessageCode::None) {
-        for (const Condition unended : {Condition::SourceHeatsUnasked, Condition::SourceOver})
-            if (const SafetyFinding* const active = activeOne(unended))
-                add(unended, active->message); // its end was not observed
+        keepActive(Condition::SourceHeatsUnasked); // its end was not observed
+        keepActive(Condition::SourceOver);
         return;
     }
     m_source.add(seen.now_s, *seen.source_K, seen.asked_K);

@@ -138,7 +138,7 @@ public:
     /// not); for the next monitor of the same source.
     bool wasSourceHeated() const { return m_source.wasHeated(); }
     double unaskedWarming_K() const;
-    std::optional<SourceWatch::Fall> unaskedFall() const { return m_source.unaskedFall(); }
+    std::optional<UnaskedFall> unaskedFall() const { return m_source.unaskedFall(); }
     void useHistory(bool wasSourceHeated, double unaskedWarming_K) {
         m_source.use(wasSourceHeated, unaskedWarming_K);
     }
@@ -181,6 +181,8 @@ private:
     void addRig(const SafetyObservation& seen);
     void addCrossCheck(const SafetyObservation& seen);
     void add(SafetyCondition condition, Message message, std::size_t object = 0);
+    /// Adds an alarm again, with its words, if it is active.
+    void keepActive(SafetyCondition condition, std::size_t object = 0);
     const SafetyFinding* activeOne(SafetyCondition condition, std::size_t object = 0) const;
     bool isActive(SafetyCondition condition, std::size_t object = 0) const {
         return activeOne(condition, object) != nullptr;

@@ -167,7 +167,7 @@ public:
     /// Set point of the run, or manual set point; empty if off.
     std::optional<double> heatSetPoint_K() const;
     /// Of a source that heats though its heat is off; empty if none does.
-    std::optional<SourceWatch::Fall> unaskedFall() const { return m_safety.unaskedFall(); }
+    std::optional<UnaskedFall> unaskedFall() const { return m_safety.unaskedFall(); }
     const Experiment& experiment() const { return m_experiment; }
     const TraceSample& latest() const { return m_latest; }
     const RigReadings& readings() const { return m_readings; }

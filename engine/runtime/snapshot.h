@@ -10,8 +10,8 @@
 #include "engine/drivers/serial_ports.h"
 #include "engine/model/alarm.h"
 #include "engine/model/run_labels.h"
-#include "engine/model/safety_spec.h"
 #include "engine/model/trace.h"
+#include "engine/runtime/unasked_fall.h"
 #include "engine/runtime/zeroing.h"
 
 #include <cstdint>
@@ -73,15 +73,6 @@ struct SourceWarmUp {
     double setPoint_K = 0.0; ///< of the run that is on, or else of one that starts now
     /// Until it is warm if it is heated from now on, s; empty: not known.
     std::optional<double> in_s{};
-};
-
-/// How far a source that heated though its heat is off has fallen from its maximum.
-struct UnaskedFall {
-    /// One that has fallen by this cools: one that is stuck on has less noise.
-    static constexpr double kCools_K = SafetySpec::kSourceGain_K;
-
-    double fallen_K = 0.0;
-    double needed_K = 0.0; ///< with this fall it no longer counts as heating, and Reset is possible
 };
 
 /// The next action that the engine takes by itself unless something changes.

@@ -110,10 +110,10 @@ double SourceWatch::neededFall_K() const {
     return std::min(m_limits.sourceUnasked_K, kOverShare * (m_peak_K - m_from_K));
 }
 
-std::optional<SourceWatch::Fall> SourceWatch::unaskedFall() const {
+std::optional<UnaskedFall> SourceWatch::unaskedFall() const {
     if (!heatsUnasked())
         return std::nullopt;
-    return Fall{m_peak_K - m_temperature_K, neededFall_K()};
+    return UnaskedFall{m_peak_K - m_temperature_K, neededFall_K()};
 }
 
 std::optional<double> SourceWatch::roomInFahrenheit_degC() const {

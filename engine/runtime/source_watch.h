@@ -2,6 +2,7 @@
 // Checks that the source heats when commanded, not beyond its set point, and does not heat otherwise.
 
 #include "engine/model/safety_spec.h"
+#include "engine/runtime/unasked_fall.h"
 
 #include <optional>
 
@@ -28,13 +29,8 @@ public:
     /// once the source has lost half of it again, or as much as the limit, or is at rest and no hotter than a
     /// hand bears: one that is stuck on at a set point of its own rests as well, after an overshoot.
     std::optional<Warming> heatsUnasked() const;
-    /// How far such a source has fallen from its maximum, and how far it has to until it no longer counts as
-    /// heating; empty if it does not.
-    struct Fall {
-        double fallen_K = 0.0;
-        double needed_K = 0.0;
-    };
-    std::optional<Fall> unaskedFall() const;
+    /// The fall of such a source; empty if there is none.
+    std::optional<UnaskedFall> unaskedFall() const;
     /// How long the source has not become cooler with its heat off, s, if it is hotter than `above_K`; empty
     /// if it cools, or if the time is too short to tell.
     std::optional<double> notCoolingFor_s(double above_K) const;

@@ -1,6 +1,7 @@
 #include "widgets/common/object_tile.h"
 
 #include "engine/base/message_code.h"
+#include "engine/model/safety_spec.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
@@ -22,7 +23,7 @@ namespace bask {
 namespace {
 
 constexpr int kStateIcon = 14;
-constexpr double kBelowLimit_K = 2.0; ///< so far below a limit it is no longer above it: as for its alarm
+constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
 
 } // namespace
 
@@ -98,6 +99,17 @@ int activityPriority(ObjectActivity activity) {
     if (activity == ObjectActivity::AboveTrip)
         return alarmPriority(MessageCode::SafetyObjectHot);
     return activity == ObjectActivity::AboveWarning ? alarmPriority(MessageCode::SafetyObjectWarm) : 0;
+}
+
+void paintTileGround(QPainter& painter, const QWidget& tile, ObjectActivity activity, double frame) {
+    const bool dark = isDark(&tile);
+    const int priority = activityPriority(activity);
+    const QColor base = tile.palette().color(QPalette::Base);
+    painter.setBrush(priority > 0 ? mixed(alarmColor(priority, dark), base, kLimitGround) : base);
+    painter.setPen(priority > 0          ? QPen(alarmEdgeColor(priority, dark), frame)
+                   : isUnknown(activity) ? QPen(unknownColor(dark), frame, Qt::DashLine)
+                                         : QPen(hairline(dark), 1.0));
+    painter.drawRoundedRect(QRectF(tile.rect()).adjusted(1, 1, -1, -1), 4, 4);
 }
 
 bool isUnknown(ObjectActivity activity) {
@@ -215,7 +227,7 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     if (m_sensor.trust == SensorTrust::Stale)
         return ObjectActivity::SensorStale;
     const auto isAbove = [&](double limit_K, bool wasAbove) {
-        return sample.measured_K > limit_K - (wasAbove ? kBelowLimit_K : 0.0);
+        return sample.measured_K > limit_K - (wasAbove ? SafetySpec::kHysteresis_K : 0.0);
     };
     const bool wasAboveTrip = m_activity == ObjectActivity::AboveTrip;
     if (isAbove(m_trip_K, wasAboveTrip))
@@ -398,14 +410,7 @@ void ObjectTile::restyle() {
 void ObjectTile::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool dark = isDark(this);
-    const int priority = activityPriority(m_activity);
-    const QColor base = palette().color(QPalette::Base);
-    painter.setBrush(priority > 0 ? mixed(alarmColor(priority, dark), base, kLimitGround) : base);
-    painter.setPen(priority > 0            ? QPen(alarmEdgeColor(priority, dark), 2.0)
-                   : isUnknown(m_activity) ? QPen(unknownColor(dark), 2.0, Qt::DashLine)
-                                           : QPen(hairline(dark), 1.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    paintTileGround(painter, *this, m_activity, 2.0);
 }
 
 void ObjectTile::changeEvent(QEvent* event) {

@@ -126,7 +126,9 @@ QString activityWord(ObjectActivity activity);
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio);
 /// Returns the priority of the alarm that tells the same, with whose mark and colour it is shown; 0 for none.
 int activityPriority(ObjectActivity activity);
-inline constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
+/// Paints ground and frame of a tile as its object's state asks for: a limit in its alarm's colour, what is
+/// not known with a frame of dashes. `frame`: its width, px.
+void paintTileGround(QPainter& painter, const QWidget& tile, ObjectActivity activity, double frame);
 /// Returns whether the object's temperature is not known.
 bool isUnknown(ObjectActivity activity);
 

@@ -113,16 +113,8 @@ void LargeTile::arrange() {
 void LargeTile::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool dark = isDark(this);
-    const double frame = std::max(2.0, height() / 90.0);
-    const int priority = activityPriority(m_activity);
-    const QColor base = palette().color(QPalette::Base);
-    painter.setBrush(priority > 0 ? mixed(alarmColor(priority, dark), base, kLimitGround) : base);
-    painter.setPen(priority > 0            ? QPen(alarmEdgeColor(priority, dark), frame)
-                   : isUnknown(m_activity) ? QPen(unknownColor(dark), frame, Qt::DashLine)
-                                           : QPen(hairline(dark), 1.0));
-    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-    painter.setPen(seriesPen(m_index, dark, std::max(2, m_swatch.height() / 12)));
+    paintTileGround(painter, *this, m_activity, std::max(2.0, height() / 90.0));
+    painter.setPen(seriesPen(m_index, isDark(this), std::max(2, m_swatch.height() / 12)));
     const double y = m_swatch.center().y() + 0.5;
     painter.drawLine(QPointF(m_swatch.left(), y), QPointF(m_swatch.right() + 1, y));
 }
