@@ -99,8 +99,7 @@ private:
         m_file.group(group, "NXparameters");
         m_file.text(group + "/simulated", m_session.simulated ? "true" : "false");
         m_file.text(group + "/outcome", m_session.interrupted() ? "interrupted" : m_session.outcome);
-        m_file.text(group + "/verification",
-                    m_session.verification.empty() ? "not verified" : m_session.verification);
+        m_file.text(group + "/verification", m_session.verification);
         m_file.text(group + "/recorded_by", m_session.software);
         m_file.text(group + "/time_zero",
                     "Start; start_time is when the recording was opened, at Arm, before it");

@@ -47,10 +47,6 @@ Json fileEntity(const std::string& name, const std::string& path) {
             {"sha256", hash.result().toHex().toStdString()}};
 }
 
-std::string verificationIn(const SessionRecord& session) {
-    return session.verification.empty() ? "not verified" : session.verification;
-}
-
 std::string sessionId(const SessionRecord& session) {
     return "#" + std::filesystem::path(session.path).filename().string() + " " + session.created;
 }
@@ -118,7 +114,7 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
                                          (session.simulated ? "a simulated rig" : "a real rig") +
                                          ", exported by Bask. Outcome: " +
                                          (session.interrupted() ? "interrupted" : session.outcome) +
-                                         ". Verification of the recording: " + verificationIn(session) + "."},
+                                         ". Verification of the recording: " + session.verification + "."},
                      {"datePublished", session.created},
                      {"hasPart", parts},
                      {"mentions", {{"@id", id}}}});
@@ -144,7 +140,7 @@ Result<void> addCrate(StagedFiles& files, const SessionRecord& session) {
     graph.push_back({{"@id", kVerification},
                      {"@type", "PropertyValue"},
                      {"name", "verification"},
-                     {"value", verificationIn(session)}});
+                     {"value", session.verification}});
     graph.push_back({{"@id", "#recorder"},
                      {"@type", "SoftwareApplication"},
                      {"name", session.software.empty() ? "Bask" : session.software}});

@@ -80,9 +80,9 @@ struct SessionRecord {
     std::string finished; ///< the same; empty if it has no end
     std::string software; ///< "Bask 0.1.0"
     bool simulated = false;
-    RunLabels labels;         ///< when the recording began; each command and note has its own operator
-    std::string outcome;      ///< empty: interrupted
-    std::string verification; ///< verificationOf() the file, where an export tells it; empty: not verified
+    RunLabels labels;    ///< when the recording began; each command and note has its own operator
+    std::string outcome; ///< empty: interrupted
+    std::string verification = "not verified"; ///< verificationOf() the file, where an export tells it
     std::vector<TraceSample> samples;
     std::vector<TraceEvent> events;
     std::vector<TraceNote> notes;
