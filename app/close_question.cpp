@@ -11,6 +11,26 @@ struct ClosingText {
     Q_DECLARE_TR_FUNCTIONS(CloseQuestion)
 };
 
+void addStay(QMessageBox& box) {
+    QPushButton* stay = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
+    box.setDefaultButton(stay);
+    box.setEscapeButton(stay);
+}
+
+QPushButton* addClose(QMessageBox& box, const QString& words, const char* name) {
+    QPushButton* button = box.addButton(words, QMessageBox::DestructiveRole);
+    button->setObjectName(QLatin1String(name));
+    return button;
+}
+
+/// Asks, with one button that closes and one that does not.
+bool isCloseChosen(QMessageBox& box, const QString& words, const char* name) {
+    const QPushButton* close = addClose(box, words, name);
+    addStay(box);
+    box.exec();
+    return box.clickedButton() == close;
+}
+
 } // namespace
 
 Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
@@ -33,13 +53,10 @@ Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
         button->setObjectName(QStringLiteral("closeStop"));
         stop = button;
     }
-    QPushButton* now =
-        box.addButton(isRunOn ? ClosingText::tr("Close now") : ClosingText::tr("End the recipe and close"),
-                      QMessageBox::DestructiveRole);
-    now->setObjectName(QStringLiteral("closeNow"));
-    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(keep);
+    const QPushButton* now =
+        addClose(box, isRunOn ? ClosingText::tr("Close now") : ClosingText::tr("End the recipe and close"),
+                 "closeNow");
+    addStay(box);
     box.exec();
     if (stop != nullptr && box.clickedButton() == stop)
         return Closing::Stop;
@@ -52,13 +69,7 @@ bool askToEndRecording(QWidget* window, const QString& why) {
                         ClosingText::tr("If Bask is closed now, the recording ends. What is recorded stays."),
                     QMessageBox::NoButton, window);
     box.setObjectName(QStringLiteral("recordingQuestion"));
-    QPushButton* now = box.addButton(ClosingText::tr("Close now"), QMessageBox::DestructiveRole);
-    now->setObjectName(QStringLiteral("closeNow"));
-    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(keep);
-    box.exec();
-    return box.clickedButton() == now;
+    return isCloseChosen(box, ClosingText::tr("Close now"), "closeNow");
 }
 
 bool askToLeaveExports(QWidget* window, const QStringList& places) {
@@ -69,13 +80,7 @@ bool askToLeaveExports(QWidget* window, const QStringList& places) {
                     QMessageBox::NoButton, window);
     box.setObjectName(QStringLiteral("exportQuestion"));
     box.setTextFormat(Qt::PlainText); // names are as they are
-    QPushButton* close = box.addButton(ClosingText::tr("Close anyway"), QMessageBox::DestructiveRole);
-    close->setObjectName(QStringLiteral("closeAnyway"));
-    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(keep);
-    box.exec();
-    return box.clickedButton() == close;
+    return isCloseChosen(box, ClosingText::tr("Close anyway"), "closeAnyway");
 }
 
 void tellHeatLeft(QWidget* window) {

@@ -226,12 +226,7 @@ TEST_F(AlarmsTest, IsKeptOverARestartAndAcknowledgedByKey) {
 // longer language.
 TEST_F(AlarmsTest, TheBarFitsASmallWindow) {
     openWindow({1100, 700});
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    ASSERT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-    QCoreApplication::processEvents(); // what it had sent
-    Snapshot snapshot = window->lastSnapshot();
-    snapshot.newSamples.clear();
-    snapshot.newEvents.clear();
+    Snapshot snapshot = freeze();
     snapshot.runTime_s = 36000.0;
     Alarm alarm;
     alarm.id = 1;

@@ -1034,12 +1034,7 @@ TEST_F(MainWindowTest, AQuestionGoesWithTheStateItWasAskedIn) {
 // Catches: a robot that is homed by an answer that was meant for another state.
 TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
     openWindow();
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    Snapshot told = window->lastSnapshot();
-    told.newSamples.clear();
-    told.newEvents.clear();
-    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-    QCoreApplication::processEvents(); // what it had sent
+    Snapshot told = freeze();
     const auto question = [this] { return window->findChild<QMessageBox*>(QStringLiteral("homeQuestion")); };
     const auto ask = [&] {
         told.state = RunState::Ready;
@@ -1064,12 +1059,7 @@ TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
 // Catches: "Ready" alone over a hot plate.
 TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
     openWindow();
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    Snapshot told = window->lastSnapshot();
-    told.newSamples.clear();
-    told.newEvents.clear();
-    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-    QCoreApplication::processEvents(); // what it had sent
+    Snapshot told = freeze();
     auto* chip = find<RunStateChip>("runStateChip");
     told.source_K = told.latest.source_K = kelvinFromCelsius(212.0);
     told.sourceAge_s = 0.1;
@@ -1095,12 +1085,7 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
 // Catches: "ready in 5 s" while something else stands in the way as well.
 TEST_F(MainWindowTest, ReadyInASecondIsSaidOnlyWhereNothingElseIsMissing) {
     openWindow();
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    Snapshot told = window->lastSnapshot();
-    told.newSamples.clear();
-    told.newEvents.clear();
-    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-    QCoreApplication::processEvents(); // what it had sent
+    Snapshot told = freeze();
     const auto* chip = find<RunStateChip>("runStateChip");
     told.state = RunState::NotReady;
     told.heat = HeatState::Off;
@@ -1115,13 +1100,8 @@ TEST_F(MainWindowTest, ReadyInASecondIsSaidOnlyWhereNothingElseIsMissing) {
 // Catches: a Start with a cold source of which nobody was told what it costs.
 TEST_F(MainWindowTest, AColdSourceIsToldBeforeStart) {
     openWindow();
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    Snapshot told = window->lastSnapshot();
+    Snapshot told = freeze();
     ASSERT_TRUE(told.warmUp);
-    told.newSamples.clear();
-    told.newEvents.clear();
-    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-    QCoreApplication::processEvents(); // what it had sent
     auto* chip = find<RunStateChip>("runStateChip");
     const auto notes = [&] {
         QStringList lines;

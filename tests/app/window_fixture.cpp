@@ -68,6 +68,16 @@ void WindowTest::startRun(std::size_t count) {
     ASSERT_TRUE(waitFor([&] { return samples.size() >= count; }));
 }
 
+Snapshot WindowTest::freeze() {
+    EXPECT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    Snapshot snapshot = window->lastSnapshot();
+    snapshot.newSamples.clear();
+    snapshot.newEvents.clear();
+    return snapshot;
+}
+
 void WindowTest::openRecording(const QString& path) {
     bool isOpened = false;
     QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),

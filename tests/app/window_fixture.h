@@ -41,6 +41,9 @@ protected:
     }
     void click(const char* name);
     bool waitForState(RunState state, int limit_ms = 300000);
+    /// Waits until the rig is ready and ends the engine. What is shown stays as it is until a test sends a
+    /// snapshot of its own, made from the returned one.
+    Snapshot freeze();
     RunState state() const { return window->lastSnapshot().state; }
 
     /// Keeps a picture of the window as it is on the screen, in the folder that the environment's

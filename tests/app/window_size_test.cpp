@@ -30,16 +30,6 @@ protected:
         for (int i = 0; i < 6; ++i) // nested layouts, one after the other
             QCoreApplication::processEvents();
     }
-    /// What is shown now stays as it is.
-    Snapshot freeze() {
-        EXPECT_TRUE(waitForState(RunState::Ready));
-        EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
-        QCoreApplication::processEvents(); // what it had sent
-        Snapshot snapshot = window->lastSnapshot();
-        snapshot.newSamples.clear();
-        snapshot.newEvents.clear();
-        return snapshot;
-    }
     QScrollArea* scrollOf(QWidget* part) {
         while (part != nullptr && part->objectName() != QLatin1String("partScroll"))
             part = part->parentWidget();
