@@ -36,6 +36,15 @@ BASK_INLINE double laneSum(Lanes x) {
             part[i] += part[i + half];
     return part[0];
 }
+BASK_INLINE double laneMin(Lanes x) {
+    double part[kLanes];
+    for (int i = 0; i < kLanes; ++i)
+        part[i] = x[i];
+    for (int half = kLanes / 2; half > 0; half /= 2)
+        for (int i = 0; i < half; ++i)
+            part[i] = part[i + half] < part[i] ? part[i + half] : part[i];
+    return part[0];
+}
 BASK_INLINE Lanes select(LaneMask which, Lanes yes, Lanes no) {
     return which ? yes : no;
 }

@@ -74,13 +74,7 @@ double parallelDiskStrips(double radius, double objectRadius, double least, cons
         const Lanes cosh = (real * real + imag * imag + root) / (twice2 + 1e-300);
         narrowest = select((z > least) & (cosh < narrowest), cosh, narrowest);
     }
-    double part[kLanes];
-    for (int i = 0; i < kLanes; ++i)
-        part[i] = narrowest[i];
-    for (int half = kLanes / 2; half > 0; half /= 2)
-        for (int i = 0; i < half; ++i)
-            part[i] = part[i + half] < part[i] ? part[i + half] : part[i];
-    return part[0];
+    return laneMin(narrowest);
 }
 
 /// The closed form of addWholeDisk where the planes are parallel: the outline is the same on both sides of
