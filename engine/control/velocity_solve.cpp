@@ -207,8 +207,8 @@ std::optional<double> tooLowAfter_s(const RigGeometry& geometry, const Vector6d&
 
 /// Adds the points that are too low after so long, which the rows of the points that are lowest at q do not
 /// see: where a face is parallel to the floor, another side of it comes down with each tilt. If the way is
-/// curved downwards, the rates have to make up for it.
-/// The lowest first, at most `room`; returns whether there was any room.
+/// curved downwards, the rates have to make up for it. The lowest first, at most `room`; returns whether
+/// there was any room.
 bool addCuts(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double time_s,
              double min_m, std::size_t room, std::vector<Cut>& cuts) {
     const Vector6d low = q + time_s * rates;

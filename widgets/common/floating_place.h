@@ -8,7 +8,7 @@ class QWidget;
 namespace bask {
 
 /// What a bar must not hide, if there is room above it: a property of widgets with so many px from their
-/// lower edge, such as a plot's axis, or kWholeWidget.
+/// lower edge, such as a plot's axis, or kWholeWidget_px.
 inline constexpr const char* kKeptFree_px = "keptFree_px";
 inline constexpr int kWholeWidget_px = 1 << 20;
 

@@ -231,17 +231,14 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
         return MetricWords::tr(
             "What the object's thermometer read at the last sample until Stop. The other numbers take its "
             "readings, too. \u00b1 is the standard uncertainty: of a sensor that of the room's temperature "
-            "to "
-            "which it was zeroed, of its zeroing, and of step and noise of its readings, without its own "
-            "error "
-            "away from the room's temperature and that of its contact.");
+            "to which it was zeroed, of its zeroing, and of step and noise of its readings, without its own "
+            "error away from the room's temperature and that of its contact.");
     case ObjectMetric::Settling:
         return MetricWords::tr(
                    "Time until the temperature stays within %1 of the target until Stop. The event "
                    "\"All objects settled\" is another and comes later: when all objects have been "
                    "so near for %2 s by the controller's estimates, and the robot needs no other place. "
-                   "\u00b1 is "
-                   "what period, step and noise of the readings make of it.")
+                   "\u00b1 is what period, step and noise of the readings make of it.")
             .arg(band, QLocale().toString(kRunSettledAfter_s, 'f', 0));
     case ObjectMetric::Rise:
         return MetricWords::tr(

@@ -72,6 +72,24 @@ public:
     }
 };
 
+/// A square mark with one sign.
+QPixmap squarePixmap(const QString& sign, const QColor& ink, const QPen& frame, const QBrush& ground,
+                     int size, double devicePixelRatio) {
+    QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(frame);
+    painter.setBrush(ground);
+    painter.drawRoundedRect(QRectF(0, 0, size, size).adjusted(1, 1, -1, -1), size * 0.16, size * 0.16);
+    QFont font = QApplication::font();
+    font.setBold(true);
+    font.setPixelSize(qMax(7, qRound(size * 0.72)));
+    painter.setFont(font);
+    painter.setPen(ink);
+    painter.drawText(QRectF(0, 0, size, size), Qt::AlignCenter, sign);
+    return pixmap;
+}
+
 } // namespace
 
 bool isDark(const QPalette& palette) {
@@ -215,37 +233,16 @@ QColor unknownColor(bool dark) {
 }
 
 QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio) {
-    QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
     const QColor colour = unknownColor(dark);
     QPen frame(colour, qMax(1.2, size * 0.08));
     frame.setDashPattern({1.8, 1.2});
-    painter.setPen(frame);
-    painter.drawRoundedRect(QRectF(0, 0, size, size).adjusted(1, 1, -1, -1), size * 0.16, size * 0.16);
-    QFont font = QApplication::font();
-    font.setBold(true);
-    font.setPixelSize(qMax(7, qRound(size * 0.72)));
-    painter.setFont(font);
-    painter.setPen(colour);
-    painter.drawText(QRectF(0, 0, size, size), Qt::AlignCenter, QStringLiteral("?"));
-    return pixmap;
+    return squarePixmap(QStringLiteral("?"), colour, frame, Qt::NoBrush, size, devicePixelRatio);
 }
 
 QPixmap problemPixmap(bool dark, int size, double devicePixelRatio) {
-    QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(alarmEdgeColor(3, dark), qMax(1.0, size * 0.08)));
-    painter.setBrush(alarmColor(3, dark));
-    painter.drawRoundedRect(QRectF(0, 0, size, size).adjusted(1, 1, -1, -1), size * 0.16, size * 0.16);
-    QFont font = QApplication::font();
-    font.setBold(true);
-    font.setPixelSize(qMax(7, qRound(size * 0.72)));
-    painter.setFont(font);
-    painter.setPen(alarmInkColor(3, dark));
-    painter.drawText(QRectF(0, 0, size, size), Qt::AlignCenter, QStringLiteral("!"));
-    return pixmap;
+    return squarePixmap(QStringLiteral("!"), alarmInkColor(3, dark),
+                        QPen(alarmEdgeColor(3, dark), qMax(1.0, size * 0.08)), alarmColor(3, dark), size,
+                        devicePixelRatio);
 }
 
 QColor accentColor(bool dark) {

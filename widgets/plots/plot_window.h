@@ -10,8 +10,7 @@ class TracePlot;
 
 /// Made by PlotPlace, without a parent: a child would stay above the main window, and be minimised with it.
 /// F11 makes it fill the screen, F11 or Esc ends that; then its title stands over the plot. Else Esc closes
-/// it. Object name
-/// "plotWindow." and the name of the plot; the title over the plot "plotWindowTitle".
+/// it. Object name "plotWindow." and the name of the plot; the title over the plot "plotWindowTitle".
 class PlotWindow : public QWidget {
     Q_OBJECT
 public:

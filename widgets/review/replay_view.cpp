@@ -384,12 +384,13 @@ void ReplayView::showOverlays() {
 
 /// In figures and beside the plots.
 void ReplayView::nameOverlays() {
+    const QStringList keys = m_runs.keys(m_unit);
     for (const Plot& each : m_plots)
-        each.plot->setRunNames(m_runs.keys(m_unit));
-    showLegend();
+        each.plot->setRunNames(keys);
+    showLegend(keys);
 }
 
-void ReplayView::showLegend() {
+void ReplayView::showLegend(const QStringList& keys) {
     while (QLayoutItem* item = m_legendLayout->takeAt(0)) {
         if (item->widget() != nullptr)
             item->widget()->deleteLater(); // it may be the button that was just clicked
@@ -398,7 +399,6 @@ void ReplayView::showLegend() {
     m_legend->setVisible(!m_runs.over().empty());
     if (m_runs.over().empty())
         return;
-    const QStringList keys = m_runs.keys(m_unit);
     auto* caption = new QLabel(tr("Laid over it:"), m_legend);
     caption->setPalette(captionPalette(palette()));
     m_legendLayout->addWidget(caption, 0, 0);

@@ -98,7 +98,7 @@ private:
     void tellFailure(const Error& error);
     void showOverlays();
     void nameOverlays();
-    void showLegend();
+    void showLegend(const QStringList& keys);
     void showComparison();
     void clearTiles();
     void addMarkers(TracePlot& plot) const;
