@@ -1,5 +1,6 @@
 #include "engine/control/feasibility.h"
 
+#include "engine/base/parallel.h"
 #include "engine/control/steady_search.h"
 #include "engine/control/steady_states.h"
 
@@ -53,7 +54,8 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
     std::vector<TargetVerdict> out(N);
     const Eigen::VectorXd all_K =
         Eigen::Map<const Eigen::VectorXd>(targets_K.data(), static_cast<Eigen::Index>(N));
-    for (std::size_t i = 0; i < N; ++i) {
+    const auto judge = [&](int object) {
+        const auto i = static_cast<std::size_t>(object);
         TargetVerdict& verdict = out[i];
         const HeatRates& rates = search.rates()[i];
         verdict.target_K = targets_K[i];
@@ -62,7 +64,7 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
         verdict.neededViewFactor = neededViewFactor(search, all_K, i);
         if (search.empty()) {
             verdict.verdict = FeasibilityVerdict::TooHot; // no pose of the workspace keeps the clearance
-            continue;
+            return;
         }
         const Eigen::RowVectorXd row =
             Eigen::RowVectorXd::Unit(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(i));
@@ -76,7 +78,8 @@ std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std:
             verdict.verdict = FeasibilityVerdict::TooHot;
         else if (verdict.target_K < verdict.reachableMin_K - kReachedWithin_K)
             verdict.verdict = FeasibilityVerdict::TooCold;
-    }
+    };
+    runInParallel(static_cast<int>(N), 0, judge, {});
     return out;
 }
 
@@ -85,21 +88,22 @@ std::vector<PairVerdict> pairVerdicts(const SteadySearch& search, const std::vec
     const int N = static_cast<int>(targets_K.size());
     std::vector<PairVerdict> out;
     for (int i = 0; i < N; ++i)
-        for (int j = i + 1; j < N; ++j) {
-            const auto first = static_cast<std::size_t>(i);
-            const auto second = static_cast<std::size_t>(j);
-            const HeatRates& a = search.rates()[first];
-            const HeatRates& b = search.rates()[second];
-            const Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(N, i) - Eigen::RowVectorXd::Unit(N, j);
-            PairVerdict verdict{i, j, targets_K[first] - targets_K[second]};
-            const double max = search.geometry().maxViewFactor();
-            verdict.min_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(max));
-            verdict.largest_K =
-                extreme_K(search, row, a.steadyTemperature_K(max) - b.steadyTemperature_K(0.0));
-            verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kReachedWithin_K &&
-                            verdict.wanted_K >= verdict.min_K - 2.0 * kReachedWithin_K;
-            out.push_back(verdict);
-        }
+        for (int j = i + 1; j < N; ++j)
+            out.push_back(
+                {i, j, targets_K[static_cast<std::size_t>(i)] - targets_K[static_cast<std::size_t>(j)]});
+    const double max = search.geometry().maxViewFactor();
+    const auto judge = [&](int pair) {
+        PairVerdict& verdict = out[static_cast<std::size_t>(pair)];
+        const HeatRates& a = search.rates()[static_cast<std::size_t>(verdict.first)];
+        const HeatRates& b = search.rates()[static_cast<std::size_t>(verdict.second)];
+        const Eigen::RowVectorXd row =
+            Eigen::RowVectorXd::Unit(N, verdict.first) - Eigen::RowVectorXd::Unit(N, verdict.second);
+        verdict.min_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(max));
+        verdict.largest_K = extreme_K(search, row, a.steadyTemperature_K(max) - b.steadyTemperature_K(0.0));
+        verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kReachedWithin_K &&
+                        verdict.wanted_K >= verdict.min_K - 2.0 * kReachedWithin_K;
+    };
+    runInParallel(static_cast<int>(out.size()), 0, judge, {});
     return out;
 }
 

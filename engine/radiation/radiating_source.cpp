@@ -24,11 +24,11 @@ std::vector<Summand> allOf(const RadiatingSource& source) {
     return summands;
 }
 
-constexpr std::size_t kShadeRings = 8;
+constexpr std::size_t kShadeRings = 8, kRoughRings = 4;
 
-/// What shade is found with: of more than kShadeRings whole disks one in the other that many, the others
-/// being between two of them, linear in the square of the radius. Shade costs a hundred times as much as what
-/// it is taken from.
+/// What shade is found with: of more whole disks one in the other than `rings` that many, the others being
+/// between two of them, linear in the square of the radius. Shade costs a hundred times as much as what it is
+/// taken from.
 struct ShadeSum {
     std::vector<Summand> summands;
     /// Of each summand and the one before it: the factors of the disks between them, each times its larger
@@ -38,32 +38,32 @@ struct ShadeSum {
 };
 
 /// The first disk, the last one, and those that cut the factors between them into equal sums.
-std::vector<std::size_t> keptRings(const std::vector<Summand>& sorted) {
+std::vector<std::size_t> keptRings(const std::vector<Summand>& sorted, std::size_t rings) {
     double total = 0.0;
     for (std::size_t k = 1; k + 1 < sorted.size(); ++k)
         total += std::abs(sorted[k].factor);
     std::vector<std::size_t> kept{0};
     double sum = 0.0;
-    for (std::size_t k = 1; k + 1 < sorted.size() && kept.size() + 1 < kShadeRings; ++k) {
+    for (std::size_t k = 1; k + 1 < sorted.size() && kept.size() + 1 < rings; ++k) {
         sum += std::abs(sorted[k].factor);
-        if (sum * static_cast<double>(kShadeRings - 1) >= total * static_cast<double>(kept.size()))
+        if (sum * static_cast<double>(rings - 1) >= total * static_cast<double>(kept.size()))
             kept.push_back(k);
     }
     kept.push_back(sorted.size() - 1);
     return kept;
 }
 
-ShadeSum forShade(const RadiatingSource& source) {
+ShadeSum forShade(const RadiatingSource& source, std::size_t rings) {
     std::vector<Summand> all = allOf(source);
     const auto radius_m = [](const Summand& s) { return std::get<Disk>(s.term->contour.shape()).radius_m; };
     const bool areRings = std::ranges::all_of(all, [](const Summand& s) {
         return std::holds_alternative<Disk>(s.term->contour.shape()) && s.term->X_SP.matrix().isIdentity(0.0);
     });
-    if (!areRings || all.size() <= kShadeRings)
+    if (!areRings || all.size() <= rings)
         return {all, std::vector<double>(all.size(), 0.0)};
     std::ranges::sort(all, {}, radius_m);
     std::vector<Summand> kept;
-    for (const std::size_t k : keptRings(all))
+    for (const std::size_t k : keptRings(all, rings))
         kept.push_back({all[k].term, 0.0});
     std::vector<double> between(kept.size(), 0.0);
     std::size_t above = 1;
@@ -194,7 +194,7 @@ ShadedViewFactor shadedViewFactor(const RadiatingSource& source, const Radiating
     sum.gradient = sum.gradientRigid = unshaded.gradient;
     sum.errorEstimate = unshaded.errorEstimate;
     double taken = 0.0, takenBefore = 0.0;
-    const ShadeSum shade = forShade(source);
+    const ShadeSum shade = forShade(source, kShadeRings);
     std::size_t k = 0;
     forSummands(shade.summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
@@ -221,7 +221,7 @@ RigidViewFactor roughShadedViewFactor(const RadiatingSource& source, const Radia
     const ViewFactorOptions perTerm{.tolerance = tolerancePerTerm(source, tolerance)};
     const ViewFactor unshaded = viewFactor(source, object, X_SO, {.tolerance = tolerance});
     RigidViewFactor sum{unshaded.value, unshaded.gradient};
-    forSummands(forShade(source).summands, X_SO, blockers,
+    forSummands(forShade(source, kRoughRings).summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
                     const RigidViewFactor one =
                         roughShadedViewFactor(term.contour, object, X_PO, inP, perTerm.tolerance);
@@ -238,7 +238,7 @@ double roughShade(const RadiatingSource& source, const RadiatingContour& object,
     if (source.isEven())
         return roughShade(source.terms().front().contour, object, X_SO, blockers);
     double sum = 0.0;
-    forSummands(forShade(source).summands, X_SO, blockers,
+    forSummands(forShade(source, kRoughRings).summands, X_SO, blockers,
                 [&](double factor, const SourceTerm& term, const Pose& X_PO, std::span<const Blocker> inP) {
                     sum += factor * roughShade(term.contour, object, X_PO, inP);
                 });

@@ -223,7 +223,7 @@ TEST(RadiatingSource, ShadeOfRingsIsFoundWithAFew) {
     constexpr int kRings = 36;
     const RadiatingContour object(Disk{0.02});
     const ShadeOptions options{.unshaded = {}, .tolerance = 1e-7, .refusesCrossing = false};
-    double worst = 0.0, worstGradient = 0.0, most = 0.0;
+    double worst = 0.0, worstGradient = 0.0, worstRough = 0.0, most = 0.0;
     for (const auto& [fall, power] : {std::pair{0.2, 1.0}, {0.5, 3.0}, {1.0, 1.0}, {-0.3, 0.5}}) {
         std::vector<SourceTerm> terms;
         std::vector<double> factors;
@@ -247,14 +247,18 @@ TEST(RadiatingSource, ShadeOfRingsIsFoundWithAFew) {
             EXPECT_LE(std::abs(factor.value - expected), factor.errorEstimate) << fall << ' ' << power;
             EXPECT_LT(factor.errorEstimate, 0.02 * std::abs(fall) + 1e-5);
             worstGradient = std::max(worstGradient, (factor.gradientRigid - gradient).cwiseAbs().maxCoeff());
-            most = std::max(most, factor.unshaded - factor.value);
+            const double taken = factor.unshaded - factor.value;
+            most = std::max(most, taken);
+            const double rough = roughShade(source, object, X_SO, {&blocker, 1});
+            worstRough = std::max(worstRough, std::abs(rough - taken));
         }
     }
-    std::printf("shade of rings: within %.1e of up to %.2f, gradient within %.1e\n", worst, most,
-                worstGradient);
+    std::printf("shade of rings: within %.1e of up to %.2f, gradient within %.1e, roughly within %.1e\n",
+                worst, most, worstGradient, worstRough);
     EXPECT_GT(most, 0.15);
     EXPECT_LT(worst, 2e-3);
     EXPECT_LT(worstGradient, 0.1);
+    EXPECT_LT(worstRough, 0.02 * most);
 }
 
 TEST(RadiatingSource, RefusesWhatHasNoSum) {
