@@ -6485,12 +6485,17 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Ce que le thermomètre de l’objet a lu au dernier échantillon avant l’arrêt. Les autres valeurs prennent aussi ses mesures. ± est l’incertitude type : pour un capteur, celle de la température de la pièce à laquelle il a été ajusté, de son ajustement, et du pas et du bruit de ses mesures, sans son erreur propre loin de la température de la pièce ni celle de son contact.</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
-        <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt. L’événement « Tous les objets sont stabilisés » est autre chose et vient plus tard : quand tous les objets sont aussi proches depuis %2 s d’après les estimations du régulateur, et que le robot n’a pas à aller ailleurs. ± est ce qu’en font la période, le pas et le bruit des mesures.</translation>
-    </message>
-    <message>
         <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
         <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec son incertitude type (±) et l’écart-type des échantillons.</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <comment>after a number</comment>
+        <translation>, pas sûr</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
+        <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt. L’événement « Tous les objets sont stabilisés » est autre chose et vient plus tard : quand tous les objets sont aussi proches depuis %2 s d’après les estimations du régulateur, et que le robot n’a pas à aller ailleurs. ± est son incertitude type : de combien des mesures fausses de la leur déplacent ce moment, et la période. Pas sûr : avec une telle erreur, la température serait hors de la bande à la fin.</translation>
     </message>
 </context>
 <context>
@@ -9809,6 +9814,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Replace</source>
         <translation>Remplacer</translation>
+    </message>
+    <message>
+        <source>As it is, or as a share of the value: 2 %</source>
+        <translation>Telle quelle, ou en part de la valeur : 2 %</translation>
     </message>
 </context>
 <context>

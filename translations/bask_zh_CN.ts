@@ -6474,12 +6474,17 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>物体的温度计在到“停止”为止的最后一个采样时的读数。其他数值也取其读数。± 为标准不确定度：对传感器而言，来自校零所依据的室温、校零本身以及读数的步长和噪声，不包括其远离室温时自身的误差和接触的误差。</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
-        <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。事件“所有物体均已稳定”是另一回事，并且更晚：按控制器的估计，全部物体已如此接近 %2 s，且机器人无需再去别处。± 为读数的周期、步长和噪声所致。</translation>
-    </message>
-    <message>
         <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
         <translation>到“停止”为止的最后 %1 s 内（若稳定后的时间更短，则自稳定时起）温度减目标的平均值，附其标准不确定度（±）和各采样的标准差。</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <comment>after a number</comment>
+        <translation>，不确定</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
+        <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。事件“所有物体均已稳定”是另一回事，并且更晚：按控制器的估计，全部物体已如此接近 %2 s，且机器人无需再去别处。± 为其标准不确定度：读数偏差为其不确定度时该时刻移动多少，以及周期。“不确定”：有这样的误差时，结束时温度在范围之外。</translation>
     </message>
 </context>
 <context>
@@ -9789,6 +9794,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Replace</source>
         <translation>替换</translation>
+    </message>
+    <message>
+        <source>As it is, or as a share of the value: 2 %</source>
+        <translation>直接填写，或写成该值的百分比：2 %</translation>
     </message>
 </context>
 <context>

@@ -6474,12 +6474,17 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>物體的溫度計在到「停止」為止的最後一個取樣時的讀數。其他數值也取其讀數。± 為標準不確定度：對感測器而言，來自歸零所依據的室溫、歸零本身以及讀數的步長和雜訊，不包括其遠離室溫時自身的誤差和接觸的誤差。</translation>
     </message>
     <message>
-        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is what period, step and noise of the readings make of it.</source>
-        <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。事件「所有物體均已穩定」是另一回事，並且更晚：依控制器的估計，全部物體已如此接近 %2 s，且機器人無需再去別處。± 為讀數的週期、步長和雜訊所致。</translation>
-    </message>
-    <message>
         <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with its standard uncertainty (±) and the standard deviation of the samples.</source>
         <translation>到「停止」為止的最後 %1 s 內（若穩定後的時間更短，則自穩定時起）溫度減目標的平均值，附其標準不確定度（±）和各取樣的標準差。</translation>
+    </message>
+    <message>
+        <source>, not sure</source>
+        <comment>after a number</comment>
+        <translation>，不確定</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop. The event &quot;All objects settled&quot; is another and comes later: when all objects have been so near for %2 s by the controller&apos;s estimates, and the robot needs no other place. ± is its standard uncertainty: how far readings that are wrong by theirs move that moment, and the period. Not sure: with such an error it would be outside at the end.</source>
+        <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。事件「所有物體均已穩定」是另一回事，並且更晚：依控制器的估計，全部物體已如此接近 %2 s，且機器人無需再去別處。± 為其標準不確定度：讀數偏差為其不確定度時該時刻移動多少，以及週期。「不確定」：有這樣的誤差時，結束時溫度在範圍之外。</translation>
     </message>
 </context>
 <context>
@@ -9789,6 +9794,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Replace</source>
         <translation>取代</translation>
+    </message>
+    <message>
+        <source>As it is, or as a share of the value: 2 %</source>
+        <translation>直接填寫，或寫成該值的百分比：2 %</translation>
     </message>
 </context>
 <context>

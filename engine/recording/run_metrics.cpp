@@ -46,27 +46,63 @@ private:
     std::optional<double> m_at_s;
 };
 
+/// When an error was last above a level.
+class LastAbove {
+public:
+    void add(double time_s, double error_K) {
+        while (!m_peaks.empty() && m_peaks.back().error_K <= error_K)
+            m_peaks.pop_back();
+        if (!m_peaks.empty() && m_peaks.back().error_K - error_K < kSame_K)
+            m_peaks.back().time_s = time_s;
+        else if (error_K > -kFar_K)
+            m_peaks.push_back({std::min(error_K, kFar_K), time_s});
+    }
+    void clear() { m_peaks.clear(); }
+    /// Empty: never, for levels within +-kFar_K.
+    std::optional<double> last_s(double level_K) const {
+        const auto last = std::ranges::find_if(
+            m_peaks.rbegin(), m_peaks.rend(), [level_K](const Peak& peak) { return peak.error_K > level_K; });
+        return last == m_peaks.rend() ? std::nullopt : std::optional(last->time_s);
+    }
+
+private:
+    static constexpr double kSame_K = 1e-3, kFar_K = 3.0; // so there are few of them
+    struct Peak {
+        double error_K;
+        double time_s;
+    };
+    std::vector<Peak> m_peaks; ///< each the highest since the one before
+};
+
 /// Metrics of an object by one of its temperatures.
 class TemperatureCount {
 public:
     TemperatureCount() { m_metrics.target_K = std::numeric_limits<double>::quiet_NaN(); }
 
-    /// `rate_K_s` of T is NaN where it is not known.
-    void add(double time_s, double target_K, double T_K, double rate_K_s, double band_K) {
+    void add(double time_s, double target_K, double T_K, double band_K) {
         if (target_K != m_metrics.target_K) // an unknown one is another each time
             beginStep(time_s, target_K, T_K, band_K);
         m_metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
         if (m_metrics.final_K)
-            addTemperature(time_s, T_K, rate_K_s, band_K);
+            addTemperature(time_s, T_K, band_K);
     }
 
-    /// Returns how well the moment is known from which T stays in the band, s, by the time since the reading
-    /// before and by what `scatter_K` makes of it at that rate; empty without such a moment or rate.
-    std::optional<double> settlingUncertainty_s(double scatter_K) const {
-        if (!m_metrics.settledFrom_s || !(m_entry.gap_s > 0.0))
+    /// Returns how well the moment is known from which T stays in the band, s, if T may be wrong by
+    /// `error_K`: by the time since the reading before, and by how far such an error moves it. Infinite if it
+    /// would not be in the band then; empty without such a moment.
+    std::optional<double> settlingUncertainty_s(double error_K, double band_K) const {
+        if (!m_metrics.settledFrom_s)
             return std::nullopt;
-        const double u_s = std::hypot(m_entry.gap_s / std::sqrt(12.0), scatter_K / m_entry.rate_K_s);
-        return std::isfinite(u_s) ? std::optional(u_s) : std::nullopt;
+        const double found_s = outsideUntil_s(0.0, band_K);
+        double moved_s = 0.0;
+        for (const double wrong_K : {error_K, -error_K}) {
+            const double until_s = outsideUntil_s(wrong_K, band_K);
+            if (until_s == m_lately.back().first)
+                return std::numeric_limits<double>::infinity();
+            moved_s = std::max(moved_s, std::abs(until_s - found_s));
+        }
+        const double u_s = std::hypot(m_gap_s / std::sqrt(12.0), moved_s);
+        return u_s > 0.0 ? std::optional(u_s) : std::nullopt;
     }
 
     ObjectMetrics judged(double last_s, double pathLength_m) const {
@@ -101,7 +137,14 @@ public:
     }
 
 private:
-    void addTemperature(double time_s, double T_K, double rate_K_s, double band_K) {
+    /// When T was last out of the band, all readings being too low by `wrong_K`.
+    double outsideUntil_s(double wrong_K, double band_K) const {
+        const double from_s = m_metrics.from_s;
+        return std::max(m_above.last_s(band_K - wrong_K).value_or(from_s),
+                        m_below.last_s(band_K + wrong_K).value_or(from_s));
+    }
+
+    void addTemperature(double time_s, double T_K, double band_K) {
         const double error_K = T_K - m_metrics.target_K;
         if (m_isJudged) {
             m_begun.add(time_s, T_K);
@@ -114,8 +157,10 @@ private:
             m_metrics.settledFrom_s.reset();
         } else if (!m_metrics.settledFrom_s) {
             m_metrics.settledFrom_s = time_s;
-            m_entry = {m_lately.empty() ? 0.0 : time_s - m_lately.back().first, rate_K_s};
+            m_gap_s = m_lately.empty() ? 0.0 : time_s - m_lately.back().first;
         }
+        m_above.add(time_s, error_K);
+        m_below.add(time_s, -error_K);
         m_lately.emplace_back(time_s, error_K);
         while (m_lately.front().first < time_s - kSteadyWindow_s)
             m_lately.pop_front();
@@ -131,6 +176,8 @@ private:
         else
             m_metrics.settledFrom_s.reset(); // at the target before
         m_lately.clear();
+        m_above.clear();
+        m_below.clear();
         m_isJudged = m_metrics.step_K && std::abs(*m_metrics.step_K) >= 2.0 * band_K;
         if (!m_isJudged)
             return;
@@ -140,15 +187,10 @@ private:
         m_metrics.overshoot_K = 0.0;
     }
 
-    /// When it came into the band.
-    struct Entry {
-        double gap_s = 0.0; ///< since the reading before; 0 if there was none at this target
-        double rate_K_s = 0.0;
-    };
-
-    ObjectMetrics m_metrics; ///< but for what judged() adds
-    Entry m_entry;
-    bool m_isJudged = false; ///< the step is large enough
+    ObjectMetrics m_metrics;    ///< but for what judged() adds
+    double m_gap_s = 0.0;       ///< when it came into the band: since the reading before; 0: there was none
+    LastAbove m_above, m_below; ///< the target
+    bool m_isJudged = false;    ///< the step is large enough
     LevelCrossing m_begun, m_done;
     /// Times and errors since the step and in the last window.
     std::deque<std::pair<double, double>> m_lately;
@@ -215,10 +257,8 @@ void RunMetricsCount::add(const TraceSample& sample) {
         if (isLate)
             m_objects[i].scatter.gap();
         m_objects[i].scatter.add(read_K(object));
-        m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), object.rate_K_s,
-                              m_metrics.band_K);
-        m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, object.rate_K_s,
-                               m_metrics.band_K);
+        m_objects[i].read.add(sample.time_s, object.target_K, read_K(object), m_metrics.band_K);
+        m_objects[i].truth.add(sample.time_s, object.target_K, object.true_K, m_metrics.band_K);
     }
     m_pose = X_RE;
     if (isFirst)
@@ -265,18 +305,17 @@ void RunMetricsCount::addUncertainties(std::size_t i, ObjectMetrics& out) const 
             out.readingUncertainty_K = m_metrics.last.objects[i].camera.uncertainty_K;
         if (out.steadyError_K)
             out.steadyUncertainty_K = out.readingUncertainty_K;
-        return;
+    } else if (m_offsets_K.size() == m_objects.size()) {
+        const auto sensor = contactUncertainty(m_offsets_K, m_window, object.scatter);
+        if (!sensor)
+            return;
+        out.readingUncertainty_K = sensor->ofReading_K();
+        if (out.steadyError_K)
+            out.steadyUncertainty_K = sensor->ofMean_K(out.steadySamples);
     }
-    if (m_offsets_K.size() != m_objects.size())
-        return;
-    const auto sensor = contactUncertainty(m_offsets_K, m_window, object.scatter);
-    if (!sensor)
-        return;
-    out.readingUncertainty_K = sensor->ofReading_K();
-    if (out.steadyError_K)
-        out.steadyUncertainty_K = sensor->ofMean_K(out.steadySamples);
-    out.settlingUncertainty_s =
-        object.read.settlingUncertainty_s(std::hypot(sensor->noise_K, sensor->resolution_K));
+    if (out.readingUncertainty_K)
+        out.settlingUncertainty_s =
+            object.read.settlingUncertainty_s(*out.readingUncertainty_K, m_metrics.band_K);
 }
 
 RunMetrics RunMetricsCount::metrics() const {

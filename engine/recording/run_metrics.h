@@ -42,8 +42,9 @@ struct ObjectMetrics {
     // camera told; empty where they are not known, and of the true temperature.
     std::optional<double> readingUncertainty_K; ///< of final_K, and of the reading that made overshoot_K
     std::optional<double> steadyUncertainty_K;
-    /// What period, step and noise of the readings make of settling_s; the error that all readings share is
-    /// not in it. Empty where it was in the band from the beginning.
+    /// Of settling_s: of the time between readings, and by how far readings wrong by their standard
+    /// uncertainty move the moment at which T comes into the band for good. Infinite if it were not in the
+    /// band then: that it has settled is not sure. Empty where it was in the band from the beginning.
     std::optional<double> settlingUncertainty_s;
 
     /// Returns the overshoot as a fraction of the step's size.

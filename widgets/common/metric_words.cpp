@@ -139,10 +139,13 @@ int decimalsBy(std::optional<double> shownUncertainty, int usual) {
     return first ? std::min(usual, *first + 1) : usual;
 }
 
-/// A difference of temperatures, or a time, with two digits: " \u00b1 0.15 K"; empty without one.
+/// A difference of temperatures, or a time, with two digits: " \u00b1 0.15 K"; empty without one. An infinite
+/// one is put into words.
 QString plusMinusText(ObjectMetric::Kind kind, std::optional<double> uncertainty, TemperatureUnit unit) {
     if (!uncertainty)
         return {};
+    if (std::isinf(*uncertainty))
+        return MetricWords::tr(", not sure", "after a number");
     const bool isTime = kind == ObjectMetric::Settling;
     const double shown = isTime ? *uncertainty : displayDifference(*uncertainty, unit);
     const auto first = decimalsOf(shown, 0);
@@ -238,7 +241,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
                    "Time until the temperature stays within %1 of the target until Stop. The event "
                    "\"All objects settled\" is another and comes later: when all objects have been "
                    "so near for %2 s by the controller's estimates, and the robot needs no other place. "
-                   "\u00b1 is what period, step and noise of the readings make of it.")
+                   "\u00b1 is its standard uncertainty: how far readings that are wrong by theirs move that "
+                   "moment, and the period. Not sure: with such an error it would be outside at the end.")
             .arg(band, QLocale().toString(kRunSettledAfter_s, 'f', 0));
     case ObjectMetric::Rise:
         return MetricWords::tr(

@@ -93,12 +93,10 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
     const ObjectMetrics zeroed = metrics();
     EXPECT_NEAR(zeroed.readingUncertainty_K.value(), kClassB_K, 0.01) << "hardly any step or noise";
     EXPECT_LE(zeroed.steadyUncertainty_K.value(), zeroed.readingUncertainty_K.value());
-    EXPECT_NEAR(zeroed.settlingUncertainty_s.value(), 0.5 / std::sqrt(12.0), 0.01);
+    const double later_s = kTau_s * std::log(0.5 / (0.5 - kClassB_K)); // into the band, all 0.25 K too high
+    EXPECT_NEAR(zeroed.settlingUncertainty_s.value(), later_s, 1.0);
 
     const SessionRecord whole = record;
-    for (TraceSample& sample : record.samples) // no rate is known when it comes into the band
-        sample.objects[0].rate_K_s = kNaN;
-    EXPECT_FALSE(metrics().settlingUncertainty_s);
     for (const bool isTold : {false, true}) { // its sensor is mended at rest, and confirmed
         record = whole;
         for (TraceSample& sample : record.samples)
@@ -116,12 +114,33 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
         sample.objects[0].measured_K = 0.2 * std::round(5.0 * sample.objects[0].measured_K);
     const ObjectMetrics coarse = metrics();
     EXPECT_GT(coarse.readingUncertainty_K.value(), std::hypot(kClassB_K, 0.2 / std::sqrt(12.0)));
-    EXPECT_GT(coarse.settlingUncertainty_s.value(), 1.0) << "0.06 K at 0.025 K/s";
+    EXPECT_GT(coarse.settlingUncertainty_s.value(), 1.0);
 
     for (TraceSample& sample : record.samples) // in the band from the beginning
         sample.objects[0].measured_K = kTarget_K + 0.1;
     EXPECT_EQ(metrics().settling_s.value(), 0.0);
     EXPECT_FALSE(metrics().settlingUncertainty_s);
+}
+
+/// Settled by every reading from 40 s on, and at the edge of the band from 20 s to then and to the end.
+ObjectMetrics grazing(double until40s_K, double atTheEnd_K) {
+    SessionRecord record = recordOf(200.0, [&](double t) {
+        return kTarget_K + (t < 20.0 ? 20.0 : t < 40.0 ? until40s_K : t < 60.0 ? 0.2 : atTheEnd_K);
+    });
+    record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":[0.0]})"}};
+    return runMetrics(record).objects.at(0);
+}
+
+// Catches a settling time that is told to the second where a reading wrong by its uncertainty moves it by a
+// minute, on either side of the band, or where it has perhaps not settled.
+TEST(RunMetrics, SettlingIsAsSureAsTheTemperatureAtTheEdge) {
+    EXPECT_EQ(grazing(0.6, 0.1).settling_s.value(), 40.0);
+    EXPECT_NEAR(grazing(0.6, 0.1).settlingUncertainty_s.value(), 20.0, 1.0) << "sooner, if 0.25 K too high";
+    EXPECT_EQ(grazing(-0.3, 0.1).settling_s.value(), 20.0);
+    EXPECT_NEAR(grazing(-0.3, 0.1).settlingUncertainty_s.value(), 20.0, 1.0) << "later, if 0.25 K too high";
+    EXPECT_NEAR(grazing(0.1, 0.0).settlingUncertainty_s.value(), 0.5 / std::sqrt(12.0), 0.01);
+    EXPECT_TRUE(std::isinf(grazing(0.6, 0.4).settlingUncertainty_s.value()));
+    EXPECT_TRUE(std::isinf(grazing(0.6, -0.4).settlingUncertainty_s.value()));
 }
 
 // Catches the uncertainty of a sensor told of an object that the thermal camera reads.

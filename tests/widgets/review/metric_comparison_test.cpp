@@ -12,6 +12,7 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -211,6 +212,12 @@ TEST(MetricComparison, TellsTheUncertaintyOfValuesAndDifferences) {
     EXPECT_NE(csv.find("\nfinal standard uncertainty (K),circle,0.15,0.2,0.25\n"), std::string::npos) << csv;
     EXPECT_NE(csv.find("\nsettling time standard uncertainty (s),circle,0.3,,\n"), std::string::npos) << csv;
     EXPECT_EQ(csv.find("target standard uncertainty"), std::string::npos);
+    a.settlingUncertainty_s = std::numeric_limits<double>::infinity();
+    b.settlingUncertainty_s = 0.4;
+    const auto unsure = compareMetrics({comparedRun("A", {{"circle", a}}), comparedRun("B", {{"circle", b}})},
+                                       0, TemperatureUnit::Celsius);
+    EXPECT_EQ(plain(row(unsure, "Settling time", "circle").cells[0].text), "62.0 s, not sure");
+    EXPECT_EQ(plain(row(unsure, "Settling time", "circle").cells[1].difference), "\u22122.0 s, not sure");
     a.readingUncertainty_K = 2.3;
     EXPECT_EQ(plain(compareMetrics({comparedRun("A", {{"circle", a}})}, 0, TemperatureUnit::Celsius)
                         .at(1)
