@@ -65,12 +65,13 @@ QWidget* SaveMaterialDialog::uncertaintyRow(const Parameter<Material>& value) {
     const QString unit = QString::fromUtf8(value.unit.symbol);
     const QString suffix = unit.isEmpty() ? QString() : QChar(0x00a0) + unit;
     auto* row = new QWidget(this);
-    auto* said =
-        new QLabel(parameterText(value, value.get(m_values).value(), 6) + QStringLiteral(" \u00b1"), row);
-    QDoubleSpinBox* field =
-        numberField(row, QStringLiteral("uncertainty_") + parameterObjectName(value), 0.0,
-                    fromWritten(value, value.range.max) * scale, value.decimals + 1, suffix);
+    const double of = value.get(m_values).value();
+    auto* said = new QLabel(parameterText(value, of, 6) + QStringLiteral(" \u00b1"), row);
+    NumberField* field = numberField(row, QStringLiteral("uncertainty_") + parameterObjectName(value), 0.0,
+                                     fromWritten(value, value.range.max) * scale, value.decimals + 1, suffix);
     field->setSpecialValueText(tr("not known"));
+    field->setShareOf(of * scale);
+    field->setToolTip(tr("As it is, or as a share of the value: 2 %"));
     field->setAccessibleName(tr("Standard uncertainty: %1").arg(parameterLabel(value)));
     if (const auto found = m_values.uncertainties.find(value.name); found != m_values.uncertainties.end())
         field->setValue(found->second * scale);

@@ -233,16 +233,10 @@ QString headWords(const RunReportInput& input) {
 QString beginWords(const SessionRecord& session) {
     const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
     const QString armed = created.isValid() ? utcText(created) : RecordText::tr("date not known");
-    const auto start = std::ranges::find(session.commands, "start", &CommandRow::name);
-    const QJsonValue started = start == session.commands.end()
-                                   ? QJsonValue()
-                                   : QJsonDocument::fromJson(QByteArray::fromStdString(start->value))
-                                         .object()
-                                         .value(QLatin1String("started_utc_s"));
-    const double started_s = started.toDouble(kNotRead);
-    if (!(std::abs(started_s) < kNotRead))
+    const auto started_s = startedUtc_s(session);
+    if (!started_s)
         return armed;
-    return RecordText::tr("from Arm at %1; Start at %2").arg(armed, utcText(started_s));
+    return RecordText::tr("from Arm at %1; Start at %2").arg(armed, utcText(*started_s));
 }
 
 int alarmCount(const SessionRecord& session) {

@@ -5,7 +5,11 @@
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/uneven_source.h"
+#include "engine/recording/recorded_session.h"
 #include "engine/recording/simulation_pace.h"
+
+#include <QDateTime>
+#include <QTimeZone>
 
 #include <cmath>
 #include <filesystem>
@@ -108,6 +112,16 @@ private:
             m_file.text(group + "/simulation_pace", paceText(*pace));
     }
 
+    /// Start's time of day, that all times are since; in files of the first versions when it was opened.
+    std::string timeZero() const {
+        const auto started_s = startedUtc_s(m_session);
+        if (!started_s)
+            return m_session.created;
+        return QDateTime::fromMSecsSinceEpoch(std::llround(1e3 * *started_s), QTimeZone::utc())
+            .toString(Qt::ISODateWithMs)
+            .toStdString();
+    }
+
     /// What a NeXus program shows at first; its time is that of all logs.
     void plot() {
         const std::string group = "/entry/temperatures";
@@ -117,7 +131,7 @@ private:
             times.push_back(sample.time_s);
         m_file.numbers(kTime, times, "s");
         m_file.attribute(kTime, "long_name", "time since Start (s)");
-        m_file.attribute(kTime, "start", m_session.created);
+        m_file.attribute(kTime, "start", timeZero());
         m_file.attribute(kTime, "target", kTime); // NeXus: where the links to it come from
         m_file.attribute(group, "axes", std::vector<std::string>{"time"});
         std::vector<std::string> others;
@@ -431,7 +445,7 @@ private:
         const std::string times = std::string(kCamera) + "/start_time", plot = "/entry/thermal_pictures";
         m_file.numbers(times, pictures.times_s, "s");
         m_file.attribute(times, "long_name", "time since Start (s)");
-        m_file.attribute(times, "start", m_session.created);
+        m_file.attribute(times, "start", timeZero());
         m_file.group(plot, "NXdata");
         for (const auto& [there, name] :
              {std::pair(std::string(kNexusPictures), "/data"), {times, "/time"}}) {

@@ -14,6 +14,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -113,6 +114,9 @@ private:
 std::span<const MessageCode> runEnds();
 /// Returns the time of the first of them since Start; infinity if there was none.
 double controlledUntil_s(const SessionRecord& facts);
+/// Returns when Start was pressed, s since 1970 in UTC by the computer's clock; empty in files of the first
+/// versions, and before Start.
+std::optional<double> startedUtc_s(const SessionRecord& facts);
 /// Whether the record has no end, but tells of a Stop or STOP: what followed it, the retreat as well, may be
 /// missing in part.
 bool isCutAfterStop(const SessionRecord& facts);

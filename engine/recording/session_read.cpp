@@ -7,6 +7,8 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -149,6 +151,19 @@ double controlledUntil_s(const SessionRecord& facts) {
         return event.time_s >= 0.0 && std::ranges::find(runEnds(), event.message.code) != runEnds().end();
     });
     return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
+}
+
+std::optional<double> startedUtc_s(const SessionRecord& facts) {
+    constexpr double kMax_s = 1e12; // beyond it is no time
+    const auto start = std::ranges::find(facts.commands, "start", &CommandRow::name);
+    if (start == facts.commands.end())
+        return std::nullopt;
+    const auto told = nlohmann::json::parse(start->value, nullptr, false);
+    const auto at = told.is_object() ? told.find("started_utc_s") : told.end();
+    if (at == told.end() || !at->is_number())
+        return std::nullopt;
+    const auto time_s = at->get<double>();
+    return std::abs(time_s) < kMax_s ? std::optional(time_s) : std::nullopt;
 }
 
 bool isCutAfterStop(const SessionRecord& facts) {

@@ -121,4 +121,18 @@ TEST_F(MaterialsTest, ADamagedLibraryIsLeftAsItIsAndTold) {
     EXPECT_EQ(in.readAll(), damaged);
 }
 
+// Catches "2 %" of a value taken as 0.02.
+TEST_F(MaterialsTest, AnUncertaintyMayBeAShareOfItsValue) {
+    ASSERT_NO_FATAL_FAILURE(openObjects());
+    const double emittance = window->document().experiment().objects[0].material.emittance;
+    press("saveMaterial");
+    auto* field = find<QDoubleSpinBox>("uncertainty_emittance");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "2 %");
+    QTest::keyClick(field, Qt::Key_Tab);
+    EXPECT_NEAR(field->value(), 0.02 * emittance, 1e-4);
+    QTest::keyClick(window->findChild<SaveMaterialDialog*>(), Qt::Key_Escape);
+}
+
 } // namespace bask::test

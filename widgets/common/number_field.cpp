@@ -129,6 +129,8 @@ bool NumberField::endTracking() {
 }
 
 std::optional<double> NumberField::inOwnUnit(const TypedValue& typed) const {
+    if (m_shareOf && typed.unit == QStringLiteral("%"))
+        return 0.01 * typed.value * *m_shareOf;
     return typed.unit.isEmpty()
                ? std::optional(typed.value)
                : converted(typed.value, typed.unit.toStdString(), suffix().trimmed().toStdString());
@@ -263,8 +265,8 @@ QString WholeNumberField::whyNot(const QString& typed) const {
     return NumberField::whyNot(typed);
 }
 
-QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
-                            const QString& suffix) {
+NumberField* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
+                         const QString& suffix) {
     auto* field = new NumberField(parent);
     field->setObjectName(name);
     field->setDecimals(decimals);

@@ -35,6 +35,8 @@ public:
     double valueFromText(const QString& text) const override;
     void fixup(QString& text) const override;
     void stepBy(int steps) override;
+    /// A percentage that is typed is this share of `whole`, as for an uncertainty of 2 %.
+    void setShareOf(double whole) { m_shareOf = whole; }
     /// Whether a click on `widget` made the field refuse what was typed. Tells it once.
     bool takeRefusalBy(const QWidget* widget);
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -65,6 +67,7 @@ private:
     void say(const QString& why);
     void forgetRefusal();
 
+    std::optional<double> m_shareOf;
     std::optional<double> m_beforeTracking; ///< the "41,5" of "41,5,5" may be taken on the way
     bool m_isRefused = false;               ///< by the key or the loss of focus that is handled
     QPointer<QWidget> m_refusedBy;
@@ -87,8 +90,8 @@ protected:
 };
 
 /// Makes a field that takes a number when it is entered, not while it is typed.
-QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
-                            const QString& suffix);
+NumberField* numberField(QWidget* parent, const QString& name, double min, double max, int decimals,
+                         const QString& suffix);
 /// Sets a value without signals.
 void setQuietly(QDoubleSpinBox* field, double value);
 

@@ -105,6 +105,19 @@ TEST_F(NexusFile, TellsHowFarItIs) {
     shares.expectAWhole(5);
 }
 
+// Catches times that a reader takes to be since Arm.
+TEST_F(NexusFile, TellsWhenItsTimesBegin) {
+    SessionRecord session = record(3);
+    const std::string time = "/entry/temperatures/time";
+    EXPECT_EQ(Read(exported(session)).attribute(time, "start"), session.created) << "a file of before";
+    session.commands = {{0.0, "start", R"({"environment_K":297.97,"started_utc_s":1795343885.25})"}};
+    EXPECT_EQ(Read(exported(session)).attribute(time, "start"), "2026-11-22T10:38:05.250Z");
+    for (const char* const bad : {"{", "[]", R"({"started_utc_s":"soon"})", R"({"started_utc_s":1e300})"}) {
+        session.commands = {{0.0, "start", bad}};
+        EXPECT_EQ(Read(exported(session)).attribute(time, "start"), session.created) << bad;
+    }
+}
+
 TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     const SessionRecord session = record(5000); // more than is kept uncompressed
     const std::string file = exported(session);
