@@ -40,6 +40,7 @@ constexpr double kWorthGoing = 0.25;    ///< periods; a stay shorter than this i
 
 constexpr double kComeToRest_K = 0.1;    ///< a rest whose steady temperatures miss the aim by less is held
 constexpr double kLeaveRest_K = 0.15;    ///< and corrected if it misses the aim by more
+constexpr double kAsGood_K = 0.03;       ///< where no pose misses less than that, by this more than the best
 constexpr double kMissedFor_s = 15.0;    ///< for so long, so that noise corrects nothing
 constexpr double kMovePrice_K2_m2 = 1.0; ///< of a correction: 10 cm count as a miss of 0.1 K
 constexpr double kNear_K = 0.2;          ///< temperatures this near to the aim need no plan but the rest
@@ -253,8 +254,8 @@ bool LevelServo::arrivesNear(const HeatingTask& task, const Vector6d& rest) cons
 
 void LevelServo::chooseHold(const HeatingTask& task) {
     const Eigen::VectorXd off_K = (task.temperature_K - task.aim_K).cwiseAbs();
-    const bool isLost =
-        m_hold && (off_K.array() > (m_heldOff_K.array() + kUnforeseen_K).max(kLoseHold_K)).any();
+    const double lost_K = std::max(kLoseHold_K, m_unavoidable_K + kUnforeseen_K);
+    const bool isLost = m_hold && (off_K.array() > (m_heldOff_K.array() + kUnforeseen_K).max(lost_K)).any();
     if (isLost)
         m_hold.reset();
     if (isLost || farthest_K(task) > farthestHold_K())
@@ -264,7 +265,8 @@ void LevelServo::chooseHold(const HeatingTask& task) {
     std::vector<Vector6d> rests{task.from};
     rests.insert(rests.end(), m_rests.begin(), m_rests.end());
     for (const Vector6d& rest : rests) {
-        if (missedAt_K(task, rest) > kComeToRest_K || !arrivesNear(task, rest))
+        if (missedAt_K(task, rest) > std::max(kComeToRest_K, m_unavoidable_K + kAsGood_K) ||
+            !arrivesNear(task, rest))
             continue;
         m_hold = rest;
         m_heldOff_K = off_K;
@@ -274,7 +276,7 @@ void LevelServo::chooseHold(const HeatingTask& task) {
 }
 
 void LevelServo::correctHold(const HeatingTask& task) {
-    if (missedAt_K(task, *m_hold) <= kLeaveRest_K)
+    if (missedAt_K(task, *m_hold) <= std::max(kLeaveRest_K, m_unavoidable_K + kComeToRest_K))
         m_missedSince_s = m_time_s;
     if (m_time_s - m_missedSince_s < kMissedFor_s)
         return;
@@ -320,11 +322,13 @@ void LevelServo::findRests(const HeatingTask& task) {
 }
 
 void LevelServo::judgeTargets(const Eigen::VectorXd& nearest_K) {
+    m_unavoidable_K = 0.0;
     if (!allSure())
         return;
     const Eigen::Map<const Eigen::VectorXd> targets_K(m_model.targets_K.data(), nearest_K.size());
     const double worst_K = (nearest_K - targets_K).cwiseAbs().maxCoeff();
     m_compromise = worst_K > (m_compromise ? kMet_K : kUnmet_K);
+    m_unavoidable_K = m_compromise ? 0.0 : worst_K;
     for (std::size_t k = 0; k < m_aim_K.size(); ++k)
         m_aim_K[k] = m_compromise ? nearest_K[static_cast<Eigen::Index>(k)] : m_model.targets_K[k];
 }

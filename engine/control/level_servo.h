@@ -92,6 +92,7 @@ private:
     std::optional<PricedPlan> m_plan;
     std::vector<double> m_aim_K;    ///< the targets, or the nearest temperatures that one pose has
     bool m_compromise = false;      ///< whether m_aim_K differs from the targets
+    double m_unavoidable_K = 0.0;   ///< by which the best pose misses the aim; 0 while rates are not sure
     std::optional<Vector6d> m_hold; ///< the rest that the robot is at, or goes to
     double m_nearSince_s = 0.0;     ///< since when every temperature may be held
     Eigen::VectorXd m_heldOff_K;    ///< N, distances from the aim when the rest was taken
