@@ -33,6 +33,7 @@ constexpr int kRowHeight = 44;
 constexpr int kMinTableWidth = 620;
 constexpr int kLinesPerRow = 4; // of the grid: a rule, the target, its bar, words
 constexpr int kColumns = 6;
+constexpr int kVerdictLines = 2; // or more; rows would move under the hand with each line that comes or goes
 constexpr double kSameTarget_K = 1e-6;
 
 QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
@@ -76,18 +77,24 @@ TargetsPage::TargetsPage(QWidget* parent)
     makeBold(m_explanationTitle);
     makeBold(m_infeasibleTitle);
 
+    m_useNearest->setObjectName("useNearest");
+    QSizePolicy room = m_useNearest->sizePolicy();
+    room.setRetainSizeWhenHidden(true);
+    m_useNearest->setSizePolicy(room);
+    makeBold(m_joint);
+    m_joint->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    connect(m_useNearest, &QPushButton::clicked, this, &TargetsPage::useNearestTogether);
+    auto* title = new QHBoxLayout;
+    title->addWidget(m_title, 1);
+    title->addWidget(m_useNearest);
     auto* joint = new QHBoxLayout;
     joint->setSpacing(10);
     joint->addWidget(m_jointIcon, 0, Qt::AlignTop);
-    auto* jointWords = new QVBoxLayout;
-    jointWords->setSpacing(4);
-    jointWords->addWidget(m_joint);
-    jointWords->addWidget(m_jointDetail);
-    joint->addLayout(jointWords, 1);
-    joint->addWidget(m_useNearest, 0, Qt::AlignTop);
-    m_useNearest->setObjectName("useNearest");
-    makeBold(m_joint);
-    connect(m_useNearest, &QPushButton::clicked, this, &TargetsPage::useNearestTogether);
+    joint->addWidget(m_joint, 1);
+    auto* head = new QVBoxLayout;
+    head->setContentsMargins(18, 14, 18, 0);
+    head->addLayout(title);
+    head->addLayout(joint);
     auto* words = new QGridLayout;
     words->setHorizontalSpacing(32);
     words->addWidget(m_explanationTitle, 0, 0);
@@ -100,12 +107,11 @@ TargetsPage::TargetsPage(QWidget* parent)
     auto* content = new QWidget(this);
     m_table = new QWidget(content);
     auto* layout = new QVBoxLayout(content);
-    layout->setContentsMargins(18, 14, 18, 14);
+    layout->setContentsMargins(18, 0, 18, 14);
     layout->setSpacing(12);
-    layout->addWidget(m_title);
     layout->addWidget(m_note);
     layout->addWidget(m_table);
-    layout->addLayout(joint);
+    layout->addWidget(m_jointDetail);
     layout->addSpacing(10);
     layout->addLayout(words);
     layout->addStretch(1);
@@ -116,6 +122,11 @@ TargetsPage::TargetsPage(QWidget* parent)
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setMinimumWidth(kMinTableWidth);
+    auto* left = new QWidget(this);
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(head);
+    column->addWidget(scroll, 1);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_surfaces = new SurfacesView(this);
@@ -126,7 +137,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     m_views->addTab(m_surfaces, QString());
     m_views->addTab(m_pairs, QString());
     auto* splitter = new FoldingSplitter(this);
-    splitter->addWidget(scroll);
+    splitter->addWidget(left);
     splitter->addWidget(m_views);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({650, 530});
@@ -446,6 +457,8 @@ void TargetsPage::showJoint() {
         stale = stale || rowStale(i);
     const bool bad = !m_rows.empty() && !stale && !m_verdict->feasible;
     const auto fit = checkTargets(m_experiment);
+    m_joint->setMinimumHeight(
+        std::max(stale ? m_joint->height() : 0, kVerdictLines * m_joint->fontMetrics().lineSpacing()));
     m_jointIcon->setVisible(bad || (!stale && !fit));
     m_jointIcon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
     if (m_rows.empty())
@@ -484,7 +497,7 @@ QString TargetsPage::jointDetail() const {
     if (!verdict.anyPose)
         return {};
     if (verdict.feasible)
-        return tr("At %1; %2 from the nearest limit: %3.")
+        return tr("Held at %1; %2 from the nearest limit: %3.")
                    .arg(poseText(verdict.pose, m_experiment.robot), marginText(verdict.margin),
                         limitWord(verdict.margin)) +
                QLatin1Char('\n') + predictionText();

@@ -1,6 +1,6 @@
 #pragma once
-// The Targets page: a row for each object with its target, the reachable range and the verdict in words;
-// whether all can be held together, why not, and the nearest targets that can.
+// The Targets page: whether all can be held together, why not, and the nearest targets that can; a row for
+// each object with its target, the reachable range and the verdict in words.
 
 #include "engine/base/units.h"
 #include "engine/control/reachable_pairs.h"
@@ -24,7 +24,8 @@ class ReachBar;
 class SurfacesView;
 
 /// Setters in, signals out. A verdict counts only for the target it was made for: a row edited since is shown
-/// as stale, as are all between setStale(true) and the next setVerdicts.
+/// as stale, as are all between setStale(true) and the next setVerdicts. The rows scroll under the verdict on
+/// all of them, which is always seen.
 ///
 /// Object names for tests, i being the row from 0: "target<i>" (spin box), "reach<i>" (bar), "verdict<i>"
 /// (word), "verdictDetail<i>", "nearest<i>" (button), "keep<i>"; "jointVerdict", "jointDetail", "useNearest",

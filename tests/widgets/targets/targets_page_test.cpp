@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -277,6 +278,52 @@ TEST_F(TargetsPageTest, TypedTargetsAreTried) {
     QTest::keyClick(field, Qt::Key_Return);
     ASSERT_EQ(edited.count(), 1);
     EXPECT_NEAR(lastTargets()[0], kelvinFromCelsius(55.0), 1e-9);
+}
+
+// Catches a verdict on all targets below their list, where four times "Reachable alone" is all that is seen.
+TEST_F(TargetsPageTest, TheVerdictIsSeenWithoutScrolling) {
+    Experiment four = experimentWith({40.0, 40.0, 40.0});
+    four.objects.push_back(four.objects[0]);
+    four.objects.back().name = "horse";
+    page.setExperiment(four);
+    JointVerdict apart = joint(std::vector(4, verdict(40.0, 0.16)));
+    apart.feasible = false;
+    apart.reason = {MessageCode::TargetsNotTogether, {"circle", "1.1"}};
+    page.setVerdict(apart);
+    const auto* sentence = child<QLabel>("jointVerdict");
+    ASSERT_TRUE(sentence->text().startsWith("Cannot be held: ")) << sentence->text().toStdString();
+    auto* area = page.findChild<QScrollArea*>();
+    ASSERT_NE(area, nullptr);
+    for (const QSize size : {QSize(1150, 480), QSize(700, 620)}) { // beside the views and above them
+        page.resize(size);
+        for (int i = 0; i < 6; ++i) // nested layouts settle one after the other
+            QApplication::processEvents();
+        const auto top = [&](const QWidget* part) { return part->mapTo(&page, QPoint(0, 0)).y(); };
+        for (const int place : {area->verticalScrollBar()->maximum(), 0}) {
+            area->verticalScrollBar()->setValue(place);
+            for (const QWidget* part :
+                 std::initializer_list<const QWidget*>{sentence, child<QPushButton>("useNearest")})
+                EXPECT_EQ(part->visibleRegion(), QRegion(part->rect())) << size.width() << ' ' << place;
+        }
+        EXPECT_GT(area->verticalScrollBar()->maximum(), 0) << "or nothing is tried here";
+        EXPECT_LT(top(sentence), top(child<QuantitySpinBox>("target0")));
+    }
+}
+
+// Catches rows that move under the hand while their verdict is sought, or with the verdict.
+TEST_F(TargetsPageTest, RowsStayWhereTheyAreWithEachVerdict) {
+    const auto rowTop = [this] {
+        for (int i = 0; i < 6; ++i)
+            QApplication::processEvents();
+        return child<QuantitySpinBox>("target0")->mapTo(&page, QPoint(0, 0)).y();
+    };
+    const int before = rowTop();
+    page.setStale(true);
+    EXPECT_EQ(rowTop(), before);
+    page.setExperiment(experimentWith({40.0, 40.0, 40.0}));
+    page.setVerdict(joint({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)}));
+    ASSERT_EQ(text("jointVerdict"), "All targets can be held together.");
+    EXPECT_EQ(rowTop(), before);
 }
 
 // Catches nearest targets offered that break what is to be kept.
