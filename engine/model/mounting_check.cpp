@@ -265,6 +265,9 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                        one.object < 0 ? std::vector<int>{} : std::vector<int>{one.object}});
     });
     std::ranges::move(freedomRemarks(quick), std::back_inserter(out));
+    std::stable_partition(out.begin(), out.end(), [](const MountingRemark& remark) {
+        return remark.message.code == MessageCode::MountingOverlap;
+    });
     return out;
 }
 

@@ -13,9 +13,9 @@ struct MountingRemark {
 /// The pose that a sentence about shade speaks of.
 enum class ShadedPose { Start, Here };
 
-/// Returns remarks on an experiment that validates. Objects that overlap in one plane or pass through one
-/// another, and fixtures or shields that pass through what stands or moves with them; one above another, or
-/// inside the hole of another, does not (see shadeRemarks). Objects farther from E than
+/// Returns remarks on an experiment that validates. First, as the gravest, objects that overlap in one plane
+/// or pass through one another, and fixtures or shields that pass through what stands or moves with them; one
+/// above another, or inside the hole of another, does not (see shadeRemarks). Objects farther from E than
 /// RobotLimits::maxMountingRadius_m. Three objects on a line, which cannot be at similar temperatures: a line
 /// meets a convex surface of equal view factor at most twice (docs/model.md, section 7). Then what the free
 /// axes can do: objects whose view factors they cannot change independently
