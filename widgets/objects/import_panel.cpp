@@ -330,7 +330,7 @@ void ImportPanel::showChosen() {
     m_warnings->setVisible(!remarks.isEmpty());
     m_chosenText->setText(!usable ? QString()
                           : known ? chosenText(**m_picked, m_chosen + 1)
-                                  : tr("Its true size is not known yet: answer the question above."));
+                                  : m_questions->missingText());
     m_chosenText->setVisible(usable);
     m_accept->setEnabled(usable && known && !tooLarge &&
                          !m_reading.busy()); // busy: these lengths are of the answer before

@@ -2,6 +2,7 @@
 
 #include "engine/shape/marker.h"
 #include "engine/shape/outline_formats.h"
+#include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/common/theme.h"
@@ -29,8 +30,13 @@ QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, int decimals, doubl
     box->setDecimals(decimals);
     box->setRange(0.0, max);
     box->setKeyboardTracking(false);
-    box->setSpecialValueText(QStringLiteral("\u2014"));
     return box;
+}
+
+/// The unit is told also while there is no number.
+void setUnit(QDoubleSpinBox* box, const QString& suffix) {
+    box->setSuffix(suffix);
+    box->setSpecialValueText(kNoValue + suffix);
 }
 
 bool isOfKind(const QString& path, OutlineKind kind) {
@@ -170,6 +176,22 @@ bool ImportQuestions::lengthsKnown() const {
     return m_markerSide->value() > 0.0;
 }
 
+QString ImportQuestions::missingText() const {
+    if (!m_image)
+        return tr("Its true size is not known yet: choose the unit above.");
+    switch (scaleMethod()) {
+    case ScaleMethod::KnownLength:
+        return m_length->value() > 0.0
+                   ? tr("Its true size is not known yet: lay the ruler over the length above.")
+                   : tr("Its true size is not known yet: type the length of the ruler above.");
+    case ScaleMethod::Scale:
+        return tr("Its true size is not known yet: type the scale above.");
+    case ScaleMethod::Marker:
+        break;
+    }
+    return tr("Its true size is not known yet: type the side of the marker\u2019s square above.");
+}
+
 ContourImportOptions ImportQuestions::options() const {
     constexpr double kMPerMm = 1e-3;
     ContourImportOptions options;
@@ -287,14 +309,14 @@ void ImportQuestions::retranslate() {
     m_scaleMethod->setItemText(0, tr("a known length"));
     m_scaleMethod->setItemText(1, tr("pixels per millimetre"));
     m_scaleMethod->setItemText(2, tr("an ArUco marker in it"));
-    m_length->setSuffix(tr(" mm"));
+    setUnit(m_length, tr(" mm"));
     m_length->setAccessibleName(tr("Length of the ruler"));
     m_measure->setText(tr("Click its two ends"));
-    m_scale->setSuffix(tr(" px/mm"));
-    m_width->setSuffix(tr(" mm"));
+    setUnit(m_scale, tr(" px/mm"));
+    setUnit(m_width, tr(" mm"));
     m_width->setAccessibleName(tr("Width of the outline chosen"));
     m_width->setToolTip(tr("As the drawing says. Type another to make all of it larger or smaller."));
-    m_markerSide->setSuffix(tr(" mm"));
+    setUnit(m_markerSide, tr(" mm"));
     m_byColour->setText(tr("tell it by its colour"));
     m_byColour->setToolTip(tr("Otherwise by the picture\u2019s opacity or brightness."));
     m_pickColour->setText(tr("Click the object"));

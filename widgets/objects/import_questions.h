@@ -29,6 +29,8 @@ public:
     /// The answers so far; while lengthsKnown() is false, a pixel counts as one millimetre.
     ContourImportOptions options() const;
     bool lengthsKnown() const;
+    /// Returns which answer is missing, by the name of its field; for while lengthsKnown() is false.
+    QString missingText() const;
     /// Call if the list's header names no unit: until the answer a number counts as millimetres.
     void setUnitMissing();
     /// Sets the width of the chosen outline; typing another one scales all outlines.

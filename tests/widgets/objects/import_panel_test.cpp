@@ -169,6 +169,24 @@ TEST_F(ImportPanelTest, AKnownLengthGivesThePictureItsScale) {
     EXPECT_NEAR(max_m - min_m, 0.05, 1e-5);
 }
 
+// Catches "answer the question above" where there are fields and no question, and a field without its unit.
+TEST_F(ImportPanelTest, TheMissingLengthIsAskedForByItsField) {
+    const auto asked = [this] { return child<QLabel>("importChosen")->text().toStdString(); };
+    panel.open(kBunny);
+    ASSERT_TRUE(outlines(1));
+    EXPECT_EQ(asked(), "Its true size is not known yet: type the length of the ruler above.");
+    EXPECT_EQ(child<QDoubleSpinBox>("importLength")->text().toStdString(), "\u2014 mm");
+    const auto asksFor = [&](const char* words) {
+        return test::waitFor([&] { return asked().ends_with(words); });
+    };
+    choose("importScaleMethod", 1);
+    EXPECT_TRUE(asksFor("type the scale above.")) << asked();
+    choose("importScaleMethod", 2);
+    EXPECT_TRUE(asksFor("type the side of the marker\u2019s square above.")) << asked();
+    panel.open(kData + "bunny_tab_noheader.txt");
+    EXPECT_TRUE(asksFor("choose the unit above.")) << asked();
+}
+
 // Catches clicks that miss the picture's pixels, and ends that cannot be dragged.
 TEST_F(ImportPanelTest, TheRulersEndsAreClickedAndDragged) {
     const QImage image = twoDisks();
