@@ -281,7 +281,7 @@ void MainWindow::armWithLabels(const Snapshot& snapshot) {
 void MainWindow::askToArm() {
     QStringList questions;
     if (!m_overlaps.isEmpty())
-        questions << m_overlaps.join(u' ') + u' ' + tr("Are they mounted so all the same?");
+        questions << tr("%1. Are they mounted so all the same?").arg(m_overlaps.join(QStringLiteral("; ")));
     if (!m_last.simulated)
         questions << tr("This rig is real: once the run is started, the robot moves and the source heats. Is "
                         "everybody and everything out of the way?");
@@ -365,9 +365,9 @@ void MainWindow::sayWhyNot(Verb verb) {
 }
 
 void MainWindow::askInfeasible() {
-    const auto& verdict = m_pages->judge().verdict();
-    const bool known = verdict && !m_pages->judge().isStale() && !verdict->feasible;
-    const Message reason = known ? verdict->reason : Message();
+    const TargetJudge& judge = m_pages->judge();
+    const bool known = judge.isCurrent() && !judge.verdict()->feasible;
+    const Message reason = known ? judge.verdict()->reason : Message();
     auto* dialog = new InfeasibleDialog(known ? messageText(reason) : QString(), this);
     connect(dialog, &QDialog::accepted, this, [this, known, reason] {
         m_engine.send(Start{true});
@@ -485,6 +485,19 @@ void MainWindow::takeAges() {
     showNotes();
 }
 
+/// What Arm and Start ask about though nothing else stands in the way, and what is not known yet.
+QStringList MainWindow::askedFirst() const {
+    QStringList lines;
+    if (!m_overlaps.isEmpty())
+        lines << tr("Ready, but: %1. Arm asks about it.").arg(m_overlaps.join(QStringLiteral("; ")));
+    const TargetJudge& judge = m_pages->judge();
+    if (!judge.isCurrent())
+        lines << tr("Ready; whether the targets can be held is being checked.");
+    else if (!judge.verdict()->feasible)
+        lines << tr("Ready, but: %1. Start asks about it.").arg(messageText(judge.verdict()->reason));
+    return lines;
+}
+
 void MainWindow::showNotes() {
     showRemedy();
     QStringList notes;
@@ -502,7 +515,9 @@ void MainWindow::showNotes() {
     const bool isCold = !isRunOn(m_last.state) && m_last.state != RunState::Fault && isSourceCold(m_last);
     if (isCold)
         notes << coldSourceText(m_last, unit);
-    m_stateBar->chip()->setNotes(m_overlaps + notes + m_ages);
+    const bool isReady = m_last.state == RunState::Ready;
+    m_stateBar->chip()->setExplanation(isReady ? askedFirst().join(u'\n') : QString());
+    m_stateBar->chip()->setNotes((isReady ? QStringList() : m_overlaps) + notes + m_ages);
     const bool isFilling =
         m_last.reasons.size() == 1 && m_last.reasons.front().code == MessageCode::ReasonEstimatorFilling;
     QString caption;

@@ -98,6 +98,7 @@ private:
     void showTitle();
     void takeAges(); ///< updates the ages of the calibrations, and which objects overlap
     void showRemedy();
+    QStringList askedFirst() const;
     void showNotes(); ///< shows the notes in the list of the state chip
     void retranslate();
     void restyle();

@@ -202,6 +202,7 @@ void MainWindow::connectParts() {
     connect(&m_document, &Document::changed, this, &MainWindow::showTitle);
     const auto faults = [this] { m_actions.faults().setExperiment(m_document.experiment()); };
     connect(&m_document, &Document::changed, this, &MainWindow::takeAges);
+    connect(&m_pages->judge(), &TargetJudge::verdictChanged, this, &MainWindow::showNotes);
     auto* minute = new QTimer(this);
     connect(minute, &QTimer::timeout, this, &MainWindow::takeAges);
     minute->start(std::chrono::minutes(1));

@@ -301,7 +301,7 @@ void PageHost::connectForecast() {
 
 /// A run that is on is told why targets set meanwhile cannot be held.
 void PageHost::reportInfeasible() {
-    if (!m_verdictUntold || m_judge.isStale() || m_judge.isTrying() || !m_judge.verdict())
+    if (!m_verdictUntold || !m_judge.isCurrent())
         return;
     m_verdictUntold = false;
     if (!m_judge.verdict()->feasible)

@@ -39,7 +39,9 @@ public:
     const std::vector<MountingRemark>& shade() const { return m_shade; }
     bool isStale() const { return m_stale; }
     /// Whether verdict and maps are, or will be, about targets that are only tried.
-    bool isTrying() const { return m_judged != m_experiment; }
+    bool isTrying() const { return m_judged.objects != m_experiment.objects; }
+    /// Whether the verdict is about the experiment as it is.
+    bool isCurrent() const { return m_verdict && !m_stale && !isTrying(); }
 
     /// Simulates a run with the experiment's targets and controller, if they can be held: takes a few
     /// seconds.

@@ -10,6 +10,7 @@
 #include "tests/app/window_fixture.h"
 #include "tests/support/fake_opener.h"
 #include "widgets/calibrate/live_picture.h"
+#include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/quantity_spin_box.h"
@@ -932,10 +933,44 @@ TEST_F(MainWindowTest, ArmAsksAboutObjectsThatOverlap) {
     window->actions().verb(Verb::Arm)->trigger();
     auto* question = window->findChild<QMessageBox*>(QStringLiteral("armQuestion"));
     ASSERT_TRUE(question);
-    EXPECT_TRUE(question->text().contains(QStringLiteral("overlap"))) << question->text().toStdString();
+    EXPECT_TRUE(question->text().contains(QStringLiteral("overlap; move one of them. Are they mounted")))
+        << question->text().toStdString();
     EXPECT_EQ(question->textFormat(), Qt::PlainText) << "names from files are in it";
     QTest::keyClick(question, Qt::Key_Return); // the default answer
     EXPECT_EQ(state(), RunState::Ready);
+}
+
+// Catches: "Nothing stands in the way" over plates that overlap or targets that cannot be held, of which Arm
+// and Start then ask.
+TEST_F(MainWindowTest, ReadyTellsWhatWillBeAsked) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    const auto* chip = find<RunStateChip>("runStateChip");
+    const auto told = [&] { return chip->reasonsMenu()->actions().front()->text(); };
+    const auto isTold = [&](const char* words) {
+        return waitFor([&] { return state() == RunState::Ready && told().contains(QLatin1String(words)); });
+    };
+    ASSERT_TRUE(isTold("Nothing stands in the way")) << told().toStdString();
+    const std::vector<double> before_K = window->lastSnapshot().targets_K;
+    ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(118.0), 313.15, 313.15}).ok());
+    EXPECT_FALSE(told().contains(QStringLiteral("Nothing"))) << "it is not known yet";
+    ASSERT_TRUE(isTold("Start asks about it")) << told().toStdString();
+    EXPECT_TRUE(told().contains(messageText(window->pages().judge().verdict()->reason)));
+    ASSERT_TRUE(window->document().setTargets(before_K).ok());
+    ASSERT_TRUE(isTold("Nothing stands in the way")) << told().toStdString();
+
+    Experiment edited = window->document().experiment();
+    edited.objects[1].shape = edited.objects[0].shape;
+    edited.objects[1].mounting = edited.objects[0].mounting;
+    edited.objects[1].mounting[kX] += 0.01;
+    ASSERT_TRUE(window->document().edit(edited).ok());
+    ASSERT_TRUE(isTold("Ready, but: circle and bunny overlap; move one of them. Arm asks about it."))
+        << told().toStdString();
+    EXPECT_FALSE(told().contains(QStringLiteral("Nothing")));
+    qsizetype lines = 0;
+    for (const QAction* line : chip->reasonsMenu()->actions())
+        lines += line->text().count(QStringLiteral("overlap"));
+    EXPECT_EQ(lines, 1) << "once";
 }
 
 // Catches: a key or a click that does nothing and says nothing, and a sentence that stays when it is no more

@@ -49,6 +49,20 @@ TEST_F(TargetJudgeTest, VerdictsFollowTheTargets) {
     EXPECT_TRUE(judge.verdict()->feasible);
 }
 
+// Catches a verdict that counts as one on other targets for ever once a camera was calibrated.
+TEST_F(TargetJudgeTest, AVerdictStaysCurrentWhatElseIsEdited) {
+    set(blank());
+    EXPECT_FALSE(judge.isCurrent());
+    ASSERT_TRUE(waitFor([&] { return judge.isCurrent(); }));
+    experiment.vision.cameraDate = "2026-11-30"; // the judge is not told
+    experiment.controller.kind = ControllerKind::ModelBased;
+    judge.setExperiment(experiment, Change::Controller);
+    EXPECT_TRUE(judge.isCurrent());
+    judge.tryTargets({kelvinFromCelsius(41.0)});
+    ASSERT_TRUE(waitFor([&] { return !judge.isStale(); }));
+    EXPECT_FALSE(judge.isCurrent()) << "it is on tried ones";
+}
+
 // Catches targets that are taken over while they are only dragged about, and a prediction for them.
 TEST_F(TargetJudgeTest, TriedTargetsAreJudgedAndNoMore) {
     set(blank());

@@ -143,6 +143,13 @@ void RunStateChip::setRemedy(const QString& remedy, QAction* verb) {
     retranslateUi();
 }
 
+void RunStateChip::setExplanation(const QString& explanation) {
+    if (explanation == m_explanation)
+        return;
+    m_explanation = explanation;
+    retranslateUi();
+}
+
 void RunStateChip::setNotes(const QStringList& notes) {
     if (notes == m_notes)
         return;
@@ -167,7 +174,9 @@ QString RunStateChip::word() const {
 
 void RunStateChip::retranslateUi() {
     setText(word());
-    const QString explanation = m_isUnknown ? m_reasons.first() : runStateExplanation(m_state);
+    const QString explanation = m_isUnknown               ? m_reasons.first()
+                                : m_explanation.isEmpty() ? runStateExplanation(m_state)
+                                                          : m_explanation;
     const QString remedy = m_isUnknown ? QString() : m_remedy;
     QStringList tips{explanation};
     if (!remedy.isEmpty())

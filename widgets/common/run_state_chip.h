@@ -34,6 +34,8 @@ public:
     /// Sets what to do now, and the verb that does it; null where none does. It is a line under the reasons
     /// with the verb's own action below.
     void setRemedy(const QString& remedy, QAction* verb);
+    /// Sets what is said where there is no reason, in place of the state's own sentence; empty: that one.
+    void setExplanation(const QString& explanation);
     /// Sets additional notes under the reasons: not counted and not selectable.
     void setNotes(const QStringList& notes);
     /// Narrow: a long word takes two lines. As otherwise, the width is the same for all states.
@@ -70,6 +72,7 @@ private:
     QString m_caption;
     QString m_remedy;
     QAction* m_verb = nullptr; ///< of the remedy
+    QString m_explanation;
     QStringList m_notes;
     bool m_isCompact = false;
     QMenu* m_menu = nullptr;

@@ -42,6 +42,26 @@ TEST(RunStateChip, ClickListsEachReasonWithItsRemedy) {
     ASSERT_EQ(menu->actions().size(), 1) << "says in words that nothing stands in the way";
 }
 
+// Catches "Nothing stands in the way" of what Arm or Start will ask about, and words that outlive it.
+TEST(RunStateChip, WhatIsAskedStandsInPlaceOfItsSentence) {
+    RunStateChip chip;
+    chip.setState(RunState::Ready, {});
+    const auto line = [&] { return chip.reasonsMenu()->actions().front()->text(); };
+    const QString own = runStateExplanation(RunState::Ready), asked = QStringLiteral("Ready, but: Arm asks.");
+    EXPECT_EQ(line(), own);
+    chip.setExplanation(asked);
+    EXPECT_EQ(line(), asked);
+    EXPECT_TRUE(chip.toolTip().startsWith(asked));
+    EXPECT_FALSE(chip.toolTip().contains(own));
+    EXPECT_EQ(chip.accessibleDescription(), asked);
+    const QString reason = QStringLiteral("No experiment is loaded.");
+    chip.setState(RunState::NotReady, {reason});
+    EXPECT_EQ(line(), reason);
+    chip.setState(RunState::Ready, {});
+    chip.setExplanation({});
+    EXPECT_EQ(line(), own);
+}
+
 // Catches a remedy that is chosen and does nothing, and lines that look as if something could be done.
 TEST(RunStateChip, TheRemedyIsTheVerbItself) {
     RunStateChip chip;
