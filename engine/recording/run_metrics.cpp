@@ -321,6 +321,8 @@ void RunMetricsCount::addUncertainties(std::size_t i, ObjectMetrics& out) const 
 RunMetrics RunMetricsCount::metrics() const {
     RunMetrics out = m_metrics;
     const double last_s = m_metrics.last.time_s;
+    if (out.samples > 0 && std::isfinite(m_until_s))
+        out.duration_s = m_until_s;
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         const ObjectCount& object = m_objects[i];
         out.objects.push_back(object.read.judged(last_s, object.pathLength_m));

@@ -56,7 +56,7 @@ struct RunMetrics {
     double band_K = kSettledBand_K;
     double period_s = 1.0;     ///< of sampling
     double resolution_K = 0.0; ///< of a reading: its steps or its noise, the larger one; 0: not known
-    double duration_s = 0.0;
+    double duration_s = 0.0;   ///< until Stop, or the last sample if there was none; 0 without a sample
     std::size_t samples = 0;
     std::vector<ObjectMetrics> objects; ///< in the experiment's order, by what their thermometers read
     /// The same by the plant's own temperatures; empty where the recording has none.

@@ -6,7 +6,6 @@
 #include "engine/model/run_labels.h"
 #include "engine/recording/session_verify.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -48,8 +47,8 @@ struct SessionHeader {
     std::optional<Error> damage; ///< in what a list does not read: never set by readSessionHeader()
     std::optional<SessionVerdict> alteration; ///< of a recording that is not as it was: nor set by that
 
-    /// Returns how long the run itself took, s.
-    double length_s() const { return std::min(stopped_s.value_or(end_s), end_s); }
+    /// Returns how long the run itself took, s: duration_s of its metrics.
+    double length_s() const { return stopped_s.value_or(end_s); }
 };
 
 /// Takes some milliseconds for a run of any length. Damage among the samples is found only by readSession()

@@ -554,15 +554,15 @@ void ReviewPage::refreshTexts() {
     m_software.value->setText(QString::fromStdString(m_session->facts().software));
 }
 
-/// The run's own, as in the list.
+/// The run's own, as in the list and in the metrics.
 QString ReviewPage::durationText() const {
     if (m_session->size() == 0)
         return kNoValue;
     const double last_s = m_session->lastTime_s(), until_s = controlledUntil_s(m_session->facts());
-    if (!(until_s >= 0.0 && until_s < last_s))
-        return formatDuration(last_s);
-    return tr("%1, recorded until %2", "two times since Start")
-        .arg(formatDuration(until_s), formatDuration(last_s));
+    const QString run = formatDuration(std::isfinite(until_s) ? until_s : last_s);
+    return until_s < last_s
+               ? tr("%1, recorded until %2", "two times since Start").arg(run, formatDuration(last_s))
+               : run;
 }
 
 void ReviewPage::changeEvent(QEvent* event) {

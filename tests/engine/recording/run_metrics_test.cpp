@@ -254,6 +254,19 @@ TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
     EXPECT_NEAR(metrics.objects[0].pathLength_m, way_m, 1e-12);
 }
 
+// Catches: a length of the run that ends with the last sample before its Stop, another one than in the list.
+TEST(RunMetrics, DurationEndsWithTheStop) {
+    SessionRecord record = recordOf(20.0, [](double) { return 300.0; });
+    EXPECT_EQ(runMetrics(record).duration_s, 20.0);
+    record.events.push_back({12.3, {MessageCode::EventStopped, {}}});
+    EXPECT_EQ(runMetrics(record).duration_s, 12.3);
+    EXPECT_EQ(runMetrics(record).samples, 25u) << "those until then";
+    record.samples.resize(25); // interrupted in its last second
+    EXPECT_EQ(runMetrics(record).duration_s, 12.3);
+    record.samples.clear();
+    EXPECT_EQ(runMetrics(record).duration_s, 0.0);
+}
+
 // Catches: a robot told to stand that is counted as held back, by the limits of its last command. One that
 // cannot move for its limits is.
 TEST(RunMetrics, AHoldIsAtNoLimit) {

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/recording/recorded_session.h"
+#include "engine/recording/run_metrics.h"
 #include "engine/recording/session_header.h"
 #include "tests/engine/recording/recording.h"
 
@@ -97,6 +98,7 @@ TEST_F(SessionHeaderTest, TheLengthOfARunEndsWithItsStop) {
     ASSERT_TRUE((*writer)->finish("emergency-stop"));
     const SessionHeader header = readSessionHeader(path);
     EXPECT_EQ(header.length_s(), 12.0);
+    EXPECT_EQ(header.length_s(), runMetrics(*readSession(path)).duration_s) << "one length of one run";
     EXPECT_GT(header.end_s, 28.0);
     const SessionHeader unended = readSessionHeader(recorded("a.bask", 30, "fault"));
     EXPECT_FALSE(unended.stopped_s);

@@ -256,6 +256,9 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     stopped.events.push_back({20.0, {MessageCode::EventEmergencyStop, {}}});
     show(stopped);
     EXPECT_EQ(text("factDuration"), "0:20, recorded until 3:20") << "it cooled until then";
+    stopped.samples.resize(20);
+    show(stopped);
+    EXPECT_EQ(text("factDuration"), "0:20") << "as in the metrics, also where nothing was recorded after it";
 
     SessionRecord broken = record();
     broken.outcome.clear();
