@@ -74,7 +74,7 @@ RunReportInput reportInput(SessionRecord session, TemperatureUnit unit) {
         input.fileBytes = file.size();
     }
     if (auto looked = verifyOpenSession(session.path)) {
-        session.verification = verificationWord(*looked);
+        session.verification = verificationWords(*looked);
         input.integrity = std::move(*looked);
     }
     input.session = std::move(session);

@@ -409,9 +409,14 @@ const char* verificationWord(const SessionVerdict& verdict) {
     return verdict.seal == Seal::Holds ? "intact" : "not sealed";
 }
 
+std::string verificationWords(const SessionVerdict& verdict) {
+    const std::string word = verificationWord(verdict);
+    return verdict.head.empty() ? word : word + " (head " + verdict.head + ')';
+}
+
 std::string verificationOf(const std::string& path) {
     const auto verdict = verifyOpenSession(path);
-    return verdict ? verificationWord(*verdict) : "not verified";
+    return verdict ? verificationWords(*verdict) : "not verified";
 }
 
 Result<std::string> chainHead(const std::string& path) {

@@ -58,10 +58,12 @@ Result<SessionVerdict> verifySession(const std::string& path, const std::string&
 /// it is asked to stop, the verdict means nothing.
 Result<SessionVerdict> verifyOpenSession(const std::string& path, const std::stop_token& stop = {});
 
-/// Returns the verdict in a word for metadata: "intact", "not sealed" (its rows are intact), "altered",
+/// Returns the verdict in a word: "intact", "not sealed" (its rows are intact), "altered",
 /// "damaged", or "no hash chain".
 const char* verificationWord(const SessionVerdict& verdict);
-/// The word of a session that this process may have open; "not verified" where it cannot be read.
+/// Returns the same with the head of the chain where there is one, "intact (head 9f86...)": all 64 digits.
+std::string verificationWords(const SessionVerdict& verdict);
+/// The words of a session that this process may have open; "not verified" where it cannot be read.
 std::string verificationOf(const std::string& path);
 
 /// Returns the head of a session's chain, empty if it has none. Looks at nothing else.

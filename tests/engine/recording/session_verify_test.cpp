@@ -97,7 +97,8 @@ TEST_F(SessionVerify, tellsHowFarItIs) {
     shares.expectAWhole(50);
 }
 
-// Catches: an altered recording that is exported without a word, and a verdict that an export does not tell.
+// Catches: an altered recording that is exported without a word, and a verdict or a head of the chain that an
+// export does not tell.
 TEST_F(SessionVerify, exportsTellIt) {
     const auto told = [&](const std::string& session) {
         const QString folder = m_folder.filePath("csv of " + QFileInfo(session.c_str()).baseName());
@@ -111,12 +112,18 @@ TEST_F(SessionVerify, exportsTellIt) {
         EXPECT_TRUE(crate.readAll().contains("Verification of the recording: " + word + '.'));
         return word.toStdString();
     };
+    const auto withHead = [](const std::string& word, const std::string& session) {
+        return word + " (head " + *chainHead(session) + ')';
+    };
     record(path());
-    EXPECT_EQ(told(path()), "intact");
+    EXPECT_EQ(chainHead(path())->size(), 64u);
+    EXPECT_EQ(told(path()), withHead("intact", path()));
     record(path("cut.bask"), false);
-    EXPECT_EQ(told(path("cut.bask")), "not sealed");
+    EXPECT_EQ(told(path("cut.bask")), withHead("not sealed", path("cut.bask")));
     tamper(path(), "UPDATE step SET measured_K_1 = measured_K_1 + 1 WHERE number = 123");
-    EXPECT_EQ(told(path()), "altered");
+    EXPECT_EQ(told(path()), withHead("altered", path()));
+    tamper(path(), "DROP TABLE chain");
+    EXPECT_EQ(told(path()), "no hash chain") << "there is no head";
     EXPECT_EQ(verificationOf(path("none.bask")), "not verified");
 }
 
