@@ -4,6 +4,7 @@
 #include "engine/control/controller_catalogue.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
+#include "engine/model/material_library.h"
 #include "engine/model/uneven_source.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/simulation_pace.h"
@@ -38,6 +39,12 @@ std::string noteText(const std::string& text) {
         out += c;
     }
     return out;
+}
+
+/// Name, source and date, as far as they are told.
+std::string materialWords(const Material& material) {
+    const std::string origin = originText(material);
+    return origin.empty() ? material.name : material.name + ", " + origin;
 }
 
 class NexusWriter {
@@ -291,7 +298,7 @@ private:
         const std::string group = "/entry/" + numbered("sample_", i);
         m_file.group(group, "NXsample");
         m_file.text(group + "/name", object.name);
-        m_file.text(group + "/description", object.material.name);
+        m_file.text(group + "/description", materialWords(object.material));
         m_file.text(group + "/type", m_session.simulated ? "simulated data" : "sample");
         if (!m_session.labels.sample.empty())
             m_file.text(group + "/identifier_sample", m_session.labels.sample);

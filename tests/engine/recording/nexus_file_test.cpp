@@ -330,6 +330,18 @@ TEST_F(NexusFile, MaterialsHaveTheirUncertainties) {
     EXPECT_FALSE(read.has("/entry/sample_2/properties/emittance_errors"));
 }
 
+// Catches: values of a material of which nobody can tell from where they are.
+TEST_F(NexusFile, MaterialsHaveTheirSourceAndDate) {
+    SessionRecord session = record(2);
+    session.experiment.objects[0].material.name = "alu paint";
+    session.experiment.objects[0].material.source = "own measurement, 2 %";
+    session.experiment.objects[0].material.date = "2026-11-30";
+    session.experiment.objects[1].material.name = "aluminium";
+    const Read read(exported(session));
+    EXPECT_EQ(read.text("/entry/sample_1/description"), "alu paint, own measurement, 2 %, 2026-11-30");
+    EXPECT_EQ(read.text("/entry/sample_2/description"), "aluminium") << "nothing is told";
+}
+
 // Catches a gain in another unit than the experiment's file has it in.
 TEST_F(NexusFile, GainsHaveTheirUnits) {
     SessionRecord session = record(2);
