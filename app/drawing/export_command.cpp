@@ -83,10 +83,10 @@ int exportCommand(const QStringList& arguments) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions(
         {{"csv",
-          "traces.csv, a row a sample with the digits that mean something, and all tables with all digits;\n"
+          "traces.csv, a row a sample, and all tables, with the digits that mean something;\n"
           "units are in the headers, an empty field is not known.",
           "DIR"},
-         {"all-digits", "All digits in traces.csv, too."},
+         {"all-digits", "All digits of the numbers."},
          {"nexus", "One HDF5 file in NeXus layout, *.nxs, with recorded thermal pictures.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
          {"figures", "Traces and trajectories as PNG, SVG and PDF, each of one size on paper.", "DIR"},

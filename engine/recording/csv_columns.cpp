@@ -1,6 +1,10 @@
 #include "engine/recording/csv_columns.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string_view>
 
 namespace bask {
 namespace {
@@ -51,7 +55,61 @@ void addStored(std::vector<CsvColumn>& out, const Columns& columns, const Record
                            meaningOf(column)});
 }
 
+/// The unit of a stored column; none if there is no such column in the table.
+template <class Columns>
+std::optional<Unit> storedUnit(const Columns& columns, const std::string& table, const std::string& name) {
+    const auto found = std::ranges::find_if(columns, [&](const auto& column) {
+        return column.stored.place > 0 && column.stored.view == table && column.nameInView() == name;
+    });
+    return found == columns.end() ? std::nullopt : std::optional(found->unit);
+}
+
+std::optional<CsvRounding> roundingOf(const std::string& table, const std::string& column) {
+    constexpr int kQuaternionDecimals = 7; // for angles to 1e-6 rad
+    if ((table == "pose" || table == "source_pose") && column.starts_with('q'))
+        return CsvRounding{std::chars_format::fixed, kQuaternionDecimals};
+    if ((table == "pose" || table == "source_pose") && column.ends_with("_m"))
+        return csvRounding(unit::kMillimetres);
+    auto unit = storedUnit(kObjectColumns, table, column);
+    if (!unit)
+        unit = storedUnit(kRunColumns, table, column);
+    return unit ? std::optional(csvRounding(*unit)) : std::nullopt;
+}
+
 } // namespace
+
+double CsvRounding::operator()(double value) const {
+    if (value == std::trunc(value)) // a count keeps its units
+        return value + 0.0;         // no minus zero
+    std::array<char, 32> text{};    // of a fraction: below 2^53
+    char* const end = std::to_chars(text.data(), text.data() + text.size(), value, format, digits).ptr;
+    (void)std::from_chars(text.data(), end, value);
+    return value + 0.0;
+}
+
+CsvRounding csvRounding(const Unit& unit) {
+    constexpr int kKelvinDecimals = 3, kDecimals = 6, kVelocityDecimals = 7;
+    const std::string_view suffix = unit.suffix;
+    const auto isAnyOf = [&](std::initializer_list<std::string_view> suffixes) {
+        return std::ranges::find(suffixes, suffix) != suffixes.end();
+    };
+    if (isAnyOf({"degC", "K"}))
+        return {std::chars_format::fixed, kKelvinDecimals};
+    if (isAnyOf({"cm_s", "rad_s"}))
+        return {std::chars_format::fixed, kVelocityDecimals};
+    if (isAnyOf({"", "s", "cm", "mm", "rad", "deg"}))
+        return {std::chars_format::fixed, kDecimals};
+    return {};
+}
+
+std::vector<std::optional<CsvRounding>> csvRoundings(const std::string& table,
+                                                     const std::vector<std::string>& columns) {
+    std::vector<std::optional<CsvRounding>> out;
+    out.reserve(columns.size());
+    for (const std::string& column : columns)
+        out.push_back(roundingOf(table, column));
+    return out;
+}
 
 std::string csvCoordinateHeader(std::size_t coordinate) {
     return std::string(kCoordinateNames[coordinate]) + (coordinate < 3 ? " (m)" : " (rad)");

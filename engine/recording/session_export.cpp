@@ -21,7 +21,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <string_view>
 
 namespace bask {
 namespace {
@@ -30,11 +29,14 @@ constexpr qsizetype kCsvChunk = 1 << 20;   // bytes held before they are written
 constexpr double kAfterTraces = 0.4;       // of the work
 constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
-void appendField(QByteArray& out, const SqlValue& value) {
+using Roundings = std::vector<std::optional<CsvRounding>>; ///< of columns; empty: of none
+
+void appendField(QByteArray& out, const SqlValue& value, const std::optional<CsvRounding>& rounding) {
     std::array<char, 32> digits{};
     if (const auto* number = std::get_if<double>(&value)) {
         // The shortest text that reads back as the same number.
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number).ptr;
+        const double shown = rounding ? (*rounding)(*number) : *number;
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), shown).ptr;
         out.append(digits.data(), end - digits.data());
     } else if (const auto* whole = std::get_if<std::int64_t>(&value)) {
         const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *whole).ptr;
@@ -46,11 +48,11 @@ void appendField(QByteArray& out, const SqlValue& value) {
     }
 }
 
-void appendRow(QByteArray& out, SessionStore::Row row) {
+void appendRow(QByteArray& out, SessionStore::Row row, const Roundings& roundings = {}) {
     for (std::size_t k = 0; k < row.size(); ++k) {
         if (k > 0)
             out.append(',');
-        appendField(out, row[k]);
+        appendField(out, row[k], k < roundings.size() ? roundings[k] : std::nullopt);
     }
     out.append('\n');
 }
@@ -74,7 +76,8 @@ QByteArray rowText(SessionStore::Row row) {
 /// One CSV among staged files.
 class CsvFile {
 public:
-    explicit CsvFile(std::string path) : m_path(std::move(path)) {}
+    explicit CsvFile(std::string path, Roundings roundings = {})
+        : m_path(std::move(path)), m_roundings(std::move(roundings)) {}
 
     /// Refuses to write over what does not begin as an earlier export of the same table.
     Result<void> open(StagedFiles& stage, const QByteArray& begin) {
@@ -92,7 +95,7 @@ public:
         return m_isWritten ? Result<void>() : unwritable();
     }
     void add(SessionStore::Row row) {
-        appendRow(m_buffer, row);
+        appendRow(m_buffer, row, m_roundings);
         if (m_buffer.size() >= kCsvChunk)
             drain();
     }
@@ -118,6 +121,7 @@ private:
     }
 
     std::string m_path;
+    Roundings m_roundings;
     QFile m_file;
     QByteArray m_buffer;
     bool m_isWritten = false;
@@ -125,14 +129,16 @@ private:
 
 using CsvFiles = std::vector<std::unique_ptr<CsvFile>>;
 
-Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, StagedFiles& stage,
-                        CsvFiles& files) {
+Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, CsvDigits digits,
+                        StagedFiles& stage, CsvFiles& files) {
     for (const std::string& table : tables) {
         const auto columns = store.columns(table);
         if (!columns)
             return columns.error();
         const std::vector<SqlValue> header(columns->begin(), columns->end());
-        files.push_back(std::make_unique<CsvFile>(stage.target(table + ".csv")));
+        files.push_back(std::make_unique<CsvFile>(stage.target(table + ".csv"),
+                                                  digits == CsvDigits::All ? Roundings()
+                                                                           : csvRoundings(table, *columns)));
         QByteArray begin = rowText(header).trimmed();
         if (begin.endsWith(",operator")) // which earlier files did not have
             begin.chop(9);
@@ -186,23 +192,6 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
     return {};
 }
 
-/// Without digits that no sensor tells and no step of the robot has. `value` is in SI or in degC.
-double meaningful(double value, const Unit& unit) {
-    constexpr int kDecimals = 6, kSignificant = 9;
-    if (value == std::trunc(value)) // a count keeps its units
-        return value + 0.0;         // no minus zero
-    const std::string_view suffix = unit.suffix;
-    const bool isToMillionths = suffix == "K" || suffix == "s" || unit.edge == EdgeUnit::Temperature ||
-                                unit.edge == EdgeUnit::LengthMm || unit.edge == EdgeUnit::Angle;
-    std::array<char, 32> digits{}; // of a fraction: below 2^53
-    char* const end = digits.data() + digits.size();
-    const auto text =
-        isToMillionths ? std::to_chars(digits.data(), end, value, std::chars_format::fixed, kDecimals)
-                       : std::to_chars(digits.data(), end, value, std::chars_format::general, kSignificant);
-    (void)std::from_chars(digits.data(), text.ptr, value);
-    return value + 0.0;
-}
-
 /// What was made by a difference, without the digits that came by it: 40.23 and not 40.230000000000075.
 double withoutRest(double difference) {
     constexpr double kPerUnit = 1e9, kLargest = 1e6;
@@ -216,7 +205,7 @@ public:
     explicit TraceCells(CsvDigits digits) : m_digits(digits) {}
 
     SqlValue number(double value, const Unit& unit) const {
-        return sqlNumber(m_digits == CsvDigits::All ? value : meaningful(value, unit));
+        return sqlNumber(m_digits == CsvDigits::All ? value : csvRounding(unit)(value));
     }
     /// A number, temperatures in degC.
     template <class Row> SqlValue of(const SampleColumn<Row>& column, const Row& row) const {
@@ -320,7 +309,7 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     double last_s = 0.0;
     auto done = traces.open(*stage, kTracesHeader);
     if (done)
-        done = openTables(**store, *tables, *stage, files);
+        done = openTables(**store, *tables, digits, *stage, files);
     if (done)
         done = writeTraces(*facts, TraceCells(digits), traces, last_s, partOf(told, 0.0, kAfterTraces));
     if (const auto pace = simulationPace(*facts, last_s); done && pace)

@@ -111,15 +111,14 @@ Result<void> copySession(const std::string& from, const std::string& to);
 Result<std::vector<std::string>> exportThermalFrames(const std::string& path, const std::string& folder,
                                                      const ShareDone& done = {});
 
-/// The digits of the numbers in traces.csv.
+/// The digits of the numbers in exported tables.
 enum class CsvDigits {
-    Meaningful, ///< to 1e-6 K, s, m and rad; of other numbers nine significant ones; whole numbers as they
-                ///< are
-    All         ///< as many as it takes to read the same double back; degC and errors to 1e-9 K
+    Meaningful, ///< csvRounding() of each column; times of the tables as they are recorded
+    All         ///< as many as it takes to read the same double back; degC and errors of traces.csv to 1e-9 K
 };
 
 /// Writes traces.csv and one CSV for each table into an existing or new folder, with units in the headers.
-/// The tables have all digits. Returns the files written.
+/// Returns the files written.
 Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder,
                                                   const ShareDone& done = {},
                                                   CsvDigits digits = CsvDigits::Meaningful);

@@ -27,6 +27,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace bask {
@@ -507,7 +508,9 @@ TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
     sample.coordinates[kX] = -1e-9;
     sample.coordinates[kZ] = 0.15 + 1e-9;
     sample.objects[1].measured_K = 273.15 + 40.123;
-    sample.objects[1].viewFactor = 1.2345678912e-5;
+    sample.objects[1].estimated_K = 273.15 + 40.0 + 1.0 / 3.0;
+    sample.objects[1].rate_K_s = 1.2345678912e-5;
+    sample.objects[1].viewFactor = 0.123456789;
     sample.objects[1].unshadedViewFactor = std::nan("");
     {
         auto writer = SessionWriter::create(path, twoDisks(), true);
@@ -530,13 +533,78 @@ TEST_F(SessionFile, TracesHaveTheDigitsThatMeanSomething) {
     EXPECT_EQ(at("csv/traces.csv", 2), "0");
     EXPECT_EQ(at("csv/traces.csv", 4), "0.15");
     EXPECT_EQ(at("csv/traces.csv", 17), "40.123");
-    EXPECT_EQ(std::stod(at("csv/traces.csv", 22)), 1.23456789e-5);
+    EXPECT_EQ(at("csv/traces.csv", 18), "40.333");
+    EXPECT_EQ(std::stod(at("csv/traces.csv", 21)), 1.23456789e-5);
+    EXPECT_EQ(at("csv/traces.csv", 22), "0.123457");
     EXPECT_EQ(at("csv/traces.csv", 23), "");
     ASSERT_TRUE(exportSessionCsv(path, file("all"), {}, CsvDigits::All));
     EXPECT_EQ(std::stod(at("all/traces.csv", 0)), 0.1 + 0.2);
     EXPECT_EQ(at("all/traces.csv", 17), "40.123") << "313.273 K less 273.15 K is 40.12299999999999";
     EXPECT_EQ(at("all/traces.csv", 1), "200.00000001") << "what was recorded is not rounded";
-    EXPECT_EQ(std::stod(at("all/traces.csv", 22)), 1.2345678912e-5);
+    EXPECT_EQ(std::stod(at("all/traces.csv", 21)), 1.2345678912e-5);
+    EXPECT_EQ(at("all/traces.csv", 22), "0.123456789");
+}
+
+// Catches: 297.9533333333333 K of a sensor with steps of 0.1 K in a table, a table that is left out, a number
+// or a time that loses what means something, and rounded numbers where all digits are asked for.
+TEST_F(SessionFile, TablesHaveTheDigitsThatMeanSomething) {
+    const std::string path = file("run.bask");
+    Experiment experiment = twoDisks();
+    experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
+    TraceSample sample = madeUpSample(experiment, 11);
+    sample.time_s = 1.0 / 3.0;
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE((*writer)->add(sample));
+        ASSERT_TRUE((*writer)->add(TraceEvent{1.0 / 3.0, {MessageCode::EventStarted, {}}}));
+    }
+    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    ASSERT_TRUE(exportSessionCsv(path, file("all"), {}, CsvDigits::All));
+    // By the headers, of the last row.
+    const auto last = [this](const std::string& name) {
+        std::istringstream text(contents(qfile(name.c_str())));
+        std::string header, line, row;
+        std::getline(text, header);
+        while (std::getline(text, line))
+            row = line;
+        std::map<std::string, std::string> out;
+        std::istringstream keys(header), fields(row);
+        for (std::string key, field; std::getline(keys, key, ',') && std::getline(fields, field, ',');)
+            out[key] = field;
+        return out;
+    };
+    const std::map<std::string, double> units{{"_K", 1e-3},     {"_m", 1e-6}, {"_m_s", 1e-7},
+                                              {"_rad_s", 1e-7}, {"_1", 1e-6}, {"quaternion", 1e-7}};
+    const std::map<std::string, std::map<std::string, const char*>> tables{
+        {"sample",
+         {{"measured_K", "_K"},
+          {"estimated_K", "_K"},
+          {"target_K", "_K"},
+          {"view_factor", "_1"},
+          {"view_factor_unshaded", "_1"}}},
+        {"truth", {{"temperature_K", "_K"}}},
+        {"camera", {{"camera_K", "_K"}, {"camera_uncertainty_K", "_K"}, {"camera_spread_K", "_K"}}},
+        {"source", {{"temperature_K", "_K"}}},
+        {"motion",
+         {{"vx_m_s", "_m_s"}, {"vz_m_s", "_m_s"}, {"wz_rad_s", "_rad_s"}, {"smallest_singular_value", "_1"}}},
+        {"pose", {{"x_m", "_m"}, {"y_m", "_m"}, {"z_m", "_m"}, {"qw", "quaternion"}, {"qz", "quaternion"}}},
+        {"source_pose", {{"x_m", "_m"}, {"z_m", "_m"}, {"qw", "quaternion"}, {"qy", "quaternion"}}}};
+    for (const auto& [table, columns] : tables) {
+        auto rounded = last("csv/" + table + ".csv"), all = last("all/" + table + ".csv");
+        EXPECT_EQ(std::stod(rounded["time_s"]), 1.0 / 3.0) << table << ": the key of every table";
+        for (const auto& [column, kind] : columns) {
+            SCOPED_TRACE(table + ' ' + column + ' ' + rounded[column] + ' ' + all[column]);
+            ASSERT_FALSE(rounded[column].empty() || all[column].empty());
+            const double step = units.at(kind), exact = std::stod(all[column]);
+            EXPECT_DOUBLE_EQ(std::stod(rounded[column]), std::nearbyint(exact / step) * step);
+        }
+        for (const auto& [column, text] : rounded)
+            EXPECT_TRUE(column == "time_s" || text.size() <= 14) << table << ' ' << column << ' ' << text;
+    }
+    EXPECT_EQ(std::stod(last("all/sample.csv")["measured_K"]), sample.objects[1].measured_K);
+    EXPECT_GT(std::stod(last("csv/object_state.csv")["lambda2_1_K3s"]), 0.0) << "small, but not nothing";
+    EXPECT_EQ(contents(qfile("csv/event.csv")), contents(qfile("all/event.csv"))) << "times as they are";
+    EXPECT_EQ(contents(qfile("csv/experiment.csv")), contents(qfile("all/experiment.csv")));
 }
 
 // Catches: a count that loses its units, and numbers at the ends of what a double holds that become empty.
@@ -546,7 +614,7 @@ TEST_F(SessionFile, TracesKeepNumbersOfAnySize) {
         const std::string path = file("run.bask");
         QFile::remove(qfile("run.bask"));
         TraceSample sample = madeUpSample(twoDisks(), 3);
-        sample.objects[1].viewFactor = number;
+        sample.objects[1].rate_K_s = number;
         {
             auto writer = SessionWriter::create(path, twoDisks(), true);
             ASSERT_TRUE((*writer)->add(sample));
@@ -557,7 +625,7 @@ TEST_F(SessionFile, TracesKeepNumbersOfAnySize) {
         std::getline(traces, line);
         std::getline(traces, line);
         std::istringstream row(line);
-        for (int column = 0; column <= 22; ++column)
+        for (int column = 0; column <= 21; ++column)
             std::getline(row, field, ',');
         ASSERT_FALSE(field.empty()) << number;
         EXPECT_DOUBLE_EQ(std::strtod(field.c_str(), nullptr), number == 12345678.26 ? 12345678.3 : number);
@@ -588,7 +656,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     EXPECT_NE(line.find(",,,313.15,"), std::string::npos) << "not known is an empty field: " << line;
     std::getline(sample, line);
     const double measured = std::stod(line.substr(line.find("right,") + 6));
-    EXPECT_EQ(measured, madeUpSample(twoDisks(), 9).objects[1].measured_K) << "all digits";
+    EXPECT_NEAR(measured, madeUpSample(twoDisks(), 9).objects[1].measured_K, 0.5e-3 + 1e-9);
     EXPECT_EQ(contents(qfile("deep/csv/note.csv")),
               "time_s,text,operator\n1.5,\"said \"\"no\"\", twice\nand left\",A. Hu\n");
     EXPECT_EQ(contents(qfile("deep/csv/pose.csv")).substr(0, 29), "time_s,x_m,y_m,z_m,qw,qx,qy,q");
