@@ -366,6 +366,7 @@ void PageHost::watchThermal() {
 
 void PageHost::apply(const Snapshot& snapshot) {
     m_messages.keepRefusal(snapshot);
+    m_messages.dropWritten(snapshot.state);
     m_countdown->setPending(snapshot.pending);
     m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);

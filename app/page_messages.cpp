@@ -3,28 +3,32 @@
 #include "engine/recording/alarm_history.h"
 #include "widgets/common/message_bar.h"
 
+#include <QApplication>
+
 #include <algorithm>
 #include <utility>
 
 namespace bask {
 
-PageMessages::PageMessages(MessageBar& bar, std::chrono::milliseconds longest) : m_bar(bar) {
+PageMessages::PageMessages(MessageBar& bar, std::chrono::milliseconds longest,
+                           std::chrono::milliseconds written)
+    : m_bar(bar), m_longest(longest), m_longestWritten(written) {
     m_age.setSingleShot(true);
-    m_age.setInterval(longest);
     m_age.callOnTimeout([this] { dropOld(); });
 }
 
 /// The sentence has its time from now on.
-void PageMessages::age(const QString& sentence) {
+void PageMessages::age(const QString& sentence, std::chrono::milliseconds longest) {
     m_forATime = sentence;
-    m_age.start();
+    m_age.start(longest);
 }
 
-/// Not under the pointer: somebody reads it, or copies it.
+/// Not under the pointer: somebody reads it, or copies it. Nor with the keyboard in it: a button is about to
+/// be pressed.
 void PageMessages::dropOld() {
     if (m_bar.sentence() != m_forATime)
         return;
-    if (m_bar.underMouse())
+    if (m_bar.underMouse() || m_bar.isAncestorOf(QApplication::focusWidget()))
         m_age.start();
     else
         m_bar.clear();
@@ -39,11 +43,13 @@ void PageMessages::showNote(const QString& sentence) {
 }
 
 void PageMessages::showBriefly(const QString& note) {
-    age(note);
+    age(note, m_longest);
     showNote(note);
 }
 
 void PageMessages::showWritten(const QString& sentence, const QString& open, const QString& other) {
+    m_written = sentence;
+    age(sentence, m_longestWritten);
     m_bar.ask(sentence, open, other);
 }
 
@@ -63,7 +69,7 @@ void PageMessages::dropOfEdit() {
 
 void PageMessages::showRefusal(const QString& sentence) {
     m_ofEdit = sentence;
-    age(sentence);
+    age(sentence, m_longest);
     showProblem(sentence);
 }
 
@@ -92,10 +98,17 @@ void PageMessages::keepRefusal(const Snapshot& snapshot) {
         dropRefusal();
 }
 
+void PageMessages::dropWritten(RunState state) {
+    const bool isArmedNow = state == RunState::Armed && m_state != RunState::Armed;
+    m_state = state;
+    if (isArmedNow && !m_written.isEmpty() && m_bar.sentence() == m_written)
+        m_bar.clear();
+}
+
 void PageMessages::showWhile(const QString& text, RunState state) {
     m_ofMoment = text;
     m_refusedIn = state;
-    age(text);
+    age(text, m_longest);
     showProblem(text);
 }
 

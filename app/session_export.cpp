@@ -10,6 +10,7 @@
 #include "widgets/review/metric_comparison.h"
 
 #include <QCursor>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -180,7 +181,9 @@ void SessionExport::tell(const Files& files, const QString& to) {
     for (const std::string& file : *files)
         paths << QString::fromStdString(file);
     emit exported(paths.size() == 1
-                      ? tr("%1 written").arg(QFileInfo(paths.front()).fileName())
+                      ? tr("%1 written to %2")
+                            .arg(QFileInfo(paths.front()).fileName(),
+                                 QDir::toNativeSeparators(QFileInfo(paths.front()).path()))
                       : tr("%n file(s) written to %1", nullptr, static_cast<int>(paths.size())).arg(to),
                   paths);
 }

@@ -90,8 +90,8 @@ TEST_F(MainWindowTest, WhatWasExportedIsOpenedFromItsMessage) {
     QFile file(folder.filePath(QStringLiteral("two.csv")));
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.close();
-    emit window->files().exported(QStringLiteral("two.csv written"), {file.fileName()});
-    EXPECT_EQ(message(), QStringLiteral("two.csv written"));
+    emit window->files().exported(QStringLiteral("two.csv written to exports"), {file.fileName()});
+    EXPECT_EQ(message(), QStringLiteral("two.csv written to exports"));
     const auto button = [&](const char* name) {
         return find<MessageBar>("messageBar")->findChild<QAbstractButton*>(QLatin1String(name));
     };

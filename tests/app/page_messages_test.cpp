@@ -6,6 +6,9 @@
 #include "tests/support/wait_for.h"
 #include "widgets/common/message_bar.h"
 
+#include <QPushButton>
+#include <QTest>
+
 #include <gtest/gtest.h>
 
 namespace bask::test {
@@ -93,6 +96,42 @@ TEST(PageMessages, ANoteGoesInTime) {
     EXPECT_TRUE(waitFor(isGone));
     messages.showNote(QStringLiteral("The recipe has ended."));
     EXPECT_FALSE(waitFor(isGone, 100));
+}
+
+// Catches: "run.pdf written" that stays over the plots until it is closed by hand, one that goes while its
+// buttons have the keyboard, and one that is over an armed rig.
+TEST(PageMessages, WhatWasWrittenGoesInTimeAndWithArm) {
+    QWidget page;
+    auto* other = new QPushButton(&page);
+    auto* bar = new MessageBar(&page);
+    bar->move(100, 100); // away from the pointer
+    const QString kWritten = QStringLiteral("run.pdf written to /home/somebody");
+    const auto isGone = [&] { return bar->sentence().isEmpty(); };
+    page.show();
+    page.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&page));
+    {
+        PageMessages messages(*bar, 1h, 20ms);
+        messages.showWritten(kWritten, QStringLiteral("Open"), QStringLiteral("Show in folder"));
+        bar->findChild<QPushButton*>(QStringLiteral("messageAction"))->setFocus();
+        EXPECT_FALSE(waitFor(isGone, 100));
+        other->setFocus();
+        EXPECT_TRUE(waitFor(isGone));
+    }
+    PageMessages messages(*bar, 1h, 1h);
+    messages.dropWritten(RunState::Ready);
+    messages.showWritten(kWritten, QStringLiteral("Open"), QStringLiteral("Show in folder"));
+    messages.dropWritten(RunState::Ready);
+    EXPECT_EQ(bar->sentence(), kWritten);
+    messages.dropWritten(RunState::Armed);
+    EXPECT_TRUE(isGone());
+    messages.showWritten(kWritten, QStringLiteral("Open"), QStringLiteral("Show in folder"));
+    messages.dropWritten(RunState::Armed);
+    EXPECT_EQ(bar->sentence(), kWritten) << "written since";
+    messages.showProblem(QStringLiteral("The file cannot be opened."));
+    messages.dropWritten(RunState::Ready);
+    messages.dropWritten(RunState::Armed);
+    EXPECT_FALSE(isGone()) << "that is for a person to close";
 }
 
 // Catches: a refusal that goes while somebody reads it.

@@ -337,6 +337,8 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
                              "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
         EXPECT_TRUE(QFile::exists(folder.filePath(QString::fromUtf8(name)))) << name;
     EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("my \"run\" <b>.pdf"))));
+    EXPECT_TRUE(told.contains(QStringLiteral("my \"run\" <b>.pdf written to %1").arg(folder.path())))
+        << told.join('\n').toStdString();
     EXPECT_TRUE(written.contains(folder.filePath(QStringLiteral("traces.csv"))));
     for (const QString& file : written)
         EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
