@@ -51,6 +51,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 #include <utility>
 
 namespace bask {
@@ -203,7 +204,8 @@ void MainWindow::apply(const Snapshot& snapshot) {
         refuse(snapshot.refusal);
     armWithLabels(snapshot);
     dropOldQuestions(snapshot);
-    if (m_refused && !m_pages->messages().keepWhile(whyNot(snapshot, *m_refused), snapshot.state))
+    const QString refused = m_refused ? whyNot(snapshot, *m_refused) : openQuestion();
+    if (!m_pages->messages().keepWhile(refused, snapshot.state))
         m_refused.reset();
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
@@ -216,6 +218,8 @@ void MainWindow::showSilence() {
 
 void MainWindow::perform(Verb verb) {
     m_pages->messages().dropRefusal();
+    if ((verb == Verb::Arm || verb == Verb::Start || verb == Verb::Resume) && isAnswerAwaited())
+        return;
     // Before the order goes out: no reset or load of the recipe's may follow it.
     if (verb == Verb::Hold || verb == Verb::Stop || verb == Verb::EmergencyStop)
         m_recipe->takeOver(verb == Verb::Hold);
@@ -294,6 +298,7 @@ void MainWindow::askToArm() {
 }
 
 void MainWindow::askRetreat() {
+    dropQuestion(this, QStringLiteral("homeQuestion")); // one motion at a time
     m_retreatAskedIn = m_last.state;
     askOnTheWayUp(this, QStringLiteral("retreatQuestion"), tr("Retreat"),
                   tr("The robot will move: it takes the objects away from the source, and the heat goes off. "
@@ -306,6 +311,8 @@ void MainWindow::askRetreat() {
 }
 
 void MainWindow::askHome() {
+    if (isAnswerAwaited())
+        return;
     m_homeAskedIn = m_last.state;
     askOnTheWayUp(this, QStringLiteral("homeQuestion"), tr("Home the robot"),
                   tr("The robot will move: it seeks its switches to know its place. Are all hands off the "
@@ -316,9 +323,32 @@ void MainWindow::askHome() {
                   });
 }
 
+/// Empty, or that a motion is being asked about: with hands at the robot nothing else begins.
+QString MainWindow::openQuestion() const {
+    for (const char* name : {"retreatQuestion", "homeQuestion"})
+        if (const auto* box = findChild<QMessageBox*>(QLatin1String(name), Qt::FindDirectChildrenOnly);
+            box != nullptr && box->isVisible())
+            return tr("Nothing else begins while the question \"%1\" is open: answer it first. "
+                      "Hold, Stop and STOP are possible.")
+                .arg(box->windowTitle());
+    return {};
+}
+
+/// What would begin something is refused in words while a motion is being asked about.
+bool MainWindow::isAnswerAwaited() {
+    const QString first = openQuestion();
+    if (first.isEmpty())
+        return false;
+    m_refused.reset();
+    m_pages->messages().showWhile(first, m_last.state);
+    return true;
+}
+
 /// What was asked in another state is not answered in this one.
 void MainWindow::dropOldQuestions(const Snapshot& snapshot) {
-    const auto kindOf = [](RunState state) { return std::pair(isRunOn(state), state == RunState::Fault); };
+    const auto kindOf = [](RunState state) {
+        return std::tuple(isRunOn(state), state == RunState::Armed, state == RunState::Fault);
+    };
     const auto isOfKind = [&](RunState askedIn) { return kindOf(snapshot.state) == kindOf(askedIn); };
     const std::pair<QString, bool> questions[] = {
         {QStringLiteral("armQuestion"), allows(snapshot, Verb::Arm)},

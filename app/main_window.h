@@ -86,6 +86,8 @@ private:
     void askToArm();
     void askRetreat();
     void askHome();
+    QString openQuestion() const;
+    bool isAnswerAwaited();
     void dropOldQuestions(const Snapshot& snapshot);
     void arm();
     void askInfeasible();

@@ -43,6 +43,13 @@ bool isManual(const Command& command) {
            std::holds_alternative<HomeRobot>(command) || std::holds_alternative<ClearRobotAlarm>(command);
 }
 
+/// Sets the robot or the heat going.
+bool beginsByHand(const Command& command) {
+    if (const auto* jog = std::get_if<Jog>(&command))
+        return !jog->twist.isZero();
+    return isManual(command) && !std::holds_alternative<ClearRobotAlarm>(command);
+}
+
 } // namespace
 
 void MainWindow::buildLayout() {
@@ -175,6 +182,8 @@ void MainWindow::connectParts() {
         showSilence();
     });
     connect(m_pages, &PageHost::commandIssued, this, [this](const Command& command) {
+        if (beginsByHand(command) && isAnswerAwaited())
+            return;
         if (isManual(command))
             m_recipe->takeOverAtRest();
         else if (std::holds_alternative<Hold>(command))

@@ -1066,6 +1066,63 @@ TEST_F(MainWindowTest, AQuestionGoesWithTheStateItWasAskedIn) {
     EXPECT_TRUE(waitForState(RunState::Ready));
 }
 
+// Catches: a rig that is armed, or moved by hand, behind "Are all hands off the robot?", and an answer that
+// is no longer awaited but still said to be.
+TEST_F(MainWindowTest, NothingBeginsWhileAMotionIsAskedAbout) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    const auto question = [this](const char* name = "retreatQuestion") {
+        return window->findChild<QMessageBox*>(QLatin1String(name));
+    };
+    const auto isRefused = [this] { return message().contains(QStringLiteral("\"Retreat\" is open")); };
+    click("retreatButton");
+    ASSERT_TRUE(question());
+    click("armButton");
+    EXPECT_TRUE(isRefused()) << message().toStdString();
+    ASSERT_TRUE(question());
+    EXPECT_EQ(state(), RunState::Ready);
+    emit window->pages().commandIssued(SetHeat{400.0});
+    emit window->pages().commandIssued(MoveTo{window->lastSnapshot().latest.coordinates});
+    find<QAbstractButton>("homeRobot")->click();
+    EXPECT_FALSE(question("homeQuestion"));
+    EXPECT_TRUE(isRefused()) << message().toStdString();
+    QTest::keyClick(question(), Qt::Key_Return); // the default answer
+    EXPECT_TRUE(waitFor([&] { return message().isEmpty(); })) << message().toStdString();
+    EXPECT_EQ(state(), RunState::Ready);
+    EXPECT_FALSE(window->lastSnapshot().heatSetPoint_K);
+
+    click("armButton");
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    click("retreatButton");
+    ASSERT_TRUE(question());
+    click("startButton");
+    EXPECT_TRUE(isRefused()) << message().toStdString();
+    EXPECT_EQ(state(), RunState::Armed);
+    click("stopRunButton"); // ends something
+    EXPECT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(waitFor([&] { return question() == nullptr; }));
+}
+
+// Catches: an armed rig that is retreated by an answer to what was asked before, as when a recipe arms it.
+TEST_F(MainWindowTest, TheQuestionOfRetreatGoesWithArm) {
+    openWindow();
+    Snapshot told = freeze();
+    told.canRetreat = true;
+    emit window->engine().snapshot(told);
+    const auto question = [this] {
+        return window->findChild<QMessageBox*>(QStringLiteral("retreatQuestion"));
+    };
+    window->actions().verb(Verb::Retreat)->trigger();
+    ASSERT_TRUE(question());
+    told.state = RunState::NotReady;
+    emit window->engine().snapshot(told);
+    EXPECT_TRUE(question()) << "robot at rest, as before";
+    told.state = RunState::Armed;
+    emit window->engine().snapshot(told);
+    EXPECT_FALSE(question());
+    EXPECT_TRUE(message().contains(QStringLiteral("Retreat"))) << message().toStdString();
+}
+
 // Catches: a robot that is homed by an answer that was meant for another state.
 TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
     openWindow();
