@@ -2,6 +2,7 @@
 
 #include "app/examples.h"
 #include "app/icons.h"
+#include "app/page.h"
 #include "app/settings_store.h"
 #include "app/why_not.h"
 #include "engine/base/message_code.h"
@@ -428,6 +429,9 @@ void Actions::showLanguage(const QString& code) {
 
 void Actions::showPage(int index) {
     page(index)->setChecked(true);
+    const bool isForReading = index == static_cast<int>(Page::Review);
+    verb(Verb::Arm)->setShortcut(isForReading ? QKeySequence() : QKeySequence(Qt::Key_F5));
+    retranslateRun(); // its tip has the key
 }
 
 } // namespace bask

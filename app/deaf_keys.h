@@ -14,7 +14,7 @@ class DeafKeys : public QObject {
 public:
     explicit DeafKeys(QWidget* window);
 
-    /// Hears the action's keys, which must not change later, while it is disabled.
+    /// Hears the action's keys, also other ones later but no more of them, while it is disabled.
     void watch(QAction* action);
 
 signals:

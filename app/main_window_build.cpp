@@ -140,9 +140,11 @@ void MainWindow::connectActions() {
     connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
     connect(&m_actions, &Actions::verbRefused, this, &MainWindow::sayWhyNot);
     connect(m_stateBar, &StateBar::verbRefused, this, &MainWindow::sayWhyNot);
-    connect(&m_actions, &Actions::keyRefused, this, [this](const QString& why) {
-        m_statusLine->showMessage(why, static_cast<int>(std::chrono::milliseconds(kWhyNot).count()));
-    });
+    const auto sayAtTheFoot = [this](const QString& words) {
+        m_statusLine->showMessage(words, static_cast<int>(std::chrono::milliseconds(kWhyNot).count()));
+    };
+    connect(&m_actions, &Actions::keyRefused, this, sayAtTheFoot);
+    connect(m_pages, &PageHost::toldAside, this, sayAtTheFoot);
     connect(&m_actions, &Actions::pageChosen, this,
             [this](int page) { m_pages->show(static_cast<Page>(page)); });
     connect(&m_actions, &Actions::unitChosen, this, &MainWindow::setTemperatureUnit);

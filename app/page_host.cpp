@@ -116,6 +116,7 @@ void PageHost::connectReview() {
     connect(&m_reviewDesk, &ReviewDesk::told, this, &PageHost::showNote);
     connect(m_review->replay()->comparison(), &ComparisonView::copied, this,
             [this](const QString& sentence) { m_messages.showBriefly(sentence); });
+    connect(&m_reviewDesk, &ReviewDesk::toldAside, this, &PageHost::toldAside);
     connect(&m_reviewDesk, &ReviewDesk::manualRequested, this, &PageHost::manualRequested);
 }
 

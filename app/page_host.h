@@ -80,6 +80,8 @@ signals:
     void commandIssued(const bask::Command& command);
     void homeRequested(); ///< the window asks first
     void pageChanged(bask::Page page);
+    /// A short word for the foot of the window.
+    void toldAside(const QString& sentence);
     /// Opens a page of the manual, such as "manual.md#review".
     void manualRequested(const QString& page);
 

@@ -14,6 +14,7 @@
 #include "widgets/review/verification_words.h"
 
 #include <QFileInfo>
+#include <QShortcut>
 
 #include <utility>
 
@@ -36,6 +37,10 @@ ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& fil
             m_files.openAsNew(m_session->facts());
     });
     connect(&m_page, &ReviewPage::told, this, &ReviewDesk::told);
+    auto* refresh = new QShortcut(Qt::Key_F5, &m_page); // Arm's on the other pages
+    refresh->setObjectName(QStringLiteral("refreshRuns"));
+    refresh->setAutoRepeat(false);
+    connect(refresh, &QShortcut::activated, this, &ReviewDesk::refreshList);
     connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
 }
 
@@ -62,6 +67,14 @@ bool ReviewDesk::isOpen(const QString& path) const {
 
 void ReviewDesk::showList() {
     m_library.setFolder(m_files.sessionFolder());
+}
+
+void ReviewDesk::refreshList() {
+    disconnect(m_onceRefreshed);
+    m_onceRefreshed = connect(
+        m_page.sessions(), &SessionList::sessionsChanged, this,
+        [this] { emit toldAside(tr("List of runs is up to date")); }, Qt::SingleShotConnection);
+    showList();
 }
 
 void ReviewDesk::showAlarmsOnceListed() {

@@ -25,6 +25,7 @@ public:
     ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent = nullptr);
 
     void showList();                        ///< shows the list of the sessions' folder
+    void refreshList();                     ///< reads it again, and says so once it is shown
     void showAlarmsOnceListed();            ///< the alarms of the listed runs, with the next list
     void forgetAlarms();                    ///< the page was left before they were shown
     void setRecording(const QString& path); ///< the file that is being recorded; empty for none
@@ -36,6 +37,7 @@ signals:
     void opened();  ///< the session is shown
     void problem(const QString& sentence);
     void told(const QString& sentence);
+    void toldAside(const QString& sentence); ///< nothing that has to be read
     /// Opens a page of the manual, such as "manual.md#review".
     void manualRequested(const QString& page);
 
@@ -57,7 +59,8 @@ private:
     OverlayCount m_overlayCount;
     SessionVerification m_verification;
     AlarmHistoryControl m_alarms;
-    QMetaObject::Connection m_onceListed; ///< of the alarms that wait for the list
+    QMetaObject::Connection m_onceListed;    ///< of the alarms that wait for the list
+    QMetaObject::Connection m_onceRefreshed; ///< of a person who does
     QString m_recording;
     std::shared_ptr<RecordedSession> m_session;
     QString m_comparedPath; ///< the run that is being opened for a comparison with m_comparedOver

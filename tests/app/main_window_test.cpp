@@ -1123,6 +1123,38 @@ TEST_F(MainWindowTest, TheQuestionOfRetreatGoesWithArm) {
     EXPECT_TRUE(message().contains(QStringLiteral("Retreat"))) << message().toStdString();
 }
 
+// Catches: a rig that is armed by the key that refreshes a list in other programs, and a key that two have
+// and neither hears.
+TEST_F(MainWindowTest, F5OnReviewReadsTheListAgain) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    const auto isListed = [this] {
+        return window->statusBar()->currentMessage() == QStringLiteral("List of runs is up to date");
+    };
+    const auto tipHasTheKey = [this] {
+        return window->actions().verb(Verb::Arm)->toolTip().contains(QStringLiteral("F5"));
+    };
+    EXPECT_TRUE(tipHasTheKey());
+    QTest::keyClick(window.get(), Qt::Key_6, Qt::ControlModifier);
+    EXPECT_FALSE(tipHasTheKey());
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(waitFor(isListed, 10000));
+    EXPECT_EQ(state(), RunState::Ready);
+
+    QTest::keyClick(window.get(), Qt::Key_5, Qt::ControlModifier);
+    EXPECT_TRUE(tipHasTheKey());
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    QTest::keyClick(window.get(), Qt::Key_6, Qt::ControlModifier);
+    window->statusBar()->clearMessage();
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(waitFor(isListed, 10000)) << "Arm is not possible now";
+    EXPECT_EQ(message(), QString());
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(message().contains(QStringLiteral("armed already"))) << message().toStdString();
+}
+
 // Catches: a robot that is homed by an answer that was meant for another state.
 TEST_F(MainWindowTest, TheQuestionOfHomeGoesWithItsState) {
     openWindow();
