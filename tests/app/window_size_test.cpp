@@ -4,10 +4,13 @@
 #include "engine/base/message_code.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/scrolling.h"
+#include "widgets/plots/trace_plot.h"
 
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDeadlineTimer>
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -43,12 +46,12 @@ protected:
         window->pages().showProblem(QStringLiteral("The folder cannot be written to. ").repeated(8));
     }
     /// As from a person: what does not take it lets what it lies in have it.
-    void turnWheel(QWidget* over, int by) {
+    void turnWheel(QWidget* over, int by, Qt::KeyboardModifiers with = {}) {
         const QPoint at = over->mapTo(window.get(), over->visibleRegion().boundingRect().center());
         QWidget* hit = window->childAt(at);
         ASSERT_TRUE(hit == over || over->isAncestorOf(hit));
         QWheelEvent event(hit->mapFrom(window.get(), at), window->mapToGlobal(at), {}, {0, by}, Qt::NoButton,
-                          Qt::NoModifier, Qt::NoScrollPhase, false);
+                          with, Qt::NoScrollPhase, false);
         QSpontaneKeyEvent::setSpontaneous(&event);
         qApp->notify(hit, &event);
         settle();
@@ -213,7 +216,8 @@ TEST_F(WindowSizeTest, WhatGetsTheKeyboardComesIntoView) {
     }
 }
 
-// Catches: a wheel that zooms and scrolls at once, or changes a value while it scrolls.
+// Catches: a wheel that zooms where the page was to be scrolled, that zooms and scrolls at once, or changes a
+// value while it scrolls.
 TEST_F(WindowSizeTest, TheWheelDoesOneThing) {
     openWindow(kAt150);
     freeze();
@@ -222,12 +226,25 @@ TEST_F(WindowSizeTest, TheWheelDoesOneThing) {
     QScrollBar* bar = scrollOf(speed)->verticalScrollBar();
     find<QWidget>("stopButton")->setFocus();
     bar->setValue(0);
-    for (const char* name : {"runScene", "plot.measured_K"}) {
-        scrollOf(speed)->ensureWidgetVisible(find<QWidget>(name));
+    auto* plot = find<TracePlot>("plot.measured_K");
+    for (QWidget* view : {find<QWidget>("runScene"), static_cast<QWidget*>(plot)}) {
+        scrollOf(speed)->ensureWidgetVisible(view);
         const int here = bar->value();
-        turnWheel(find<QWidget>(name), -120);
-        EXPECT_EQ(bar->value(), here) << name;
+        turnWheel(view, here < bar->maximum() ? -120 : 120);
+        EXPECT_NE(bar->value(), here) << view->objectName().toStdString();
+        scrollOf(speed)->ensureWidgetVisible(view);
+        const int there = bar->value();
+        turnWheel(view, -120, Qt::ControlModifier);
+        EXPECT_EQ(bar->value(), there) << view->objectName().toStdString();
     }
+    EXPECT_TRUE(plot->followsLive());
+    const QDeadlineTimer over(2 * ScrollHabits::kGesture);
+    waitFor([&] { return over.hasExpired(); });
+    plot->setFocus(Qt::MouseFocusReason);
+    const int here = bar->value();
+    turnWheel(plot, 120);
+    EXPECT_EQ(bar->value(), here);
+    EXPECT_FALSE(plot->followsLive()) << "it was clicked into, so it is meant";
     speed->setCurrentIndex(2);
     scrollOf(speed)->ensureWidgetVisible(speed);
     const int before = bar->value();

@@ -1,6 +1,7 @@
 #include "widgets/plots/trace_plot.h"
 
 #include "engine/recording/recorded_session.h"
+#include "widgets/common/scrolling.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/plot_table.h"
 #include "widgets/plots/trace_canvas.h"
@@ -17,6 +18,7 @@ TracePlot::TracePlot(Quantity quantity, QWidget* parent)
     : QWidget(parent), m_canvas(std::make_unique<Canvas>(this)) {
     setObjectName(QStringLiteral("tracePlot"));
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(kZoomsByWheel, true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_canvas.get());

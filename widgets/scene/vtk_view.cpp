@@ -1,5 +1,7 @@
 #include "widgets/scene/vtk_view.h"
 
+#include "widgets/common/scrolling.h"
+
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QKeyEvent>
@@ -101,6 +103,7 @@ bool VtkView::available() {
 VtkView::VtkView(QWidget* parent) : QOpenGLWidget(parent), m(std::make_unique<Impl>()) {
     setFormat(surfaceFormat());
     setFocusPolicy(Qt::StrongFocus);
+    setProperty(kZoomsByWheel, true);
     m->window->SetReadyForRendering(false); // until initializeGL
     m->window->SetOwnContext(0);
     m->window->SetFrameBlitModeToNoBlit();
