@@ -1480,8 +1480,8 @@
         <translation>La source est à %1 et ne s’approche plus de %2 depuis %3 s. Le chauffage est coupé. Vérifiez que la source est allumée et que son capteur est en place, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
-        <translation>La source a été réglée à %1 mais relit %2. Le chauffage est coupé. Vérifiez son propre panneau et ses limites, puis réinitialisez.</translation>
+        <source>The source was set to %1 but reads back %2. Bask switches the heat off. Check its own panel and limits, then reset.</source>
+        <translation>La source a été réglée à %1 mais relit %2. Bask coupe le chauffage. Vérifiez son propre panneau et ses limites, puis réinitialisez.</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1564,8 +1564,8 @@
         <translation>La source est chauffée manuellement et est à %1&#xa0;: Bask ne peut pas l’éteindre. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
-        <translation>La température de «&#xa0;%1&#xa0;» aurait dû changer de %2 en %3 s et ne l’a pas fait. Capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez les trois, puis réinitialisez.</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check all three, then reset.</source>
+        <translation>La température de «&#xa0;%1&#xa0;» aurait dû changer de %2 en %3 s et ne l’a pas fait. Capteur décollé, objet absent, ou source ailleurs que prévu. Bask coupe le chauffage. Vérifiez les trois, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1632,8 +1632,8 @@
         <translation>Le capteur de «&#xa0;%1&#xa0;» donne exactement la même valeur depuis %2 s, sans son bruit habituel&#xa0;: il s’est peut-être arrêté. Voyez s’il suit la chaleur, ou confirmez-le.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
-        <translation>La température de «&#xa0;%1&#xa0;» a changé de %2 en %3 s, ce qu’aucune chaleur ni perte n’explique. Son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. Bask switches the heat off. Check both, then reset.</source>
+        <translation>La température de «&#xa0;%1&#xa0;» a changé de %2 en %3 s, ce qu’aucune chaleur ni perte n’explique. Son capteur est peut-être décollé, ou quelque chose touche l’objet. Bask coupe le chauffage. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -2028,8 +2028,8 @@
         <translation>deux matériaux se nomment «&#xa0;%1&#xa0;»&#xa0;; donnez à chacun son propre nom</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>Les capteurs de «&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont échangés&#xa0;: ils indiquent %3 et %4, mais leurs objets sont à %5 et %6. Le chauffage est coupé. Remettez-les chacun à sa place, confirmez les deux, puis réinitialisez.</translation>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; were exchanged: they read %3 and %4 where %5 and %6 were expected. The heat is off. See that each is on its own object, confirm both, then reset.</source>
+        <translation>Les capteurs de « %1 » et « %2 » ont été échangés : ils lisent %3 et %4 là où %5 et %6 étaient attendus. Le chauffage est coupé. Vérifiez que chacun est sur son objet, confirmez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The objects are cold: the recording ends</source>
@@ -2056,20 +2056,20 @@
         <translation>l’ordre n’a pas été pris (simulé)</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu. Son capteur est peut-être décollé ou sur un autre objet, l’objet est peut-être parti, ou la source est ailleurs que prévu. Le chauffage est coupé. Vérifiez tout cela, puis réinitialisez.</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu. Son capteur est peut-être décollé ou sur un autre objet, l’objet est peut-être parti, ou la source est ailleurs que prévu. Bask coupe le chauffage. Vérifiez tout cela, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu, et « %5 » s’écarte dans l’autre sens. Leurs capteurs sont peut-être échangés, ou celui de « %1 » est décollé. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>La température de « %1 » ne suit pas sa chaleur : en %3 s elle a changé de %4 là où au moins %2 était attendu, et « %5 » s’écarte dans l’autre sens. Leurs capteurs sont peut-être échangés, ou celui de « %1 » est décollé. Bask coupe le chauffage. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>Les capteurs de « %1 » et « %2 » semblent échangés : ce qu’ils ont indiqué dans les %3 dernières secondes s’accorde avec la chaleur de l’autre objet, non avec celle du leur. Le chauffage est coupé. Vérifiez les deux, confirmez-les, puis réinitialisez.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
-        <translation>« %1 » chauffe de %2/s ; la source explique au plus %3/s : autre chose le chauffe, ou son capteur n’est pas sur lui. Le chauffage est coupé. Vérifiez les deux, puis réinitialisez.</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Bask switches the heat off. Check both, then reset.</source>
+        <translation>« %1 » chauffe de %2/s ; la source explique au plus %3/s : autre chose le chauffe, ou son capteur n’est pas sur lui. Bask coupe le chauffage. Vérifiez les deux, puis réinitialisez.</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
@@ -5560,10 +5560,6 @@
         <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
         <translation>Le contour fait %1 de large ; un objet peut faire %2 au plus. Corrigez sa taille.</translation>
     </message>
-    <message>
-        <source>Its true size is not known yet: answer the question above.</source>
-        <translation>Sa taille vraie n’est pas encore connue : répondez à la question ci-dessus.</translation>
-    </message>
 </context>
 <context>
     <name>bask::ImportQuestions</name>
@@ -5698,6 +5694,26 @@
     <message>
         <source>As the drawing says. Type another to make all of it larger or smaller.</source>
         <translation>Selon le dessin. Tapez-en une autre pour agrandir ou réduire le tout.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: choose the unit above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : choisissez l’unité ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: lay the ruler over the length above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : posez la règle sur la longueur ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the length of the ruler above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : tapez ci-dessus la longueur de la règle.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the scale above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : tapez l’échelle ci-dessus.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the side of the marker’s square above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : tapez ci-dessus le côté du carré du marqueur.</translation>
     </message>
 </context>
 <context>
@@ -6096,10 +6112,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>sur source chaude&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Are they mounted so all the same?</source>
-        <translation>Sont-ils tout de même montés ainsi ?</translation>
-    </message>
-    <message>
         <source>Arm the simulated rig</source>
         <translation>Armer le banc simulé</translation>
     </message>
@@ -6127,6 +6139,26 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
         <translation>Le robot va bouger : il cherche ses contacts pour connaître sa position. Toutes les mains sont-elles loin du robot et rien n’est-il sur son passage ?</translation>
+    </message>
+    <message>
+        <source>%1. Are they mounted so all the same?</source>
+        <translation>%1. Sont-ils tout de même montés ainsi ?</translation>
+    </message>
+    <message>
+        <source>Nothing else begins while the question &quot;%1&quot; is open: answer it first. Hold, Stop and STOP are possible.</source>
+        <translation>Rien d’autre ne commence tant que la question « %1 » est ouverte : répondez-y d’abord. Pause, Arrêter et STOP restent possibles.</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Arm asks about it.</source>
+        <translation>Prêt, mais : %1. Armer le demandera.</translation>
+    </message>
+    <message>
+        <source>Ready; whether the targets can be held is being checked.</source>
+        <translation>Prêt ; vérification en cours : les consignes peuvent-elles être tenues ?</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Start asks about it.</source>
+        <translation>Prêt, mais : %1. Démarrer le demandera.</translation>
     </message>
 </context>
 <context>
@@ -8224,6 +8256,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>Start values taken from this run: %1</source>
         <translation>Valeurs de départ reprises de cet essai : %1</translation>
     </message>
+    <message>
+        <source>List of runs is up to date</source>
+        <translation>La liste des essais est à jour</translation>
+    </message>
 </context>
 <context>
     <name>bask::ReviewPage</name>
@@ -10090,16 +10126,16 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
 </context>
 <context>
     <name>bask::SessionExport</name>
-    <message>
-        <source>%1 written</source>
-        <translation>%1 écrit</translation>
-    </message>
     <message numerus="yes">
         <source>%n file(s) written to %1</source>
         <translation>
             <numerusform>%n fichier écrit dans&#xa0;%1</numerusform>
             <numerusform>%n fichiers écrits dans&#xa0;%1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>%1 écrit dans&#xa0;%2</translation>
     </message>
 </context>
 <context>
@@ -10830,10 +10866,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
     </message>
     <message>
-        <source>At %1; %2 from the nearest limit: %3.</source>
-        <translation>En %1 ; à %2 de la limite la plus proche : %3.</translation>
-    </message>
-    <message>
         <source>Best compromise, at %1: %2.</source>
         <translation>Meilleur compromis, en %1 : %2.</translation>
     </message>
@@ -10904,6 +10936,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>No object shades another at this pose.</source>
         <translation>À cette pose, aucun objet ne fait d’ombre à un autre.</translation>
+    </message>
+    <message>
+        <source>Held at %1; %2 from the nearest limit: %3.</source>
+        <translation>Maintien en %1 ; à %2 de la limite la plus proche : %3.</translation>
     </message>
 </context>
 <context>

@@ -1480,8 +1480,8 @@
         <translation>热源为 %1，已有 %3 s 未向 %2 接近。加热已关闭。请检查热源是否通电、其传感器是否到位，然后复位。</translation>
     </message>
     <message>
-        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
-        <translation>热源被设为 %1，回读却为 %2。加热已关闭。请检查其自身面板和限值，然后复位。</translation>
+        <source>The source was set to %1 but reads back %2. Bask switches the heat off. Check its own panel and limits, then reset.</source>
+        <translation>热源被设为 %1，回读却为 %2。Bask 将关闭加热。请检查其自身面板和限值，然后复位。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1564,8 +1564,8 @@
         <translation>热源由人工加热，当前 %1：Bask 无法将其关闭。请您自行关闭，并使物体远离它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
-        <translation>“%1”的温度本应在 %3 s 内变化 %2，却没有变化。可能是传感器脱落、物体缺失，或热源不在预想的位置。加热已关闭。请检查这三项，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check all three, then reset.</source>
+        <translation>“%1”的温度本应在 %3 s 内变化 %2，却没有变化。可能是传感器脱落、物体缺失，或热源不在预想的位置。Bask 将关闭加热。请检查这三项，然后复位。</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1632,8 +1632,8 @@
         <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随受热变化，或确认它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
-        <translation>“%1”的温度在 %3 s 内变化了 %2，任何加热或散热都无法解释。其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查两者，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. Bask switches the heat off. Check both, then reset.</source>
+        <translation>“%1”的温度在 %3 s 内变化了 %2，任何加热或散热都无法解释。其传感器可能已脱落，或有东西接触物体。Bask 将关闭加热。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -2028,8 +2028,8 @@
         <translation>两种材料都名为“%1”；请给每种各自的名称</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>“%1”和“%2”的传感器互换了：它们的读数为 %3 和 %4，但其物体为 %5 和 %6。加热已关闭。请换回来，确认两者，然后复位。</translation>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; were exchanged: they read %3 and %4 where %5 and %6 were expected. The heat is off. See that each is on its own object, confirm both, then reset.</source>
+        <translation>“%1”和“%2”的传感器已互换：读数为 %3 和 %4，而预期为 %5 和 %6。加热已关闭。请确认每个传感器都在自己的物体上，分别确认两者，然后复位。</translation>
     </message>
     <message>
         <source>The objects are cold: the recording ends</source>
@@ -2056,20 +2056,20 @@
         <translation>命令未被接受（模拟）</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2。其传感器可能脱落或在另一物体上，物体可能已不在，或热源不在预期位置。加热已关闭。请检查这些，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2。其传感器可能脱落或在另一物体上，物体可能已不在，或热源不在预期位置。Bask 将关闭加热。请检查这些，然后复位。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2，且“%5”向相反方向偏离。两者的传感器可能互换了，或“%1”的传感器脱落。加热已关闭。请检查两者，然后复位。</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>“%1”的温度未随其受热变化：%3 s 内变化了 %4，而至少应为 %2，且“%5”向相反方向偏离。两者的传感器可能互换了，或“%1”的传感器脱落。Bask 将关闭加热。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>“%1”和“%2”的传感器似乎互换了：它们最近 %3 s 的读数与另一物体的受热一致，而与自己物体的不一致。加热已关闭。请检查两者，确认它们，然后复位。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
-        <translation>“%1”以 %2/s 升温；热源最多能解释 %3/s：有别的东西在加热它，或其传感器不在它上面。加热已关闭。请检查两者，然后复位。</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Bask switches the heat off. Check both, then reset.</source>
+        <translation>“%1”以 %2/s 升温；热源最多能解释 %3/s：有别的东西在加热它，或其传感器不在它上面。Bask 将关闭加热。请检查两者，然后复位。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
@@ -5549,10 +5549,6 @@
         <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
         <translation>轮廓宽 %1；物体最大为 %2。请更正其尺寸。</translation>
     </message>
-    <message>
-        <source>Its true size is not known yet: answer the question above.</source>
-        <translation>其真实尺寸尚不清楚：请回答上面的问题。</translation>
-    </message>
 </context>
 <context>
     <name>bask::ImportQuestions</name>
@@ -5687,6 +5683,26 @@
     <message>
         <source>As the drawing says. Type another to make all of it larger or smaller.</source>
         <translation>按图形中的值。输入其他值可将整体放大或缩小。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: choose the unit above.</source>
+        <translation>其真实尺寸尚不清楚：请在上面选择单位。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: lay the ruler over the length above.</source>
+        <translation>其真实尺寸尚不清楚：请将标尺置于上面的长度之上。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the length of the ruler above.</source>
+        <translation>其真实尺寸尚不清楚：请在上面输入标尺的长度。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the scale above.</source>
+        <translation>其真实尺寸尚不清楚：请在上面输入比例。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the side of the marker’s square above.</source>
+        <translation>其真实尺寸尚不清楚：请在上面输入标记方形的边长。</translation>
     </message>
 </context>
 <context>
@@ -6085,10 +6101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>物体下方热源：%1</translation>
     </message>
     <message>
-        <source>Are they mounted so all the same?</source>
-        <translation>它们确实是这样安装的吗？</translation>
-    </message>
-    <message>
         <source>Arm the simulated rig</source>
         <translation>使模拟装置进入待命</translation>
     </message>
@@ -6116,6 +6128,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
         <translation>机器人即将运动：它寻找其限位开关以确定位置。所有人的手是否都已离开机器人，其路径上是否没有障碍？</translation>
+    </message>
+    <message>
+        <source>%1. Are they mounted so all the same?</source>
+        <translation>%1。它们确实是这样安装的吗？</translation>
+    </message>
+    <message>
+        <source>Nothing else begins while the question &quot;%1&quot; is open: answer it first. Hold, Stop and STOP are possible.</source>
+        <translation>问题“%1”未回答之前，不会开始任何其他操作：请先回答。“保持”、“停止”和“软件停止”仍可使用。</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Arm asks about it.</source>
+        <translation>就绪，但是：%1。“待命”时会询问。</translation>
+    </message>
+    <message>
+        <source>Ready; whether the targets can be held is being checked.</source>
+        <translation>就绪；正在检查目标能否保持。</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Start asks about it.</source>
+        <translation>就绪，但是：%1。“开始”时会询问。</translation>
     </message>
 </context>
 <context>
@@ -8210,6 +8242,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Start values taken from this run: %1</source>
         <translation>已采用本次运行的起始值：%1</translation>
     </message>
+    <message>
+        <source>List of runs is up to date</source>
+        <translation>运行列表已是最新</translation>
+    </message>
 </context>
 <context>
     <name>bask::ReviewPage</name>
@@ -10070,15 +10106,15 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 </context>
 <context>
     <name>bask::SessionExport</name>
-    <message>
-        <source>%1 written</source>
-        <translation>已写入 %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n file(s) written to %1</source>
         <translation>
             <numerusform>已将 %n 个文件写入 %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>已将 %1 写入 %2</translation>
     </message>
 </context>
 <context>
@@ -10804,10 +10840,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>所有目标可同时保持。</translation>
     </message>
     <message>
-        <source>At %1; %2 from the nearest limit: %3.</source>
-        <translation>在 %1 处；距最近的限值 %2：%3。</translation>
-    </message>
-    <message>
         <source>Best compromise, at %1: %2.</source>
         <translation>最佳折中，在 %1 处：%2。</translation>
     </message>
@@ -10878,6 +10910,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>No object shades another at this pose.</source>
         <translation>在该位姿时物体之间没有遮挡。</translation>
+    </message>
+    <message>
+        <source>Held at %1; %2 from the nearest limit: %3.</source>
+        <translation>在 %1 处保持；距最近的限值 %2：%3。</translation>
     </message>
 </context>
 <context>

@@ -1480,8 +1480,8 @@
         <translation>熱源為 %1，已有 %3 s 未向 %2 接近。加熱已關閉。請檢查熱源是否通電、其感測器是否到位，然後復歸。</translation>
     </message>
     <message>
-        <source>The source was set to %1 but reads back %2. The heat is off. Check its own panel and limits, then reset.</source>
-        <translation>熱源被設為 %1，回讀卻為 %2。加熱已關閉。請檢查其自身面板和限值，然後復歸。</translation>
+        <source>The source was set to %1 but reads back %2. Bask switches the heat off. Check its own panel and limits, then reset.</source>
+        <translation>熱源被設為 %1，回讀卻為 %2。Bask 將關閉加熱。請檢查其自身面板和限值，然後復歸。</translation>
     </message>
     <message>
         <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
@@ -1564,8 +1564,8 @@
         <translation>熱源由人工加熱，目前 %1：Bask 無法將其關閉。請您自行關閉，並使物體遠離它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check all three, then reset.</source>
-        <translation>「%1」的溫度本應在 %3 s 內變化 %2，卻沒有變化。可能是感測器脫落、物體缺失，或熱源不在預期的位置。加熱已關閉。請檢查這三項，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 in %3 s but has not. Its sensor may be off, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check all three, then reset.</source>
+        <translation>「%1」的溫度本應在 %3 s 內變化 %2，卻沒有變化。可能是感測器脫落、物體缺失，或熱源不在預期的位置。Bask 將關閉加熱。請檢查這三項，然後復歸。</translation>
     </message>
     <message>
         <source>The target of &quot;%1&quot;, %2, is above its warning limit of %3, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
@@ -1632,8 +1632,8 @@
         <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨受熱變化，或確認它。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. The heat is off. Check both, then reset.</source>
-        <translation>「%1」的溫度在 %3 s 內變化了 %2，任何加熱或散熱都無法解釋。其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查兩者，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; has changed by %2 in %3 s, which no heat or loss explains. Its sensor may be off, or something touches the object. Bask switches the heat off. Check both, then reset.</source>
+        <translation>「%1」的溫度在 %3 s 內變化了 %2，任何加熱或散熱都無法解釋。其感測器可能已脫落，或有東西接觸物體。Bask 將關閉加熱。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
@@ -2028,8 +2028,8 @@
         <translation>兩種材料都名為「%1」；請給每種各自的名稱</translation>
     </message>
     <message>
-        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; are swapped: they read %3 and %4, but their objects are at %5 and %6. The heat is off. Swap them back, confirm both, then reset.</source>
-        <translation>「%1」和「%2」的感測器互換了：它們的讀數為 %3 和 %4，但其物體為 %5 和 %6。加熱已關閉。請換回來，確認兩者，然後復歸。</translation>
+        <source>The sensors of &quot;%1&quot; and &quot;%2&quot; were exchanged: they read %3 and %4 where %5 and %6 were expected. The heat is off. See that each is on its own object, confirm both, then reset.</source>
+        <translation>「%1」和「%2」的感測器已互換：讀數為 %3 和 %4，而預期為 %5 和 %6。加熱已關閉。請確認每個感測器都在自己的物體上，分別確認兩者，然後復歸。</translation>
     </message>
     <message>
         <source>The objects are cold: the recording ends</source>
@@ -2056,20 +2056,20 @@
         <translation>命令未被接受（模擬）</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. The heat is off. Check these, then reset.</source>
-        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2。其感測器可能脫落或在另一物體上，物體可能已不在，或熱源不在預期位置。加熱已關閉。請檢查這些，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due. Its sensor may be off or on another object, the object may be gone, or the source may be elsewhere than expected. Bask switches the heat off. Check these, then reset.</source>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2。其感測器可能脫落或在另一物體上，物體可能已不在，或熱源不在預期位置。Bask 將關閉加熱。請檢查這些，然後復歸。</translation>
     </message>
     <message>
-        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. The heat is off. Check both, then reset.</source>
-        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2，且「%5」向相反方向偏離。兩者的感測器可能互換了，或「%1」的感測器脫落。加熱已關閉。請檢查兩者，然後復歸。</translation>
+        <source>The temperature of &quot;%1&quot; does not follow its heat: in %3 s it changed by %4 where at least %2 was due, and &quot;%5&quot; deviates the other way. Their sensors may be swapped, or that of &quot;%1&quot; is off. Bask switches the heat off. Check both, then reset.</source>
+        <translation>「%1」的溫度未隨其受熱變化：%3 s 內變化了 %4，而至少應為 %2，且「%5」向相反方向偏離。兩者的感測器可能互換了，或「%1」的感測器脫落。Bask 將關閉加熱。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>The sensors of &quot;%1&quot; and &quot;%2&quot; seem to be swapped: what they read in the last %3 s agrees with the heat of the other object, not with that of their own. The heat is off. Check both, confirm them, then reset.</source>
         <translation>「%1」和「%2」的感測器似乎互換了：它們最近 %3 s 的讀數與另一物體的受熱一致，而與自己物體的不一致。加熱已關閉。請檢查兩者，確認它們，然後復歸。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. The heat is off. Check both, then reset.</source>
-        <translation>「%1」以 %2/s 升溫；熱源最多能解釋 %3/s：有別的東西在加熱它，或其感測器不在它上面。加熱已關閉。請檢查兩者，然後復歸。</translation>
+        <source>&quot;%1&quot; warms by %2/s; the source explains at most %3/s: something else heats it, or its sensor is not on it. Bask switches the heat off. Check both, then reset.</source>
+        <translation>「%1」以 %2/s 升溫；熱源最多能解釋 %3/s：有別的東西在加熱它，或其感測器不在它上面。Bask 將關閉加熱。請檢查兩者，然後復歸。</translation>
     </message>
     <message>
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
@@ -5549,10 +5549,6 @@
         <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
         <translation>輪廓寬 %1；物體最大為 %2。請更正其尺寸。</translation>
     </message>
-    <message>
-        <source>Its true size is not known yet: answer the question above.</source>
-        <translation>其真實尺寸尚不清楚：請回答上面的問題。</translation>
-    </message>
 </context>
 <context>
     <name>bask::ImportQuestions</name>
@@ -5687,6 +5683,26 @@
     <message>
         <source>As the drawing says. Type another to make all of it larger or smaller.</source>
         <translation>按圖形中的值。輸入其他值可將整體放大或縮小。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: choose the unit above.</source>
+        <translation>其真實尺寸尚不清楚：請在上面選擇單位。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: lay the ruler over the length above.</source>
+        <translation>其真實尺寸尚不清楚：請將標尺置於上面的長度之上。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the length of the ruler above.</source>
+        <translation>其真實尺寸尚不清楚：請在上面輸入標尺的長度。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the scale above.</source>
+        <translation>其真實尺寸尚不清楚：請在上面輸入比例。</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: type the side of the marker’s square above.</source>
+        <translation>其真實尺寸尚不清楚：請在上面輸入標記方形的邊長。</translation>
     </message>
 </context>
 <context>
@@ -6085,10 +6101,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>物體下方熱源：%1</translation>
     </message>
     <message>
-        <source>Are they mounted so all the same?</source>
-        <translation>它們確實是這樣安裝的嗎？</translation>
-    </message>
-    <message>
         <source>Arm the simulated rig</source>
         <translation>使模擬實驗台進入待命</translation>
     </message>
@@ -6116,6 +6128,26 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>The robot will move: it seeks its switches to know its place. Are all hands off the robot and is nothing in its way?</source>
         <translation>機器人即將運動：它尋找其極限開關以確定位置。所有人的手是否都已離開機器人，其路徑上是否沒有障礙？</translation>
+    </message>
+    <message>
+        <source>%1. Are they mounted so all the same?</source>
+        <translation>%1。它們確實是這樣安裝的嗎？</translation>
+    </message>
+    <message>
+        <source>Nothing else begins while the question &quot;%1&quot; is open: answer it first. Hold, Stop and STOP are possible.</source>
+        <translation>問題「%1」未回答之前，不會開始任何其他操作：請先回答。「保持」、「停止」和「軟體停止」仍可使用。</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Arm asks about it.</source>
+        <translation>就緒，但是：%1。「待命」時會詢問。</translation>
+    </message>
+    <message>
+        <source>Ready; whether the targets can be held is being checked.</source>
+        <translation>就緒；正在檢查目標能否保持。</translation>
+    </message>
+    <message>
+        <source>Ready, but: %1. Start asks about it.</source>
+        <translation>就緒，但是：%1。「開始」時會詢問。</translation>
     </message>
 </context>
 <context>
@@ -8210,6 +8242,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>Start values taken from this run: %1</source>
         <translation>已採用本次運轉的起始值：%1</translation>
     </message>
+    <message>
+        <source>List of runs is up to date</source>
+        <translation>運轉清單已是最新</translation>
+    </message>
 </context>
 <context>
     <name>bask::ReviewPage</name>
@@ -10070,15 +10106,15 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 </context>
 <context>
     <name>bask::SessionExport</name>
-    <message>
-        <source>%1 written</source>
-        <translation>已寫入 %1</translation>
-    </message>
     <message numerus="yes">
         <source>%n file(s) written to %1</source>
         <translation>
             <numerusform>已將 %n 個檔案寫入 %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1 written to %2</source>
+        <translation>已將 %1 寫入 %2</translation>
     </message>
 </context>
 <context>
@@ -10804,10 +10840,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>所有目標可同時保持。</translation>
     </message>
     <message>
-        <source>At %1; %2 from the nearest limit: %3.</source>
-        <translation>在 %1 處；距最近的限值 %2：%3。</translation>
-    </message>
-    <message>
         <source>Best compromise, at %1: %2.</source>
         <translation>最佳折衷，在 %1 處：%2。</translation>
     </message>
@@ -10878,6 +10910,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>No object shades another at this pose.</source>
         <translation>在該位姿時物體之間沒有遮擋。</translation>
+    </message>
+    <message>
+        <source>Held at %1; %2 from the nearest limit: %3.</source>
+        <translation>在 %1 處保持；距最近的限值 %2：%3。</translation>
     </message>
 </context>
 <context>

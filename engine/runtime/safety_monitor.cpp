@@ -20,6 +20,8 @@ using Reaction = SafetyReaction;
 
 /// a sensor with exactly the same value is frozen beyond this expected change
 constexpr double kWhileSame_K = 0.5;
+/// with the heat off, a person who handles an object may warm it up to so far above the room
+constexpr double kByHand_K = 20.0;
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
 constexpr double kSameScale = 0.01;       ///< of a set point read back as a multiple of the one written
 constexpr double kReadBack_s = 3.0;       ///< until a controller has taken a new set point
@@ -374,7 +376,7 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
         watch.frozenAt_K = object.measured_K;
         watch.frozenSince_s = seen.now_s - watch.warming.sameFor_s();
     }
-    if (isHeated(seen) && (!object.measured_K || watch.frozenAt_K))
+    if (!object.measured_K || watch.frozenAt_K)
         keepActive(Condition::HeatedOtherwise, i); // its end was not observed
     if (watch.frozenAt_K)                          // also while readings are missing
         return add(
@@ -386,7 +388,9 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    if (const auto& found = watch.warming.foreignHeat(); found && isHeated(seen))
+    const bool isByHand = !isHeated(seen) && *object.measured_K < m_experiment.environment_K + kByHand_K &&
+                          !isActive(Condition::HeatedOtherwise, i);
+    if (const auto& found = watch.warming.foreignHeat(); found && !isByHand)
         add(Condition::HeatedOtherwise,
             {MessageCode::SafetyHeatedOtherwise,
              {name(i), differenceArg(found->rate_K_s, 2), differenceArg(found->explained_K_s, 2)}},

@@ -202,8 +202,17 @@ TEST(Safety, AnObjectThatSomethingElseHeatsIsTakenAway) {
     EXPECT_LT(rig.loop.latest().objects[0].measured_K, rig.experiment.safety.warning_K - 30.0);
     EXPECT_EQ(rig.loop.state(), RunState::Stopping) << "in a hold it would stay in the source's light";
     EXPECT_FALSE(rig.loop.heat().isOn());
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 30.0), 30.0);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetyHeatedOtherwise)) << "the heat is off, and it warms on";
+    const auto refused = rig.loop.reset();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::SafetyHeatedOtherwise);
     setFault(rig.rig, SimulatedFault::ObjectHot, 0, false);
     EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 80.0), 60.0);
+    ASSERT_TRUE(rig.loop.reset());
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 30.0), 30.0)
+        << "in idle, while it is too warm to have been handled";
     EXPECT_TRUE(rig.isRecorded(MessageCode::EventAlarmOver));
     EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorBack));
 }
