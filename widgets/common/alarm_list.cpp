@@ -138,8 +138,12 @@ AlarmList::AlarmList(QWidget* parent)
     });
     connect(m_tree, &QTreeWidget::itemExpanded, this,
             [this](const QTreeWidgetItem* item) { setFolded(item, false); });
-    connect(m_tree, &QTreeWidget::itemCollapsed, this,
-            [this](const QTreeWidgetItem* item) { setFolded(item, true); });
+    connect(m_tree, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* item) {
+        setFolded(item, true);
+        const auto items = m_tree->selectedItems();
+        if (!items.isEmpty() && items.first()->parent() == item)
+            m_tree->setCurrentItem(item); // Acknowledge is of a row that is seen
+    });
     connect(m_shelve, &QToolButton::clicked, this, &AlarmList::openShelf);
     connect(m_shelf, &ShelfPopup::shelveRequested, this, &AlarmList::shelveRequested);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
@@ -161,29 +165,51 @@ void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
     m_alarms = alarms;
     m_groups = groupAlarms(alarms);
     m_today = today;
-    const bool isOther = chooseGravest();
+    const bool isMoved = chooseGravest();
     showRows();
-    if (isOther && m_chosen)
+    if (isMoved && m_chosen)
         m_tree->scrollToItem(m_tree->currentItem());
 }
 
-/// Returns whether another alarm is selected now.
+/// Returns whether another alarm is selected now, or its row is under that of its cause now.
 bool AlarmList::chooseGravest() {
     const std::optional<std::uint64_t> before = m_chosen;
     const Alarm* const kept = chosen();
     const AlarmGroup* const top = gravest(m_groups);
+    const bool isUnfolded = m_isChosenByPerson && m_chosen && unfoldOver(*m_chosen);
     const bool isGraver = kept != nullptr && !m_isChosenByPerson && top != nullptr && top->alarm.isActive &&
                           top->alarm.priority < kept->priority;
-    if (kept != nullptr && !isGraver &&
+    const bool isReplaced = isGraver || (kept != nullptr && isFolded(kept->id));
+    if (kept != nullptr && !isReplaced &&
         (m_isChosenByPerson || !kept->isAcknowledged || before == m_acknowledged))
-        return false;
-    if (isGraver)
+        return isUnfolded;
+    if (isReplaced)
         m_unread.start(kUnread_ms);
     const bool isDone = before && kept == nullptr && (m_isChosenByPerson || before == m_acknowledged);
     const AlarmGroup* const first = isDone ? nullptr : top;
     m_isChosenByPerson = false;
     m_chosen = first != nullptr ? std::optional(first->alarm.id) : std::nullopt;
     return m_chosen != before;
+}
+
+/// Whether its row is hidden under that of its cause.
+bool AlarmList::isFolded(std::uint64_t id) const {
+    const AlarmGroup* const over = groupOver(id);
+    return over != nullptr && !m_unfolded.contains(over->alarm.id);
+}
+
+/// Returns whether the row was hidden.
+bool AlarmList::unfoldOver(std::uint64_t id) {
+    const AlarmGroup* const over = groupOver(id);
+    return over != nullptr && m_unfolded.insert(over->alarm.id).second;
+}
+
+/// The group that lists the alarm under its cause; null if it has none over it.
+const AlarmGroup* AlarmList::groupOver(std::uint64_t id) const {
+    const auto found = std::ranges::find_if(m_groups.present, [id](const AlarmGroup& group) {
+        return std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end();
+    });
+    return found == m_groups.present.end() ? nullptr : &*found;
 }
 
 void AlarmList::setHomeAction(QAction* home) {
@@ -210,9 +236,7 @@ void AlarmList::choose(std::uint64_t id) {
         m_chosen = id;
         m_isChosenByPerson = true;
     }
-    for (const AlarmGroup& group : m_groups.present)
-        if (std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end())
-            m_unfolded.insert(group.alarm.id);
+    unfoldOver(id);
     showRows();
     m_tree->scrollToItem(m_tree->currentItem());
     m_tree->setFocus();

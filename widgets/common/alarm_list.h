@@ -40,7 +40,9 @@ public:
     /// must not hit another than the one that was read. Where none is selected, or one that needs no
     /// acknowledgement and that no person has selected, the gravest is. When an alarm disappears that a
     /// person has selected or acknowledged, none is until the alarms change again. A graver one that comes
-    /// takes the place of one that no person has selected; for a second nothing is acknowledged then.
+    /// takes the place of one that no person has selected, as the gravest does when that one is folded under
+    /// a cause; for a second nothing is acknowledged then. A cause is unfolded over one that a person
+    /// selected.
     void setAlarms(const std::vector<Alarm>& alarms);
     /// What homes the robot; shown with an alarm that its place is not sure.
     void setHomeAction(QAction* home);
@@ -71,6 +73,9 @@ private:
     void openShelf();
     void showChosen();
     bool chooseGravest();
+    bool isFolded(std::uint64_t id) const;
+    bool unfoldOver(std::uint64_t id);
+    const AlarmGroup* groupOver(std::uint64_t id) const;
     QString guidance() const;
     const Alarm* chosen() const;
     bool isShelvable(const Alarm& alarm) const;

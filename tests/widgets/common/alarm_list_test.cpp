@@ -291,6 +291,44 @@ TEST_F(AlarmListTest, WhatFollowsIsFoldedUnderItsCause) {
     EXPECT_TRUE(tree()->topLevelItem(1)->isExpanded()) << "a person has asked for it";
 }
 
+// Catches: the words of an alarm whose row is folded under another one's, so that Acknowledge is of nothing
+// that is seen.
+TEST_F(AlarmListTest, TheWordsAreThoseOfTheSelectedRow) {
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
+    const auto acknowledge = [&] { QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton); };
+    Alarm hand = hot(1, "hand"), ear = hot(3, "ear");
+    const Alarm cause = hot(2, "foot");
+    ear.raised_s -= 1.0;
+    list.setAlarms({hand});
+    ASSERT_TRUE(guidance().contains(QStringLiteral("hand")));
+    hand.cause = cause.key;
+    list.setAlarms({cause, hand});
+    EXPECT_EQ(chosenRow(), 0) << "the one that was selected has no row any more";
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << guidance().toStdString();
+    acknowledge();
+    EXPECT_EQ(one.count(), 0) << "nobody can have read it yet";
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        acknowledge();
+        return one.count() > 0;
+    }));
+    EXPECT_EQ(one.first().first().toULongLong(), 2U);
+
+    list.setAlarms({});
+    hand.cause.clear();
+    list.setAlarms({ear, hand});
+    ASSERT_EQ(chosenRow(), 0);
+    choose(1);
+    hand.cause = cause.key;
+    list.setAlarms({ear, cause, hand});
+    QTreeWidgetItem* over = tree()->topLevelItem(1);
+    EXPECT_TRUE(over->isExpanded()) << "a person has chosen what is under it";
+    EXPECT_TRUE(over->child(0)->isSelected());
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << guidance().toStdString();
+    over->setExpanded(false);
+    EXPECT_EQ(chosenRow(), 1);
+    EXPECT_TRUE(guidance().contains(QStringLiteral("foot"))) << guidance().toStdString();
+}
+
 // Catches: an alarm put aside without a reason or for longer than its priority allows, one that is out of
 // sight for good, and one that cannot be taken back.
 TEST_F(AlarmListTest, IsShelvedWithAReasonListedAndTakenBack) {
