@@ -23,7 +23,8 @@ namespace bask {
 namespace {
 
 constexpr int kStateIcon = 14;
-constexpr double kLimitGround = 0.18; ///< share of its colour in the ground of a tile
+constexpr double kLongestInSeconds_s = 99.5; ///< as an age
+constexpr double kLimitGround = 0.18;        ///< share of its colour in the ground of a tile
 
 } // namespace
 
@@ -199,6 +200,7 @@ void ObjectTile::clear(double target_K) {
     m_sample.measured_K = m_sample.estimated_K = m_sample.rate_K_s = kNaN;
     m_sample.target_K = target_K;
     m_sensor = {};
+    m_believed_K = kNaN;
     m_inBandSince_s = -1.0;
     m_trend.clear();
     m_activity = ObjectActivity::Waiting;
@@ -245,6 +247,8 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
 void ObjectTile::setSample(double time_s, const ObjectSample& sample, const SensorView& sensor) {
     m_sample = sample;
     m_sensor = sensor;
+    if (sample.valid)
+        m_believed_K = sample.measured_K;
     m_activity = judge(time_s, sample);
     showValues();
 }
@@ -274,15 +278,27 @@ void ObjectTile::setTemperatureUnit(TemperatureUnit unit) {
     showValues();
 }
 
-/// What is shown of a reading that is not known is the last that was: grey and with its age, never as if it
-/// were the present one, and never 0.
+/// The age is that of the newest reading that was believed, and is told beside no other.
+QString ObjectTile::ageText() const {
+    if (m_activity == ObjectActivity::SensorStale && std::isfinite(m_sensor.sameFor_s))
+        return m_sensor.sameFor_s < kLongestInSeconds_s
+                   ? tr("same for %1 s", "the value of a frozen sensor").arg(m_sensor.sameFor_s, 0, 'f', 0)
+                   : tr("same for %1", "the value of a frozen sensor; %1 is minutes and seconds")
+                         .arg(formatDuration(m_sensor.sameFor_s));
+    const bool isOther = std::isfinite(m_sensor.told_K) && m_sensor.told_K != m_believed_K;
+    const bool isBelieved = m_activity != ObjectActivity::SensorDistrusted && !isOther;
+    return isUnknown(m_activity) && isBelieved && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s)
+                                                                                : QString();
+}
+
+/// What is shown of a reading that is not known is the last that was told: grey, of one that was believed
+/// with its age, never as if it were the present one, and never 0.
 ShownObject ObjectTile::shown() const {
     const bool isOld = isUnknown(m_activity);
     const double told_K =
         std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
     const double known_K = m_sample.valid && !isOld ? m_sample.measured_K : ShownObject::kNothing;
-    const QString age = isOld && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s) : QString();
-    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, age};
+    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, ageText()};
 }
 
 void ObjectTile::showValues() {
@@ -373,8 +389,8 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(nameWords(m_name));
     m_age->setToolTip(
-        tr("Age of the newest reading that was believed, or what the thermal camera sees of the "
-           "object, with twice its standard uncertainty"));
+        tr("Age of the newest reading that was believed, how long a sensor has told the same value, or what "
+           "the thermal camera sees of the object, with twice its standard uncertainty"));
     m_confirm->setText(tr("Confirm"));
     m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
     m_confirm->setToolTip(

@@ -38,6 +38,8 @@ struct SensorView {
     double told_K = std::numeric_limits<double>::quiet_NaN();
     /// standard uncertainty of the reading; NaN if it is not known
     double uncertainty_K = std::numeric_limits<double>::quiet_NaN();
+    /// how long its alarm says that the value has been the same, s; NaN without such an alarm
+    double sameFor_s = std::numeric_limits<double>::quiet_NaN();
     bool operator==(const SensorView&) const = default;
 };
 
@@ -49,15 +51,17 @@ struct ShownObject {
     ObjectActivity activity = ObjectActivity::Waiting;
     double temperature_K = kNothing; ///< of an unknown one the last that was told
     double target_K = kNothing;
-    QString age; ///< of a reading that is not known; empty if there was none
+    /// Of a reading that is not known, of a frozen one how long it has been the same; empty if there was
+    /// none, and for the newest reading, which is not believed.
+    QString age;
 
     /// Returns "+0.3 K", that of the two temperatures as they are shown; a dash without a known reading.
     QString errorText(TemperatureUnit unit) const;
 };
 
-/// A temperature that is not, or no longer, known is grey with its age; an untrusted one is struck out, and a
-/// person can confirm it. Object names: the tile "objectTile.<index>"; inside "tileName", "tileState",
-/// "tileTemperature", "tileAge", "confirmSensor", "tileTarget", "tileError", "tileRate".
+/// A temperature that is not, or no longer, known is grey with its age, see ShownObject; an untrusted one is
+/// struck out, and a person can confirm it. Object names: the tile "objectTile.<index>"; inside "tileName",
+/// "tileState", "tileTemperature", "tileAge", "confirmSensor", "tileTarget", "tileError", "tileRate".
 class ObjectTile : public QFrame {
     Q_OBJECT
 public:
@@ -101,6 +105,7 @@ private:
     void showValues();
     void showTemperature(const ShownObject& now);
     QString cameraText() const;
+    QString ageText() const;
     QString uncertaintyTip() const;
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
@@ -109,6 +114,7 @@ private:
     QString m_name;
     ObjectSample m_sample;
     SensorView m_sensor;
+    double m_believed_K = std::numeric_limits<double>::quiet_NaN(); ///< newest reading that was believed
     double m_recorded_K = std::numeric_limits<double>::quiet_NaN(); ///< uncertainty of a record's readings
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;

@@ -1,5 +1,6 @@
 #include "widgets/run/run_page.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
@@ -32,6 +33,21 @@
 
 namespace bask {
 namespace {
+
+/// How long the sensor of the object has told the same value, as its alarm says, s; NaN without one.
+double toldSameFor_s(const std::vector<Alarm>& alarms, const std::string& object) {
+    const auto found = std::ranges::find_if(alarms, [&](const Alarm& alarm) {
+        const Message& told = alarm.message;
+        return alarm.isActive && told.args.size() > 1 && told.args[0].text() == object &&
+               (told.code == MessageCode::SafetySensorFrozen || told.code == MessageCode::SafetySensorQuiet);
+    });
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    if (found == alarms.end())
+        return kNaN;
+    bool isNumber = false;
+    const double same_s = QString::fromStdString(found->message.args[1].text()).toDouble(&isNumber);
+    return isNumber ? same_s : kNaN;
+}
 
 /// "speed, workspace x".
 QString limitWords(const ActiveLimits& limits) {
@@ -163,6 +179,7 @@ void RunPage::showTiles(const Snapshot& snapshot) {
             sensor = {snapshot.sensors[i], snapshot.readingAges_s[i], snapshot.toldReadings_K[i]};
         if (i < snapshot.uncertainties_K.size())
             sensor.uncertainty_K = snapshot.uncertainties_K[i];
+        sensor.sameFor_s = toldSameFor_s(snapshot.alarms, m_names[i].toStdString());
         m_tiles->tiles()[i]->setSample(snapshot.sampleTime_s, sample, sensor); // runs on between runs
     }
 }

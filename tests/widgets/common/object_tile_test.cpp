@@ -226,7 +226,7 @@ TEST(ObjectTile, AnOldReadingIsGreyWithItsAge) {
             ->palette()
             .color(QPalette::WindowText);
     };
-    shown.feed(1.0, 313.0, 0.0);
+    shown.feed(1.0, 321.35, 0.0);
     const QColor fresh = ink();
     EXPECT_EQ(shown.text("tileAge"), QString());
     ObjectSample lost;
@@ -248,6 +248,37 @@ TEST(ObjectTile, AnOldReadingIsGreyWithItsAge) {
     shown.feed(61.0, 313.0, 0.0);
     EXPECT_EQ(shown.text("tileAge"), QString());
     EXPECT_EQ(ink(), fresh);
+}
+
+// Catches "0 s old" of a value that has been the same for 39 s, and "2 s old" of the newest one, which is not
+// believed.
+TEST(ObjectTile, TheAgeIsThatOfTheReadingThatIsShown) {
+    Shown shown;
+    ObjectSample frozen;
+    frozen.target_K = 313.15;
+    frozen.measured_K = 321.35;
+    frozen.valid = true;
+    SensorView sensor{SensorTrust::Stale, 0.2, 321.35};
+    sensor.sameFor_s = 39.0;
+    shown.tile.setSample(1.0, frozen, sensor);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Stale"));
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("same for 39 s"));
+    sensor.sameFor_s = 150.0;
+    shown.tile.setSample(2.0, frozen, sensor);
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("same for 2:30"));
+    EXPECT_EQ(shown.tile.shown().age, QStringLiteral("same for 2:30"));
+
+    shown.feed(3.0, 321.35, 0.0);
+    ObjectSample jumped;
+    jumped.target_K = 313.15;
+    shown.tile.setSample(5.0, jumped, {SensorTrust::Trusted, 2.0, 297.95});
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("UNKNOWN"));
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("24.8\u00a0°C"));
+    EXPECT_EQ(shown.text("tileAge"), QString()) << "it is the newest";
+    shown.tile.setSample(6.0, jumped, {SensorTrust::Distrusted, 3.0, 297.95});
+    EXPECT_EQ(shown.tile.shown().age, QString());
+    shown.tile.setSample(7.0, jumped, {SensorTrust::Trusted, 2.0, 321.35});
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("2 s old")) << "none came since";
 }
 
 // Catches 24.9 degC on the tile of an object that has 48 degC since its sensor came off, and no way to say

@@ -30,8 +30,12 @@ ShownObject shownOf(double measured_K, const SensorView& sensor = {}, bool isVal
     ObjectTile tile(0);
     tile.setName(QString::fromUtf8(name));
     ObjectSample sample;
-    sample.measured_K = measured_K;
+    sample.measured_K = sensor.told_K;
     sample.target_K = 313.15;
+    sample.valid = true;
+    if (!isValid) // it was believed before
+        tile.setSample(0.0, sample);
+    sample.measured_K = measured_K;
     sample.valid = isValid;
     tile.setSample(1.0, sample, sensor);
     return tile.shown();
@@ -270,8 +274,7 @@ TEST(LargeNumbers, AStaleValueIsNotShownAsKnown) {
     };
     for (const Doubt& doubt :
          {Doubt{shownOf(303.15, {SensorTrust::Stale, 12.0, 303.15}), "Stale · 12 s old", "30.0", false},
-          Doubt{shownOf(303.15, {SensorTrust::Distrusted, 12.0, 341.15}), "Not believed · 12 s old", "68.0",
-                true},
+          Doubt{shownOf(303.15, {SensorTrust::Distrusted, 12.0, 341.15}), "Not believed", "68.0", true},
           Doubt{shownOf(0.0, {SensorTrust::Stale, 125.0, 303.15}, false), "UNKNOWN · 2:05 old", "30.0",
                 false},
           Doubt{shownOf(0.0, {}, false), "UNKNOWN", "\u2014", false}}) {

@@ -143,6 +143,23 @@ TEST(RunPage, ShowsWhatTheSnapshotSays) {
               QStringLiteral("Temperature (°F)"));
 }
 
+// Catches: a frozen sensor whose tile and whose alarm tell two times.
+TEST(RunPage, AFrozenSensorsTileTellsTheTimeOfItsAlarm) {
+    Shown shown;
+    Snapshot snapshot = snapshotOf(likeARun(5));
+    snapshot.sensors.assign(3, SensorTrust::Stale);
+    snapshot.readingAges_s.assign(3, 0.2);
+    for (const ObjectSample& object : snapshot.latest.objects)
+        snapshot.toldReadings_K.push_back(object.measured_K);
+    snapshot.alarms.resize(2);
+    snapshot.alarms[0].message = {MessageCode::SafetySensorFrozen, {"bunny", "39"}};
+    snapshot.alarms[1].message = {MessageCode::SafetySensorQuiet, {"hand", "61"}};
+    shown.page.apply(snapshot);
+    EXPECT_EQ(shown.tileText(1, "tileAge"), QStringLiteral("same for 39 s"));
+    EXPECT_EQ(shown.tileText(2, "tileAge"), QStringLiteral("same for 61 s"));
+    EXPECT_EQ(shown.tileText(0, "tileAge"), QStringLiteral("0 s old")) << "another one's alarm";
+}
+
 // Catches a limit that is active and not told, told in the wrong word, or told when the run is over.
 TEST(RunPage, SaysWhichLimitsHoldTheRobotBack) {
     RunPage page;
