@@ -114,6 +114,11 @@ private:
 std::span<const MessageCode> runEnds();
 /// Returns the time of the first of them since Start; infinity if there was none.
 double controlledUntil_s(const SessionRecord& facts);
+/// Returns the priority of the alarm for which the engine ended the run, by the event that ended it; 0 if
+/// that tells none.
+int endPriority(const Message& end);
+/// Returns the same of a record: of the first event that ended it; 0 if there was none.
+int endPriority(const SessionRecord& facts);
 /// Returns when Start was pressed, s since 1970 in UTC by the computer's clock; empty in files of the first
 /// versions, and before Start.
 std::optional<double> startedUtc_s(const SessionRecord& facts);

@@ -42,7 +42,8 @@ std::string selectStop() {
     std::string codes;
     for (const MessageCode code : runEnds())
         codes += (codes.empty() ? "" : ", ") + sqlText(messageName(code));
-    return "SELECT time_s FROM event WHERE time_s >= 0 AND code IN (" + codes + ") ORDER BY rowid LIMIT 1";
+    return "SELECT time_s, code, substr(args, 1, 8192) FROM event WHERE time_s >= 0 AND code IN (" + codes +
+           ") ORDER BY rowid LIMIT 1";
 }
 
 std::vector<std::string> textsOf(const nlohmann::json& list) {
@@ -130,7 +131,11 @@ Result<void> readInto(SessionHeader& header) {
                                     header.end_s = numberOf(row[1]);
                                 });
     if (done)
-        done = (*store)->select(selectStop(), [&](Row row) { header.stopped_s = numberOf(row[0]); });
+        done = (*store)->select(selectStop(), [&](Row row) {
+            const TraceEvent end = eventOf(row);
+            header.stopped_s = end.time_s;
+            header.endPriority = endPriority(end.message);
+        });
     if (done)
         done = (*store)->select(kSelectNotes,
                                 [&](Row row) { header.notes.push_back(printable(textOf(row[0]))); });

@@ -41,6 +41,8 @@ struct SessionHeader {
     /// Time since Start at which the run ended: by Stop, STOP or the engine. Its record goes on until all is
     /// away, or cold. Empty if the file does not say.
     std::optional<double> stopped_s;
+    /// Priority of the alarm for which the engine ended the run, 1 to 3; 0 if the file tells none.
+    int endPriority = 0;
     std::vector<std::string> notes;
     std::vector<std::string> tags;
     std::optional<Error> error;  ///< why it cannot be read; all other members except the path are then empty

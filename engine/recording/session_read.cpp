@@ -96,6 +96,14 @@ Result<SessionRecord> readAll(const std::string& path,
     return record;
 }
 
+/// Null if there was none.
+const TraceEvent* runEnd(const SessionRecord& facts) {
+    const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
+        return event.time_s >= 0.0 && std::ranges::find(runEnds(), event.message.code) != runEnds().end();
+    });
+    return stop == facts.events.end() ? nullptr : &*stop;
+}
+
 } // namespace
 
 Result<SessionRecord> readSession(const std::string& path, const ShareDone& done) {
@@ -147,10 +155,18 @@ std::span<const MessageCode> runEnds() {
 }
 
 double controlledUntil_s(const SessionRecord& facts) {
-    const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
-        return event.time_s >= 0.0 && std::ranges::find(runEnds(), event.message.code) != runEnds().end();
-    });
-    return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
+    const TraceEvent* const stop = runEnd(facts);
+    return stop == nullptr ? std::numeric_limits<double>::infinity() : stop->time_s;
+}
+
+int endPriority(const Message& end) {
+    const auto cause = end.code == MessageCode::EventStoppedFor ? messageWithin(end) : std::nullopt;
+    return cause ? alarmPriority(cause->code) : 0;
+}
+
+int endPriority(const SessionRecord& facts) {
+    const TraceEvent* const stop = runEnd(facts);
+    return stop == nullptr ? 0 : endPriority(stop->message);
 }
 
 std::optional<double> startedUtc_s(const SessionRecord& facts) {

@@ -57,9 +57,16 @@ QString outcomeWord(Outcome outcome) {
     return {};
 }
 
-QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio) {
-    if (outcome == Outcome::Fault)
-        return alarmPixmap(1, dark, size, devicePixelRatio);
+QString outcomeWord(Outcome outcome, int priority) {
+    const QString word = outcomeWord(outcome);
+    return outcome == Outcome::Fault && priority > 0
+               ? Words::tr("%1, by an alarm of priority %2", "the outcome of a run").arg(word).arg(priority)
+               : word;
+}
+
+QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio, int priority) {
+    if (outcome == Outcome::Fault && priority > 0)
+        return alarmPixmap(priority, dark, size, devicePixelRatio);
     QPixmap pixmap(QSize(size, size) * devicePixelRatio);
     pixmap.setDevicePixelRatio(devicePixelRatio);
     pixmap.fill(Qt::transparent);
@@ -83,6 +90,11 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     case Outcome::EmergencyStop: // octagon
         painter.drawPolygon(QPolygonF{at(0.33, 0.1), at(0.67, 0.1), at(0.9, 0.33), at(0.9, 0.67),
                                       at(0.67, 0.9), at(0.33, 0.9), at(0.1, 0.67), at(0.1, 0.33)});
+        break;
+    case Outcome::Fault: // exclamation mark in a triangle
+        painter.drawPolygon(QPolygonF{at(0.5, 0.1), at(0.92, 0.9), at(0.08, 0.9)});
+        painter.drawLine(at(0.5, 0.4), at(0.5, 0.56));
+        painter.drawPoint(at(0.5, 0.74));
         break;
     case Outcome::Interrupted: // a line that breaks off
         painter.drawLine(at(0.1, 0.5), at(0.5, 0.5));

@@ -26,6 +26,9 @@ enum class Outcome {
 Outcome outcomeOf(const std::string& recorded);
 /// Returns "Settled"; for Other the caller shows the word in the file.
 QString outcomeWord(Outcome outcome);
-QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio);
+/// Returns "Fault, by an alarm of priority 2"; the word alone with priority 0.
+QString outcomeWord(Outcome outcome, int priority);
+/// `priority`: of the alarm that ended the run in a fault, with whose mark it is shown; 0: not known.
+QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio, int priority = 0);
 
 } // namespace bask

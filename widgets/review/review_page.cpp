@@ -422,7 +422,8 @@ void ReviewPage::showOutcome() {
                             : isAlteredNow() ? Outcome::Altered
                             : m_wasRecording ? Outcome::Recording
                                              : outcomeOf(m_session->facts().outcome);
-    m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
+    m_outcomeIcon->setPixmap(
+        outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF(), endPriority(m_session->facts())));
     m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->facts().outcome)
                                                      : outcomeWord(outcome));
     const QString labels = runLabelWords(m_session->facts().labels);

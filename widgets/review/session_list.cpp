@@ -370,11 +370,11 @@ void SessionList::resizeEvent(QResizeEvent* event) {
     fitNames();
 }
 
-const QIcon& SessionList::outcomeIcon(Outcome outcome) {
-    QIcon& icon = m_icons[outcome];
+const QIcon& SessionList::outcomeIcon(Outcome outcome, int priority) {
+    QIcon& icon = m_icons[{outcome, priority}];
     if (icon.isNull()) {
-        icon.addPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
-        icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()),
+        icon.addPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF(), priority));
+        icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF(), priority),
                        QIcon::Selected); // on its ground
     }
     return icon;
@@ -435,7 +435,13 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
         row->setToolTip(kRunName, both);
     }
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
-    row->setIcon(kOutcome, outcomeIcon(outcome));
+    row->setIcon(kOutcome, outcomeIcon(outcome, session.endPriority));
+    if (outcome == Outcome::Fault) {
+        row->setToolTip(kOutcome, outcomeWord(outcome, session.endPriority));
+        row->setData(kOutcome, Qt::AccessibleTextRole, row->toolTip(kOutcome));
+    } else {
+        row->setData(kOutcome, Qt::AccessibleTextRole, QVariant());
+    }
     if (problem != nullptr)
         row->setToolTip(kOutcome, sentenceText(problem->message));
     else if (session.alteration)

@@ -80,7 +80,7 @@ protected:
 private:
     void showRows();
     void fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences);
-    const QIcon& outcomeIcon(Outcome outcome);
+    const QIcon& outcomeIcon(Outcome outcome, int priority);
     bool isOpened(const QTreeWidgetItem* row) const;
     void markOpened(QTreeWidgetItem* row) const;
     void fitNames();
@@ -102,7 +102,7 @@ private:
     bool m_isReading = true;
     int m_found = 0; ///< runs that the search has left
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
-    std::map<Outcome, QIcon> m_icons; ///< in the colours of the palette
+    std::map<std::pair<Outcome, int>, QIcon> m_icons; ///< with their priority, in the colours of the palette
     QLineEdit* m_search;
     QPushButton *m_folder, *m_alarms;
     QTreeWidget* m_tree;

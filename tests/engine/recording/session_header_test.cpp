@@ -105,6 +105,32 @@ TEST_F(SessionHeaderTest, TheLengthOfARunEndsWithItsStop) {
     EXPECT_EQ(unended.length_s(), unended.end_s);
 }
 
+// Catches: a run that looks as if it had ended for an alarm of another priority, and one that a person ended.
+TEST_F(SessionHeaderTest, TellsThePriorityOfTheAlarmThatEndedTheRun) {
+    const Message slow{MessageCode::RobotSlow, {"4"}},
+        hot{MessageCode::SafetyObjectHot, {"left", "91", "90"}};
+    ASSERT_EQ(alarmPriority(slow.code), 2);
+    ASSERT_EQ(alarmPriority(hot.code), 1);
+    const Message ended = messageAbout(MessageCode::EventStoppedFor, slow);
+    const auto ends = [&](const char* name, const std::vector<TraceEvent>& events) {
+        const std::string path = file(name);
+        auto writer = SessionWriter::create(path, twoDisks(), true);
+        EXPECT_TRUE(writer);
+        for (int k = 0; k < 30; ++k)
+            EXPECT_TRUE((*writer)->add(madeUpSample(twoDisks(), k)));
+        for (const TraceEvent& event : events)
+            EXPECT_TRUE((*writer)->add(event));
+        EXPECT_TRUE((*writer)->finish("fault"));
+        writer->reset();
+        const int priority = readSessionHeader(path).endPriority;
+        EXPECT_EQ(endPriority(readSession(path).value()), priority) << "one priority of one run";
+        return priority;
+    };
+    EXPECT_EQ(ends("slow.bask", {{12.0, ended}, {15.0, hot}}), 2) << "what came later has not ended it";
+    EXPECT_EQ(ends("person.bask", {{9.0, {MessageCode::EventStopped, {}}}, {12.0, ended}}), 0);
+    EXPECT_EQ(ends("armed.bask", {{0.0, hot}}), 0);
+}
+
 // Catches a run that has no length, or no samples, because of what was stopped before its Start.
 TEST_F(SessionHeaderTest, AStopBeforeStartEndsNoRun) {
     const std::string path = file("early.bask");

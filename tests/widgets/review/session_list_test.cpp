@@ -1,6 +1,7 @@
 #include "widgets/review/session_list.h"
 
 #include "engine/base/message_code.h"
+#include "widgets/common/theme.h"
 #include "widgets/review/two_line_delegate.h"
 
 #include <QApplication>
@@ -8,6 +9,7 @@
 #include <QDateTime>
 #include <QElapsedTimer>
 #include <QHeaderView>
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -134,6 +136,28 @@ TEST_F(SessionListTest, ARowTellsTheRun) {
     EXPECT_EQ(tree->indexOfTopLevelItem(row("b")) + 1, tree->indexOfTopLevelItem(row("a")));
     EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "4 session(s)")
         << "English plurals are a translation";
+}
+
+// Catches: the mark of the gravest alarm on a run that another one has ended, or of which nobody knows.
+TEST_F(SessionListTest, AFaultHasTheMarkOfItsAlarm) {
+    std::vector<SessionHeader> faults;
+    for (const char* name : {"unknown", "first", "second", "third"}) {
+        faults.push_back(header(name, "2026-03-15T09:26:53Z", "fault"));
+        faults.back().endPriority = static_cast<int>(faults.size()) - 1;
+    }
+    list.setSessions(faults);
+    const auto mark = [&](const char* name) {
+        return row(name)->icon(2).pixmap(QSize(16, 16), 1.0).toImage();
+    };
+    const auto alarm = [&](int priority) { return alarmPixmap(priority, isDark(&list), 16, 1.0).toImage(); };
+    EXPECT_EQ(mark("first"), alarm(1));
+    EXPECT_EQ(mark("second"), alarm(2));
+    EXPECT_EQ(mark("third"), alarm(3));
+    for (const int priority : {1, 2, 3})
+        EXPECT_NE(mark("unknown"), alarm(priority));
+    EXPECT_EQ(row("third")->text(2), "Fault");
+    EXPECT_EQ(row("third")->toolTip(2), "Fault, by an alarm of priority 3");
+    EXPECT_EQ(row("unknown")->data(2, Qt::AccessibleTextRole).toString(), "Fault");
 }
 
 // Catches an outcome told of a run whose samples cannot be read, and tags written into such a file.
