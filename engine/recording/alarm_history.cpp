@@ -120,6 +120,8 @@ public:
 
     /// What has no end yet lasts until the recording's.
     std::vector<AlarmSpell> all(double end_s) {
+        for (const auto& [key, open] : m_open)
+            m_spells[open.spell].isCut = true;
         end(end_s, [](const Unended&) { return true; });
         return std::move(m_spells);
     }
@@ -206,11 +208,26 @@ private:
     Unendeds m_reset; ///< whose end is a reset
 };
 
-double sumOf(double sum_s, double part_s) {
-    return std::isnan(sum_s) ? part_s : std::isnan(part_s) ? sum_s : sum_s + part_s;
-}
+/// Adds up what an alarm was active.
+class DurationSum {
+public:
+    void add(double active_s, bool isCut) {
+        m_hasNoEnd = m_hasNoEnd || std::isnan(active_s);
+        m_isCut = m_isCut || isCut;
+        if (!std::isnan(active_s))
+            m_sum_s = std::isnan(m_sum_s) ? active_s : m_sum_s + active_s;
+    }
+    void add(const AlarmInRun& in) {
+        for (const AlarmSpell& spell : in.spells)
+            add(spell.active_s, spell.isCut);
+    }
+    AlarmDuration sum() const { return {m_sum_s, m_isCut || (m_hasNoEnd && !std::isnan(m_sum_s))}; }
 
-constexpr double kNoEnd = std::numeric_limits<double>::quiet_NaN();
+private:
+    double m_sum_s = std::numeric_limits<double>::quiet_NaN();
+    bool m_hasNoEnd = false;
+    bool m_isCut = false;
+};
 
 /// Returns the query of the events that tell alarms and their ends.
 const std::string& selectAlarmEvents() {
@@ -262,10 +279,10 @@ Result<std::vector<AlarmSpell>> readSpells(const std::string& path, const std::s
 
 } // namespace
 
-double AlarmInRun::active_s() const {
-    return std::accumulate(spells.begin(), spells.end(), kNoEnd, [](double sum_s, const AlarmSpell& spell) {
-        return sumOf(sum_s, spell.active_s);
-    });
+AlarmDuration AlarmInRun::active() const {
+    DurationSum sum;
+    sum.add(*this);
+    return sum.sum();
 }
 
 const Message& PastAlarm::message() const {
@@ -283,13 +300,13 @@ std::size_t PastAlarm::times() const {
                            [](std::size_t sum, const AlarmInRun& each) { return sum + each.spells.size(); });
 }
 
-double PastAlarm::active_s() const {
-    const double inRuns_s =
-        std::accumulate(runs.begin(), runs.end(), kNoEnd,
-                        [](double sum_s, const AlarmInRun& each) { return sumOf(sum_s, each.active_s()); });
-    return std::accumulate(
-        withoutRun.begin(), withoutRun.end(), inRuns_s,
-        [](double sum_s, const UnrecordedSpell& each) { return sumOf(sum_s, each.active_s); });
+AlarmDuration PastAlarm::active() const {
+    DurationSum sum;
+    for (const AlarmInRun& each : runs)
+        sum.add(each);
+    for (const UnrecordedSpell& each : withoutRun)
+        sum.add(each.active_s, false);
+    return sum.sum();
 }
 
 std::vector<AlarmSpell> alarmSpells(const std::vector<TraceEvent>& events, double end_s,

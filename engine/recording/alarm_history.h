@@ -22,6 +22,14 @@ struct AlarmSpell {
     /// Time until it was over or a person reset, at the latest until the recording ends. NaN: nothing tells
     /// the end of such an alarm.
     double active_s = std::numeric_limits<double>::quiet_NaN();
+    bool isCut = false; ///< the recording ended before it: it may have lasted longer
+};
+
+/// For how long an alarm was active.
+struct AlarmDuration {
+    double sum_s = std::numeric_limits<double>::quiet_NaN(); ///< NaN if no time of it has an end
+    /// Whether it may have been active for longer: a time was cut, or has no end beside others that have one.
+    bool isAtLeast = false;
 };
 
 /// An alarm in one run.
@@ -29,7 +37,7 @@ struct AlarmInRun {
     std::size_t run = 0; ///< index in AlarmHistory::runs
     std::vector<AlarmSpell> spells;
 
-    double active_s() const; ///< of all spells; NaN if none has an end
+    AlarmDuration active() const; ///< of all spells
 };
 
 /// A time that an alarm was raised while nothing was recorded.
@@ -51,7 +59,7 @@ struct PastAlarm {
     const Message& message() const;
     int priority() const;
     std::size_t times() const;
-    double active_s() const; ///< of all times; NaN if none has an end
+    AlarmDuration active() const; ///< of all times
 };
 
 struct AlarmHistory {

@@ -105,8 +105,13 @@ public:
         setToolTip(column, QString::fromStdString(run.path));
     }
     /// What has no end is before all that has one.
-    void setActive(int column, double active_s) {
-        set(column, formatDuration(active_s), std::isnan(active_s) ? -1.0 : active_s);
+    void setActive(int column, const AlarmDuration& active) {
+        const QString sum = formatDuration(active.sum_s);
+        set(column,
+            active.isAtLeast
+                ? AlarmHistoryDialog::tr("at least %1", "a duration: minutes and seconds").arg(sum)
+                : sum,
+            std::isnan(active.sum_s) ? -1.0 : active.sum_s);
     }
 };
 
@@ -287,7 +292,7 @@ QTreeWidgetItem* AlarmHistoryDialog::alarmRow(std::size_t place) const {
     row->set(kPastPriority, QString::number(alarm.priority()), gravity(alarm.priority(), raised));
     row->set(kPastRuns, QString::number(alarm.runs.size()), static_cast<double>(alarm.runs.size()));
     row->set(kPastTimes, QString::number(alarm.times()), static_cast<double>(alarm.times()));
-    row->setActive(kPastActive, alarm.active_s());
+    row->setActive(kPastActive, alarm.active());
     if (isUnrecorded) {
         row->set(kPastLast, pastDate(unrecordedDate(alarm.withoutRun.front())));
         row->set(kPastLastRun, tr("No run"));
@@ -384,7 +389,7 @@ QTreeWidgetItem* AlarmHistoryDialog::runRow(const AlarmInRun& in) const {
     row->set(kInName, listedName(run));
     row->set(kInRig, run.simulated ? tr("SIMULATED") : tr("LIVE"));
     row->set(kInTimes, QString::number(in.spells.size()), static_cast<double>(in.spells.size()));
-    row->setActive(kInActive, in.active_s());
+    row->setActive(kInActive, in.active());
     row->set(kInAt, times.join(QStringLiteral(", ")));
     row->setData(kInAt, kPastSortRole, in.spells.front().raised_s);
     return row;
@@ -398,7 +403,7 @@ QTreeWidgetItem* AlarmHistoryDialog::unrecordedRow(const UnrecordedSpell& spell)
     row->setToolTip(kInName, tr("Raised while nothing was recorded"));
     row->set(kInRig, spell.isLive ? tr("LIVE") : tr("SIMULATED"));
     row->set(kInTimes, QString::number(1), 1.0);
-    row->setActive(kInActive, spell.active_s);
+    row->setActive(kInActive, {spell.active_s});
     row->set(kInAt, kNoValue);
     row->setData(kInAt, kPastSortRole, -1.0); // before all that are since Start
     return row;
@@ -494,7 +499,8 @@ void AlarmHistoryDialog::retranslate() {
     m_alarms->headerItem()->setToolTip(kPastRuns, tr("Number of runs in which it was raised"));
     m_alarms->headerItem()->setToolTip(kPastTimes, tr("How often it was raised"));
     m_alarms->headerItem()->setToolTip(
-        kPastActive, tr("Time for which it was active, until it was over or reset or the recording ended"));
+        kPastActive, tr("Time for which it was active, until it was over or reset. \"At least\": a recording "
+                        "ended before it, or the end of one of its times is not known."));
     m_alarms->headerItem()->setToolTip(kPastPriority, tr("1 is the gravest"));
     m_alarms->headerItem()->setToolTip(kPastLast,
                                        tr("When the last run with it was recorded, and the time since Start "

@@ -227,15 +227,15 @@ TEST_F(AlarmHistoryTest, CountsRunsTimesAndDurations) {
     EXPECT_EQ(history.runs[left->runs[0].run].path, young.path) << "the newest run first";
     EXPECT_EQ(history.runs[left->runs[1].run].path, old.path);
     EXPECT_EQ(left->message(), kLeftHotter) << "with the values of the last time";
-    EXPECT_NEAR(left->runs[0].active_s(), 1.0 + kEnd_s - 40.0, 1e-9);
-    EXPECT_NEAR(left->active_s(), 2.0 + 1.0 + kEnd_s - 40.0, 1e-9);
+    EXPECT_NEAR(left->runs[0].active().sum_s, 1.0 + kEnd_s - 40.0, 1e-9);
+    EXPECT_NEAR(left->active().sum_s, 2.0 + 1.0 + kEnd_s - 40.0, 1e-9);
     const PastAlarm* right = find(history, MessageCode::SafetyObjectHot, "right");
     ASSERT_NE(right, nullptr);
     EXPECT_EQ(right->times(), 1U);
     const PastAlarm* late = find(history, MessageCode::SafetyLoopLate);
     ASSERT_NE(late, nullptr);
     EXPECT_EQ(late->priority(), 3);
-    EXPECT_NEAR(late->active_s(), kEnd_s - 20.0, 1e-9);
+    EXPECT_NEAR(late->active().sum_s, kEnd_s - 20.0, 1e-9);
 }
 
 // Catches: a sum that one alarm without an end makes unknown, and one of nothing that is zero.
@@ -244,9 +244,25 @@ TEST_F(AlarmHistoryTest, AnUnknownDurationIsNotZero) {
     const AlarmHistory history =
         readAlarmHistory({recorded("a.bask", "2026-03-14T09:26:53Z", {{10.0, notSettled}})});
     ASSERT_EQ(history.alarms.size(), 1U);
-    EXPECT_TRUE(std::isnan(history.alarms[0].active_s()));
+    EXPECT_TRUE(std::isnan(history.alarms[0].active().sum_s));
     const AlarmInRun mixed{0, {{notSettled, 1.0}, {notSettled, 2.0, 5.0}, {notSettled, 3.0}}};
-    EXPECT_DOUBLE_EQ(mixed.active_s(), 5.0);
+    EXPECT_DOUBLE_EQ(mixed.active().sum_s, 5.0);
+    EXPECT_TRUE(mixed.active().isAtLeast);
+}
+
+// Catches: 5 s told of an alarm that stood for 24 s and 5 s, since the first recording ended before it.
+TEST_F(AlarmHistoryTest, WhatOutlastsItsRecordingIsAtLeastSoLong) {
+    const SessionHeader cut = recorded("cut.bask", "2026-03-14T09:26:53Z", {{90.0, kLeftHot}});
+    const SessionHeader whole =
+        recorded("whole.bask", "2026-03-15T09:26:53Z", {{10.0, kLeftHot}, overAt(15.0, kLeftHot)});
+    const AlarmHistory history = readAlarmHistory({whole, cut});
+    ASSERT_EQ(history.alarms.size(), 1U);
+    const PastAlarm& hot = history.alarms[0];
+    ASSERT_EQ(hot.runs.size(), 2U);
+    EXPECT_FALSE(hot.runs[0].active().isAtLeast);
+    EXPECT_TRUE(hot.runs[1].active().isAtLeast);
+    EXPECT_TRUE(hot.active().isAtLeast);
+    EXPECT_NEAR(hot.active().sum_s, 5.0 + kEnd_s - 90.0, 1e-9);
 }
 
 // Catches: one damaged file that keeps all others from being read, or is left out without a word.
@@ -302,7 +318,7 @@ TEST_F(AlarmHistoryTest, ReadsTheFirstVersion) {
     ASSERT_TRUE(test::makeFirstVersion(run.path));
     const AlarmHistory history = readAlarmHistory({run});
     ASSERT_EQ(history.alarms.size(), 1U);
-    EXPECT_NEAR(history.alarms[0].active_s(), kEnd_s - 10.0, 1e-9);
+    EXPECT_NEAR(history.alarms[0].active().sum_s, kEnd_s - 10.0, 1e-9);
 }
 
 // Catches: a damaged recording that fills the memory, keeps the program from its end, or has alarms that are
@@ -328,7 +344,7 @@ TEST_F(AlarmHistoryTest, AHostileRecordingIsReadInPart) {
     const PastAlarm* link = find(history, MessageCode::LinkLost);
     ASSERT_NE(link, nullptr);
     EXPECT_EQ(link->message().args.size(), 10U);
-    EXPECT_NEAR(link->active_s(), kEnd_s - 1.0, 1e-9);
+    EXPECT_NEAR(link->active().sum_s, kEnd_s - 1.0, 1e-9);
 }
 
 // Catches: alarms without a run that are not those of the runs, an end of another time, an order that is not
@@ -362,7 +378,7 @@ TEST_F(AlarmHistoryTest, AddsWhatNoRunTells) {
     ASSERT_NE(hot, nullptr);
     EXPECT_EQ(hot->times(), 2U) << "one in a run, one without";
     EXPECT_EQ(hot->message(), kLeftHot);
-    EXPECT_NEAR(hot->active_s(), kEnd_s - 10.0, 1e-9) << "the other one's end is not known";
+    EXPECT_NEAR(hot->active().sum_s, kEnd_s - 10.0, 1e-9) << "the other one's end is not known";
     const PastAlarm* alone = find(history, MessageCode::SafetySourceHeatsUnasked);
     ASSERT_NE(alone, nullptr);
     ASSERT_EQ(alone->times(), 2U);
@@ -371,7 +387,7 @@ TEST_F(AlarmHistoryTest, AddsWhatNoRunTells) {
     EXPECT_EQ(alone->withoutRun[0].raised_s, 2e9) << "the newest first";
     EXPECT_EQ(alone->withoutRun[0].active_s, 30.0);
     EXPECT_TRUE(std::isnan(alone->withoutRun[1].active_s)) << "it ended in a run, or with Bask";
-    EXPECT_EQ(alone->active_s(), 30.0);
+    EXPECT_EQ(alone->active().sum_s, 30.0);
     addUnrecorded(history, m_folder.path().toStdString());
     EXPECT_TRUE(history.failure);
 }

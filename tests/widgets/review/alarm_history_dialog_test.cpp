@@ -137,6 +137,20 @@ TEST_F(AlarmHistoryDialogTest, TheRunsAreThoseOfTheSelectedAlarm) {
     EXPECT_EQ(cells(runs->topLevelItem(0)), (QStringList{"older", "LIVE", "2", "0:29", "0:07, 1:10"}));
 }
 
+// Catches: a sum that hides that a recording ended before the alarm.
+TEST_F(AlarmHistoryDialogTest, ASumOfWhatWasCutIsAtLeastThat) {
+    AlarmHistory past = somePast();
+    past.alarms[0].runs.push_back({1, {{hot("foot", "97"), 0.0, 0.0, true}}});
+    dialog.setHistory(past);
+    EXPECT_EQ(alarm("foot")->text(4), "at least 0:29");
+    alarms->setCurrentItem(alarm("foot"));
+    ASSERT_EQ(runs->topLevelItemCount(), 2);
+    EXPECT_EQ(runs->topLevelItem(0)->text(4), "at least 0:00");
+    EXPECT_EQ(runs->topLevelItem(1)->text(4), "0:29");
+    alarms->sortByColumn(4, Qt::AscendingOrder);
+    EXPECT_EQ(order(), (QStringList{"Not", "\"foot\"", "\"hand\""})) << "by the number";
+}
+
 // Catches: numbers sorted as words, 2 behind 13, and an alarm without a duration between others.
 TEST_F(AlarmHistoryDialogTest, ColumnsAreSortedByWhatTheySay) {
     dialog.setHistory(somePast());
