@@ -2075,6 +2075,10 @@
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
         <translation>La source est à %1, %2 au-dessus de sa consigne, et ne refroidit pas. Vérifiez son régulateur et son capteur ; Arrêter éloigne les objets et coupe le chauffage.</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
+        <translation>« %1 » est à %2, à %3 de sa consigne, et s’en éloigne depuis %4 s. Son capteur est peut-être sur un autre objet, son contour ou sa fixation sont peut-être faux, ou quelque chose le chauffe ou le refroidit. L’essai continue : vérifiez-les.</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3024,10 +3028,6 @@
         <translation>Combien de fois elle est apparue</translation>
     </message>
     <message>
-        <source>Time for which it was active, until it was over or reset or the recording ended</source>
-        <translation>Temps pendant lequel elle a été active, jusqu’à ce qu’elle soit finie ou réinitialisée ou que l’enregistrement se termine</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>Enregistré</translation>
     </message>
@@ -3132,6 +3132,15 @@
     <message>
         <source>Without a run, when the alarm was raised</source>
         <translation>Sans essai : quand l’alarme est apparue</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <comment>a duration: minutes and seconds</comment>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset. &quot;At least&quot;: a recording ended before it, or the end of one of its times is not known.</source>
+        <translation>Temps pendant lequel elle a été active, jusqu’à ce qu’elle soit finie ou réinitialisée. « Au moins » : un enregistrement s’est terminé avant elle, ou la fin d’une de ses fois n’est pas connue.</translation>
     </message>
 </context>
 <context>
@@ -7026,10 +7035,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Caméra %1</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>Âge de la dernière mesure crue, ou ce que la caméra thermique voit de l’objet, avec deux fois l’incertitude type</translation>
-    </message>
-    <message>
         <source>Above its warning limit</source>
         <comment>the temperature of an object</comment>
         <translation>Limite d’avertissement dépassée</translation>
@@ -7042,6 +7047,20 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
         <translation>Incertitude type %1 %2. Pour un capteur, c’est celle de la température de la pièce à laquelle il a été ajusté, de son ajustement, et du pas et du bruit de ses mesures. N’y sont pas : l’erreur propre du capteur loin de la température de la pièce, et la qualité de son contact avec l’objet.</translation>
+    </message>
+    <message>
+        <source>same for %1 s</source>
+        <comment>the value of a frozen sensor</comment>
+        <translation>la même depuis %1 s</translation>
+    </message>
+    <message>
+        <source>same for %1</source>
+        <comment>the value of a frozen sensor; %1 is minutes and seconds</comment>
+        <translation>la même depuis %1</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>Âge de la dernière mesure crue, temps depuis lequel un capteur dit la même valeur, ou ce que la caméra thermique voit de l’objet, avec deux fois l’incertitude type</translation>
     </message>
 </context>
 <context>
@@ -7196,6 +7215,11 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Altered</source>
         <translation>Modifié</translation>
+    </message>
+    <message>
+        <source>%1, by an alarm of priority %2</source>
+        <comment>the outcome of a run</comment>
+        <translation>%1, par une alarme de priorité %2</translation>
     </message>
 </context>
 <context>

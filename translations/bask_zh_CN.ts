@@ -2075,6 +2075,10 @@
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
         <translation>热源为 %1，高于设定值 %2，且未降温。请检查其控制器和传感器；停止会将物体移开并关闭加热。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
+        <translation>“%1”为 %2，距目标 %3，且已持续远离 %4 s。其传感器可能在别的物体上，其轮廓或安装可能有误，或有东西在加热或冷却它。运行仍在继续：请检查这些。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3021,10 +3025,6 @@
         <translation>出现的次数</translation>
     </message>
     <message>
-        <source>Time for which it was active, until it was over or reset or the recording ended</source>
-        <translation>有效的时间，到它结束、被复位或记录结束为止</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>记录时间</translation>
     </message>
@@ -3127,6 +3127,15 @@
     <message>
         <source>Without a run, when the alarm was raised</source>
         <translation>没有运行时，为报警出现的时间</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <comment>a duration: minutes and seconds</comment>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset. &quot;At least&quot;: a recording ended before it, or the end of one of its times is not known.</source>
+        <translation>有效的时间，到它结束或被复位为止。“至少”：某个记录在它之前结束，或其中一次的结束不明。</translation>
     </message>
 </context>
 <context>
@@ -7015,10 +7024,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>热像仪 %1</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>最近一次被采信的读数距今多久，或热像仪所见的该物体的温度及其两倍标准不确定度</translation>
-    </message>
-    <message>
         <source>Above its warning limit</source>
         <comment>the temperature of an object</comment>
         <translation>超过警告限值</translation>
@@ -7031,6 +7036,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
         <translation>标准不确定度 %1 %2。对传感器而言，它来自校零所依据的室温、校零本身，以及读数的步长和噪声。不包括：传感器在远离室温时自身的误差，以及它与物体接触的好坏。</translation>
+    </message>
+    <message>
+        <source>same for %1 s</source>
+        <comment>the value of a frozen sensor</comment>
+        <translation>%1 s 未变</translation>
+    </message>
+    <message>
+        <source>same for %1</source>
+        <comment>the value of a frozen sensor; %1 is minutes and seconds</comment>
+        <translation>%1 未变</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>最近一次被采信的读数距今多久、传感器的读数多久未变，或热像仪所见的该物体的温度及其两倍标准不确定度</translation>
     </message>
 </context>
 <context>
@@ -7185,6 +7204,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Altered</source>
         <translation>已改动</translation>
+    </message>
+    <message>
+        <source>%1, by an alarm of priority %2</source>
+        <comment>the outcome of a run</comment>
+        <translation>%1，由优先级 %2 的报警引起</translation>
     </message>
 </context>
 <context>

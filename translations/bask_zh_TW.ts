@@ -2075,6 +2075,10 @@
         <source>The source is at %1, %2 above its set point, and does not cool. Check its controller and its sensor; Stop takes the objects away and switches the heat off.</source>
         <translation>熱源為 %1，高於設定值 %2，且未降溫。請檢查其控制器和感測器；停止會將物體移開並關閉加熱。</translation>
     </message>
+    <message>
+        <source>&quot;%1&quot; is at %2, %3 from its target, and has gone farther from it for %4 s. Its sensor may be on another object, its outline or its mounting may be wrong, or something heats or cools it. The run goes on: check these.</source>
+        <translation>「%1」為 %2，距目標 %3，且已持續遠離 %4 s。其感測器可能在別的物體上，其輪廓或安裝可能有誤，或有東西在加熱或冷卻它。執行仍在繼續：請檢查這些。</translation>
+    </message>
 </context>
 <context>
     <name>OutlinePainting</name>
@@ -3021,10 +3025,6 @@
         <translation>出現的次數</translation>
     </message>
     <message>
-        <source>Time for which it was active, until it was over or reset or the recording ended</source>
-        <translation>有效的時間，到它結束、被復歸或記錄結束為止</translation>
-    </message>
-    <message>
         <source>Recorded</source>
         <translation>記錄時間</translation>
     </message>
@@ -3127,6 +3127,15 @@
     <message>
         <source>Without a run, when the alarm was raised</source>
         <translation>沒有運轉時，為警報出現的時間</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <comment>a duration: minutes and seconds</comment>
+        <translation>至少 %1</translation>
+    </message>
+    <message>
+        <source>Time for which it was active, until it was over or reset. &quot;At least&quot;: a recording ended before it, or the end of one of its times is not known.</source>
+        <translation>有效的時間，到它結束或被復歸為止。「至少」：某個記錄在它之前結束，或其中一次的結束不明。</translation>
     </message>
 </context>
 <context>
@@ -7015,10 +7024,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>熱像儀 %1</translation>
     </message>
     <message>
-        <source>Age of the newest reading that was believed, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
-        <translation>最近一次被採信的讀數距今多久，或熱像儀所見的該物體的溫度及其兩倍標準不確定度</translation>
-    </message>
-    <message>
         <source>Above its warning limit</source>
         <comment>the temperature of an object</comment>
         <translation>超過警告限值</translation>
@@ -7031,6 +7036,20 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Standard uncertainty %1 %2. Of a sensor it is that of the room&apos;s temperature to which it was zeroed, of its zeroing, and of step and noise of its readings. Not in it: the sensor&apos;s own error away from the room&apos;s temperature, and how well it touches its object.</source>
         <translation>標準不確定度 %1 %2。對感測器而言，它來自歸零所依據的室溫、歸零本身，以及讀數的步長和雜訊。不包括：感測器在遠離室溫時自身的誤差，以及它與物體接觸的好壞。</translation>
+    </message>
+    <message>
+        <source>same for %1 s</source>
+        <comment>the value of a frozen sensor</comment>
+        <translation>%1 s 未變</translation>
+    </message>
+    <message>
+        <source>same for %1</source>
+        <comment>the value of a frozen sensor; %1 is minutes and seconds</comment>
+        <translation>%1 未變</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed, how long a sensor has told the same value, or what the thermal camera sees of the object, with twice its standard uncertainty</source>
+        <translation>最近一次被採信的讀數距今多久、感測器的讀數多久未變，或熱像儀所見的該物體的溫度及其兩倍標準不確定度</translation>
     </message>
 </context>
 <context>
@@ -7185,6 +7204,11 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Altered</source>
         <translation>已改動</translation>
+    </message>
+    <message>
+        <source>%1, by an alarm of priority %2</source>
+        <comment>the outcome of a run</comment>
+        <translation>%1，由優先順序 %2 的警報引起</translation>
     </message>
 </context>
 <context>

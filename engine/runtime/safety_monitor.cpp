@@ -20,8 +20,7 @@ using Reaction = SafetyReaction;
 
 /// a sensor with exactly the same value is frozen beyond this expected change
 constexpr double kWhileSame_K = 0.5;
-/// with the heat off, a person who handles an object may warm it up to so far above the room
-constexpr double kByHand_K = 20.0;
+constexpr double kAtSetPoint_K = 10.0;    ///< of a source that has warmed up
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
 constexpr double kSameScale = 0.01;       ///< of a set point read back as a multiple of the one written
 constexpr double kReadBack_s = 3.0;       ///< until a controller has taken a new set point
@@ -148,6 +147,7 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     addSensor(i, seen);
     addWarming(i, seen);
+    addTarget(i, seen);
     addOpinion(i, seen);
     // Readings too fast for heat, but enough in a row to make a fault: the object may have touched the
     // source.
@@ -388,15 +388,33 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
-    const bool isByHand = !isHeated(seen) && *object.measured_K < m_experiment.environment_K + kByHand_K &&
-                          !isActive(Condition::HeatedOtherwise, i);
-    if (const auto& found = watch.warming.foreignHeat(); found && !isByHand)
+    const bool isWatched = isHeated(seen) || isActive(Condition::HeatedOtherwise, i); // else maybe by hand
+    if (const auto& found = watch.warming.foreignHeat(); found && isWatched)
         add(Condition::HeatedOtherwise,
             {MessageCode::SafetyHeatedOtherwise,
              {name(i), differenceArg(found->rate_K_s, 2), differenceArg(found->explained_K_s, 2)}},
             i);
     if (const auto& found = watch.warming.unfollowed(); found && isHeated(seen))
         add(Condition::NotWarming, notFollowing(i, *found), i);
+}
+
+void SafetyMonitor::addTarget(std::size_t i, const SafetyObservation& seen) {
+    const ObservedObject& object = seen.objects[i];
+    ObjectWatch& watch = m_objects[i];
+    const bool isHeatReady =
+        seen.asked_K && seen.source_K && std::abs(*seen.source_K - *seen.asked_K) < kAtSetPoint_K;
+    if (!seen.isControlled || !isHeatReady || object.target_K != watch.target_K) {
+        watch.target_K = object.target_K;
+        return watch.target.reset();
+    }
+    if (object.measured_K)
+        watch.target.add(seen.now_s, *object.measured_K - object.target_K);
+    if (const auto& found = watch.target.leaving())
+        add(Condition::TargetLeft,
+            {MessageCode::SafetyTargetLeft,
+             {name(i), roundedTemperatureArg(object.target_K + found->error_K),
+              differenceArg(std::abs(found->error_K), 2), formatNumber(found->for_s, 3)}},
+            i);
 }
 
 /// Returns an object whose reading is too warm where that of `i` is too cold, or the other way round.

@@ -12,6 +12,7 @@
 #include "engine/runtime/second_opinion.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/source_watch.h"
+#include "engine/runtime/target_watch.h"
 #include "engine/runtime/warming_watch.h"
 #include "engine/thermal/heat_balance.h"
 
@@ -38,7 +39,8 @@ struct ObservedObject {
     double largestRate_K_s = 0.0;
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
-    double uncertainty_K = 0.0;         ///< standard uncertainty, if the thermal camera alone reads it
+    double target_K = 0.0;
+    double uncertainty_K = 0.0; ///< standard uncertainty, if the thermal camera alone reads it
     double viewFactor = 0.0;
     std::optional<CameraOpinion> opinion{}; ///< if it is read by a sensor and by the thermal camera
     Message unchecked{};                    ///< why the thermal camera cannot check its sensor, if it should
@@ -66,6 +68,7 @@ struct SafetyObservation {
     std::optional<double> asked_K{};    ///< commanded set point; empty if no heat is commanded
     std::optional<double> readBack_K{}; ///< set point as read back from the device
     bool isManual = false;
+    bool isControlled = false;   ///< a controller moves all objects towards targets that it can reach
     bool isHeatUnwanted = false; ///< heat must be off because of a fault or a stop
     Message heatOffProblem;
     Message guardProblem;          ///< why the heater's guard has taken over or is gone
@@ -161,6 +164,8 @@ private:
         std::optional<double> frozenAt_K{};
         double frozenSince_s = 0.0;
         QuietWatch quiet{};
+        TargetWatch target{};
+        double target_K = 0.0;                         ///< that is watched
         std::optional<std::size_t> swappedWith{};      ///< as its jump tells
         std::optional<std::size_t> seemsSwappedWith{}; ///< as the heat of both tells
     };
@@ -171,6 +176,7 @@ private:
     bool isFrozen(std::size_t i) const;
     double power_K_s(std::size_t i, const SafetyObservation& seen) const; ///< absorbed power, as estimated
     void addWarming(std::size_t i, const SafetyObservation& seen);
+    void addTarget(std::size_t i, const SafetyObservation& seen);
     Message notFollowing(std::size_t i, const Unfollowed& found) const;
     std::optional<std::size_t> deviatingOtherwise(std::size_t i, const Unfollowed& found) const;
     void addOpinion(std::size_t i, const SafetyObservation& seen);

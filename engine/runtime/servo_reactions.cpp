@@ -65,6 +65,7 @@ SafetyObservation ServoLoop::observe() const {
         if (m_experiment.objects[i].readBy == ReadBy::Camera && std::isfinite(ofCamera_K))
             object.uncertainty_K = ofCamera_K;
         object.viewFactor = m_latest.objects[i].viewFactor;
+        object.target_K = m_experiment.objects[i].target_K;
         if (const HeatBounds* bounds = sensors.bounds(i))
             object.max_K = bounds->max_K();
         seen.objects.push_back(object);
@@ -93,6 +94,8 @@ SafetyObservation ServoLoop::observe() const {
     seen.isManual = m_devices.source.isManual();
     seen.isSourceSwitched = m_devices.isReal;
     seen.hasWatchdog = m_devices.source.hasWatchdog();
+    seen.isControlled = (m_state == RunState::Running || m_state == RunState::Settled) &&
+                        m_control.compromise().code == MessageCode::None;
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
     seen.heatOffProblem = wrong(m_heat.offProblem());
     seen.guardProblem = m_devices.source.guardProblem();

@@ -8,6 +8,7 @@
 #include "engine/rig/rig_setup.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/servo_loop.h"
+#include "engine/runtime/target_watch.h"
 #include "engine/studies/camera_sight.h"
 
 #include <algorithm>
@@ -238,6 +239,9 @@ private:
             if (message.code == MessageCode::SafetyCameraCannotCheck ||
                 message.code == MessageCode::SafetyCameraCannotRead)
                 return isUnread(i, message.args.at(1).sentences().at(0));
+            if (message.code == MessageCode::SafetyTargetLeft)
+                return std::abs(true_K[i] - m_loop.experiment().objects[i].target_K) >
+                       TargetWatch::kFar_K - kTellingOf_K;
             if (message.code == MessageCode::SafetyObjectWarm)
                 return true_K[i] > warningLimit_K(m_experiment, object) - kTellingOf_K;
             if (message.code == MessageCode::SafetyObjectHot)

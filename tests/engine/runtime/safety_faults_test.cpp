@@ -209,10 +209,7 @@ TEST(Safety, AnObjectThatSomethingElseHeatsIsTakenAway) {
     EXPECT_EQ(refused.error().code(), MessageCode::SafetyHeatedOtherwise);
     setFault(rig.rig, SimulatedFault::ObjectHot, 0, false);
     EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 80.0), 60.0);
-    ASSERT_TRUE(rig.loop.reset());
-    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
-    EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyHeatedOtherwise); }, 30.0), 30.0)
-        << "in idle, while it is too warm to have been handled";
+    EXPECT_TRUE(rig.loop.reset());
     EXPECT_TRUE(rig.isRecorded(MessageCode::EventAlarmOver));
     EXPECT_FALSE(rig.isRecorded(MessageCode::EventSensorBack));
 }

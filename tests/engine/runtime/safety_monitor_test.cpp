@@ -107,6 +107,7 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::HeatByHand, MessageCode::SafetyHeatByHand),
           std::pair(SafetyCondition::SensorsApart, MessageCode::SafetySensorsApart),
           std::pair(SafetyCondition::DiskLow, MessageCode::SafetyDiskLow),
+          std::pair(SafetyCondition::TargetLeft, MessageCode::SafetyTargetLeft),
           std::pair(SafetyCondition::SensorQuiet, MessageCode::SafetySensorQuiet),
           std::pair(SafetyCondition::LoopLate, MessageCode::SafetyLoopLate)})
         EXPECT_EQ(alarmEntry(condition).priority, alarmPriority(code)) << messageName(code);
@@ -598,6 +599,31 @@ TEST(SafetyMonitor, WhatRunsAwayIsNotOverWhileReadingsAreMissing) {
     }
     EXPECT_FALSE(m.isActive(SafetyCondition::HeatedOtherwise));
     EXPECT_FALSE(m.isActive(SafetyCondition::SourceOver));
+}
+
+// Catches an object that leaves its target in a run without a word; and one that is told where nothing moves
+// it to that target: in a hold, before a source that is still cold, after another target.
+TEST(SafetyMonitor, AnObjectThatGoesAwayFromItsTargetIsTold) {
+    enum class Case { Told, NotControlled, ColdSource, OtherTargets };
+    for (const Case when : {Case::Told, Case::NotControlled, Case::ColdSource, Case::OtherTargets}) {
+        Monitor m;
+        m.seen.isSourceDark = false;
+        m.seen.isControlled = when != Case::NotControlled;
+        m.seen.asked_K = kelvinFromCelsius(200.0);
+        m.seen.source_K = *m.seen.asked_K - (when == Case::ColdSource ? 50.0 : 1.0);
+        ObservedObject& object = m.seen.objects[0];
+        object.target_K = kelvinFromCelsius(40.0);
+        object.measured_K = kelvinFromCelsius(40.0);
+        bool isTold = false;
+        for (int t = 0; t < 150; ++t) {
+            *object.measured_K -= 0.05; // as it would in the room's air
+            if (when == Case::OtherTargets && t % 50 == 49)
+                object.target_K += 0.5;
+            m.after(1.0);
+            isTold = isTold || m.isActive(SafetyCondition::TargetLeft);
+        }
+        EXPECT_EQ(isTold, when == Case::Told) << static_cast<int>(when);
+    }
 }
 
 // Catches a fault that is latched a second time, and an acknowledgement that is lost, because what is known
