@@ -23,12 +23,13 @@ void PageMessages::age(const QString& sentence, std::chrono::milliseconds longes
     m_age.start(longest);
 }
 
-/// Not under the pointer: somebody reads it, or copies it. Nor with the keyboard in it: a button is about to
-/// be pressed.
+/// Not under the pointer: somebody reads it, or copies it. Nor with the keyboard in what was written: one of
+/// its buttons is about to be pressed.
 void PageMessages::dropOld() {
     if (m_bar.sentence() != m_forATime)
         return;
-    if (m_bar.underMouse() || m_bar.isAncestorOf(QApplication::focusWidget()))
+    const bool hasKeyboard = m_forATime == m_written && m_bar.isAncestorOf(QApplication::focusWidget());
+    if (m_bar.underMouse() || hasKeyboard)
         m_age.start();
     else
         m_bar.clear();

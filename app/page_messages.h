@@ -14,8 +14,8 @@ class MessageBar;
 
 class PageMessages {
 public:
-    /// A refusal, or a note, is shown for so long at most, or as long as the pointer is on it or the keyboard
-    /// in it: a sentence read twice.
+    /// A refusal, or a note, is shown for so long at most, or as long as the pointer is on it: a sentence
+    /// read twice.
     static constexpr std::chrono::milliseconds kRefusal{12'000};
     /// What was written is shown for longer: it has buttons.
     static constexpr std::chrono::milliseconds kWritten{20'000};

@@ -24,7 +24,8 @@ TracePlot::TracePlot(Quantity quantity, QWidget* parent)
     layout->addWidget(m_canvas.get());
     m_canvas->dark = isDark(this);
     m_canvas->setQuantity(quantity);
-    m_canvas->setContextMenuPolicy(Qt::CustomContextMenu); // it keeps what the mouse does to itself
+    m_canvas->setContextMenuPolicy(Qt::CustomContextMenu);    // it keeps what the mouse does to itself
+    m_canvas->setAttribute(Qt::WA_NoMousePropagation, false); // but a wheel that is the page's
     connect(m_canvas.get(), &QWidget::customContextMenuRequested, this,
             [this](const QPoint& at) { emit customContextMenuRequested(m_canvas->mapTo(this, at)); });
 }

@@ -117,6 +117,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     layout->addStretch(1);
 
     auto* scroll = new QScrollArea(this);
+    scroll->setObjectName("targetRows");
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);

@@ -292,7 +292,7 @@ TEST_F(TargetsPageTest, TheVerdictIsSeenWithoutScrolling) {
     page.setVerdict(apart);
     const auto* sentence = child<QLabel>("jointVerdict");
     ASSERT_TRUE(sentence->text().startsWith("Cannot be held: ")) << sentence->text().toStdString();
-    auto* area = page.findChild<QScrollArea*>();
+    auto* area = page.findChild<QScrollArea*>("targetRows");
     ASSERT_NE(area, nullptr);
     for (const QSize size : {QSize(1150, 480), QSize(700, 620)}) { // beside the views and above them
         page.resize(size);
@@ -344,7 +344,7 @@ TEST_F(TargetsPageTest, TheNearestFeasibleTargetsAreTakenTogether) {
 
 // Catches a table that is wider than its column, so that boxes and buttons are cut off, in whatever state.
 TEST_F(TargetsPageTest, NothingIsCutOff) {
-    const auto* area = page.findChild<QScrollArea*>();
+    const auto* area = page.findChild<QScrollArea*>("targetRows");
     ASSERT_NE(area, nullptr);
     page.resize(1020, 620);
     for (const bool apart : {false, true}) {
