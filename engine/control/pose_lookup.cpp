@@ -1,6 +1,5 @@
 #include "engine/control/pose_lookup.h"
 
-#include "engine/base/parallel.h"
 #include "engine/control/bounded_least_squares.h"
 #include "engine/control/travel_time.h"
 #include "engine/control/velocity_solve.h"
@@ -61,14 +60,8 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
             m_poses.push_back(q);
     }
     m_F.resize(static_cast<Eigen::Index>(m_poses.size()), m_geometry->objects());
-    constexpr std::size_t kBlock = 128;
-    const std::size_t blocks = (m_poses.size() + kBlock - 1) / kBlock;
-    const auto fill = [this](int block) {
-        const std::size_t from = static_cast<std::size_t>(block) * kBlock;
-        for (std::size_t k = from; k < std::min(from + kBlock, m_poses.size()); ++k)
-            m_F.row(static_cast<Eigen::Index>(k)) = m_geometry->roughViewFactors(m_poses[k]).array();
-    };
-    runInParallel(static_cast<int>(blocks), 0, fill, {});
+    for (std::size_t k = 0; k < m_poses.size(); ++k)
+        m_F.row(static_cast<Eigen::Index>(k)) = m_geometry->roughViewFactors(m_poses[k]).array();
 }
 
 double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {

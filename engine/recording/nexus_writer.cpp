@@ -10,7 +10,6 @@
 #include "engine/recording/simulation_pace.h"
 
 #include <QDateTime>
-#include <QTimeZone>
 
 #include <cmath>
 #include <filesystem>
@@ -124,7 +123,8 @@ private:
         const auto started_s = startedUtc_s(m_session);
         if (!started_s)
             return m_session.created;
-        return QDateTime::fromMSecsSinceEpoch(std::llround(1e3 * *started_s), QTimeZone::utc())
+        return QDateTime::fromMSecsSinceEpoch(std::llround(1e3 * *started_s))
+            .toUTC()
             .toString(Qt::ISODateWithMs)
             .toStdString();
     }

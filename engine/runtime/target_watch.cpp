@@ -19,7 +19,7 @@ void TargetWatch::add(double time_s, double error_K) {
 }
 
 void TargetWatch::take(double mean_K) {
-    std::ranges::rotate(m_means_K, m_means_K.begin() + 1);
+    std::rotate(m_means_K.begin(), m_means_K.begin() + 1, m_means_K.end());
     m_means_K.back() = mean_K;
     m_known = std::min(m_known + 1, kBins);
     const auto isFarther = [](double before_K, double after_K) {

@@ -130,7 +130,7 @@ TEST_F(MaterialsTest, AnUncertaintyMayBeAShareOfItsValue) {
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, "2 %");
-    QTest::keyClick(field, Qt::Key_Tab);
+    field->interpretText();
     EXPECT_NEAR(field->value(), 0.02 * emittance, 1e-4);
     QTest::keyClick(window->findChild<SaveMaterialDialog*>(), Qt::Key_Escape);
 }

@@ -593,7 +593,8 @@ TEST_F(SessionFile, TablesHaveTheDigitsThatMeanSomething) {
         auto rounded = last("csv/" + table + ".csv"), all = last("all/" + table + ".csv");
         EXPECT_EQ(std::stod(rounded["time_s"]), 1.0 / 3.0) << table << ": the key of every table";
         for (const auto& [column, kind] : columns) {
-            SCOPED_TRACE(table + ' ' + column + ' ' + rounded[column] + ' ' + all[column]);
+            SCOPED_TRACE(testing::Message()
+                         << table << ' ' << column << ' ' << rounded[column] << ' ' << all[column]);
             ASSERT_FALSE(rounded[column].empty() || all[column].empty());
             const double step = units.at(kind), exact = std::stod(all[column]);
             EXPECT_DOUBLE_EQ(std::stod(rounded[column]), std::nearbyint(exact / step) * step);
