@@ -93,13 +93,13 @@ public:
     std::optional<double> settlingUncertainty_s(double error_K, double band_K) const {
         if (!m_metrics.settledFrom_s)
             return std::nullopt;
-        const double found_s = outsideUntil_s(0.0, band_K);
+        const double from_s = m_metrics.from_s, found_s = outsideUntil_s(0.0, band_K).value_or(from_s);
         double moved_s = 0.0;
         for (const double wrong_K : {error_K, -error_K}) {
-            const double until_s = outsideUntil_s(wrong_K, band_K);
+            const std::optional<double> until_s = outsideUntil_s(wrong_K, band_K);
             if (until_s == m_lately.back().first)
                 return std::numeric_limits<double>::infinity();
-            moved_s = std::max(moved_s, std::abs(until_s - found_s));
+            moved_s = std::max(moved_s, std::abs(until_s.value_or(from_s) - found_s));
         }
         const double u_s = std::hypot(m_gap_s / std::sqrt(12.0), moved_s);
         return u_s > 0.0 ? std::optional(u_s) : std::nullopt;
@@ -137,11 +137,9 @@ public:
     }
 
 private:
-    /// When T was last out of the band, all readings being too low by `wrong_K`.
-    double outsideUntil_s(double wrong_K, double band_K) const {
-        const double from_s = m_metrics.from_s;
-        return std::max(m_above.last_s(band_K - wrong_K).value_or(from_s),
-                        m_below.last_s(band_K + wrong_K).value_or(from_s));
+    /// When T was last out of the band, all readings being too low by `wrong_K`; empty: never.
+    std::optional<double> outsideUntil_s(double wrong_K, double band_K) const {
+        return std::max(m_above.last_s(band_K - wrong_K), m_below.last_s(band_K + wrong_K));
     }
 
     void addTemperature(double time_s, double T_K, double band_K) {
@@ -176,6 +174,7 @@ private:
         else
             m_metrics.settledFrom_s.reset(); // at the target before
         m_lately.clear();
+        m_gap_s = 0.0;
         m_above.clear();
         m_below.clear();
         m_isJudged = m_metrics.step_K && std::abs(*m_metrics.step_K) >= 2.0 * band_K;

@@ -116,6 +116,11 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
     EXPECT_GT(coarse.readingUncertainty_K.value(), std::hypot(kClassB_K, 0.2 / std::sqrt(12.0)));
     EXPECT_GT(coarse.settlingUncertainty_s.value(), 1.0);
 
+    record.samples.back().objects[0].target_K += 0.1;
+    EXPECT_EQ(metrics().settling_s.value(), 0.0) << "another target, and one reading since";
+    EXPECT_FALSE(metrics().settlingUncertainty_s);
+    record.samples.back().objects[0].target_K = kTarget_K;
+
     for (TraceSample& sample : record.samples) // in the band from the beginning
         sample.objects[0].measured_K = kTarget_K + 0.1;
     EXPECT_EQ(metrics().settling_s.value(), 0.0);
