@@ -37,8 +37,7 @@ Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
                 rigs.push_back(std::move(each.experiment));
         return rigs;
     }
-    const auto copied = copyStudyFiles(
-        folder.path(), {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
+    const auto copied = copyStudyFiles(folder.path(), {"triangle.json", "line.json"});
     if (!copied)
         return copied.error();
     for (const char* name : {"triangle.json", "line.json"}) {

@@ -27,8 +27,7 @@ constexpr const char* kStem = "closed_loop_study";
 Result<Experiment> studyRig(StudyMounting mounting) {
     const QTemporaryDir folder;
     const Unfinished gone(folder.path().toStdString());
-    const auto copied = copyStudyFiles(
-        folder.path(), {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
+    const auto copied = copyStudyFiles(folder.path(), {"triangle.json", "line.json"});
     if (!copied)
         return copied.error();
     return readExperiment(

@@ -9,6 +9,7 @@
 // Q_INIT_RESOURCE declares a function and must stand outside any namespace.
 static void initStudyResources() {
     Q_INIT_RESOURCE(study);
+    Q_INIT_RESOURCE(study_rigs);
 }
 
 namespace bask {
