@@ -1,6 +1,7 @@
 // Time of one view factor by kind of source, object and pose, beside the paper's own method in the same run:
 // the double contour integral by Simpson's rule with 64 x 64 points, the gradient by seven evaluations.
 
+#include "benchmarks/fixed_disk.h"
 #include "engine/radiation/interaction_matrix.h"
 #include "engine/radiation/kernels/kernels.h"
 #include "engine/radiation/paper_methods.h"
@@ -68,28 +69,29 @@ void paperSimpson64(benchmark::State& state, const Shape& source, const Shape& o
         benchmark::DoNotOptimize(simpsonGradient(source, object, q, 64));
 }
 
-/// The baseline of one call, disk over disk: the same field summed at 32 points, whatever the error, by the
-/// kernels of this processor. Nothing is chosen or checked.
+/// The baseline of one call, disk over disk.
 void fixed32(benchmark::State& state, const Vector6d& q, bool withGradient) {
-    constexpr int kPoints = 32;
-    double x[kPoints], y[kPoints], dx[kPoints], dy[kPoints];
-    for (int k = 0; k < kPoints; ++k) {
-        const double phi = 2.0 * std::numbers::pi * k / kPoints, step = 2.0 * std::numbers::pi / kPoints;
-        x[k] = 0.015 * std::cos(phi);
-        y[k] = 0.015 * std::sin(phi);
-        dx[k] = -step * y[k];
-        dy[k] = step * x[k];
-    }
-    const kernels::Outline outline{x, y, dx, dy, kPoints};
     const Pose X_SO = poseFromCoordinates(q);
+    const ViewFactor exact = viewFactor(RadiatingContour(kDiskSource), RadiatingContour(kDisk), X_SO);
+    double o[3], k[3];
+    const auto place = [&] {
+        Eigen::Map<Eigen::Vector3d>{o} = X_SO.linear().transpose() * X_SO.translation();
+        Eigen::Map<Eigen::Vector3d>{k} = X_SO.linear().row(2).transpose();
+    };
+    place();
+    const FixedDisk fixed = fixedDiskGradient(0.15, 0.015, o, k);
+    const Eigen::Vector3d force = X_SO.linear() * Eigen::Map<const Eigen::Vector3d>(fixed.gradient);
+    if (std::abs(fixed.value - exact.value) > 1e-9 || (force - exact.gradient.head<3>()).norm() > 1e-7) {
+        state.SkipWithError("the baseline is not this view factor");
+        return;
+    }
     for (auto _ : state) {
-        kernels::WholeDisk disk{0.15 * 0.15, {}, {}};
-        Eigen::Map<Eigen::Vector3d>(disk.o) = X_SO.linear().transpose() * X_SO.translation();
-        Eigen::Map<Eigen::Vector3d>(disk.k) = X_SO.linear().row(2).transpose();
+        place();
+        benchmark::ClobberMemory();
         if (withGradient)
-            benchmark::DoNotOptimize(kernels::kernels().diskSums(disk, outline));
+            benchmark::DoNotOptimize(fixedDiskGradient(0.15, 0.015, o, k));
         else
-            benchmark::DoNotOptimize(kernels::kernels().diskValue(disk, outline));
+            benchmark::DoNotOptimize(fixedDiskValue(0.15, 0.015, o, k));
     }
 }
 

@@ -1,5 +1,6 @@
-// resolve_experiment IN.json OUT.json: at build time, writes an experiment without the files that it names. A study, and each shard of
-// one, begins a tenth of a second earlier with coefficients than with pictures to be traced.
+// resolve_experiment IN.json OUT.json: at build time, writes an experiment without the files that it names. A
+// study, and each shard of one, begins a tenth of a second earlier with coefficients than with pictures to be
+// traced.
 
 #include "engine/base/message.h"
 #include "engine/experiment/experiment_file.h"

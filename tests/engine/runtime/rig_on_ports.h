@@ -157,7 +157,8 @@ struct RigOnPorts : testing::Test {
             return engine->last.state == RunState::Ready;
         })) << reasons();
     }
-    /// So that the robot is not where it says zero. A busy machine may have kept its answers for so long that the move was refused.
+    /// So that the robot is not where it says zero. A busy machine may have kept its answers for so long that
+    /// the move was refused.
     void moveAside() {
         Vector6d there = engine->last.latest.coordinates;
         there[kX] += 0.01;
