@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the packages that Bask needs on Debian 12, Debian 13 or Ubuntu 24.04. Silent when they are all there.
+# Installs the packages that Bask needs on Debian 12 or Debian 13 (and on Ubuntu 24.04, by its lists: never tried). Silent when they are all there.
 #   sh packaging/install-deps.sh          everything: build, run, tests and checks
 #   sh packaging/install-deps.sh run      what building and running Bask takes
 #   sh packaging/install-deps.sh package  that, and what making and checking the Debian package takes
@@ -43,7 +43,7 @@ all) entries="$entries $test_packages" ;;
 esac
 
 if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg-query >/dev/null 2>&1; then
-    echo "install-deps.sh: this system has no apt-get. Bask is built on Debian 12, Debian 13 and Ubuntu 24.04;" >&2
+    echo "install-deps.sh: this system has no apt-get. Bask is built on Debian 12 and Debian 13;" >&2
     echo "elsewhere install the counterparts of these packages and run CMake yourself:" >&2
     echo "$entries" >&2
     exit 1
