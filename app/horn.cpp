@@ -13,7 +13,7 @@ namespace {
 constexpr int kHeardOnce = 3; ///< priority
 
 bool calls(const AlarmGroup& group) {
-    return group.isActive() && !group.alarm.isAcknowledged && !isNotice(group.alarm.message.code);
+    return group.isCalling() && !isNotice(group.alarm.message.code);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/words.h"
+#include "engine/model/alarm_root.h"
 #include "engine/runtime/command.h"
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace bask {
 
-/// A consequence that appears within this time was acknowledged together with its cause; a serious one that
-/// comes later was not. What comes later is no consequence of the first alarm.
+/// A consequence that appears within this time was acknowledged together with its cause, unless that was
+/// shelved; a serious one that comes later was not. What comes later is no consequence of the first alarm.
 constexpr double kAtOnce_s = 30.0;
 
 namespace {
@@ -104,8 +105,8 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
         for (const AlarmCondition& condition : conditions) {
             if (condition.cause.empty() != isCause)
                 continue;
-            const std::string cause = find(condition.cause) != nullptr ? condition.cause : std::string();
             const Alarm* const known = find(condition.key);
+            const std::string cause = causeInList(condition, known);
             if (known == nullptr || !known->isActive) {
                 raise(condition, cause, utc_s);
                 if (m_first == condition.key) // others came before it
@@ -128,6 +129,17 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
     if (changed)
         sort();
     return changed;
+}
+
+/// The key of its cause; empty where none is listed. Who shelved a cause has not seen a grave alarm that
+/// comes up afterwards: that one stands by itself, also once it is acknowledged.
+std::string AlarmLog::causeInList(const AlarmCondition& condition, const Alarm* known) {
+    const Alarm* const cause = find(condition.cause);
+    if (cause == nullptr)
+        return {};
+    const bool wasUnder = known != nullptr && known->isActive && known->cause == condition.cause;
+    const bool isPutAside = cause->shelvedUntil_s > 0.0;
+    return condition.priority == 1 && isPutAside && !wasUnder ? std::string() : condition.cause;
 }
 
 // One alone is the cause of nothing, and hardly of what comes long after it.
@@ -179,11 +191,16 @@ bool AlarmLog::forgetOver() {
     return erased > 0;
 }
 
+/// Not of what stands by itself: its row is another one.
 void AlarmLog::acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName) {
+    const auto own = static_cast<std::size_t>(&alarm - m_alarms.data());
+    std::vector<Alarm*> under;
+    for (std::size_t i = 0; i < m_alarms.size(); ++i)
+        if (i != own && rootOf(m_alarms, i) == own)
+            under.push_back(&m_alarms[i]);
     acknowledgeOne(alarm, operatorName);
-    for (Alarm& other : m_alarms)
-        if (other.cause == alarm.key)
-            acknowledgeOne(other, operatorName);
+    for (Alarm* const other : under)
+        acknowledgeOne(*other, operatorName);
 }
 
 bool AlarmLog::acknowledge(std::uint64_t id, const std::string& operatorName) {
@@ -209,7 +226,8 @@ bool AlarmLog::acknowledgeAll(const std::string& operatorName) {
 Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason,
                               const std::string& operatorName) {
     const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
-    if (alarm == m_alarms.end() || !alarm->cause.empty())
+    const auto at = static_cast<std::size_t>(alarm - m_alarms.begin());
+    if (alarm == m_alarms.end() || rootOf(m_alarms, at) != at)
         return Error(MessageCode::CommandNotNow, {}, {verbArg(CommandVerb::Shelve), "Over"});
     if (std::ranges::all_of(reason, [](char letter) { return letter == ' '; }))
         return Error(MessageCode::ShelfReasonMissing, {});
@@ -219,8 +237,8 @@ Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, cons
         return Error(MessageCode::ValueOutOfRange, {},
                      {formatNumber(for_s / 60.0), formatNumber(kShortest_s / 60.0),
                       formatNumber(longest_s / 60.0), "min"});
-    alarm->isAcknowledged = false; // whoever shelves it has seen it last
     acknowledgeWithConsequences(*alarm, operatorName);
+    alarm->seenBy = operatorName; // whoever shelves it has seen it last
     alarm->shelvedUntil_s = utc_s + for_s;
     alarm->shelfReason = reason;
     sort();
@@ -251,9 +269,12 @@ void AlarmLog::sort() {
     std::map<std::string, decltype(rank(Alarm()))> ranks;
     for (const Alarm& alarm : m_alarms)
         ranks[alarm.key] = rank(alarm);
+    std::map<std::string, std::string> roots; // before the sorting moves them
+    for (std::size_t i = 0; i < m_alarms.size(); ++i)
+        roots[m_alarms[i].key] = m_alarms[rootOf(m_alarms, i)].key;
     std::ranges::stable_sort(m_alarms, {}, [&](const Alarm& alarm) {
-        const bool isUnder = !alarm.cause.empty();
-        return std::tuple(ranks.at(isUnder ? alarm.cause : alarm.key), isUnder, rank(alarm));
+        const std::string& root = roots.at(alarm.key);
+        return std::tuple(ranks.at(root), root != alarm.key, rank(alarm));
     });
 }
 

@@ -35,13 +35,14 @@ public:
     /// Takes all conditions that are true now, the most serious first, each key once. Returns whether the
     /// alarms have changed, other than in the values of their messages.
     bool update(double utc_s, const std::vector<AlarmCondition>& conditions);
-    /// Acknowledges the alarm and its consequences. Returns false if there is no such alarm or it is already
-    /// acknowledged.
+    /// Acknowledges the alarm and the consequences that are listed under it. Returns false if there is no
+    /// such alarm or it is already acknowledged.
     bool acknowledge(std::uint64_t id, const std::string& operatorName = {});
     bool acknowledgeAll(const std::string& operatorName = {});
 
     /// Shelves the alarm for a time. Refuses a missing reason, a time that is too short or too long, and an
-    /// alarm that does not exist or is a consequence of another one.
+    /// alarm that does not exist or is listed under its cause. A consequence of priority 1 that comes while
+    /// its cause is shelved is not acknowledged by that, and stands by itself.
     Result<void> shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason,
                         const std::string& operatorName = {});
     /// Returns false if the alarm is not shelved.
@@ -53,6 +54,7 @@ public:
 
 private:
     Alarm* find(const std::string& key);
+    std::string causeInList(const AlarmCondition& condition, const Alarm* known);
     void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s);
     bool markFirst(double utc_s); ///< once others have come soon after it, while it is active
     void acknowledgeWithConsequences(Alarm& alarm, const std::string& operatorName);

@@ -20,6 +20,12 @@ bool heatsByItself(SafetyCondition condition) {
     return condition == SafetyCondition::SourceHeatsUnasked || condition == SafetyCondition::SourceNotCooling;
 }
 
+/// A retreat is not explained by a cause that asks for none.
+bool isSaidBesideCause(const SafetyFinding& finding, const SafetyFinding& cause) {
+    const AlarmEntry& own = alarmEntry(finding.condition);
+    return own.priority == 1 && own.reaction > alarmEntry(cause.condition).reaction;
+}
+
 } // namespace
 
 LatchedFault latchedFault(Message reason) {
@@ -90,15 +96,19 @@ std::vector<SafetyFinding> LatchedFaults::foundOrLatched() const {
 }
 
 std::vector<Message> LatchedFaults::reasons() const {
+    const auto isSaid = [this](const SafetyFinding& finding) {
+        const SafetyFinding* const cause = causeOf(finding, m_safety.active(), m_experiment);
+        return cause == nullptr || isSaidBesideCause(finding, *cause);
+    };
     std::vector<Message> out;
     for (const LatchedFault& fault : m_faults) // also those that a retreat will end in
-        if (!fault.finding || causeOf(*fault.finding, m_safety.active(), m_experiment) == nullptr)
+        if (!fault.finding || isSaid(*fault.finding))
             out.push_back(newest(fault));
     for (const SafetyFinding& finding : m_safety.active()) {
         const AlarmEntry& row = alarmEntry(finding.condition);
-        const bool isSaid = std::ranges::find(m_faults, keyOf(finding), &LatchedFault::key) != m_faults.end();
-        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
-            causeOf(finding, m_safety.active(), m_experiment) == nullptr)
+        const bool isLatched =
+            std::ranges::find(m_faults, keyOf(finding), &LatchedFault::key) != m_faults.end();
+        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isLatched && isSaid(finding))
             out.push_back(finding.message);
     }
     return out;

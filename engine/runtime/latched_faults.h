@@ -38,7 +38,8 @@ public:
     /// its fault.
     void use(std::vector<LatchedFault> faults);
 
-    /// Returns the messages of what is latched and of what keeps a run from continuing, each cause once.
+    /// Returns the messages of what is latched and of what keeps a run from continuing, each cause once; also
+    /// a consequence of priority 1 that asks for more than its cause, as a retreat.
     std::vector<Message> reasons() const;
     /// Returns the conditions of what is latched, then of what is found now.
     std::vector<AlarmCondition> alarmConditions() const;

@@ -49,7 +49,7 @@ TEST(Horn, SoundsUntilTheAlarmIsAcknowledged) {
     EXPECT_FALSE(heard.horn.isSounding());
 }
 
-// Catches: a horn for what is over, put aside, only to be noted, or follows from what a person has seen.
+// Catches: a horn for what is over, put aside, only to be noted, or was seen with its cause.
 TEST(Horn, IsSilentForWhatDoesNotCall) {
     Alarm over = calling(1), shelved = calling(1), cause = calling(1), follows = calling(1);
     over.isActive = false;
@@ -57,6 +57,7 @@ TEST(Horn, IsSilentForWhatDoesNotCall) {
     cause.isAcknowledged = true;
     follows.key = "b";
     follows.cause = "a";
+    follows.isAcknowledged = true;
     Alarm notice = calling(3);
     notice.message.code = MessageCode::SafetyLoopLate;
     for (const std::vector<Alarm>& alarms : {std::vector{over}, {shelved}, {notice}, {cause, follows}}) {
@@ -65,6 +66,10 @@ TEST(Horn, IsSilentForWhatDoesNotCall) {
         EXPECT_EQ(heard.times, 0);
         EXPECT_FALSE(heard.horn.isSounding());
     }
+    follows.isAcknowledged = false; // it came later
+    Heard heard;
+    heard.tell({cause, follows});
+    EXPECT_TRUE(heard.horn.isSounding());
 }
 
 // Catches: a run that ended beside a person who looked elsewhere, or a bell without an end for what has time.

@@ -1,28 +1,11 @@
 #include "widgets/common/alarm_groups.h"
 
+#include "engine/model/alarm_root.h"
+
 #include <algorithm>
 #include <tuple>
 
 namespace bask {
-namespace {
-
-bool isLeftAlone(const Alarm& alarm, const Alarm& cause) {
-    return alarm.isActive && !cause.isActive && cause.shelvedUntil_s <= 0.0;
-}
-
-/// Follows causes to the last one that is in the list, a circle for as many steps as there are alarms.
-std::size_t rootOf(const std::vector<Alarm>& alarms, std::size_t i) {
-    for (std::size_t steps = 0; steps < alarms.size() && !alarms[i].cause.empty(); ++steps) {
-        const auto cause = std::ranges::find(alarms, alarms[i].cause, &Alarm::key);
-        if (cause == alarms.end() || isLeftAlone(alarms[i], *cause))
-            break;
-        i = static_cast<std::size_t>(cause - alarms.begin());
-    }
-    return i;
-}
-
-} // namespace
-
 bool AlarmGroup::isActive() const {
     return alarm.isActive || std::ranges::any_of(consequences, &Alarm::isActive);
 }

@@ -27,8 +27,8 @@ struct AlarmGroups {
 /// null if there is none.
 const AlarmGroup* gravest(const AlarmGroups& groups);
 
-/// An alarm whose cause is not in the list counts as a cause, and so does one that still is active while its
-/// cause is over: that one's words and priority are not of now.
+/// An alarm whose cause is not in the list counts as a cause, and so does one that stands by itself beside it
+/// (standsByItself()): the words of a cause that is over are not of now, and one that was seen calls nobody.
 AlarmGroups groupAlarms(const std::vector<Alarm>& alarms);
 
 /// Returns the priority of the alarm that a sentence is told by; 0 if it is told by none.

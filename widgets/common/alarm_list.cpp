@@ -206,10 +206,11 @@ bool AlarmList::unfoldOver(std::uint64_t id) {
 
 /// The group that lists the alarm under its cause; null if it has none over it.
 const AlarmGroup* AlarmList::groupOver(std::uint64_t id) const {
-    const auto found = std::ranges::find_if(m_groups.present, [id](const AlarmGroup& group) {
-        return std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end();
-    });
-    return found == m_groups.present.end() ? nullptr : &*found;
+    for (const std::vector<AlarmGroup>* groups : {&m_groups.present, &m_groups.shelved})
+        for (const AlarmGroup& group : *groups)
+            if (std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end())
+                return &group;
+    return nullptr;
 }
 
 void AlarmList::setHomeAction(QAction* home) {
@@ -262,8 +263,12 @@ void AlarmList::showRows() {
     fitRows(m_tree->invisibleRootItem(), m_groups.present.size() + (hasShelf ? 1 : 0));
     for (std::size_t i = 0; i < m_groups.present.size(); ++i)
         fitRows(m_tree->topLevelItem(static_cast<int>(i)), m_groups.present[i].consequences.size());
-    if (hasShelf)
-        fitRows(m_tree->topLevelItem(static_cast<int>(m_groups.present.size())), m_groups.shelved.size());
+    if (hasShelf) {
+        QTreeWidgetItem* const shelf = m_tree->topLevelItem(static_cast<int>(m_groups.present.size()));
+        fitRows(shelf, m_groups.shelved.size());
+        for (std::size_t i = 0; i < m_groups.shelved.size(); ++i)
+            fitRows(shelf->child(static_cast<int>(i)), m_groups.shelved[i].consequences.size());
+    }
     m_tree->clearSelection(); // the neighbour of a row that left has got it
     int row = 0;
     for (const AlarmGroup& group : m_groups.present)
@@ -295,7 +300,7 @@ void AlarmList::showShelf(QTreeWidgetItem* item) {
     item->setToolTip(kWhat, QString());
     item->setFirstColumnSpanned(true);
     for (std::size_t i = 0; i < m_groups.shelved.size(); ++i)
-        fill(item->child(static_cast<int>(i)), m_groups.shelved[i].alarm);
+        showGroup(item->child(static_cast<int>(i)), m_groups.shelved[i]);
     item->setExpanded(!m_isShelfFolded);
 }
 

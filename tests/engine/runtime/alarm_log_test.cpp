@@ -74,6 +74,52 @@ TEST(AlarmLog, WhatFollowsLateFromACauseThatWasSeenIsNew) {
         EXPECT_EQ(alarm.isAcknowledged, alarm.key != late.key) << alarm.key;
 }
 
+// Catches a grave alarm that is seen by nobody since its cause was shelved, at once, late, or raised anew;
+// one that a row of another silences; and a row whose Shelve is refused.
+TEST(AlarmLog, WhoShelvedACauseHasNotSeenWhatComesOfIt) {
+    const AlarmCondition cause = open("a");
+    AlarmCondition grave = open("b"), note = warm("d");
+    grave.cause = note.cause = cause.key;
+    const auto alarm = [](const AlarmLog& log, const AlarmCondition& of) {
+        const auto found = std::ranges::find(log.alarms(), of.key, &Alarm::key);
+        return found == log.alarms().end() ? Alarm() : *found;
+    };
+    for (const double later_s : {3.0, 100.0}) {
+        AlarmLog log;
+        log.update(1.0, {cause});
+        ASSERT_TRUE(log.shelve(log.alarms()[0].id, 1.0, 1800.0, "known"));
+        if (later_s > 10.0) { // the cause comes again
+            log.update(50.0, {});
+            log.update(later_s - 1.0, {cause});
+        }
+        log.update(later_s, {cause, grave, note});
+        EXPECT_FALSE(alarm(log, grave).isAcknowledged) << later_s;
+        EXPECT_EQ(alarm(log, grave).cause, "") << "by itself";
+        EXPECT_TRUE(alarm(log, note).isAcknowledged);
+        EXPECT_EQ(log.alarms()[0].key, grave.key) << "on top";
+        EXPECT_TRUE(log.acknowledge(alarm(log, grave).id));
+        log.update(later_s + 1.0, {cause, grave, note});
+        EXPECT_EQ(alarm(log, grave).cause, "");
+        log.update(2000.0, {cause, grave, note}); // the shelf is over
+        EXPECT_FALSE(alarm(log, cause).isAcknowledged);
+        EXPECT_EQ(alarm(log, grave).cause, cause.key);
+    }
+    AlarmLog log;
+    log.update(1.0, {cause});
+    log.acknowledgeAll();
+    log.update(100.0, {cause, grave});
+    EXPECT_FALSE(alarm(log, grave).isAcknowledged);
+    ASSERT_TRUE(log.shelve(alarm(log, cause).id, 101.0, 600.0, "known"));
+    EXPECT_FALSE(alarm(log, grave).isAcknowledged) << "it has a row of its own";
+    EXPECT_TRUE(log.shelve(alarm(log, grave).id, 102.0, 600.0, "known, too"));
+    AlarmLog under;
+    under.update(1.0, {cause, grave});
+    EXPECT_FALSE(under.shelve(alarm(under, grave).id, 2.0, 600.0, "known")) << "it goes with its cause";
+    ASSERT_TRUE(under.shelve(alarm(under, cause).id, 2.0, 600.0, "known"));
+    under.update(3.0, {cause, grave});
+    EXPECT_TRUE(alarm(under, grave).isAcknowledged) << "put aside with its cause";
+}
+
 // Catches a chattering contact that floods the list, and one that is not told anew after it was seen.
 TEST(AlarmLog, RepeatsAreCountedAndAnAcknowledgedAlarmThatComesAgainIsNew) {
     AlarmLog log;

@@ -49,8 +49,33 @@ TEST(AlarmGroups, WhatIsLeftOfACauseStandsByItself) {
     EXPECT_EQ(idsOf(groups.present[1].consequences), (std::vector<std::uint64_t>{3}));
     EXPECT_FALSE(groups.present[1].isActive());
     trip.shelvedUntil_s = 1e9;
+    trip.isAcknowledged = true;
+    EXPECT_EQ(groupAlarms({trip, warning, end}).present.size(), 1U) << "nobody has seen it";
+    warning.isAcknowledged = true;
     groups = groupAlarms({trip, warning, end});
     EXPECT_TRUE(groups.present.empty()) << "put aside with its cause";
+}
+
+// Catches: an alarm that nobody has seen under one that calls nobody, and a grave one under a lesser.
+TEST(AlarmGroups, WhatNobodyHasSeenIsUnderNothingThatWasSeen) {
+    Alarm cause = alarmOf(1, "cause"), follows = alarmOf(2, "follows", "cause");
+    EXPECT_EQ(groupAlarms({cause, follows}).present.size(), 1U);
+    cause.isAcknowledged = true;
+    AlarmGroups groups = groupAlarms({cause, follows});
+    ASSERT_EQ(groups.present.size(), 2U);
+    EXPECT_FALSE(groups.present[0].isCalling());
+    EXPECT_TRUE(groups.present[1].isCalling());
+    follows.isAcknowledged = true;
+    EXPECT_EQ(groupAlarms({cause, follows}).present.size(), 1U);
+    follows.shelvedUntil_s = 1e9;
+    groups = groupAlarms({cause, follows});
+    ASSERT_EQ(groups.shelved.size(), 1U) << "with those that can be taken back";
+    EXPECT_EQ(groups.shelved[0].alarm.id, 2U);
+    Alarm lesser = alarmOf(3, "lesser"), grave = alarmOf(4, "grave", "lesser");
+    lesser.priority = 2;
+    EXPECT_EQ(groupAlarms({lesser, grave}).present.size(), 2U);
+    grave.priority = 2;
+    EXPECT_EQ(groupAlarms({lesser, grave}).present.size(), 1U);
 }
 
 // Catches: a state, a line before a run and the alarm of the same event with different priorities.
@@ -84,7 +109,10 @@ TEST(AlarmGroups, WhatStillIsSoComesFirstAndTheShelvedApart) {
     over.isActive = false;
     Alarm shelved = alarmOf(2, "b");
     shelved.shelvedUntil_s = 1e9;
-    const AlarmGroups groups = groupAlarms({over, shelved, alarmOf(3, "c"), alarmOf(4, "d", "b")});
+    shelved.isAcknowledged = true;
+    Alarm along = alarmOf(4, "d", "b");
+    along.isAcknowledged = true;
+    const AlarmGroups groups = groupAlarms({over, shelved, alarmOf(3, "c"), along});
     ASSERT_EQ(groups.present.size(), 2U);
     EXPECT_EQ(groups.present[0].alarm.id, 3U);
     EXPECT_EQ(groups.present[1].alarm.id, 1U);
