@@ -18,6 +18,19 @@ Result<PoseReading> EngineSession::Tracker::read() {
 
 namespace {
 
+/// Whether a sensor of one is read and disturbed as one of the other: all but which objects there are.
+bool haveSameSensing(const Experiment& a, const Experiment& b) {
+    if (a.environment_K != b.environment_K || a.rig.has_value() != b.rig.has_value())
+        return false;
+    if (a.rig)
+        return a.rig->thermometer == b.rig->thermometer &&
+               isSameDevice(a.rig->thermalCamera, b.rig->thermalCamera);
+    SimulationSpec other = b.simulation; // what is believed of its camera is not simulated
+    if (other.thermalCamera && a.simulation.thermalCamera)
+        other.thermalCamera->calibration = a.simulation.thermalCamera->calibration;
+    return a.simulation == other;
+}
+
 std::unique_ptr<SimulatedRig> simulatedRig(const Experiment& experiment, const KeptRig& kept) {
     if (kept.rig)
         return nullptr;
@@ -53,12 +66,11 @@ std::optional<RigCondition> EngineSession::condition(const Experiment& edited) c
         return std::nullopt;
     RigCondition out = simulated->condition();
     const std::vector<double> before_K = std::exchange(out.objects_K, {});
-    const auto& objects = loop.experiment().objects;
-    for (const ObjectSpec& object : edited.objects) {
-        const auto same = std::ranges::find(objects, object.name, &ObjectSpec::name);
-        out.objects_K.push_back(same == objects.end()
-                                    ? std::nan("")
-                                    : before_K[static_cast<std::size_t>(same - objects.begin())]);
+    const std::vector<double> offsets_K = std::exchange(out.sensorOffsets_K, {});
+    const bool areSensorsKept = haveSameSensing(loop.experiment(), edited);
+    for (const auto& before : objectsBefore(loop.experiment(), edited)) {
+        out.objects_K.push_back(before ? before_K[*before] : std::nan(""));
+        out.sensorOffsets_K.push_back(before && areSensorsKept ? offsets_K[*before] : std::nan(""));
     }
     if (edited.start != loop.experiment().start)
         out.coordinates.reset();
@@ -150,18 +162,77 @@ void EngineSession::tell(Snapshot& snapshot) const {
 }
 
 bool haveSameSensors(const Experiment& a, const Experiment& b) {
-    if (a.objects.size() != b.objects.size() || a.environment_K != b.environment_K ||
-        a.rig.has_value() != b.rig.has_value())
-        return false;
-    if (!std::ranges::equal(a.objects, b.objects, {}, &ObjectSpec::readBy, &ObjectSpec::readBy))
-        return false;
-    if (a.rig)
-        return a.rig->thermometer == b.rig->thermometer &&
-               isSameDevice(a.rig->thermalCamera, b.rig->thermalCamera);
-    SimulationSpec other = b.simulation; // what is believed of its camera is not simulated
-    if (other.thermalCamera && a.simulation.thermalCamera)
-        other.thermalCamera->calibration = a.simulation.thermalCamera->calibration;
-    return a.simulation == other;
+    return haveSameSensing(a, b) &&
+           std::ranges::equal(a.objects, b.objects, {}, &ObjectSpec::readBy, &ObjectSpec::readBy);
+}
+
+std::vector<std::optional<std::size_t>> objectsBefore(const Experiment& before, const Experiment& edited) {
+    const auto find = [](const Experiment& in, const ObjectSpec& object) {
+        const auto same = std::ranges::find(in.objects, object.name, &ObjectSpec::name);
+        return same == in.objects.end() ? std::nullopt
+                                        : std::optional(static_cast<std::size_t>(same - in.objects.begin()));
+    };
+    const bool canBeRenamed = before.objects.size() == edited.objects.size();
+    std::vector<std::optional<std::size_t>> out;
+    for (std::size_t i = 0; i < edited.objects.size(); ++i) {
+        out.push_back(find(before, edited.objects[i]));
+        if (!out.back() && canBeRenamed && !find(edited, before.objects[i]))
+            out.back() = i;
+    }
+    return out;
+}
+
+std::optional<Zeroing> EngineSession::zeroingFor(const Experiment& other, bool isEdit) const {
+    auto zeroing = loop.readings().sensors().zeroing();
+    if (!zeroing || !haveSameSensors(loop.experiment(), other))
+        return std::nullopt;
+    if (!isEdit || !simulated)
+        return zeroing;
+    const std::vector<double> offsets_K = std::exchange(zeroing->offsets_K, {});
+    for (const auto& before : objectsBefore(loop.experiment(), other)) {
+        if (!before)
+            return std::nullopt;
+        zeroing->offsets_K.push_back(offsets_K[*before]);
+    }
+    return zeroing;
+}
+
+std::optional<KeptSensors> EngineSession::sensorsFor(const Experiment& edited) const {
+    const Experiment& before = loop.experiment();
+    if (!haveSameSensing(before, edited) || before.sampling != edited.sampling)
+        return std::nullopt;
+    if (real &&
+        !haveSameSensors(before, edited)) // its sensors have their places, whatever the objects' names
+        return std::nullopt;
+    if (real)
+        return KeptSensors{loop.readings().sensors(), {}};
+    KeptSensors out{{edited.objects.size(), edited.sampling}, {}};
+    std::vector<std::optional<std::size_t>> from = objectsBefore(before, edited);
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        if (!from[i] && edited.objects[i].readBy != ReadBy::Camera)
+            out.ofNew.push_back(i);
+        else if (from[i] && before.objects[*from[i]].readBy != edited.objects[i].readBy)
+            from[i].reset();
+    }
+    out.channels.useReadings(loop.readings().sensors(), from);
+    return out;
+}
+
+void EngineSession::useSensors(const KeptSensors& before) {
+    loop.useReadings(before.channels);
+    if (before.ofNew.empty())
+        return;
+    const SamplingSpec& sampling = loop.experiment().sampling;
+    const double now_s = clock().now_s();
+    std::vector<std::vector<Reading>> readings(loop.experiment().objects.size());
+    for (int back = sampling.window; back > 0; --back)
+        if (const auto told = simulated->thermometer().read())
+            for (const std::size_t i : before.ofNew) {
+                readings[i].push_back((*told)[i]);
+                readings[i].back().time_s = now_s - back * sampling.period_s;
+            }
+    for (const std::size_t i : before.ofNew)
+        loop.restSensor(i, readings[i]);
 }
 
 } // namespace bask

@@ -19,6 +19,12 @@ struct KeptRig {
     std::optional<RigCondition> condition; ///< of a simulated rig
 };
 
+/// What of the sensors an edit of the experiment leaves.
+struct KeptSensors {
+    SensorChannels channels;          ///< one for each object of the edited experiment
+    std::vector<std::size_t> ofNew{}; ///< those of objects that the simulated rig did not have
+};
+
 /// Created again for each experiment, on the engine's thread.
 struct EngineSession {
     /// Uses the kept rig, or a simulated one if there is none.
@@ -27,6 +33,16 @@ struct EngineSession {
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
     /// Returns what of a simulated rig an edit to this experiment leaves; empty for another rig.
     std::optional<RigCondition> condition(const Experiment& edited) const;
+    /// Returns its zeroing if it holds for another experiment's sensors: of an edited one on the simulated
+    /// rig by the objects' names, else by their places.
+    std::optional<Zeroing> zeroingFor(const Experiment& other, bool isEdit) const;
+    /// Returns its sensors as another session of the same rig uses them, a channel for each object of the
+    /// edited experiment. Empty if sensors or sampling are others.
+    std::optional<KeptSensors> sensorsFor(const Experiment& edited) const;
+    /// Goes on with the sensors of the session before. Of an object that a simulated rig has got since then,
+    /// which rests at the room's temperature, the sensor tells a window of readings at once, and is zeroed as
+    /// the others are.
+    void useSensors(const KeptSensors& before);
     /// Writes the state of rig and loop into a snapshot.
     void tell(Snapshot& snapshot) const;
 
@@ -53,6 +69,10 @@ private:
     RigDevices devices(const Experiment& experiment);
     Thermometer& thermometerOf(const Experiment& experiment);
 };
+
+/// Returns which object of the experiment before each one of the edited experiment was: by its name, or,
+/// where objects have only got other names, by its place; empty: it is new.
+std::vector<std::optional<std::size_t>> objectsBefore(const Experiment& before, const Experiment& edited);
 
 /// Returns whether sensor offsets found with one experiment are valid for the other.
 bool haveSameSensors(const Experiment& a, const Experiment& b);

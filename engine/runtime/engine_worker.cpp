@@ -242,9 +242,7 @@ Result<void> EngineWorker::load(const Experiment& experiment, bool isEdit) {
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (const auto valid = validate(experiment); !valid)
         return valid;
-    const auto zeroing = m_session && haveSameSensors(m_session->loop.experiment(), experiment)
-                             ? m_session->loop.readings().sensors().zeroing()
-                             : std::nullopt;
+    const auto zeroing = m_session ? m_session->zeroingFor(experiment, isEdit) : std::nullopt;
     const bool isSameRig =
         m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
     const auto known = isSameRig ? std::optional(m_session->loop.knowledge()) : std::nullopt;
@@ -252,10 +250,7 @@ Result<void> EngineWorker::load(const Experiment& experiment, bool isEdit) {
                             ? std::optional(m_session->thermometer->camera().memory())
                             : std::nullopt;
     const auto condition = isEdit && m_session ? m_session->condition(experiment) : std::nullopt;
-    const bool areReadingsKept = (isSameRig || condition) &&
-                                 haveSameSensors(m_session->loop.experiment(), experiment) &&
-                                 m_session->loop.experiment().sampling == experiment.sampling;
-    const auto sensors = areReadingsKept ? std::optional(m_session->loop.readings().sensors()) : std::nullopt;
+    const auto sensors = isSameRig || condition ? m_session->sensorsFor(experiment) : std::nullopt;
     const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_recordings.isOn();
     KeptRig kept = closeSession(isSameRig);
     if (m_isEnding)
@@ -280,7 +275,7 @@ Result<void> EngineWorker::load(const Experiment& experiment, bool isEdit) {
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
     if (sensors)
-        m_session->loop.useReadings(*sensors);
+        m_session->useSensors(*sensors);
     if (camera && m_session->thermometer)
         m_session->thermometer->camera().use(*camera);
     m_untilTick_s = experiment.sampling.period_s;

@@ -261,11 +261,40 @@ Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
     return found;
 }
 
-void SensorChannels::useReadings(const SensorChannels& before) {
-    if (before.size() != size())
+void SensorChannels::useReadings(const SensorChannels& before,
+                                 const std::vector<std::optional<std::size_t>>& from) {
+    if (from.size() != size())
         throw std::invalid_argument("SensorChannels: readings of other sensors");
-    m_channels = before.m_channels;
     m_zeroing = before.m_zeroing;
+    for (std::size_t i = 0; i < size(); ++i)
+        if (from[i])
+            m_channels[i] = before.m_channels.at(*from[i]);
+    if (m_zeroing) {
+        m_zeroing->offsets_K.clear();
+        for (const Channel& channel : m_channels)
+            m_zeroing->offsets_K.push_back(channel.offset_K);
+    }
+}
+
+void SensorChannels::useReadings(const SensorChannels& before) {
+    std::vector<std::optional<std::size_t>> same(before.size());
+    for (std::size_t i = 0; i < same.size(); ++i)
+        same[i] = i;
+    useReadings(before, same);
+}
+
+void SensorChannels::rest(std::size_t i, const std::vector<Reading>& readings) {
+    Channel& channel = m_channels[i];
+    for (const Reading& reading : readings)
+        if (plausible(reading)) {
+            channel.told = reading;
+            accept(i, reading);
+        }
+    if (!m_zeroing || channel.window.empty())
+        return;
+    Zeroing zeroing = *m_zeroing;
+    zeroing.offsets_K[i] = zeroing.environment_K - mean(channel.window);
+    use(zeroing);
 }
 
 void SensorChannels::use(const Zeroing& zeroing) {

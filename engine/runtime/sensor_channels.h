@@ -62,6 +62,14 @@ public:
     void useDistrust(const SensorChannels& before);
     /// Keeps readings, offsets, distrust and doubt from `before`, which has the same sensors and sampling.
     void useReadings(const SensorChannels& before);
+    /// The same for other objects on the same rig: `from` has, for each channel, its channel in `before`; one
+    /// without stays as it is.
+    void useReadings(const SensorChannels& before, const std::vector<std::optional<std::size_t>>& from);
+    /// Takes earlier readings of an object that rests at the room's temperature, and zeroes its sensor by
+    /// them if the others are zeroed.
+    void rest(std::size_t i, const std::vector<Reading>& readings);
+    /// Whether the channel has no accepted reading.
+    bool isEmpty(std::size_t i) const { return m_channels[i].window.empty(); }
     /// Newest plausible reading, trusted or not; NaN if there is none, or it is older than the stale periods.
     double told_K(std::size_t i, double now_s) const;
     /// Time of the newest plausible reading, s.

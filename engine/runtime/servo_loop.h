@@ -129,6 +129,9 @@ public:
 
     /// Goes on with the readings of an earlier loop with the same sensors, sampling and clock.
     void useReadings(const SensorChannels& before) { m_readings.sensors().useReadings(before); }
+    void restSensor(std::size_t object, const std::vector<Reading>& readings) {
+        m_readings.sensors().rest(object, readings);
+    }
 
     // State.
 

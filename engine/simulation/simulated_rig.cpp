@@ -60,7 +60,8 @@ std::vector<double> SimulatedRig::trueTemperatures_K() const {
 }
 
 RigCondition SimulatedRig::condition() const {
-    return {m_clock.now_s(), trueTemperatures_K(), m_source.heatedTo_K(), m_robot.coordinates()};
+    return {m_clock.now_s(), trueTemperatures_K(), m_source.heatedTo_K(), m_robot.coordinates(),
+            m_thermometer.offsets_K()};
 }
 
 void SimulatedRig::use(const RigCondition& condition) {
@@ -68,6 +69,7 @@ void SimulatedRig::use(const RigCondition& condition) {
     for (std::size_t i = 0; i < std::min(condition.objects_K.size(), m_plant.size()); ++i)
         if (std::isfinite(condition.objects_K[i]))
             m_plant.warm(i, condition.objects_K[i] - m_plant.temperature_K(i));
+    m_thermometer.useOffsets(condition.sensorOffsets_K);
     if (condition.source_K)
         m_source.setHeatedTo(*condition.source_K);
     if (condition.coordinates)

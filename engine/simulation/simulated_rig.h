@@ -53,6 +53,8 @@ struct RigCondition {
     std::vector<double> objects_K;
     std::optional<double> source_K;      ///< of a source that was heated; empty: as at the start
     std::optional<Vector6d> coordinates; ///< of the robot; empty: its start
+    /// constant error of each object's sensor, K; NaN or missing: as it is drawn
+    std::vector<double> sensorOffsets_K{};
 };
 
 /// The source that the objects see; of an uneven one the outlines are shared, and the factors are those of

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -14,6 +15,12 @@ SimulatedThermometer::SimulatedThermometer(const SimulatedThermometerConfig& con
     std::uniform_real_distribution<double> offset(-config.offset_K, config.offset_K);
     for (int i = 0; i < config.channels; ++i)
         m_offset_K.push_back(config.offset_K > 0.0 ? offset(m_random) : 0.0);
+}
+
+void SimulatedThermometer::useOffsets(const std::vector<double>& offsets_K) {
+    for (std::size_t i = 0; i < std::min(offsets_K.size(), m_offset_K.size()); ++i)
+        if (std::isfinite(offsets_K[i]))
+            m_offset_K[i] = offsets_K[i];
 }
 
 void SimulatedThermometer::observe(const std::vector<double>& true_K) {

@@ -58,6 +58,10 @@ public:
     /// Sets the time constant in still air of sensors that come off, s; 0: they read the room's temperature
     /// at once.
     void setOffLag(double lag_s) { m_offLag_s = lag_s; }
+    /// The constant error of each channel, K.
+    const std::vector<double>& offsets_K() const { return m_offset_K; }
+    /// Takes the finite ones of them, a channel each.
+    void useOffsets(const std::vector<double>& offsets_K);
 
     static constexpr double kJump_K = 30.0;
     static constexpr double kJumping_s = 10.0;

@@ -117,6 +117,28 @@ TEST(EngineWorker, AnEditLeavesTheSimulatedRigAsItIs) {
     }));
     EXPECT_NEAR(rig.last.latest.objects[0].measured_K, last_K, 1.0);
     EXPECT_NEAR(rig.last.latest.objects[1].measured_K, more.environment_K, 1.0) << "it was not there before";
+    const double added_s = rig.last.clock_s;
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_LT(rig.last.clock_s - added_s, 1.5) << "also with an object more";
+
+    Experiment fewer = more;
+    fewer.objects.erase(fewer.objects.begin());
+    const double kept_K = rig.last.latest.objects[1].measured_K;
+    rig.send(LoadExperiment{fewer, true});
+    ASSERT_TRUE(rig.waitFor([&] {
+        return rig.last.latest.objects.size() == 1 && std::isfinite(rig.last.latest.objects[0].measured_K);
+    }));
+    EXPECT_NEAR(rig.last.latest.objects[0].measured_K, kept_K, 0.5) << "the other object's";
+    const double removed_s = rig.last.clock_s;
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_LT(rig.last.clock_s - removed_s, 1.5);
+    fewer.objects[0].name = "with another name";
+    rig.send(LoadExperiment{fewer, true});
+    ASSERT_TRUE(rig.waitFor([&] {
+        return rig.last.objects == std::vector{fewer.objects[0].name} &&
+               std::isfinite(rig.last.latest.objects[0].measured_K);
+    }));
+    EXPECT_NEAR(rig.last.latest.objects[0].measured_K, kept_K, 0.5);
 
     rig.send(LoadExperiment{oneDisk()}); // another experiment, not an edit
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects.size() == 1 && rig.last.source_K; }));
