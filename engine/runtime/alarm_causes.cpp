@@ -52,6 +52,8 @@ constexpr std::array kConsequences{
     Consequence{Condition::NotWarming, Condition::SourceLost},
     Consequence{Condition::ObjectWarm, Condition::ObjectHot, true},
     Consequence{Condition::ObjectWarm, Condition::HeatedOtherwise, true},
+    Consequence{Condition::HeatedAtRest, Condition::ObjectHot, true},
+    Consequence{Condition::HeatedAtRest, Condition::ObjectWarm, true},
     Consequence{Condition::TargetLeft, Condition::HeatedOtherwise, true},
     Consequence{Condition::TargetLeft, Condition::NotWarming, true},
     Consequence{Condition::TargetLeft, Condition::SensorFrozen, true},

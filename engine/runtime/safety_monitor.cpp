@@ -25,6 +25,7 @@ constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a
 constexpr double kSameScale = 0.01;       ///< of a set point read back as a multiple of the one written
 constexpr double kReadBack_s = 3.0;       ///< until a controller has taken a new set point
 constexpr double kColder_K = 5.0;         ///< below room temperature
+constexpr double kAboveRoom_K = 5.0;      ///< of a room that is as warm as a hand
 constexpr double kLate_s = 1.0;           ///< delay of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object has room temperature
 constexpr double kDiskHysteresis = 1.1;
@@ -389,10 +390,18 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
     const bool isWatched = isHeated(seen) || isActive(Condition::HeatedOtherwise, i); // else maybe by hand
-    if (const auto& found = watch.warming.foreignHeat(); found && isWatched)
+    const double byHand_K = std::max(kByHand_K, m_experiment.environment_K + kAboveRoom_K);
+    const auto& foreign = watch.warming.foreignHeat();
+    if (foreign && isWatched)
         add(Condition::HeatedOtherwise,
             {MessageCode::SafetyHeatedOtherwise,
-             {name(i), differenceArg(found->rate_K_s, 2), differenceArg(found->explained_K_s, 2)}},
+             {name(i), differenceArg(foreign->rate_K_s, 2), differenceArg(foreign->explained_K_s, 2)}},
+            i);
+    else if (foreign && *object.measured_K > byHand_K) // told only: its limits act, as ever
+        add(Condition::HeatedAtRest,
+            {MessageCode::SafetyHeatedAtRest,
+             {name(i), roundedTemperatureArg(*object.measured_K), differenceArg(foreign->rate_K_s, 2),
+              differenceArg(foreign->explained_K_s, 2)}},
             i);
     if (const auto& found = watch.warming.unfollowed(); found && isHeated(seen))
         add(Condition::NotWarming, notFollowing(i, *found), i);

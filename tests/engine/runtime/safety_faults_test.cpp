@@ -228,6 +228,32 @@ TEST(Safety, ASourceFarAboveItsSetPointIsTold) {
         << "it cools";
 }
 
+// Catches an object that something heats while the heat is off, told at its limits only; a word for a hand;
+// and a note that ends something, or comes before the retreat at the trip limit.
+TEST(Safety, AnObjectThatWarmsWithTheHeatOffIsToldBeforeItsLimits) {
+    for (const bool isArmed : {false, true}) {
+        Rig rig;
+        rig.periods(40);
+        ASSERT_TRUE(!isArmed || rig.loop.arm());
+        const RunState before = rig.loop.state();
+        setFault(rig.rig, SimulatedFault::ObjectHot, 1, true);
+        EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyHeatedAtRest); }, 40.0), 30.0);
+        const double told_K = rig.loop.latest().objects[1].measured_K;
+        EXPECT_GT(told_K, kByHand_K);
+        EXPECT_LT(told_K, rig.experiment.safety.warning_K - 25.0);
+        EXPECT_EQ(rig.loop.state(), before) << "told, no more";
+        EXPECT_FALSE(rig.reasonGiven(MessageCode::SafetyHeatedAtRest));
+        ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 60.0), 60.0);
+        EXPECT_NEAR(rig.loop.latest().objects[1].measured_K, rig.experiment.safety.trip_K, 1.0);
+        for (const AlarmCondition& condition : rig.loop.alarmConditions())
+            EXPECT_EQ(condition.cause.empty(), condition.message.code == MessageCode::SafetyObjectHot)
+                << describe(condition.message);
+        setFault(rig.rig, SimulatedFault::ObjectHot, 1, false);
+        EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyHeatedAtRest); }, 90.0), 60.0);
+        EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyHeatedOtherwise));
+    }
+}
+
 // Catches an object that gets too hot while nobody runs anything, also in a move and with the run armed.
 TEST(Safety, AHotObjectIsTakenAwayInEveryState) {
     for (const std::string state : {"idle", "moving", "armed"}) {

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/hand_warm.h"
 #include "engine/runtime/alarm_causes.h"
 #include "engine/runtime/latched_faults.h"
 #include "engine/runtime/safety_monitor.h"
@@ -101,6 +102,7 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::SourcePoseLost, MessageCode::ReasonSourcePoseLost),
           std::pair(SafetyCondition::ObjectWarm, MessageCode::SafetyObjectWarm),
           std::pair(SafetyCondition::HeatedOtherwise, MessageCode::SafetyHeatedOtherwise),
+          std::pair(SafetyCondition::HeatedAtRest, MessageCode::SafetyHeatedAtRest),
           std::pair(SafetyCondition::SourceOver, MessageCode::SafetySourceOver),
           std::pair(SafetyCondition::ThermometerLost, MessageCode::DeviceSilent),
           std::pair(SafetyCondition::HeatNotOff, MessageCode::SafetyHeatNotOff),
@@ -599,6 +601,22 @@ TEST(SafetyMonitor, WhatRunsAwayIsNotOverWhileReadingsAreMissing) {
     }
     EXPECT_FALSE(m.isActive(SafetyCondition::HeatedOtherwise));
     EXPECT_FALSE(m.isActive(SafetyCondition::SourceOver));
+}
+
+// Catches a hand that is told to heat an object, and what heats it beyond any hand without a word.
+TEST(SafetyMonitor, AHandIsNotToldToHeat) {
+    for (const double to_K : {310.0, 340.0}) {
+        Monitor m;
+        bool isTold = false;
+        for (int t = 0; t < 120; ++t) {
+            *m.seen.objects[0].measured_K +=
+                t < 20 ? 0.0 : std::min(0.7, 0.1 * (to_K - *m.seen.objects[0].measured_K));
+            m.after(1.0);
+            isTold = isTold || m.isActive(SafetyCondition::HeatedAtRest);
+            EXPECT_FALSE(m.isActive(SafetyCondition::HeatedOtherwise));
+        }
+        EXPECT_EQ(isTold, to_K > kByHand_K);
+    }
 }
 
 // Catches an object that leaves its target in a run without a word; and one that is told where nothing moves
