@@ -5,7 +5,6 @@
 #include "engine/base/message_code.h"
 #include "engine/experiment/unrecorded_alarms.h"
 #include "engine/radiation/mounted_objects.h"
-#include "engine/recording/session_store.h"
 #include "widgets/review/comparison_view.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/replay_view.h"
@@ -92,8 +91,14 @@ void ReviewDesk::setRecording(const QString& path) {
         return;
     m_recording = path;
     m_page.sessions()->setRecording(path);
+    pauseLibrary();
     if (m_page.isVisible())
         m_library.refresh();
+}
+
+/// A run, and the open recording, come before those that are only listed.
+void ReviewDesk::pauseLibrary() {
+    m_library.setPaused(!m_recording.isEmpty() || m_verification.isBusy());
 }
 
 void ReviewDesk::retranslate() {
@@ -195,10 +200,7 @@ void ReviewDesk::connectCount() {
 void ReviewDesk::connectVerification() {
     connect(&m_verification, &SessionVerification::verified, this,
             [this](const QString& path, const SessionVerdict& verdict) {
-                if (verdict.isDamaged)
-                    m_library.takeDamage(Error(MessageCode::SessionDamaged, path.toStdString(), {kNotWhole}));
-                if (isAltered(verdict))
-                    m_library.takeAlteration(path, verdict);
+                m_library.takeVerdict(path, verdict);
                 if (!isOpen(path)) {
                     if (isAltered(verdict))
                         emit problem(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(),
@@ -209,6 +211,7 @@ void ReviewDesk::connectVerification() {
                     m_page.setDamaged();
                 m_page.setVerdict(verdict);
             });
+    connect(&m_verification, &SessionVerification::busyChanged, this, &ReviewDesk::pauseLibrary);
     connect(&m_verification, &SessionVerification::failed, this,
             [this](const QString& path, const Error& error) {
                 if (isOpen(path))

@@ -45,6 +45,7 @@ private:
     void connectList();
     void connectCount();
     void connectVerification();
+    void pauseLibrary();
     void open(std::shared_ptr<RecordedSession> session, std::optional<double> at_s);
     bool isOpen(const QString& path) const;
     void showSession();

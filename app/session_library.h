@@ -6,11 +6,13 @@
 
 #include <QObject>
 #include <QThreadPool>
+#include <QTimer>
 
 #include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -35,8 +37,11 @@ public:
     /// Lists the file that an error is about as damaged, if that is what the error says, in whichever folder
     /// and until it changes. Of many at once the list is read anew for the last.
     void takeDamage(const Error& error);
-    /// Lists a file as altered in the same way.
-    void takeAlteration(const QString& path, const SessionVerdict& verdict);
+    /// Lists a file as damaged, altered or verified in the same way, by what was found of all its rows.
+    void takeVerdict(const QString& path, const SessionVerdict& verdict);
+    /// While something else is to be done, such as a run or the verification of the open one, listed runs are
+    /// not verified. Otherwise they are, the newest first, long ones left out.
+    void setPaused(bool isPaused);
 
 signals:
     void problem(const QString& sentence);
@@ -51,6 +56,12 @@ private:
         std::string stamp; ///< sizes and times of file and log
         SessionHeader header;
         bool isChecked = false; ///< its structure was looked at
+        bool isTried = false;   ///< and so was every row, whatever came of it
+    };
+    /// A listed run that was verified.
+    struct Verified {
+        std::string path; ///< empty: none is left
+        bool isGood = false, isBad = false;
     };
     using Headers = std::map<std::string, Known>; ///< of the folder, and bad ones of others
 
@@ -58,7 +69,10 @@ private:
     using Finding = std::function<bool(SessionHeader& header)>;
 
     template <class Work, class Done> void run(Work work, Done done);
+    template <class Work, class Done> void queue(Work work, Done done);
     void take(const std::string& where, Finding put);
+    void verifyNext();
+    static Verified verifyOne(Headers& known, const std::stop_token& stop);
     void writeTags(const QString& path, const QStringList& tags);
     void close(const QString& path);
     void check(const QString& path);
@@ -73,6 +87,9 @@ private:
     std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< used by the pool's thread
     std::shared_ptr<std::atomic<int>> m_selections = std::make_shared<std::atomic<int>>(0); ///< until now
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);
+    bool m_isPaused = false, m_isVerifying = false;
+    std::stop_source m_stopVerifying; ///< other requests do not wait for a run that nobody asked for
+    QTimer m_idle;
     QThreadPool m_pool;
 };
 

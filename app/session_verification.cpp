@@ -31,9 +31,14 @@ void SessionVerification::release(const QString& path) {
 }
 
 void SessionVerification::next() {
+    const bool wasBusy = isBusy();
     m_looked.clear();
-    if (m_waiting.empty())
-        return m_job.forget();
+    if (m_waiting.empty()) {
+        m_job.forget();
+        if (wasBusy)
+            emit busyChanged();
+        return;
+    }
     const QString path = m_looked = m_waiting.front();
     m_waiting.pop_front();
     m_job.run(
@@ -48,6 +53,8 @@ void SessionVerification::next() {
             else
                 emit failed(path, verdict.error());
         });
+    if (!wasBusy)
+        emit busyChanged();
 }
 
 } // namespace bask

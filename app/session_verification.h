@@ -25,8 +25,10 @@ public:
     void add(const QString& path);
     /// Lets go of a file that is about to be changed.
     void release(const QString& path);
+    bool isBusy() const { return !m_looked.isEmpty(); }
 
 signals:
+    void busyChanged();
     void verified(const QString& path, const bask::SessionVerdict& verdict);
     void failed(const QString& path, const bask::Error& error);
 

@@ -48,6 +48,7 @@ struct SessionHeader {
     std::optional<Error> error;  ///< why it cannot be read; all other members except the path are then empty
     std::optional<Error> damage; ///< in what a list does not read: never set by readSessionHeader()
     std::optional<SessionVerdict> alteration; ///< of a recording that is not as it was: nor set by that
+    bool isVerified = false; ///< every row was looked at, and is as it was recorded: nor set by that
 
     /// Returns how long the run itself took, s: duration_s of its metrics.
     double length_s() const { return stopped_s.value_or(end_s); }

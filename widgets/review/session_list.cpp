@@ -28,6 +28,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -383,12 +384,7 @@ const QIcon& SessionList::outcomeIcon(Outcome outcome, int priority) {
 void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, const QString& differences) {
     const QDateTime date = recordedAt(session);
     const QString file = QFileInfo(text(session.path)).fileName();
-    const Error* problem = problemOf(session);
-    const Outcome outcome = isListedDamaged(session)    ? Outcome::Damaged
-                            : problem != nullptr        ? Outcome::Unreadable
-                            : session.alteration        ? Outcome::Altered
-                            : isRecording(session.path) ? Outcome::Recording
-                                                        : outcomeOf(session.outcome);
+    const Outcome outcome = listedOutcome(session);
     const QString given = session.error ? QString() : givenName(session), title = text(session.title);
     const QString name = listedName(session);
     const QString detail =
@@ -435,17 +431,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
         row->setToolTip(kRunName, both);
     }
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
-    row->setIcon(kOutcome, outcomeIcon(outcome, session.endPriority));
-    if (outcome == Outcome::Fault) {
-        row->setToolTip(kOutcome, outcomeWord(outcome, session.endPriority));
-        row->setData(kOutcome, Qt::AccessibleTextRole, row->toolTip(kOutcome));
-    } else {
-        row->setData(kOutcome, Qt::AccessibleTextRole, QVariant());
-    }
-    if (problem != nullptr)
-        row->setToolTip(kOutcome, sentenceText(problem->message));
-    else if (session.alteration)
-        row->setToolTip(kOutcome, verificationText(*session.alteration));
+    showOutcome(row, session);
     row->setData(0, kPathRole, text(session.path));
     markOpened(row);
     QStringList all = texts;
@@ -453,6 +439,48 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session, co
     for (const ListedObject& object : session.objects)
         all << text(object.name) << text(object.material);
     row->setData(0, kSearchRole, all.join(u'\n').toCaseFolded());
+}
+
+Outcome SessionList::listedOutcome(const SessionHeader& session) const {
+    return isListedDamaged(session)        ? Outcome::Damaged
+           : problemOf(session) != nullptr ? Outcome::Unreadable
+           : session.alteration            ? Outcome::Altered
+           : isRecording(session.path)     ? Outcome::Recording
+                                           : outcomeOf(session.outcome);
+}
+
+/// In italics as long as nobody knows whether it is what was recorded.
+void SessionList::showOutcome(QTreeWidgetItem* row, const SessionHeader& session) {
+    const Error* problem = problemOf(session);
+    const Outcome outcome = listedOutcome(session);
+    const bool isUnsure =
+        problem == nullptr && !session.alteration && !session.isVerified && outcome != Outcome::Recording;
+    const QString word =
+        outcome == Outcome::Fault ? outcomeWord(outcome, session.endPriority) : row->text(kOutcome);
+    row->setIcon(kOutcome, outcomeIcon(outcome, session.endPriority));
+    QFont font = m_tree->font();
+    font.setItalic(isUnsure);
+    row->setFont(kOutcome, font);
+    row->setToolTip(kOutcome, problem != nullptr   ? sentenceText(problem->message)
+                              : session.alteration ? verificationText(*session.alteration)
+                              : isUnsure
+                                  ? word + u'\n' +
+                                        tr("Not verified: nobody has looked yet whether the recording is "
+                                           "as it was made.")
+                                  : word);
+    row->setData(kOutcome, Qt::AccessibleTextRole,
+                 isUnsure                    ? tr("%1, not verified", "an outcome").arg(word)
+                 : outcome == Outcome::Fault ? QVariant(word)
+                                             : QVariant());
+}
+
+void SessionList::setVerified(const std::string& path) {
+    const auto session = std::ranges::find(m_sessions, path, &SessionHeader::path);
+    if (session == m_sessions.end() || std::exchange(session->isVerified, true))
+        return;
+    for (int k = 0; k < m_tree->topLevelItemCount(); ++k)
+        if (QTreeWidgetItem* row = m_tree->topLevelItem(k); row->data(0, kPathRole).toString() == text(path))
+            return showOutcome(row, *session);
 }
 
 /// Rows that have every word of the search somewhere.
@@ -628,9 +656,11 @@ void SessionList::retranslate() {
     m_tree->setHeaderLabels({tr("Recorded"), tr("Run"), tr("Outcome"), tr("Duration"), tr("Operator"),
                              tr("Sample / batch"), tr("Rig"), tr("Tags"), tr("Controller")});
     m_tree->headerItem()->setToolTip(
-        kOutcome, tr("What each run told at its end. Damage of its file is found when the run is selected (a "
-                     "long one: when it is opened), whether it was altered when it is opened; both are "
-                     "listed until the file changes or Bask is closed."));
+        kOutcome,
+        tr("What each run told at its end; in italics until its recording was verified: a short one "
+           "while nothing else is to be done, a long one when it is opened. Damage of its file is "
+           "found when the run is selected, too. All of it is listed until the file changes or Bask "
+           "is closed."));
     m_tree->headerItem()->setToolTip(
         kDuration, tr("From Start to Stop, STOP or the engine's end of the run. What is recorded after it, "
                       "until all is away or cold, does not count."));

@@ -38,6 +38,8 @@ public:
     /// The list is being read: the shown content may be old.
     void setReading();
     void setSessions(std::vector<SessionHeader> sessions);
+    /// Lists a run as verified: its outcome is what was recorded.
+    void setVerified(const std::string& path);
     /// Sets the file that is being recorded, if any.
     void setRecording(const QString& path);
     bool isRecording(const std::string& path) const;
@@ -83,6 +85,8 @@ private:
     const QIcon& outcomeIcon(Outcome outcome, int priority);
     bool isOpened(const QTreeWidgetItem* row) const;
     void markOpened(QTreeWidgetItem* row) const;
+    void showOutcome(QTreeWidgetItem* row, const SessionHeader& session);
+    Outcome listedOutcome(const SessionHeader& session) const;
     void fitNames();
     void search();
     void showSelected();

@@ -37,6 +37,7 @@ SessionHeader header(const char* name, const char* created, const char* outcome)
     made.outcome = outcome;
     made.samples = 1234;
     made.end_s = 200.0;
+    made.isVerified = true;
     return made;
 }
 
@@ -158,6 +159,25 @@ TEST_F(SessionListTest, AFaultHasTheMarkOfItsAlarm) {
     EXPECT_EQ(row("third")->text(2), "Fault");
     EXPECT_EQ(row("third")->toolTip(2), "Fault, by an alarm of priority 3");
     EXPECT_EQ(row("unknown")->data(2, Qt::AccessibleTextRole).toString(), "Fault");
+}
+
+// Catches: an outcome that nobody has verified and that looks, and is read out, as if it were.
+TEST_F(SessionListTest, AnOutcomeIsInItalicsUntilItIsVerified) {
+    SessionHeader unsure = header("unsure", "2026-03-15T09:26:53Z", "fault"),
+                  sure = header("sure", "2026-03-15T09:26:53Z", "settled");
+    unsure.isVerified = false;
+    unsure.endPriority = 1;
+    list.setSessions({unsure, sure});
+    EXPECT_FALSE(row("sure")->font(2).italic());
+    ASSERT_TRUE(row("unsure")->font(2).italic());
+    EXPECT_EQ(row("unsure")->data(2, Qt::AccessibleTextRole).toString(),
+              "Fault, by an alarm of priority 1, not verified");
+    EXPECT_TRUE(row("unsure")->toolTip(2).startsWith("Fault, by an alarm of priority 1\nNot verified"));
+    list.setVerified("/runs/unsure.bask");
+    EXPECT_FALSE(row("unsure")->font(2).italic());
+    EXPECT_EQ(row("unsure")->toolTip(2), "Fault, by an alarm of priority 1");
+    list.setRecording("/runs/unsure.bask");
+    EXPECT_FALSE(row("unsure")->font(2).italic());
 }
 
 // Catches an outcome told of a run whose samples cannot be read, and tags written into such a file.
