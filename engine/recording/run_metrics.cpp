@@ -46,6 +46,41 @@ private:
     std::optional<double> m_at_s;
 };
 
+/// When T first passes a share of a step, and how fast: by the chord from a little below that level to a
+/// little above, since two readings in a row have too much noise for a slope.
+class LevelPassing {
+public:
+    LevelPassing() = default;
+    LevelPassing(double from_K, double step_K, double share) {
+        const double size_K = std::abs(step_K), chord_K = std::max(kChord * size_K, kChord_K);
+        m_below_K = std::min(chord_K, share * size_K);
+        m_above_K = std::min(chord_K, 0.5 * (1.0 - share) * size_K);
+        const double sign = step_K > 0.0 ? 1.0 : -1.0, level_K = from_K + share * step_K;
+        m_below = LevelCrossing(level_K - sign * m_below_K, step_K > 0.0);
+        m_at = LevelCrossing(level_K, step_K > 0.0);
+        m_above = LevelCrossing(level_K + sign * m_above_K, step_K > 0.0);
+    }
+
+    void add(double time_s, double T_K) {
+        for (LevelCrossing* const each : {&m_below, &m_at, &m_above})
+            each->add(time_s, T_K);
+    }
+    std::optional<double> at_s() const { return m_at.at_s(); }
+    /// In the step's direction, K/s; empty if it is not known.
+    std::optional<double> slope_K_s() const {
+        const auto from_s = m_below.at_s(), to_s = m_above.at_s() ? m_above.at_s() : m_at.at_s();
+        if (!from_s || !to_s || !(*to_s > *from_s))
+            return std::nullopt;
+        return (m_below_K + (m_above.at_s() ? m_above_K : 0.0)) / (*to_s - *from_s);
+    }
+
+private:
+    static constexpr double kChord = 0.05;   ///< of the step
+    static constexpr double kChord_K = 0.25; ///< beyond steps and noise of a sensor
+    double m_below_K = 0.0, m_above_K = 0.0;
+    LevelCrossing m_below, m_at, m_above;
+};
+
 /// When an error was last above a level.
 class LastAbove {
 public:
@@ -102,6 +137,24 @@ public:
             moved_s = std::max(moved_s, std::abs(until_s.value_or(from_s) - found_s));
         }
         const double u_s = std::hypot(m_gap_s / std::sqrt(12.0), moved_s);
+        return u_s > 0.0 ? std::optional(u_s) : std::nullopt;
+    }
+
+    /// Returns how well the rise time is known, s, from readings of which each is wrong by `each_K` and all
+    /// are by `all_K`. The first reading sets both levels. A reading too high by e lowers the time of its
+    /// crossing by e/slope, and as the first one it raises the levels by 0.9 e and 0.1 e; so that
+    ///
+    ///     u^2 = each^2 (1/s10^2 + 1/s90^2 + (0.9/s10 - 0.1/s90)^2) + all^2 (0.9/s90 - 0.1/s10)^2.
+    ///
+    /// Of up to five readings while T moves by `each_K` the first that passes is about T's own crossing
+    /// within that, however early it comes; of more it is earlier.
+    std::optional<double> riseUncertainty_s(double each_K, double all_K) const {
+        const auto s10 = m_begun.slope_K_s(), s90 = m_done.slope_K_s();
+        if (!m_isJudged || !m_begun.at_s() || !m_done.at_s() || !s10 || !s90)
+            return std::nullopt;
+        const double ofEach = std::hypot(1.0 / *s10, 1.0 / *s90, 0.9 / *s10 - 0.1 / *s90);
+        const double ofAll = 0.9 / *s90 - 0.1 / *s10;
+        const double u_s = std::hypot(each_K * ofEach, all_K * ofAll);
         return u_s > 0.0 ? std::optional(u_s) : std::nullopt;
     }
 
@@ -181,8 +234,8 @@ private:
         if (!m_isJudged)
             return;
         const double step_K = *m_metrics.step_K, first_K = target_K - step_K;
-        m_begun = LevelCrossing(first_K + 0.1 * step_K, step_K > 0.0);
-        m_done = LevelCrossing(first_K + 0.9 * step_K, step_K > 0.0);
+        m_begun = LevelPassing(first_K, step_K, 0.1);
+        m_done = LevelPassing(first_K, step_K, 0.9);
         m_metrics.overshoot_K = 0.0;
     }
 
@@ -190,7 +243,7 @@ private:
     double m_gap_s = 0.0;       ///< when it came into the band: since the reading before; 0: there was none
     LastAbove m_above, m_below; ///< the target
     bool m_isJudged = false;    ///< the step is large enough
-    LevelCrossing m_begun, m_done;
+    LevelPassing m_begun, m_done;
     /// Times and errors since the step and in the last window.
     std::deque<std::pair<double, double>> m_lately;
 };
@@ -304,6 +357,8 @@ void RunMetricsCount::addUncertainties(std::size_t i, ObjectMetrics& out) const 
             out.readingUncertainty_K = m_metrics.last.objects[i].camera.uncertainty_K;
         if (out.steadyError_K)
             out.steadyUncertainty_K = out.readingUncertainty_K;
+        if (out.readingUncertainty_K) // what its errors share is not told: the larger of the two
+            out.riseUncertainty_s = object.read.riseUncertainty_s(*out.readingUncertainty_K, 0.0);
     } else if (m_offsets_K.size() == m_objects.size()) {
         const auto sensor = contactUncertainty(m_offsets_K, m_window, object.scatter);
         if (!sensor)
@@ -311,6 +366,8 @@ void RunMetricsCount::addUncertainties(std::size_t i, ObjectMetrics& out) const 
         out.readingUncertainty_K = sensor->ofReading_K();
         if (out.steadyError_K)
             out.steadyUncertainty_K = sensor->ofMean_K(out.steadySamples);
+        out.riseUncertainty_s = object.read.riseUncertainty_s(
+            std::hypot(sensor->resolution_K, sensor->noise_K), std::hypot(sensor->room_K, sensor->zeroing_K));
     }
     if (out.readingUncertainty_K)
         out.settlingUncertainty_s =

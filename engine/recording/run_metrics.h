@@ -46,6 +46,8 @@ struct ObjectMetrics {
     /// uncertainty move the moment at which T comes into the band for good. Infinite if it were not in the
     /// band then: that it has settled is not sure. Empty where it was in the band from the beginning.
     std::optional<double> settlingUncertainty_s;
+    /// Of rise_s: by how far errors of the readings at the beginning and at both crossings move these.
+    std::optional<double> riseUncertainty_s;
 
     /// Returns the overshoot as a fraction of the step's size.
     std::optional<double> overshootShare() const;

@@ -132,6 +132,10 @@ bool isSmallStep(const ObjectMetrics& metrics, double band_K) {
     return metrics.step_K && std::abs(*metrics.step_K) < 2.0 * band_K;
 }
 
+bool isOfTime(ObjectMetric::Kind kind) {
+    return kind == ObjectMetric::Settling || kind == ObjectMetric::Rise;
+}
+
 /// Returns as many decimals as show two digits of an uncertainty, not more than usual; what is usual without
 /// one.
 int decimalsBy(std::optional<double> shownUncertainty, int usual) {
@@ -146,7 +150,7 @@ QString plusMinusText(ObjectMetric::Kind kind, std::optional<double> uncertainty
         return {};
     if (std::isinf(*uncertainty))
         return MetricWords::tr(", not sure", "after a number");
-    const bool isTime = kind == ObjectMetric::Settling;
+    const bool isTime = isOfTime(kind);
     const double shown = isTime ? *uncertainty : displayDifference(*uncertainty, unit);
     const auto first = decimalsOf(shown, 0);
     if (!first)
@@ -158,7 +162,8 @@ QString plusMinusText(ObjectMetric::Kind kind, std::optional<double> uncertainty
 
 QString riseText(const ObjectMetrics& metrics, double band_K, int decimals) {
     if (metrics.rise_s)
-        return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s, decimals);
+        return valueText(factsOf(ObjectMetric::Rise), *metrics.rise_s, decimals) +
+               plusMinusText(ObjectMetric::Rise, metrics.riseUncertainty_s, TemperatureUnit::Kelvin);
     if (!metrics.step_K)
         return MetricWords::tr("start unknown");
     return isSmallStep(metrics, band_K) ? MetricWords::tr("step too small") : MetricWords::tr("not reached");
@@ -248,7 +253,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
         return MetricWords::tr(
             "Time between the first crossings of 10 % and of 90 % of the step, which leads from the "
             "temperature when the target was set to the target. Not given for steps under twice the "
-            "band.");
+            "band. \u00b1 is its standard uncertainty: how far wrong readings at the beginning and at both "
+            "crossings move these.");
     case ObjectMetric::Overshoot:
         return MetricWords::tr(
             "How far the temperature went beyond the target in the direction of the step, and as a "
@@ -261,7 +267,8 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
             .arg(QLocale().toString(kSteadyWindow_s, 'f', 0));
     case ObjectMetric::PathLength:
         return MetricWords::tr(
-            "Length of the path of the object's centre in the robot's base, from Start until Stop.");
+            "Length of the path of the object's centre in the robot's base, from Start until Stop, by the "
+            "robot's reported places, whose uncertainty no device tells.");
     }
     return {};
 }
@@ -272,7 +279,8 @@ QString metricDefinition(RunMetric metric) {
         return MetricWords::tr("From Start until Stop.");
     case RunMetric::PathLength:
         return MetricWords::tr(
-            "Length of the path of the end-effector's origin in the robot's base, from Start until Stop.");
+            "Length of the path of the end-effector's origin in the robot's base, from Start until Stop, by "
+            "the robot's reported places, whose uncertainty no device tells.");
     case RunMetric::Turned:
         return MetricWords::tr(
             "Sum of the angles by which the end-effector was turned from sample to sample.");
@@ -290,7 +298,7 @@ int metricDecimals(ObjectMetric metric, const RunMetrics& run, std::size_t objec
     const MetricFacts facts = factsOf(metric.kind);
     const ObjectMetrics* const counted = countedFor(metric, run, object);
     const auto uncertainty = metricUncertainty(metric, run, object);
-    if (uncertainty && metric.kind == ObjectMetric::Settling)
+    if (uncertainty && isOfTime(metric.kind))
         return decimalsBy(uncertainty, facts.decimals);
     if (uncertainty)
         return decimalsBy(displayDifference(*uncertainty, unit), facts.decimals);
@@ -441,8 +449,9 @@ std::optional<double> metricUncertainty(ObjectMetric metric, const RunMetrics& r
         return counted->steadyUncertainty_K;
     case ObjectMetric::Settling:
         return counted->settlingUncertainty_s;
-    case ObjectMetric::Target:
     case ObjectMetric::Rise:
+        return counted->riseUncertainty_s;
+    case ObjectMetric::Target:
     case ObjectMetric::PathLength:
         break;
     }

@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 #include <vector>
 
 namespace bask {
@@ -125,6 +126,40 @@ TEST(RunMetrics, HaveTheStandardUncertaintyOfTheReadings) {
         sample.objects[0].measured_K = kTarget_K + 0.1;
     EXPECT_EQ(metrics().settling_s.value(), 0.0);
     EXPECT_FALSE(metrics().settlingUncertainty_s);
+}
+
+// Catches a rise time whose uncertainty is not by how much it varies, for noise of each reading or for what
+// all share, at a slow end as at a fast one, upward and downward.
+TEST(RunMetrics, RiseTimeIsAsSureAsTheReadingsAtItsCrossings) {
+    constexpr double kTau_s = 25.0;
+    constexpr int kRuns = 400;
+    for (const double step_K : {30.0, -12.0}) {
+        for (const double noise_K : {0.02, 0.1}) {
+            std::mt19937 random(7);
+            std::normal_distribution<double> normal;
+            double squares_s2 = 0.0, told_s2 = 0.0;
+            const double room_K = kClassB_K; // of one sensor
+            for (int run = 0; run < kRuns; ++run) {
+                const double all_K = room_K * normal(random);
+                SessionRecord record = recordOf(200.0, [&](double t) {
+                    return kTarget_K - step_K * std::exp(-t / kTau_s) + all_K + noise_K * normal(random);
+                });
+                record.commands = {{0.0, "arm", R"({"environment_K":298.0,"offsets_K":[0.0]})"}};
+                const ObjectMetrics metrics = runMetrics(record).objects.at(0);
+                const double error_s = metrics.rise_s.value() - kTau_s * std::log(9.0);
+                squares_s2 += error_s * error_s;
+                told_s2 += std::pow(metrics.riseUncertainty_s.value(), 2);
+            }
+            const double ratio = std::sqrt(told_s2 / squares_s2);
+            EXPECT_GT(ratio, 0.9) << step_K << " K, noise " << noise_K << " K";
+            EXPECT_LT(ratio, 1.35) << step_K << " K, noise " << noise_K << " K";
+        }
+    }
+    EXPECT_FALSE(
+        runMetrics(recordOf(100.0, [](double t) { return kTarget_K - 20.0 * std::exp(-t / kTau_s); }))
+            .objects.at(0)
+            .riseUncertainty_s)
+        << "no zeroing is recorded";
 }
 
 /// Settled by every reading from 40 s on, and at the edge of the band from 20 s to then and to the end.

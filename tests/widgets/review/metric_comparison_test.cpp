@@ -193,6 +193,8 @@ TEST(MetricComparison, TellsTheUncertaintyOfValuesAndDifferences) {
     a.readingUncertainty_K = a.steadyUncertainty_K = 0.15;
     b.readingUncertainty_K = 0.2;
     a.settlingUncertainty_s = 0.3;
+    a.riseUncertainty_s = 1.2;
+    b.riseUncertainty_s = 0.5;
     a.overshoot_K = 0.5;
     const std::vector<ComparedRun> runs{comparedRun("A", {{"circle", a}}), comparedRun("B", {{"circle", b}})};
     const auto metrics = compareMetrics(runs, 0, TemperatureUnit::Celsius);
@@ -204,6 +206,8 @@ TEST(MetricComparison, TellsTheUncertaintyOfValuesAndDifferences) {
     EXPECT_EQ(plain(cell("Final", 1).difference), "+0.28 K ± 0.25 K");
     EXPECT_EQ(plain(cell("Settling time", 0).text), "62.0 s ± 0.30 s");
     EXPECT_EQ(plain(cell("Settling time", 1).difference), "\u22122.0 s") << "that of one run is not known";
+    EXPECT_EQ(plain(cell("Rise time", 0).text), "30.0 s ± 1.2 s");
+    EXPECT_EQ(plain(cell("Rise time", 1).difference), "0.0 s ± 1.3 s");
     EXPECT_EQ(plain(cell("Overshoot", 0).text), "0.50 K ± 0.15 K (3.3 %)");
     EXPECT_EQ(plain(cell("Overshoot", 1).text), "none");
     EXPECT_EQ(plain(cell("Steady-state error", 0).text), "+0.02 K ± 0.15 K");
