@@ -300,6 +300,17 @@ void PageHost::connectForecast() {
             [this] { m_run->setPrediction(m_forecast.predicted()); });
 }
 
+/// With the recording of the run that it is of; once more if its band was found at the last moment.
+void PageHost::keepPrediction(const Snapshot& snapshot) {
+    const PredictedRun& run = m_forecast.predicted();
+    const std::pair kept{snapshot.runId, run.hasBand()};
+    if (!isRunOn(snapshot.state) || snapshot.recordingPath.empty() || run.samples.empty() ||
+        m_keptPrediction == kept)
+        return;
+    m_keptPrediction = kept;
+    emit commandIssued(KeepPrediction{snapshot.runId, std::make_shared<const PredictedRun>(run)});
+}
+
 /// A run that is on is told why targets set meanwhile cannot be held.
 void PageHost::reportInfeasible() {
     if (!m_verdictUntold || !m_judge.isCurrent())
@@ -372,6 +383,7 @@ void PageHost::apply(const Snapshot& snapshot) {
     m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);
     m_forecast.apply(snapshot, m_run->isPredictionSeen());
+    keepPrediction(snapshot);
     m_reviewDesk.setRecording(QString::fromStdString(snapshot.recordingPath));
     const bool editable = allowsEdits(snapshot.state);
     m_rig->apply(snapshot, editable);

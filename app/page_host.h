@@ -16,8 +16,10 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <utility>
 
 class QStackedWidget;
 
@@ -99,6 +101,7 @@ private:
     void connectExports();
     void showExported(const QString& sentence, const QStringList& files);
     void reportInfeasible();
+    void keepPrediction(const Snapshot& snapshot);
     void showDocument();
     void showEditable();
     void watchThermal();
@@ -130,6 +133,8 @@ private:
     WatchThermalCamera m_thermalOnCalibrate;
     bool m_editable = true;
     bool m_targetsEditable = true;
+    /// The run whose prediction was sent to the engine last, and whether with its band.
+    std::pair<std::uint64_t, bool> m_keptPrediction{};
     bool m_verdictUntold = false; ///< the engine has targets whose verdict it has not been sent
 };
 

@@ -182,7 +182,7 @@ void RunForecast::spread(const Experiment& experiment, const RigCondition& from)
                           longest_ms = m_longest_ms](const std::stop_token& stop) {
         PredictedRun wide = run;
         atMost(longest_ms, stop, [&](std::stop_token over, const auto& progress) {
-            (void)addSpread(wide, experiment, from, kDraws, std::move(over), progress);
+            (void)addSpread(wide, experiment, from, PredictedRun::kDraws, std::move(over), progress);
         });
         return wide;
     };

@@ -30,7 +30,6 @@ public:
     static constexpr int kRest_ms = 500;              ///< without a change, before it is computed
     static constexpr int kLongest_ms = 20'000;        ///< of computing; the prediction ends where it is then
     static constexpr double kMaxPredicted_s = 1800.0; ///< simulated
-    static constexpr int kDraws = 4;                  ///< runs with other noise, which tell its spread
 
     RunForecast();
 

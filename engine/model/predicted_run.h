@@ -29,6 +29,7 @@ enum class PredictedEnd : std::uint8_t {
 
 struct PredictedRun {
     static constexpr std::size_t kMaxSamples = 500;
+    static constexpr int kDraws = 4; ///< runs with other noise of the sensors, which make the band
 
     std::vector<PredictedSample>
         samples;                      ///< in time order, with the first and the last; empty: no prediction
@@ -36,6 +37,7 @@ struct PredictedRun {
     PredictedEnd end = PredictedEnd::Settled;
 
     double end_s() const { return samples.empty() ? 0.0 : samples.back().time_s; }
+    bool hasBand() const { return !samples.empty() && !samples.front().lowest_K.empty(); }
 };
 
 } // namespace bask

@@ -10,6 +10,7 @@ namespace bask {
 namespace {
 
 constexpr const char* kTraces = "traces.csv";
+constexpr const char* kPrediction = "prediction.csv";
 
 // What is not in the tables of columns.
 struct FixedColumn {
@@ -18,6 +19,11 @@ struct FixedColumn {
 constexpr std::array kFixedColumns{
     FixedColumn{"*.csv", "time_s", "s", "since Start, on the rig's clock; negative before it"},
     FixedColumn{"*.csv", "object", "", "name of the object"},
+    FixedColumn{kPrediction, "temperature_K", "K", "of the run as it was predicted before Start"},
+    FixedColumn{
+        kPrediction, "lowest_K", "K",
+        "the least of it and of runs with other sensor noise; not with other material, air or source"},
+    FixedColumn{kPrediction, "highest_K", "K", "the greatest of these"},
     FixedColumn{"pose.csv", "x_m", "m", "origin of the end-effector E in the robot's base R; so y_m, z_m"},
     FixedColumn{"pose.csv", "qw", "1", "unit quaternion of E in R, qw not negative; with qx, qy, qz"},
     FixedColumn{"source_pose.csv", "x_m", "m", "origin of the source S in the robot's base R; so y_m, z_m"},
@@ -70,6 +76,8 @@ std::optional<CsvRounding> roundingOf(const std::string& table, const std::strin
         return CsvRounding{std::chars_format::fixed, kQuaternionDecimals};
     if ((table == "pose" || table == "source_pose") && column.ends_with("_m"))
         return csvRounding(unit::kMillimetres);
+    if (table == "prediction" && column.ends_with("_K"))
+        return csvRounding(unit::kCelsius);
     auto unit = storedUnit(kObjectColumns, table, column);
     if (!unit)
         unit = storedUnit(kRunColumns, table, column);
@@ -135,7 +143,8 @@ std::vector<CsvColumn> csvColumns(const SessionRecord& facts) {
             if (column.csv != nullptr && rig.has(column.needs))
                 add(object.name + ' ' + csvHeader(column), meaningOf(column));
     for (const FixedColumn& fixed : kFixedColumns)
-        out.push_back({fixed.file, fixed.column, fixed.unit, fixed.meaning});
+        if (fixed.file != std::string_view(kPrediction) || !facts.prediction.samples.empty())
+            out.push_back({fixed.file, fixed.column, fixed.unit, fixed.meaning});
     addStored(out, kObjectColumns, rig);
     addStored(out, kRunColumns, rig);
     return out;

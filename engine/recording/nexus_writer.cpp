@@ -23,6 +23,10 @@ constexpr const char* kTime = "/entry/temperatures/time";
 constexpr const char* kSource = "/entry/instrument/heat_source";
 constexpr const char* kSurface = "/entry/instrument/heat_source_surface"; // no sensor may be in an actuator
 constexpr const char* kCamera = "/entry/instrument/thermal_camera";
+constexpr const char* kPredicted = "the run as it was predicted before Start";
+constexpr const char* kPredictedWithBand = "the run as it was predicted before Start; lowest and highest: of "
+                                           "runs with other sensor noise, not with other "
+                                           "material, air or source";
 constexpr const char* kMaker = "Bask " BASK_VERSION;
 
 std::string numbered(const char* stem, std::size_t i) {
@@ -405,7 +409,39 @@ private:
         m_file.numbers(path + "/time", times, "s");
     }
 
+    /// Nothing where nothing was predicted.
+    void prediction() {
+        const std::vector<PredictedSample>& samples = m_session.prediction.samples;
+        if (samples.empty())
+            return;
+        const std::string group = "/entry/prediction";
+        m_file.group(group, "NXdata");
+        std::vector<double> times;
+        for (const PredictedSample& sample : samples)
+            times.push_back(sample.time_s);
+        m_file.numbers(group + "/time", times, "s");
+        m_file.text(group + "/title", m_session.prediction.hasBand() ? kPredictedWithBand : kPredicted);
+        m_file.attribute(group, "axes", std::vector<std::string>{"time"});
+        m_file.attribute(group, "signal", "temperature_1");
+        for (std::size_t i = 0; i < m_session.experiment.objects.size(); ++i) {
+            const auto numbers = [&](const char* stem, const auto& of) {
+                std::vector<double> values;
+                for (const PredictedSample& sample : samples)
+                    values.push_back(of(sample).at(i));
+                const std::string set = group + '/' + numbered(stem, i);
+                m_file.numbers(set, values, "K");
+                m_file.attribute(set, "long_name", m_session.experiment.objects[i].name + ", predicted (K)");
+            };
+            numbers("temperature_", [](const PredictedSample& s) { return s.temperatures_K; });
+            if (!m_session.prediction.hasBand())
+                continue;
+            numbers("lowest_", [](const PredictedSample& s) { return s.lowest_K; });
+            numbers("highest_", [](const PredictedSample& s) { return s.highest_K; });
+        }
+    }
+
     void records() {
+        prediction();
         table("/entry/events", m_session.events);
         column("/entry/events/code", m_session.events,
                [](const TraceEvent& e) { return std::string(messageName(e.message.code)); });

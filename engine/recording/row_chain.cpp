@@ -11,8 +11,8 @@ namespace bask {
 namespace {
 
 constexpr std::array<const char*, kChainTables> kNames{
-    "",         "sqlite_master", "meta",  "experiment", "object",        "step",   "target_step",
-    "overview", "command",       "event", "note",       "thermal_frame", "traffic"};
+    "",         "sqlite_master", "meta",  "experiment", "object",        "step",    "target_step",
+    "overview", "command",       "event", "note",       "thermal_frame", "traffic", "prediction"};
 constexpr std::size_t kEntryBytes = 5; // table and check
 
 Digest digestOf(const QCryptographicHash& hash) {

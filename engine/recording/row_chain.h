@@ -29,9 +29,10 @@ enum class ChainTable : unsigned char {
     Event,
     Note,
     ThermalFrame,
-    Traffic
+    Traffic,
+    Prediction
 };
-inline constexpr int kChainTables = static_cast<int>(ChainTable::Traffic) + 1;
+inline constexpr int kChainTables = static_cast<int>(ChainTable::Prediction) + 1;
 
 /// The name in the file; sqlite_master for the schema.
 const char* tableName(ChainTable table);

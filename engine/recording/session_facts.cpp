@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/plain_text.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/recording/recorded_prediction.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,8 +24,8 @@ public:
     FactsReader(const SessionStore& store, SessionRecord& record) : m_store(store), m_record(record) {}
 
     Result<void> all() {
-        for (const auto part :
-             {&FactsReader::meta, &FactsReader::experiment, &FactsReader::objects, &FactsReader::log}) {
+        for (const auto part : {&FactsReader::meta, &FactsReader::experiment, &FactsReader::objects,
+                                &FactsReader::log, &FactsReader::prediction}) {
             if (auto done = (this->*part)(); !done)
                 return done;
         }
@@ -94,6 +95,17 @@ private:
                                              printable(textOf(row[2])), printable(textOf(row[3]))});
             });
         return done;
+    }
+
+    Result<void> prediction() {
+        std::vector<std::string> names;
+        for (const ObjectSpec& object : m_record.experiment.objects)
+            names.push_back(object.name);
+        auto read = readPrediction(m_store, names);
+        if (!read)
+            return read.error();
+        m_record.prediction = std::move(*read);
+        return {};
     }
 
     /// The columns, and then the operator, whom files did not name before.

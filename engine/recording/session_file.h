@@ -5,6 +5,7 @@
 #include "engine/base/share_done.h"
 #include "engine/drivers/traffic_log.h"
 #include "engine/model/experiment.h"
+#include "engine/model/predicted_run.h"
 #include "engine/model/run_labels.h"
 #include "engine/model/trace.h"
 
@@ -53,6 +54,9 @@ public:
     /// Adds what went over a link to a device; `start_s` is the time of Start on its clock. The first one
     /// makes the table.
     Result<void> add(const TrafficLine& line, double start_s);
+    /// Adds the run as it was predicted before Start, once more if its band was found since; the last one
+    /// counts. The first one makes the table.
+    Result<void> add(const PredictedRun& run);
     Result<void> flush(); ///< commits now
     /// Commits and closes the file of a finished run; the destructor then only seals it, which takes as long
     /// as reading it.
@@ -87,6 +91,9 @@ struct SessionRecord {
     std::vector<TraceEvent> events;
     std::vector<TraceNote> notes;
     std::vector<CommandRow> commands;
+    /// The run as it was predicted before Start, without places of the end-effector; without samples where
+    /// nothing was predicted.
+    PredictedRun prediction{};
 
     bool interrupted() const { return outcome.empty(); }
     RecordedRig rig() const { return {simulated, thermalProfile(experiment, simulated).has_value()}; }

@@ -2,6 +2,7 @@
 #include "engine/base/replaced_files.h"
 #include "engine/base/version.h"
 #include "engine/experiment/experiment_file.h"
+#include "engine/recording/recorded_prediction.h"
 #include "engine/recording/row_chain.h"
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_seal.h"
@@ -59,8 +60,11 @@ constexpr std::array kTables{ChainTable::Step,    ChainTable::TargetStep,  Chain
 
 constexpr const char* kCreateTraffic = "CREATE TABLE IF NOT EXISTS traffic(time_s REAL NOT NULL, "
                                        "link TEXT NOT NULL, kind TEXT NOT NULL, bytes BLOB NOT NULL)";
-constexpr const char* kSelectTraffic = "SELECT type, name, sql FROM sqlite_master WHERE name = 'traffic'";
 constexpr const char* kInsertTraffic = "INSERT INTO traffic VALUES(?, ?, ?, ?)";
+constexpr const char* kCreatePrediction = "CREATE TABLE IF NOT EXISTS prediction(time_s REAL NOT NULL, "
+                                          "object TEXT NOT NULL, temperature_K REAL, lowest_K REAL, "
+                                          "highest_K REAL)";
+constexpr const char* kInsertPrediction = "INSERT INTO prediction VALUES(?, ?, ?, ?, ?)";
 
 std::string nowUtc() {
     return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
@@ -145,7 +149,10 @@ Result<void> clearPlace(const std::string& path, SessionWriter::Earlier earlier,
 struct SessionWriter::Impl {
     Impl(const Experiment& experiment, bool simulated)
         : tables(experiment, simulated), profile(thermalProfile(experiment, simulated)),
-          targets_K(experiment.objects.size()), overview(experiment.objects.size()) {}
+          targets_K(experiment.objects.size()), overview(experiment.objects.size()) {
+        for (const ObjectSpec& object : experiment.objects)
+            names.push_back(object.name);
+    }
 
     std::string path;
     std::unique_ptr<SessionStore> store;
@@ -153,10 +160,12 @@ struct SessionWriter::Impl {
     std::optional<ThermalProfile> profile; ///< of the thermal camera
     double commitInterval_s = 0.5;
     std::size_t samples = 0;
+    std::vector<std::string> names;               ///< of the objects
     std::vector<std::optional<double>> targets_K; ///< as recorded last
     TraceOverview overview;                       ///< of the samples since the last row of its table
     bool pending = false;                         ///< a transaction is open
-    std::optional<std::size_t> insertTraffic;     ///< statement, once the table is there
+    /// Statements, once their tables are there.
+    std::optional<std::size_t> insertTraffic, insertPrediction;
     RowChain chain;
     std::size_t insertLink = 0; ///< statement
     bool isFinished = false;
@@ -185,6 +194,42 @@ struct SessionWriter::Impl {
     /// Chains rows that are there already.
     Result<void> chainRows(ChainTable table) {
         return store->select(selectRows(table), [&](SessionStore::Row row) { chain.add(table, row); });
+    }
+
+    /// Makes a table that not every session has, with its link of the chain.
+    Result<void> makeTable(ChainTable table, const char* create, const char* insertRow,
+                           std::optional<std::size_t>& statement) {
+        if (statement)
+            return {};
+        if (auto made = store->execute(create); !made)
+            return made;
+        auto chained = store->select(std::string("SELECT type, name, sql FROM sqlite_master WHERE name = '") +
+                                         tableName(table) + '\'',
+                                     [&](SessionStore::Row row) { chain.add(ChainTable::Schema, row); });
+        if (!chained)
+            return chained;
+        auto prepared = store->prepare(insertRow);
+        if (!prepared)
+            return prepared.error();
+        statement = *prepared;
+        return {};
+    }
+
+    Result<void> addPrediction(const PredictedRun& run) {
+        const bool isFirst = !insertPrediction;
+        auto done = makeTable(ChainTable::Prediction, kCreatePrediction, kInsertPrediction, insertPrediction);
+        if (done && isFirst)
+            done = put(kPutMeta, std::string(kPredictedEndKey), std::string(predictedEndWord(run.end)));
+        const auto value = [](const std::vector<double>& of, std::size_t i) {
+            return i < of.size() ? sqlNumber(of[i]) : SqlValue();
+        };
+        for (const PredictedSample& sample : run.samples)
+            for (std::size_t i = 0; done && i < names.size(); ++i) {
+                const std::array<SqlValue, 5> row{sample.time_s, names[i], value(sample.temperatures_K, i),
+                                                  value(sample.lowest_K, i), value(sample.highest_K, i)};
+                done = insert(*insertPrediction, ChainTable::Prediction, row);
+            }
+        return done;
     }
 
     /// The link of what was added since the last one.
@@ -366,23 +411,18 @@ Result<void> SessionWriter::add(const TraceFrame& frame) {
 
 Result<void> SessionWriter::add(const TrafficLine& line, double start_s) {
     return m_impl->add([&]() -> Result<void> {
-        if (!m_impl->insertTraffic) {
-            if (auto made = m_impl->store->execute(kCreateTraffic); !made)
-                return made;
-            auto chained = m_impl->store->select(std::string(kSelectTraffic), [&](SessionStore::Row row) {
-                m_impl->chain.add(ChainTable::Schema, row);
-            });
-            if (!chained)
-                return chained;
-            auto prepared = m_impl->store->prepare(kInsertTraffic);
-            if (!prepared)
-                return prepared.error();
-            m_impl->insertTraffic = *prepared;
-        }
+        if (auto made =
+                m_impl->makeTable(ChainTable::Traffic, kCreateTraffic, kInsertTraffic, m_impl->insertTraffic);
+            !made)
+            return made;
         const std::array<SqlValue, 4> row{line.time_s - start_s, line.link,
                                           std::string(trafficKindWord(line.kind)), SqlBlob{line.bytes}};
         return m_impl->insert(*m_impl->insertTraffic, ChainTable::Traffic, row);
     });
+}
+
+Result<void> SessionWriter::add(const PredictedRun& run) {
+    return m_impl->add([&] { return m_impl->addPrediction(run); });
 }
 
 Result<void> SessionWriter::flush() {

@@ -6,10 +6,12 @@
 #include "engine/devices/device.h"
 #include "engine/drivers/found_units.h"
 #include "engine/model/experiment.h"
+#include "engine/model/predicted_run.h"
 #include "engine/model/run_labels.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -181,12 +183,18 @@ struct ConfirmProgram {
     bool isKept = true;
 };
 
+/// Keeps the prediction of the run that is on with its recording; without one nothing is done.
+struct KeepPrediction {
+    std::uint64_t runId = 0; ///< Snapshot::runId
+    std::shared_ptr<const PredictedRun> run;
+};
+
 using Command =
     std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, Retreat,
                  EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetLabels,
                  SetSimulationSpeed, SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm,
                  UnshelveAlarm, SetVision, WatchCamera, WatchThermalCamera, ChooseCamera, MoveTo, Jog,
                  HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ZeroSensors, ConfirmSensor,
-                 ListPorts, TryDevice, FindUnits, SendByHand, AcceptDevice, ConfirmProgram>;
+                 ListPorts, TryDevice, FindUnits, SendByHand, AcceptDevice, ConfirmProgram, KeepPrediction>;
 
 } // namespace bask

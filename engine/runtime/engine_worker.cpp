@@ -570,6 +570,7 @@ Result<void> EngineWorker::apply(const Command& command) {
                 return loop.reportInfeasible(report.reason), Result<void>();
             },
             [&](const SetController& set) { return loop.setController(set.settings); },
+            [&](const KeepPrediction& kept) { return keep(kept); },
             [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
             [&](const SimulateFault& fault) { return applyFault(fault); },
         },
@@ -831,6 +832,17 @@ Result<void> EngineWorker::endRecording() {
     m_session->loop.endCooling();
     closeRecording();
     return {};
+}
+
+Result<void> EngineWorker::keep(const KeepPrediction& kept) {
+    if (!m_recordings.isOn() || kept.runId != m_runId || !kept.run || !isInUse())
+        return {};
+    for (const PredictedSample& sample : kept.run->samples)
+        if (sample.temperatures_K.size() != m_session->loop.experiment().objects.size())
+            return {}; // of other objects
+    LoopRecord rows;
+    rows.prediction = kept.run;
+    return m_recordings.add(std::move(rows));
 }
 
 void EngineWorker::closeFinished() {

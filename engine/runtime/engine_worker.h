@@ -89,6 +89,7 @@ private:
     void workReal();
     void tick();
     Result<void> endRecording();
+    Result<void> keep(const KeepPrediction& kept);
     void closeFinished();
     void record();
     void endFailed(const Message& reason);

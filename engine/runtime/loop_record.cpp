@@ -17,6 +17,8 @@ Result<void> write(const LoopRecord& rows, SessionWriter& writer) {
     for (const TrafficLog::Line& line : rows.traffic)
         if (result.ok())
             result = writer.add(*line, rows.start_s);
+    if (result.ok() && rows.prediction)
+        result = writer.add(*rows.prediction);
     return result;
 }
 

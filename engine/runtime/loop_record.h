@@ -5,6 +5,7 @@
 #include "engine/model/trace.h"
 #include "engine/recording/session_file.h"
 
+#include <memory>
 #include <vector>
 
 namespace bask {
@@ -15,8 +16,9 @@ struct LoopRecord {
     std::vector<TraceNote> notes;
     std::vector<CommandRow> commands;
     std::vector<TraceFrame> frames;
-    std::vector<TrafficLog::Line> traffic; ///< with a fault
-    double start_s = 0.0;                  ///< time of Start on the clock of `traffic`
+    std::vector<TrafficLog::Line> traffic;            ///< with a fault
+    double start_s = 0.0;                             ///< time of Start on the clock of `traffic`
+    std::shared_ptr<const PredictedRun> prediction{}; ///< null: none
 };
 
 /// Adds all rows, kind by kind; stops at the first failure.

@@ -96,7 +96,8 @@ QString TracePlot::Canvas::predictionWords() const {
         return {};
     switch (prediction.end) {
     case PredictedEnd::Settled:
-        return TracePlot::tr("predicted");
+        return m_spreads.isEmpty() ? TracePlot::tr("predicted")
+                                   : TracePlot::tr("predicted; band: other sensor noise only");
     case PredictedEnd::Limit:
         return TracePlot::tr("predicted, not settled by then");
     case PredictedEnd::Cut:

@@ -194,6 +194,8 @@ void ReplayView::fill(Plot& each) {
         return;
     each.isFilled = true;
     const QSignalBlocker quiet(each.plot); // it begins with the whole run, and the others keep their stretch
+    if (each.plot->quantity() == Quantity::Temperature)
+        each.plot->setPrediction(m_run->facts().prediction);
     each.plot->setRun(m_run);
     addMarkers(*each.plot);
     for (std::size_t k = 0; k < m_runs.over().size(); ++k)

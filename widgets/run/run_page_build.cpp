@@ -261,7 +261,9 @@ void RunPage::retranslateUi() {
     m_showPrediction->setText(tr("Predicted"));
     m_showPrediction->setToolTip(
         tr("The run as the simulated rig predicts it from where it starts: dotted behind the traces, dashed "
-           "in the scene."));
+           "in the scene. Its band: %1 runs with other sensor noise; not material, air or source, which are "
+           "as the experiment has them. It is kept with the recording.")
+            .arg(PredictedRun::kDraws));
     m_jump->setText(tr("Jump to live"));
     m_jump->setAccessibleName(m_jump->text());
     m_jump->setToolTip(tr("Show the newest samples again and follow them."));

@@ -145,6 +145,78 @@ TEST(EngineWorker, AnEditLeavesTheSimulatedRigAsItIs) {
     EXPECT_NEAR(*rig.last.source_K, oneDisk().source.temperature_K, 1.0);
 }
 
+// Catches a zeroing, or the error of a sensor, that goes to another object when one is added or removed.
+TEST(EngineWorker, AnEditLeavesTheZeroingToItsObjects) {
+    Experiment three = oneDisk();
+    three.simulation.sensorOffset_K = 0.8;
+    three.simulation.sensorNoise_K = 0.0;
+    three.simulation.sensorResolution_K = 0.0;
+    for (const char* const name : {"second", "third"}) {
+        three.objects.push_back(three.objects[0]);
+        three.objects.back().name = name;
+        three.objects.back().mounting[0] = 0.05 * static_cast<double>(three.objects.size() - 1);
+    }
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{three});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(ZeroSensors{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.zeroing.has_value(); }));
+    const Zeroing before = *rig.last.zeroing;
+    ASSERT_GT(std::abs(before.offsets_K[0] - before.offsets_K[1]), 0.05) << "nothing would be exchanged";
+    Experiment edited = three;
+    edited.objects.erase(edited.objects.begin());
+    std::swap(edited.objects[0], edited.objects[1]);
+    edited.objects.push_back(three.objects[0]);
+    edited.objects.back().name = "new";
+    rig.send(LoadExperiment{edited, true});
+    ASSERT_TRUE(rig.waitFor([&] {
+        return rig.last.objects.size() == 3 && rig.last.objects[2] == "new" && rig.last.zeroing &&
+               std::isfinite(rig.last.latest.objects[2].measured_K);
+    }));
+    EXPECT_DOUBLE_EQ(rig.last.zeroing->offsets_K[0], before.offsets_K[2]);
+    EXPECT_DOUBLE_EQ(rig.last.zeroing->offsets_K[1], before.offsets_K[1]);
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    for (const ObjectSample& object : rig.last.latest.objects)
+        EXPECT_NEAR(object.measured_K, before.environment_K, 0.05);
+}
+
+// Catches a prediction that is not kept with its run, is kept with another one, or breaks the recording.
+TEST(EngineWorker, ThePredictionIsKeptWithItsRun) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    const auto predicted = [](std::size_t objects, double first_K) {
+        auto run = std::make_shared<PredictedRun>();
+        for (int k = 0; k < 3; ++k) {
+            PredictedSample sample;
+            sample.time_s = k;
+            sample.temperatures_K.assign(objects, first_K + k);
+            run->samples.push_back(std::move(sample));
+        }
+        return run;
+    };
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(KeepPrediction{rig.last.runId, predicted(1, 500.0)}); // nothing is recorded
+    rig.send(Arm{path});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(KeepPrediction{rig.last.runId, predicted(1, 300.0)});
+    rig.send(KeepPrediction{rig.last.runId - 1, predicted(1, 400.0)});
+    rig.send(KeepPrediction{rig.last.runId, predicted(2, 400.0)});
+    rig.send(KeepPrediction{rig.last.runId, nullptr});
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    ASSERT_EQ(session->prediction.samples.size(), 3U);
+    EXPECT_EQ(session->prediction.samples[2].temperatures_K, std::vector{302.0});
+}
+
 // Catches a watch that hears nothing while the window hangs, or hears an event twice.
 TEST(EngineWorker, TheWatchIsToldAlsoWhileNobodyTakesSnapshots) {
     std::mutex mutex;

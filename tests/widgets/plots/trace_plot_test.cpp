@@ -581,6 +581,11 @@ TEST(TracePlot, WordsSayWhatIsPredictedAndHowItEnds) {
     shown.plot.setPredictionVisible(true);
     shown.plot.clear(); // Arm
     EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("predicted"));
+    PredictedRun wide = run;
+    for (PredictedSample& sample : wide.samples)
+        sample.lowest_K = sample.highest_K = sample.temperatures_K;
+    shown.plot.setPrediction(wide);
+    EXPECT_EQ(shown.plot.predictionLabel(), QStringLiteral("predicted; band: other sensor noise only"));
     run.settling_s.reset();
     QStringList words;
     for (const PredictedEnd end : {PredictedEnd::Limit, PredictedEnd::Cut, PredictedEnd::Fault}) {

@@ -119,6 +119,9 @@ std::string written(const QTemporaryDir& folder, const SessionRecord& session) {
         EXPECT_TRUE((*writer)->add(event));
     for (const TraceNote& note : session.notes)
         EXPECT_TRUE((*writer)->add(note));
+    if (!session.prediction.samples.empty()) {
+        EXPECT_TRUE((*writer)->add(session.prediction));
+    }
     if (!session.interrupted()) {
         EXPECT_TRUE((*writer)->finish(session.outcome));
     }
@@ -439,6 +442,25 @@ TEST_F(ReviewPageTest, TracesAreThoseOfTheRun) {
 }
 
 // Catches events and notes out of order or missing.
+TEST_F(ReviewPageTest, ThePredictionIsBehindTheTracesOfItsRun) {
+    SessionRecord session = record();
+    for (int k = 0; k <= 30; ++k) {
+        PredictedSample sample;
+        sample.time_s = 10.0 * k;
+        sample.temperatures_K = sample.lowest_K = sample.highest_K = {310.0, 311.0, 312.0};
+        session.prediction.samples.push_back(std::move(sample));
+    }
+    const auto* plot = child<TracePlot>("review.measured_K");
+    show(session);
+    EXPECT_EQ(plot->predictedPoints(2).size(), 31);
+    EXPECT_TRUE(plot->predictionLabel().contains("other sensor noise only"));
+    EXPECT_LT(plot->visibleTo_s(), 230.0) << "the run's own time";
+    SessionRecord other = record();
+    other.path = "without.bask";
+    show(other);
+    EXPECT_TRUE(plot->predictedPoints(2).isEmpty()) << "that of another run";
+}
+
 TEST_F(ReviewPageTest, EventsAndNotesInOrderOfTime) {
     show(record());
     auto* events = child<EventList>("reviewEvents");
