@@ -1,11 +1,14 @@
 #include "app/examples.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 #include "engine/experiment/experiment_file.h"
 
 #include <QDirIterator>
 #include <QFile>
-#include <QTemporaryDir>
+
+#include <cerrno>
+#include <cstring>
 
 // Q_INIT_RESOURCE declares a function and must stand outside any namespace.
 static void init() {
@@ -51,11 +54,13 @@ Result<Experiment> readExample(const QString& name) {
     if (const QStringList known = exampleNames(); !known.contains(name))
         return Error(MessageCode::ValueUnknown, {},
                      {name.toStdString(), known.join(QStringLiteral(", ")).toStdString()});
-    const QTemporaryDir folder;
-    if (!folder.isValid() || !unpack(QDir(folder.path())))
-        return Error(MessageCode::FileUnwritable, folder.path().toStdString(),
-                     {folder.errorString().toStdString()});
-    return readExperiment(folder.filePath(name + QStringLiteral(".json")).toStdString());
+    const auto folder = HiddenFolder::temporary();
+    if (!folder)
+        return folder.error();
+    errno = 0;
+    if (!unpack(QDir(QString::fromStdString(folder->path()))))
+        return Error(MessageCode::FileUnwritable, folder->path(), {std::strerror(errno != 0 ? errno : EIO)});
+    return readExperiment(folder->place(name.toStdString() + ".json"));
 }
 
 QStringList exampleRecipeNames() {

@@ -6,13 +6,12 @@
 #include "app/drawing/paper_experiments.h"
 #include "app/drawing/studies.h"
 #include "app/drawing/study_output.h"
-#include "engine/base/unfinished.h"
+#include "engine/base/hidden_folder.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/studies/alarm_study.h"
 #include "engine/studies/row_bytes.h"
 
 #include <QDir>
-#include <QTemporaryDir>
 
 #include <cstdio>
 
@@ -22,11 +21,13 @@ namespace {
 constexpr const char* kAlarmStudyMark = "Bask alarm study";
 
 Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
-    const QTemporaryDir folder;
-    const Unfinished gone(folder.path().toStdString());
+    const auto folder = HiddenFolder::temporary();
+    if (!folder)
+        return folder.error();
+    const QString path = QString::fromStdString(folder->path());
     std::vector<Experiment> rigs;
     if (draw == AlarmDraw::Paper) {
-        const auto unpacked = unpackPaperExperiments(folder.path());
+        const auto unpacked = unpackPaperExperiments(path);
         if (!unpacked)
             return unpacked.error();
         auto figures = readPaperFigures(*unpacked, {});
@@ -37,11 +38,11 @@ Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
                 rigs.push_back(std::move(each.experiment));
         return rigs;
     }
-    const auto copied = copyStudyFiles(folder.path(), {"triangle.json", "line.json"});
+    const auto copied = copyStudyFiles(path, {"triangle.json", "line.json"});
     if (!copied)
         return copied.error();
     for (const char* name : {"triangle.json", "line.json"}) {
-        auto rig = readExperiment(folder.filePath(name).toStdString());
+        auto rig = readExperiment(folder->place(name));
         if (!rig)
             return rig.error();
         rigs.push_back(std::move(*rig));

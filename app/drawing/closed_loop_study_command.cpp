@@ -6,13 +6,12 @@
 #include "app/drawing/studies.h"
 #include "app/drawing/study_output.h"
 
-#include "engine/base/unfinished.h"
+#include "engine/base/hidden_folder.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/studies/row_bytes.h"
 #include "widgets/plots/figure_png.h"
 
 #include <QDir>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <cstdio>
@@ -25,13 +24,13 @@ constexpr const char* kClosedLoopStudyMark = "Bask closed-loop study";
 constexpr const char* kStem = "closed_loop_study";
 
 Result<Experiment> studyRig(StudyMounting mounting) {
-    const QTemporaryDir folder;
-    const Unfinished gone(folder.path().toStdString());
-    const auto copied = copyStudyFiles(folder.path(), {"triangle.json", "line.json"});
+    const auto folder = HiddenFolder::temporary();
+    if (!folder)
+        return folder.error();
+    const auto copied = copyStudyFiles(QString::fromStdString(folder->path()), {"triangle.json", "line.json"});
     if (!copied)
         return copied.error();
-    return readExperiment(
-        folder.filePath(mounting == StudyMounting::Line ? "line.json" : "triangle.json").toStdString());
+    return readExperiment(folder->place(mounting == StudyMounting::Line ? "line.json" : "triangle.json"));
 }
 
 using ClosedLoopRows = std::vector<ClosedLoopRow>;

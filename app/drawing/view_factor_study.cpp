@@ -1,12 +1,10 @@
 #include "app/drawing/view_factor_study.h"
 
 #include "app/drawing/study_output.h"
-#include "engine/base/unfinished.h"
+#include "engine/base/hidden_folder.h"
 #include "engine/radiation/paper_methods.h"
 #include "engine/radiation/view_factor.h"
 #include "engine/shape/contour_import.h"
-
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <array>
@@ -45,12 +43,12 @@ double timed(const std::function<double()>& evaluate, double& time_us) {
 }
 
 Result<Contour> bunny() {
-    const QTemporaryDir folder;
-    const Unfinished gone(folder.path().toStdString());
-    if (const auto copied = copyStudyFiles(folder.path(), {"bunny_mm.csv"}); !copied)
+    const auto folder = HiddenFolder::temporary();
+    if (!folder)
+        return folder.error();
+    if (const auto copied = copyStudyFiles(QString::fromStdString(folder->path()), {"bunny_mm.csv"}); !copied)
         return copied.error();
-    const auto outline =
-        readContourCsv(folder.filePath("bunny_mm.csv").toStdString(), LengthUnit::Millimetre);
+    const auto outline = readContourCsv(folder->place("bunny_mm.csv"), LengthUnit::Millimetre);
     if (!outline)
         return outline.error();
     return centred(*outline);

@@ -16,9 +16,19 @@ std::string plainWords(const std::string& words);
 /// any script. A terminal would interpret them, and XML does not allow them.
 std::string printable(std::string text);
 
+/// Characters that choose a variant of the one before them: of a Chinese character, a Mongolian letter, an
+/// emoji.
+enum class Variants {
+    Refused, ///< for what is told apart by its name, since many fonts draw all variants alike
+    Kept     ///< for words and for names of people: only where one may stand, behind a character beyond ASCII
+};
 /// Returns whether a text (UTF-8) has characters that nobody sees or that turn the direction of writing: two
 /// names that differ in such look the same.
-bool hasInvisible(const std::string& text);
+bool hasInvisible(const std::string& text, Variants variants = Variants::Refused);
+/// Returns whether a text has no control characters (C0, DEL, C1) and no space at either end.
+bool isOneLine(const std::string& text);
+/// Returns letters, digits, '-' and '_' unchanged and "_" for other characters: a part of a file name.
+std::string plainFileName(const std::string& name);
 /// Returns the number of characters (code points) of a text in UTF-8.
 std::size_t characterCount(const std::string& text);
 

@@ -2,23 +2,28 @@
 
 #include "engine/base/message_code.h"
 
-#include <atomic>
+#include <algorithm>
 #include <filesystem>
-
-#include <unistd.h>
 
 namespace bask {
 
 namespace fs = std::filesystem;
 
 Result<void> ReplacedFiles::setAside(const std::string& path) {
-    static std::atomic_int count = 0;
     std::error_code failed;
+    if (std::ranges::any_of(m_places, [&](const Place& known) { return known.path == path; }))
+        return {}; // what is there now is new
     Place place{path, {}};
     if (fs::exists(fs::symlink_status(path, failed))) {
-        const std::string name = ".bask-old-" + std::to_string(::getpid()) + '-' + std::to_string(++count);
-        place.old = (fs::path(path).parent_path() / name).string();
-        fs::remove(place.old, failed); // of a killed process with this number
+        const std::string folder = folderOfFile(path);
+        auto hidden = m_hidden.find(folder);
+        if (hidden == m_hidden.end()) {
+            auto made = HiddenFolder::in(folder, HiddenFolder::Purpose::Old);
+            if (!made)
+                return Error(MessageCode::FileUnwritable, path, made.error().message.args);
+            hidden = m_hidden.emplace(folder, std::move(*made)).first;
+        }
+        place.old = hidden->second.place(fs::path(path).filename().string());
         fs::create_hard_link(path, place.old, failed);
         if (failed) // a file system without links
             fs::copy(path, place.old, fs::copy_options::copy_symlinks, failed);
@@ -30,11 +35,8 @@ Result<void> ReplacedFiles::setAside(const std::string& path) {
 }
 
 void ReplacedFiles::keepNew() {
-    std::error_code ignored;
-    for (const Place& place : m_places)
-        if (!place.old.empty())
-            fs::remove(place.old, ignored);
     m_places.clear();
+    m_hidden.clear();
 }
 
 ReplacedFiles::~ReplacedFiles() {
@@ -43,7 +45,8 @@ ReplacedFiles::~ReplacedFiles() {
     for (auto place = m_places.rbegin(); place != m_places.rend(); ++place) {
         if (!place->old.empty())
             fs::rename(place->old, place->path, ignored); // nothing is done where both are the same file
-        fs::remove(place->old.empty() ? place->path : place->old, ignored);
+        else
+            fs::remove(place->path, ignored);
     }
 }
 

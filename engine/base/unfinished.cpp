@@ -61,6 +61,8 @@ void strike(const Entry& entry) {
         entries.erase(found);
 }
 
+thread_local int g_depth = 0; ///< of this thread's steps that must not be interrupted
+
 std::array<int, 2> g_ends{-1, -1};
 
 // Only what a handler may do.
@@ -130,11 +132,13 @@ std::vector<Unfinished> makeFolders(const std::string& path, std::error_code& fa
 }
 
 Uninterrupted::Uninterrupted() {
-    registry().steps.lock_shared();
+    if (g_depth++ == 0)
+        registry().steps.lock_shared();
 }
 
 Uninterrupted::~Uninterrupted() {
-    registry().steps.unlock_shared();
+    if (--g_depth == 0)
+        registry().steps.unlock_shared();
 }
 
 void deleteUnfinishedOnSignals() {

@@ -29,7 +29,8 @@ private:
     What m_what;
 };
 
-/// While one lives, a signal waits: for steps that are done together or not at all. Short ones only.
+/// While one lives, a signal waits: for steps that are done together or not at all. Short ones only. It ends
+/// on the thread that began it; one inside of another changes nothing.
 class Uninterrupted {
 public:
     Uninterrupted();

@@ -1,7 +1,7 @@
 #include "engine/exchange/field_store.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
-#include "engine/base/unfinished.h"
 #include "engine/base/version.h"
 #include "engine/exchange/hdf5_file.h"
 
@@ -13,6 +13,7 @@
 #include <fstream>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -123,7 +124,8 @@ struct FieldStore::Impl {
     std::string path, title;
     Field header;
     bool withGradient = false;
-    std::optional<Unfinished> staged;
+    std::optional<HiddenFolder> hidden; ///< what has the file until it is whole
+    std::string staged;                 ///< path in it
     int file = -1;
     std::vector<std::uint64_t> rooms;
 
@@ -157,18 +159,17 @@ Result<std::unique_ptr<FieldStore>> FieldStore::create(const std::string& path, 
         return all.error();
     std::unique_ptr<FieldStore> store(new FieldStore(std::make_unique<Impl>()));
     Impl& impl = *store->m_impl;
-    std::error_code ignored;
-    const fs::path linked = fs::canonical(path, ignored); // through a link the file behind it is replaced
-    impl.path = ignored ? path : linked.string();
+    impl.path = behindLinks(path);
     impl.title = title;
     impl.header = header;
     impl.withGradient = withGradient;
     impl.rooms = all->rooms;
-    const fs::path place(impl.path);
-    impl.staged.emplace(
-        (place.parent_path() / ('.' + place.filename().string() + '.' + std::to_string(::getpid())))
-            .string());
-    impl.file = ::open(impl.staged->path().c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    auto hidden = HiddenFolder::in(folderOfFile(impl.path));
+    if (!hidden)
+        return Error(MessageCode::FileUnwritable, path, hidden.error().message.args);
+    impl.staged = hidden->place(fs::path(impl.path).filename().string());
+    impl.hidden.emplace(std::move(*hidden));
+    impl.file = ::open(impl.staged.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (impl.file < 0)
         return impl.refuse().error();
     const auto size = static_cast<off_t>(all->size);
@@ -203,9 +204,9 @@ Result<void> FieldStore::finish(const FieldTally& tally) {
         throw std::logic_error("FieldStore: two layouts of one field");
     if (auto written = impl.writeSkeleton(*all); !written)
         return written;
-    if (::fsync(impl.file) != 0 || ::rename(impl.staged->path().c_str(), impl.path.c_str()) != 0)
+    if (::fsync(impl.file) != 0 || ::rename(impl.staged.c_str(), impl.path.c_str()) != 0)
         return impl.refuse();
-    impl.staged->keep();
+    impl.hidden.reset();
     return {};
 }
 

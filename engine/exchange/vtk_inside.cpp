@@ -1,7 +1,7 @@
 #include "engine/exchange/vtk_inside.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
-#include "engine/base/unfinished.h"
 #include "engine/base/version.h"
 
 #include <vtkCallbackCommand.h>
@@ -18,8 +18,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-
-#include <unistd.h>
 
 namespace bask::vtkfile {
 namespace {
@@ -73,21 +71,19 @@ void addOrigin(vtkDataSet* data, const std::string& title) {
 }
 
 Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
-    std::error_code failed;
-    const fs::path target = fs::exists(path, failed) ? fs::canonical(path, failed) : fs::path(path);
-    const std::string temporary = target.string() + '.' + std::to_string(::getpid()) + ".tmp";
-    Unfinished unfinished(temporary);
+    const fs::path target = behindLinks(path);
+    const auto hidden = HiddenFolder::in(folderOfFile(target.string()));
+    if (!hidden)
+        return Error(MessageCode::FileUnwritable, path, hidden.error().message.args);
+    const std::string temporary = hidden->place(target.filename().string());
     std::string reason = writeData(writer, data, temporary);
     if (reason.empty()) {
+        std::error_code failed;
         fs::rename(temporary, target, failed);
         if (failed)
             reason = failed.message();
     }
-    if (reason.empty()) {
-        unfinished.keep();
-        return {};
-    }
-    return Error(MessageCode::FileUnwritable, path, {reason});
+    return reason.empty() ? Result<void>() : Error(MessageCode::FileUnwritable, path, {reason});
 }
 
 Result<void> checkOwn(const std::string& path, const std::string& type, const char* kind) {

@@ -1,13 +1,15 @@
 #pragma once
 // Writes a text file completely or not at all.
 
-#include "engine/base/result.h"
+#include "engine/base/whole_file.h"
 
 #include <string>
 
 namespace bask {
 
-/// The old file remains until the new one is complete. Errors: FileUnwritable.
-Result<void> writeTextFile(const std::string& path, const std::string& text);
+/// As writeWholeFile(). Errors: FileUnwritable.
+inline Result<void> writeTextFile(const std::string& path, const std::string& text) {
+    return writeWholeFile(path, text);
+}
 
 } // namespace bask

@@ -1,8 +1,8 @@
 #include "engine/monitor/status_files.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,18 +13,17 @@
 namespace bask {
 namespace {
 
-/// Nothing that a signal would wait for, as in writeTextFile(): the disk may hang. Its own name for each
-/// writing, and through no link: others may write into the folder, too.
+/// Nothing that a signal would wait for, as in writeTextFile(): the disk may hang. By way of a folder of its
+/// own, and through no link: others may write into this one, too.
 Result<void> replace(const std::string& folder, const char* name, const std::string& text) {
-    static std::atomic<int> number = 0;
     const std::string path = folder + '/' + name;
-    const std::string part =
-        folder + "/." + name + '.' + std::to_string(::getpid()) + '-' + std::to_string(++number);
     const auto failed = [&](int reason) {
-        ::unlink(part.c_str());
         return Error(MessageCode::FileUnwritable, path, {std::strerror(reason)});
     };
-    ::unlink(part.c_str()); // of an earlier process of this number
+    const auto hidden = HiddenFolder::in(folder);
+    if (!hidden)
+        return Error(MessageCode::FileUnwritable, path, hidden.error().message.args);
+    const std::string part = hidden->place(name);
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0644);
     if (file < 0)
         return failed(errno);

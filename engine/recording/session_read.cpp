@@ -1,3 +1,4 @@
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 #include "engine/recording/recorded_session.h"
 #include "engine/recording/session_facts.h"
@@ -134,15 +135,15 @@ Result<void> copySession(const std::string& from, const std::string& to) {
     const auto seal = lookAtSeal(from);
     if (!seal)
         return seal.error();
-    const QString part = target + QStringLiteral(".part");
-    QFile::remove(part);
+    const auto hidden = HiddenFolder::in(folderOfFile(to));
+    if (!hidden)
+        return Error(MessageCode::FileUnwritable, to, hidden.error().message.args);
+    const QString part = QString::fromStdString(hidden->place("session.bask"));
     auto copied = (*store)->execute("VACUUM INTO " + sqlText(part.toStdString()));
     if (!copied)
         copied = Error(MessageCode::FileUnwritable, to, {describe(copied.error().message)});
     if (copied)
         copied = putInPlace(part, to);
-    if (!copied)
-        QFile::remove(part);
     if (copied && *seal != Seal::Broken) // its pages lie in another order
         copied = sealCopy(to);
     return copied;

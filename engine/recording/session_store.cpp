@@ -1,5 +1,6 @@
 #include "engine/recording/session_store.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 #include "engine/recording/session_file.h"
 
@@ -11,7 +12,6 @@
 #include <QSqlField>
 #include <QSqlQuery>
 #include <QSqlRecord>
-#include <QTemporaryDir>
 #include <QUrl>
 #include <QVariant>
 
@@ -19,6 +19,8 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -122,7 +124,7 @@ struct SessionStore::Impl {
     QString connection;
     QSqlDatabase database;
     std::deque<QSqlQuery> statements;
-    std::unique_ptr<QTemporaryDir>
+    std::optional<HiddenFolder>
         copy; ///< holds the database that is read instead, where its own folder forbids it
 
     ~Impl() { close(); }
@@ -282,8 +284,11 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     auto applicationId = impl->pragma("application_id");
     if (!applicationId && hasLog && applicationId.error().code() == MessageCode::FileUnreadable) {
         // The log must be replayed, which needs a folder that can be written: replay it in a copy.
-        impl->copy = std::make_unique<QTemporaryDir>();
-        const QString copied = impl->copy->filePath(QStringLiteral("session.bask"));
+        auto temporary = HiddenFolder::temporary();
+        if (!temporary)
+            return applicationId.error();
+        impl->copy.emplace(std::move(*temporary));
+        const QString copied = QString::fromStdString(impl->copy->place("session.bask"));
         if (!QFile::copy(file, copied) || !QFile::copy(log, copied + "-wal"))
             return applicationId.error();
         if (auto done = impl->connect(copied, readOnly); !done)

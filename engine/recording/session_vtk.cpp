@@ -1,5 +1,6 @@
 #include "engine/recording/session_vtk.h"
 
+#include "engine/base/plain_text.h"
 #include "engine/exchange/field_file.h"
 #include "engine/exchange/target_surfaces.h"
 #include "engine/model/experiment_rig.h"

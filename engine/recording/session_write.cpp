@@ -1,3 +1,4 @@
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
 #include "engine/base/version.h"
@@ -14,7 +15,6 @@
 #include <QAbstractEventDispatcher>
 #include <QDateTime>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QFileInfo>
 #include <QTimer>
 
@@ -22,7 +22,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <optional>
 #include <stdexcept>
@@ -34,6 +36,8 @@
 
 namespace bask {
 namespace {
+
+constexpr const char* kSoftware = "Bask " BASK_VERSION;
 
 enum Statement : std::size_t {
     kInsertStep,
@@ -58,6 +62,7 @@ constexpr std::array kTables{ChainTable::Step,    ChainTable::TargetStep,  Chain
                              ChainTable::Command, ChainTable::Event,       ChainTable::Note,
                              ChainTable::Meta,    ChainTable::ThermalFrame};
 
+constexpr const char* kThereIsOne = "there is a recording of that name";
 constexpr const char* kCreateTraffic = "CREATE TABLE IF NOT EXISTS traffic(time_s REAL NOT NULL, "
                                        "link TEXT NOT NULL, kind TEXT NOT NULL, bytes BLOB NOT NULL)";
 constexpr const char* kInsertTraffic = "INSERT INTO traffic VALUES(?, ?, ?, ?)";
@@ -74,23 +79,29 @@ std::string argsJson(const Message& message) {
     return nlohmann::json(argTexts(message)).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-/// Tables, header and experiment come into being in one transaction, before the file is switched to its log:
-/// what is found under the name is a whole session or none.
+Result<void> executeAll(SessionStore& store, const std::vector<std::string>& statements) {
+    for (const std::string& sql : statements) {
+        if (auto done = store.execute(sql); !done)
+            return done;
+    }
+    return {};
+}
+
+/// In the transaction that it begins.
 Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
     std::vector<std::string> statements{
         "PRAGMA page_size = 16384", // a row takes 400 bytes: little is left over at a page's end
-        "PRAGMA synchronous = FULL",
-        "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
-        "BEGIN IMMEDIATE"};
+        "PRAGMA synchronous = FULL", "BEGIN IMMEDIATE"};
     std::ranges::move(tables.create(), std::back_inserter(statements));
     statements.emplace_back(kCreateChain);
     statements.emplace_back(kCreateSeal);
     statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));
     statements.emplace_back("PRAGMA user_version = ").append(std::to_string(kSessionVersion));
-    for (const std::string& sql : statements) {
-        if (auto done = store.execute(sql); !done)
-            return done;
-    }
+    return executeAll(store, statements);
+}
+
+/// In the order of Statement.
+Result<void> prepareRows(SessionStore& store, const SessionTables& tables) {
     std::vector<std::string> prepared{tables.insertStep()};
     prepared.insert(prepared.end(), kStatements.begin(), kStatements.end());
     if (tables.hasFrames())
@@ -129,19 +140,37 @@ private:
     int m_folder;
 };
 
-/// Until the new one is made the old one stays, for there may be no room for it.
-Result<void> clearPlace(const std::string& path, SessionWriter::Earlier earlier, ReplacedFiles& replaced) {
+/// Whether a new session may be put there; the log of an old one is folded into it.
+Result<void> checkPlace(const std::string& path, SessionWriter::Earlier earlier) {
     auto clear = checkReplaceable(path);
     if (clear && earlier == SessionWriter::Earlier::Kept &&
         QFileInfo(QString::fromStdString(path)).size() > 0)
-        return Error(MessageCode::FileUnwritable, path, {"there is a recording of that name"});
-    if (clear)
-        clear = removeLog(path);
-    if (clear)
-        clear = replaced.setAside(path);
-    if (QFile old(QString::fromStdString(path)); clear && old.exists() && !old.remove())
-        return Error(MessageCode::FileUnwritable, path, {old.errorString().toStdString()});
-    return clear;
+        return Error(MessageCode::FileUnwritable, path, {kThereIsOne});
+    return clear ? removeLog(path) : clear;
+}
+
+/// Moves a made session to its place. Where nothing may be replaced, a link fails if somebody was quicker,
+/// also where folders have no locks.
+Result<void> moveInPlace(const std::string& made, const std::string& path, SessionWriter::Earlier earlier,
+                         ReplacedFiles& replaced) {
+    const QFileInfo old(QString::fromStdString(path));
+    const bool isKept = earlier == SessionWriter::Earlier::Kept, isThere = old.exists();
+    const Error thereIsOne(MessageCode::FileUnwritable, path, {kThereIsOne});
+    if (isKept && isThere && old.size() > 0)
+        return thereIsOne;
+    if (auto aside = replaced.setAside(path); !aside)
+        return aside;
+    if (isKept && !isThere) {
+        if (::link(made.c_str(), path.c_str()) == 0)
+            return {};
+        if (errno == EEXIST) {
+            replaced.keepNew(); // what is there is somebody else's
+            return thereIsOne;
+        }
+    }
+    return ::rename(made.c_str(), path.c_str()) == 0
+               ? Result<void>()
+               : Error(MessageCode::FileUnwritable, path, {std::strerror(errno)});
 }
 
 } // namespace
@@ -172,6 +201,11 @@ struct SessionWriter::Impl {
     QElapsedTimer sinceCommit;
     QTimer timer; ///< commits what was added last when nothing follows it
     std::optional<Error> failed;
+
+    Result<void> make(const Experiment& experiment, bool simulated, const RunLabels& labels, Earlier earlier,
+                      ReplacedFiles& replaced);
+    Result<void> writeBeginning(const Experiment& experiment, bool simulated, const RunLabels& labels);
+    Result<void> open();
 
     Result<void> check(Result<void> done) {
         if (!done && !failed)
@@ -300,6 +334,82 @@ struct SessionWriter::Impl {
     }
 };
 
+/// Makes the session in a hidden folder and moves it to its place: what is found under the name is a whole
+/// session, the old one or the new one, at whatever moment the process is killed.
+Result<void> SessionWriter::Impl::make(const Experiment& experiment, bool simulated, const RunLabels& labels,
+                                       Earlier earlier, ReplacedFiles& replaced) {
+    const auto hidden = HiddenFolder::in(folderOfFile(path));
+    if (!hidden)
+        return Error(MessageCode::FileUnwritable, path, hidden.error().message.args);
+    const std::string part = hidden->place("session.bask");
+    auto created = SessionStore::create(part);
+    if (!created)
+        return Error(created.error().code(), path, created.error().message.args);
+    store = std::move(*created);
+    const auto made = writeBeginning(experiment, simulated, labels);
+    store.reset();
+    if (!made)
+        return Error(made.error().code(), path, made.error().message.args);
+    return moveInPlace(part, path, earlier, replaced);
+}
+
+/// Tables, header and experiment, in one transaction.
+Result<void> SessionWriter::Impl::writeBeginning(const Experiment& experiment, bool simulated,
+                                                 const RunLabels& labels) {
+    auto made = makeTables(*store, tables);
+    if (made)
+        made = prepareRows(*store, tables);
+    const std::array<std::pair<const char*, std::string>, 6> facts{
+        {{"software", kSoftware},
+         {"created", nowUtc()},
+         {"simulated", simulated ? "true" : "false"},
+         {"operator", labels.operatorName},
+         {"sample", labels.sample},
+         {"batch", labels.batch}}};
+    for (const auto& [key, value] : facts) {
+        if (made && !value.empty())
+            made = put(kPutMeta, std::string(key), value);
+    }
+    if (made) {
+        const auto insert = store->prepare("INSERT INTO experiment VALUES(?)");
+        const std::array<SqlValue, 1> row{experimentToJson(experiment)};
+        made = insert ? this->insert(*insert, ChainTable::Experiment, row) : Result<void>(insert.error());
+    }
+    for (const ChainTable table : {ChainTable::Object, ChainTable::Schema}) {
+        if (made)
+            made = chainRows(table);
+    }
+    if (made) {
+        const auto insert = store->prepare(kInsertLink);
+        insertLink = insert ? *insert : 0;
+        made = insert ? putLink() : Result<void>(insert.error());
+    }
+    return made ? store->execute("COMMIT") : made;
+}
+
+/// For the rows that come.
+Result<void> SessionWriter::Impl::open() {
+    auto created = SessionStore::create(path);
+    if (!created)
+        return created.error();
+    store = std::move(*created);
+    auto made =
+        executeAll(*store, {"PRAGMA synchronous = FULL",
+                            "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
+                            "PRAGMA journal_mode = WAL",
+                            "PRAGMA wal_autocheckpoint = 256"}); // pages: the log stays at 4 MB
+    if (made)
+        made = prepareRows(*store, tables);
+    if (made) {
+        const auto insert = store->prepare(kInsertLink);
+        insertLink = insert ? *insert : 0;
+        made = insert ? Result<void>() : Result<void>(insert.error());
+    }
+    if (made) // its log is there from here on: who looks sees that it is being written
+        made = store->run(kPutMeta, std::array<SqlValue, 2>{std::string("software"), std::string(kSoftware)});
+    return made;
+}
+
 SessionWriter::SessionWriter(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 
 Result<void> SessionWriter::close() {
@@ -323,53 +433,19 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
     if (auto valid = validate(experiment); !valid)
         return valid.error();
     const LockedFolder folder(path);
-    ReplacedFiles replaced;
-    if (auto clear = clearPlace(path, earlier, replaced); !clear)
+    if (auto clear = checkPlace(path, earlier); !clear)
         return clear.error();
-    auto store = SessionStore::create(path);
-    if (!store)
-        return store.error();
-
     auto impl = std::make_unique<Impl>(experiment, simulated);
     impl->path = path;
-    impl->store = std::move(*store);
     impl->commitInterval_s = commitInterval_s;
-    auto made = makeTables(*impl->store, impl->tables);
-    const std::array<std::pair<const char*, std::string>, 6> facts{
-        {{"software", "Bask " BASK_VERSION},
-         {"created", nowUtc()},
-         {"simulated", simulated ? "true" : "false"},
-         {"operator", labels.operatorName},
-         {"sample", labels.sample},
-         {"batch", labels.batch}}};
-    for (const auto& [key, value] : facts) {
-        if (made && !value.empty())
-            made = impl->put(kPutMeta, std::string(key), value);
-    }
-    if (made) {
-        const auto insert = impl->store->prepare("INSERT INTO experiment VALUES(?)");
-        const std::array<SqlValue, 1> row{experimentToJson(experiment)};
-        made = insert ? impl->insert(*insert, ChainTable::Experiment, row) : Result<void>(insert.error());
-    }
-    for (const ChainTable table : {ChainTable::Object, ChainTable::Schema}) {
-        if (made)
-            made = impl->chainRows(table);
-    }
-    if (made) {
-        const auto insert = impl->store->prepare(kInsertLink);
-        impl->insertLink = insert ? *insert : 0;
-        made = insert ? impl->putLink() : Result<void>(insert.error());
-    }
-    for (const char* sql : {"COMMIT", "PRAGMA journal_mode = WAL",
-                            "PRAGMA wal_autocheckpoint = 256"}) { // pages: the log stays at 4 MB
-        if (made)
-            made = impl->store->execute(sql);
-    }
-    if (made) // its log is there from here on: who looks sees that it is being written
-        made =
-            impl->store->run(kPutMeta, std::array<SqlValue, 2>{std::string(facts[0].first), facts[0].second});
-    if (!made)
+    ReplacedFiles replaced; // until the new one can be written
+    auto made = impl->make(experiment, simulated, labels, earlier, replaced);
+    if (made)
+        made = impl->open();
+    if (!made) {
+        impl->store.reset(); // with its log, before the old one is put back
         return made.error();
+    }
     replaced.keepNew();
     impl->sinceCommit.start();
     impl->timer.setSingleShot(true);

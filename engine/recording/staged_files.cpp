@@ -1,19 +1,15 @@
 #include "engine/recording/staged_files.h"
 
 #include "engine/base/message_code.h"
-#include "engine/base/program_part.h"
 #include "engine/base/replaced_files.h"
 
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <mutex>
 #include <utility>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 namespace bask {
@@ -23,35 +19,6 @@ namespace fs = std::filesystem;
 
 Error unwritable(const std::string& path, const std::string& reason) {
     return {MessageCode::FileUnwritable, path, {reason}};
-}
-
-/// With the computer's name: of a shared folder only its own are looked at, since not every lock is seen from
-/// elsewhere.
-std::string stagePrefix() {
-    return ".bask-export-" + plainFileName(hostName()) + '-';
-}
-
-int openStage(const std::string& stage) {
-    return ::open(stage.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-}
-
-bool isLocked(int stage) {
-    return ::flock(stage, LOCK_EX | LOCK_NB) == 0;
-}
-
-/// A stage that can be locked was left by a process that was killed.
-void removeLeft(const std::string& folder) {
-    std::error_code failed;
-    const std::string prefix = stagePrefix();
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, failed)) {
-        if (!entry.path().filename().string().starts_with(prefix))
-            continue;
-        const int stage = openStage(entry.path().string());
-        if (stage >= 0 && isLocked(stage))
-            fs::remove_all(entry.path(), failed);
-        if (stage >= 0)
-            ::close(stage);
-    }
 }
 
 /// What a disk without room says, which may come only now; empty when all is on the disk.
@@ -66,34 +33,18 @@ std::string synced(const std::string& path) {
 
 } // namespace
 
-StagedFiles::StagedFiles(std::string folder, std::vector<Unfinished> made, std::string stage, int lock)
-    : m_folder(std::move(folder)), m_made(std::move(made)), m_stage(std::move(stage)), m_lock(lock) {}
-
-StagedFiles::StagedFiles(StagedFiles&& other) noexcept
-    : m_folder(std::move(other.m_folder)), m_made(std::move(other.m_made)), m_stage(std::move(other.m_stage)),
-      m_lock(std::exchange(other.m_lock, -1)), m_names(std::move(other.m_names)) {}
-
-StagedFiles::~StagedFiles() {
-    if (m_lock >= 0)
-        ::close(m_lock);
-}
+StagedFiles::StagedFiles(std::string folder, std::vector<Unfinished> made, HiddenFolder stage)
+    : m_folder(std::move(folder)), m_made(std::move(made)), m_stage(std::move(stage)) {}
 
 Result<StagedFiles> StagedFiles::into(const std::string& folder) {
     std::error_code failed;
     auto made = makeFolders(folder, failed);
     if (failed)
         return unwritable(folder, failed.message());
-    static std::atomic_int count = 0; // several may be on their way into one folder
-    static std::mutex making;         // of two threads neither takes the other's for left before it is locked
-    const std::string name = stagePrefix() + std::to_string(::getpid()) + '-' + std::to_string(++count);
-    const std::string stage = (fs::path(folder) / name).string();
-    const std::lock_guard lock(making);
-    removeLeft(folder);
-    if (!fs::create_directory(stage, failed))
-        return unwritable(folder, failed ? failed.message() : "it is write-protected");
-    const int opened = openStage(stage);
-    (void)isLocked(opened); // where there are no locks nobody takes it for left
-    return StagedFiles(folder, std::move(made), stage, opened);
+    auto stage = HiddenFolder::in(folder, HiddenFolder::Purpose::Export);
+    if (!stage)
+        return stage.error();
+    return StagedFiles(folder, std::move(made), std::move(*stage));
 }
 
 Result<std::string> StagedFiles::place(const std::string& name) {
@@ -152,16 +103,6 @@ Result<std::vector<std::string>> StagedFiles::commit() {
     }
     old.keepNew();
     return files;
-}
-
-std::string plainFileName(const std::string& name) {
-    std::string out;
-    for (const char c : name) {
-        const bool isPlain =
-            (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-';
-        out += isPlain ? c : '_';
-    }
-    return out;
 }
 
 } // namespace bask

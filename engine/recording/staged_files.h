@@ -1,6 +1,7 @@
 #pragma once
 // Writes several files into a folder together or not at all.
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/result.h"
 #include "engine/base/unfinished.h"
 
@@ -16,9 +17,6 @@ public:
     /// Creates the folder if it does not exist, and deletes what killed processes left in it. Error:
     /// FileUnwritable.
     static Result<StagedFiles> into(const std::string& folder);
-    StagedFiles(StagedFiles&& other) noexcept;
-    StagedFiles& operator=(StagedFiles&&) = delete;
-    ~StagedFiles();
 
     /// Returns the path to write a file that will be `name` ("outlines/0001.vtp") in the folder; commit()
     /// uses the same order.
@@ -35,16 +33,12 @@ public:
     Result<std::vector<std::string>> commit();
 
 private:
-    StagedFiles(std::string folder, std::vector<Unfinished> made, std::string stage, int lock);
+    StagedFiles(std::string folder, std::vector<Unfinished> made, HiddenFolder stage);
 
     std::string m_folder;
     std::vector<Unfinished> m_made; ///< the folder and those above it, if they were created here
-    Unfinished m_stage;
-    int m_lock = -1; ///< of the stage, while it is in use
+    HiddenFolder m_stage;
     std::vector<std::string> m_names;
 };
-
-/// Returns letters, digits, '-' and '_' unchanged and "_" for other characters: a part of a file name.
-std::string plainFileName(const std::string& name);
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #include "widgets/calibrate/camera_panel.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/whole_file.h"
 #include "engine/calibration/camera_file.h"
 #include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/camera_result.h"
@@ -20,7 +21,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSignalBlocker>
 
 namespace bask {
@@ -37,15 +37,6 @@ QImage thumbnailOf(const GreyPicture& picture) {
 
 std::string sizeText(int width, int height) {
     return std::to_string(width) + " x " + std::to_string(height);
-}
-
-Result<void> writeFile(const QString& path, const std::string& text) {
-    QSaveFile file(path);
-    const auto size = static_cast<qint64>(text.size());
-    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), size) == size && file.flush() &&
-        file.commit()) // commit() alone: see writeTextFile()
-        return {};
-    return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }
 
 } // namespace
@@ -391,7 +382,7 @@ void CameraPanel::saveCamera(const QString& path, bool asRos) {
     const CameraModel& camera = *m_result->camera();
     m_saving.run(
         [path, text = asRos ? rosYaml(camera, "camera") : openCvYaml(camera)] {
-            return writeFile(path, text);
+            return writeWholeFile(path.toStdString(), text);
         },
         [this, path](Result<void> written) {
             if (written)

@@ -1,7 +1,7 @@
 #include "widgets/calibrate/sheet_panel.h"
 
-#include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/base/whole_file.h"
 #include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/sheet_preview.h"
 #include "widgets/common/display.h"
@@ -16,7 +16,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QSignalBlocker>
 
 #include <optional>
@@ -178,13 +177,10 @@ void SheetPanel::say(const QString& sentence, bool isProblem) {
 }
 
 void SheetPanel::saveTo(const QString& path) {
-    const QByteArray pdf = sheetPdf(m_sheets);
-    QSaveFile file(path);
-    const bool isSaved = file.open(QIODevice::WriteOnly) && file.write(pdf) == pdf.size() && file.flush() &&
-                         file.commit(); // commit() alone: see writeTextFile()
-    say(isSaved ? tr("Saved. Print it at 100 % (actual size) and measure its ruler.")
-                : messageText({MessageCode::FileUnwritable, {file.errorString().toStdString()}}),
-        !isSaved);
+    const auto saved = writeWholeFile(path.toStdString(), sheetPdf(m_sheets).toStdString());
+    say(saved ? tr("Saved. Print it at 100 % (actual size) and measure its ruler.")
+              : messageText(saved.error().message),
+        !saved.ok());
 }
 
 double SheetPanel::scale() const {

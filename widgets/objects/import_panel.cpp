@@ -1,5 +1,6 @@
 #include "widgets/objects/import_panel.h"
 
+#include "engine/base/hidden_folder.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
@@ -25,7 +26,6 @@
 #include <QPushButton>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QTemporaryDir>
 #include <QTreeWidget>
 
 #include <Eigen/Geometry>
@@ -48,11 +48,13 @@ QImage imageOf(const std::string& path) {
 Result<OutlineFile> outlinesOf(const QString& path, const ContourImportOptions& options) {
     if (!path.startsWith(QLatin1Char(':')))
         return readOutlines(path.toStdString(), options);
-    const QTemporaryDir folder;
-    const QString copy = folder.filePath(QFileInfo(path).fileName());
-    if (!folder.isValid() || !QFile::copy(path, copy))
-        return Error{MessageCode::FileUnwritable, copy.toStdString(), {folder.errorString().toStdString()}};
-    return readOutlines(copy.toStdString(), options);
+    const auto folder = HiddenFolder::temporary();
+    if (!folder)
+        return folder.error();
+    const std::string copy = folder->place(QFileInfo(path).fileName().toStdString());
+    if (QFile own(path); !own.copy(QString::fromStdString(copy)))
+        return Error{MessageCode::FileUnwritable, copy, {own.errorString().toStdString()}};
+    return readOutlines(copy, options);
 }
 
 /// Whether another answer could make something of the file.

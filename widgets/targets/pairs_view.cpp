@@ -1,6 +1,7 @@
 #include "widgets/targets/pairs_view.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/whole_file.h"
 #include "engine/exchange/reachable_file.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/display.h"
@@ -9,13 +10,13 @@
 #include "widgets/common/theme.h"
 #include "widgets/targets/reach_map.h"
 
+#include <QBuffer>
 #include <QDir>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSaveFile>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
@@ -47,14 +48,6 @@ bool mayReplace(const QString& path) {
     return there.open(QIODevice::ReadOnly) && there.readLine(kLongest).startsWith(kReachableMark);
 }
 
-template <class Write> Result<void> writeWhole(const QString& path, Write write) {
-    QSaveFile file(path);
-    if (file.open(QIODevice::WriteOnly) && write(file) && file.flush() &&
-        file.commit()) // commit() alone: see writeTextFile()
-        return {};
-    return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
-}
-
 QString tableOf(const ExportedMap& map) {
     return map.stem + QStringLiteral(".csv");
 }
@@ -69,14 +62,13 @@ Result<void> writeMaps(const std::vector<ExportedMap>& maps, const std::vector<s
             if (!mayReplace(path))
                 return Error(MessageCode::ExportForeign, path.toStdString());
     for (const ExportedMap& map : maps) {
-        const QByteArray text = QByteArray::fromStdString(reachableCsv(names, map.map));
-        const auto written =
-            writeWhole(tableOf(map), [&](QIODevice& to) { return to.write(text) == text.size(); });
+        const auto written = writeWholeFile(tableOf(map).toStdString(), reachableCsv(names, map.map));
         if (!written)
             return written;
-        const auto drawn =
-            writeWhole(pictureOf(map), [&](QIODevice& to) { return map.picture.save(&to, "PNG"); });
-        if (!drawn)
+        QByteArray png;
+        QBuffer buffer(&png);
+        map.picture.save(&buffer, "PNG"); // memory takes it
+        if (const auto drawn = writeWholeFile(pictureOf(map).toStdString(), png.toStdString()); !drawn)
             return drawn;
     }
     return {};

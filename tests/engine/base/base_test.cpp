@@ -1,6 +1,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/parallel.h"
+#include "engine/base/plain_text.h"
 #include "engine/base/pose.h"
 #include "engine/base/program_part.h"
 #include "engine/base/result.h"
@@ -233,6 +234,40 @@ TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
     }
     // The last code of the enumeration: a code without an entry would end the walk before it.
     EXPECT_GT(i, 250);
+}
+
+// Catches: two names that look the same, and words that are refused though people write them so.
+TEST(PlainText, NamesHaveNothingThatNobodySees) {
+    for (const char* hidden :
+         {"a\u00adb",     "a\u034fb",     "a\u061cb",    "a\u115fb", "a\u1160b",     "a\u17b4b",
+          "a\u180eb",     "a\u200bb",     "a\u200db",    "a\u202eb", "a\u2066b",     "a\u3164b",
+          "\ufeffa",      "a\uffa0b",     "a\ufff9b",    "a\ufffbb", "a\U0001bca0b", "a\U0001d173b",
+          "a\U000e0001b", "a\U000e007fb", "a\U000e0fffb"}) {
+        EXPECT_TRUE(hasInvisible(hidden)) << hidden;
+        EXPECT_TRUE(hasInvisible(hidden, Variants::Kept)) << hidden;
+    }
+    for (const char* seen :
+         {"", "disk", "Čapek", "测试对象", "テスト", "한국어", "🔥", "\xff\xc2", "a\u00a0b"})
+        EXPECT_FALSE(hasInvisible(seen)) << seen;
+    // A heart as an emoji, a Japanese family name in its own form, a Mongolian letter.
+    for (const char* varied : {"❤\ufe0f", "邉\U000e0104", "\u1820\u180b"}) {
+        EXPECT_TRUE(hasInvisible(varied)) << varied;
+        EXPECT_FALSE(hasInvisible(varied, Variants::Kept)) << varied;
+    }
+    for (const char* stray : {"a\ufe0f", "\ufe0fa", "❤\ufe0f\ufe0f", "1\U000e0100"})
+        EXPECT_TRUE(hasInvisible(stray, Variants::Kept)) << stray;
+}
+
+TEST(PlainText, OneLineHasNoControlCharactersAndNoSpaceAtItsEnds) {
+    for (const char* line : {"", "a b", "Ä", "测试"})
+        EXPECT_TRUE(isOneLine(line)) << line;
+    for (const char* other : {" a", "a ", "a\nb", "a\tb", "a\x1b[31m", "a\x7f", "a\u0085"})
+        EXPECT_FALSE(isOneLine(other)) << other;
+}
+
+TEST(PlainText, AFileNameKeepsLettersAndHidesTheRest) {
+    EXPECT_EQ(plainFileName("left, the/../x"), "left__the____x");
+    EXPECT_EQ(plainFileName("a-Z_9"), "a-Z_9");
 }
 
 TEST(Clock, RunsForwardOnly) {

@@ -107,7 +107,7 @@ bool sameSample(const TraceSample& a, const TraceSample& b) {
 
 int recordUntilKilled(const std::string& path) {
     const Experiment experiment = twoDisks();
-    auto writer = SessionWriter::create(path, experiment, true, 0.5);
+    auto writer = SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
     if (!writer)
         return 1;
     const SteadyClock clock;
@@ -128,7 +128,8 @@ int recordUntilKilled(const std::string& path) {
 int recordAndAcknowledge(const std::string& path, unsigned seed) {
     constexpr double kNever_s = 1e6;
     const Experiment experiment = twoDisks();
-    auto writer = SessionWriter::create(path, experiment, true, kNever_s); // by flush() alone
+    auto writer = SessionWriter::create(path, experiment, true, kNever_s,
+                                        SessionWriter::Earlier::Replaced); // by flush() alone
     if (!writer)
         return 1;
     std::mt19937 random(seed);
@@ -144,6 +145,18 @@ int recordAndAcknowledge(const std::string& path, unsigned seed) {
             return 1;
         if (!(*writer)->flush())
             return 1;
+    }
+}
+
+int replaceUntilKilled(const std::string& path) {
+    const Experiment experiment = twoDisks();
+    for (;;) {
+        auto writer = SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
+        if (!writer || !(*writer)->add(madeUpSample(experiment, 0)) || !(*writer)->finish("stopped"))
+            return 1;
+        writer->reset();
+        std::printf("replaced\n");
+        std::fflush(stdout);
     }
 }
 

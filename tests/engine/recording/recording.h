@@ -32,4 +32,7 @@ int recordUntilKilled(const std::string& path);
 /// samples are safe after each commit.
 int recordAndAcknowledge(const std::string& path, unsigned seed);
 
+/// Replaces the session there without end, each with one sample, and prints a line after each.
+int replaceUntilKilled(const std::string& path);
+
 } // namespace bask::test

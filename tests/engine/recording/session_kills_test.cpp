@@ -8,6 +8,7 @@
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
@@ -98,12 +99,38 @@ TEST_F(SessionKills, thousand) {
     kill(1000);
 }
 
+// Catches: a recording that is gone, or there under a hidden name only, when its replacement is killed.
+TEST_F(SessionKills, ofAReplacementLeaveTheOldOneOrTheNewOne) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("run.bask"));
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> life_ms(0, 60);
+    for (int i = 0; i < 40; ++i) {
+        QProcess child;
+        child.start(QCoreApplication::applicationFilePath(), {QStringLiteral("--replace"), path});
+        ASSERT_TRUE(child.waitForReadyRead(30'000)) << i;
+        child.waitForFinished(life_ms(random));
+        child.kill();
+        child.waitForFinished();
+        ASSERT_EQ(child.exitStatus(), QProcess::CrashExit) << i;
+        const auto session = readSession(path.toStdString());
+        ASSERT_TRUE(session) << i << ": " << describe(session.error());
+    }
+    ASSERT_TRUE(
+        SessionWriter::create(path.toStdString(), twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced));
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+              QStringList{"run.bask"})
+        << "what the kills left is cleared";
+}
+
 } // namespace bask
 
 int main(int argc, char** argv) {
     const QCoreApplication app(argc, argv);
     if (argc == 4 && std::string_view(argv[1]) == "--record-and-acknowledge")
         return bask::test::recordAndAcknowledge(argv[2], static_cast<unsigned>(std::stoul(argv[3])));
+    if (argc == 3 && std::string_view(argv[1]) == "--replace")
+        return bask::test::replaceUntilKilled(argv[2]);
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -107,10 +107,5 @@ TEST(StagedFiles, TellWhatCannotBeWritten) {
     EXPECT_EQ(everythingIn(folder.path()).filter("first"), QStringList{});
 }
 
-TEST(PlainFileName, KeepsLettersAndHidesTheRest) {
-    EXPECT_EQ(plainFileName("left, the/../x"), "left__the____x");
-    EXPECT_EQ(plainFileName("a-Z_9"), "a-Z_9");
-}
-
 } // namespace
 } // namespace bask
