@@ -77,7 +77,7 @@ inline TraceSample sampleOf(const Experiment& experiment, int k, bool isFollowed
 inline bool record(const std::string& path, int samples, int commit, bool isFollowed) {
     const Experiment experiment = threeDisks();
     std::mt19937 random(1);
-    auto writer = SessionWriter::create(path, experiment, true, 1e6);
+    auto writer = SessionWriter::create(path, experiment, true, 1e6, SessionWriter::Earlier::Replaced);
     for (int k = 0; writer && k < samples; ++k)
         if (!(*writer)->add(sampleOf(experiment, k, isFollowed, random)) ||
             (k % commit == 0 && !(*writer)->flush()))

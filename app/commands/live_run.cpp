@@ -92,7 +92,7 @@ private:
             return faulted(snapshot);
         case RunState::Ready:
             if (m_wish == Wish::Arm)
-                go(Wish::Start, Arm{m_options.sessionPath});
+                go(Wish::Start, Arm{m_options.sessionPath, m_options.mayReplace});
             return;
         case RunState::Armed:
             m_armed_s = m_armed_s.value_or(m_clock.now_s());

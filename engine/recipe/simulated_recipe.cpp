@@ -66,7 +66,7 @@ private:
         }
         ServoLoop& loop = m_drive->loop();
         if (const auto* arm = std::get_if<Arm>(&command))
-            return armWith(arm->recordingPath);
+            return armWith(*arm);
         if (const auto* start = std::get_if<Start>(&command)) {
             if (!start->acceptInfeasible && !jointVerdict(loop.experiment()).feasible)
                 return Error(MessageCode::ReasonTargetInfeasible, {});
@@ -79,11 +79,12 @@ private:
         throw std::logic_error("SimulatedEngine: no command of a recipe");
     }
 
-    Result<void> armWith(const std::string& path) {
-        if (const auto armed = m_drive->loop().arm(); !armed || path.empty())
+    Result<void> armWith(const Arm& arm) {
+        using Earlier = SessionWriter::Earlier;
+        if (const auto armed = m_drive->loop().arm(); !armed || arm.recordingPath.empty())
             return armed;
-        auto writer = SessionWriter::create(path, m_drive->loop().experiment(), true, 0.5,
-                                            SessionWriter::Earlier::Replaced, m_labels);
+        auto writer = SessionWriter::create(arm.recordingPath, m_drive->loop().experiment(), true, 0.5,
+                                            arm.mayReplace ? Earlier::Replaced : Earlier::Kept, m_labels);
         if (!writer) {
             (void)m_drive->loop().disarm();
             return writer.error();

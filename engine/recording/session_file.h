@@ -38,11 +38,12 @@ public:
     /// What becomes of a recording that has the name already.
     enum class Earlier { Replaced, Kept };
 
-    /// Of several processes that make one file at a time, one gets it; the others are refused.
-    /// Errors: SessionBusy, FileUnwritable, also where an earlier recording is to be kept.
+    /// Of several processes that make one file at a time, one gets it; the others are refused. An old one
+    /// stays until the new one can be written, whenever the process is killed. Errors: SessionBusy,
+    /// FileUnwritable, also where an earlier recording is to be kept.
     static Result<std::unique_ptr<SessionWriter>>
     create(const std::string& path, const Experiment& experiment, bool simulated,
-           double commitInterval_s = 0.5, Earlier earlier = Earlier::Replaced, const RunLabels& labels = {});
+           double commitInterval_s = 0.5, Earlier earlier = Earlier::Kept, const RunLabels& labels = {});
     ~SessionWriter(); ///< commits, closes and seals
 
     Result<void> add(const TraceSample& sample);

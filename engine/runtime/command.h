@@ -26,6 +26,7 @@ struct LoadExperiment {
 }; ///< refused while a run is armed or on
 struct Arm {
     std::string recordingPath;
+    bool mayReplace = false; ///< an earlier recording of that name; else it is refused
 }; ///< zeroes the sensors if they are not zeroed; starts the recording, unless the path is empty
 struct Disarm {};
 struct Start {

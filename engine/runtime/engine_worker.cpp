@@ -429,13 +429,15 @@ void EngineWorker::showThermal(double wall_s) {
     emit sawHeat(m_session->thermometer->camera().view(), m_thermalViews.next());
 }
 
-Result<void> EngineWorker::armWith(const std::string& recordingPath) {
+Result<void> EngineWorker::armWith(const Arm& arm) {
     ServoLoop& loop = m_session->loop;
     if (const auto may = loop.mayArm(); !may)
         return may;
-    if (!recordingPath.empty()) {
-        m_recordings.begin(recordingPath, loop.experiment(), m_session->simulated != nullptr,
-                           loop.experiment().safety.minDisk_MB, m_labels);
+    if (!arm.recordingPath.empty()) {
+        using Earlier = SessionRecorder::Earlier;
+        m_recordings.begin(arm.recordingPath, loop.experiment(), m_session->simulated != nullptr,
+                           loop.experiment().safety.minDisk_MB, m_labels,
+                           arm.mayReplace ? Earlier::Replaced : Earlier::Kept);
         return {};
     }
     return armNow();
@@ -555,7 +557,7 @@ Result<void> EngineWorker::apply(const Command& command) {
             [&](const FindUnits& find) { return findUnits(find); },
             [&](const SendByHand& send) { return sendByHand(send); },
             [&](const AcceptDevice& device) { return accept(device.role); },
-            [&](const Arm& arm) { return armWith(arm.recordingPath); },
+            [&](const Arm& arm) { return armWith(arm); },
             [&](const Disarm&) { return loop.disarm(); },
             [&](const Start& start) { return startWith(start.acceptInfeasible); },
             [&](const Hold&) { return loop.hold(); },

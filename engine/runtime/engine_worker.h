@@ -109,7 +109,7 @@ private:
     void dropBegun();
     Result<void> apply(const Command& command);
     Result<void> load(const Experiment& experiment, bool isEdit);
-    Result<void> armWith(const std::string& recordingPath);
+    Result<void> armWith(const Arm& arm);
     Result<void> armNow();
     void finishArming();
     Result<void> startWith(bool acceptInfeasible);

@@ -5,8 +5,9 @@
 namespace bask {
 
 void Recordings::begin(const std::string& path, const Experiment& experiment, bool isSimulated,
-                       double minDisk_MB, const RunLabels& labels) {
-    m_beginning = std::make_unique<SessionRecorder>(path, experiment, isSimulated, minDisk_MB, labels);
+                       double minDisk_MB, const RunLabels& labels, SessionRecorder::Earlier earlier) {
+    m_beginning =
+        std::make_unique<SessionRecorder>(path, experiment, isSimulated, minDisk_MB, labels, earlier);
 }
 
 std::optional<Result<void>> Recordings::made() const {

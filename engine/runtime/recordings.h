@@ -16,7 +16,7 @@ class Recordings {
 public:
     /// Starts to create a file; no effect on the recording that is being written.
     void begin(const std::string& path, const Experiment& experiment, bool isSimulated, double minDisk_MB,
-               const RunLabels& labels);
+               const RunLabels& labels, SessionRecorder::Earlier earlier);
     bool isBeginning() const { return m_beginning != nullptr; }
     /// Returns the result of creating the file; empty while it does not exist yet, and if none was started.
     std::optional<Result<void>> made() const;

@@ -19,13 +19,14 @@ namespace {
 using Steady = std::chrono::steady_clock;
 
 Result<std::unique_ptr<SessionWriter>> makeFile(const std::string& path, const Experiment& experiment,
-                                                bool simulated, double minFree_MB, const RunLabels& labels) {
+                                                bool simulated, double minFree_MB, const RunLabels& labels,
+                                                SessionWriter::Earlier earlier) {
     if (const auto free_MB = diskFree_MB(path); free_MB && *free_MB < minFree_MB)
         return Error(MessageCode::SafetyDiskLow, {},
                      {formatNumber(std::floor(*free_MB), 6), formatNumber(minFree_MB, 6)});
     return SessionWriter::create(path, experiment, simulated,
-                                 std::chrono::duration<double>(SessionRecorder::kCommit).count(),
-                                 SessionWriter::Earlier::Replaced, labels);
+                                 std::chrono::duration<double>(SessionRecorder::kCommit).count(), earlier,
+                                 labels);
 }
 
 std::size_t bytesOf(const TraceFrame& frame) {
@@ -71,12 +72,12 @@ struct SessionRecorder::Shared {
 };
 
 SessionRecorder::SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                                 double minFree_MB, const RunLabels& labels)
+                                 double minFree_MB, const RunLabels& labels, Earlier earlier)
     : m_path(path), m_shared(std::make_shared<Shared>()) {
     ++underWay;
-    std::thread([shared = m_shared, path, experiment, simulated, minFree_MB, labels] {
+    std::thread([shared = m_shared, path, experiment, simulated, minFree_MB, labels, earlier] {
         nameThread("recorder");
-        shared->record(makeFile(path, experiment, simulated, minFree_MB, labels));
+        shared->record(makeFile(path, experiment, simulated, minFree_MB, labels, earlier));
         --underWay;
     }).detach();
 }

@@ -19,9 +19,10 @@ public:
     /// How much memory thermal pictures take that wait, bytes; later ones are left out until there is room.
     static constexpr std::size_t kMaxPictures = 128 << 20;
 
+    using Earlier = SessionWriter::Earlier;
     /// Starts to create the file. It is not created if less than `minFree_MB` of disk space is left.
     SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
-                    double minFree_MB = 0.0, const RunLabels& labels = {});
+                    double minFree_MB = 0.0, const RunLabels& labels = {}, Earlier earlier = Earlier::Kept);
     /// Rows that were added are still written, by a thread that nobody waits for. A file without finish()
     /// reads as interrupted.
     ~SessionRecorder();

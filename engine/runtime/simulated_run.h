@@ -23,7 +23,7 @@ struct SimulatedRunOptions {
     std::function<void(double time_s, const TraceSample&)> progress;
     /// ends the run at once; before Start the outcome is empty, and nothing is recorded
     std::stop_token stop = {};
-    bool mayReplace = true; ///< an earlier recording of that name
+    bool mayReplace = false; ///< an earlier recording of that name
     RunLabels labels = {};
     /// where the simulated rig begins; empty: at its start, as cold as the room
     std::optional<RigCondition> from{};

@@ -38,7 +38,8 @@ protected:
     /// A short run with an alarm.
     QString record(const QString& name) {
         QString path = folder.filePath(name);
-        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
+        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true,
+                                            0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         const TraceEvent hot{1.0, {MessageCode::SafetyObjectHot, {"hand", "91", "90"}}};
         EXPECT_TRUE((*writer)->add(hot));

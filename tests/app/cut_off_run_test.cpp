@@ -39,7 +39,8 @@ struct CutOffRunTest : testing::Test {
     /// A recording that nobody gave its end.
     QString recording(bool simulated) {
         const QString path = folder.filePath(QStringLiteral("run.bask"));
-        auto writer = SessionWriter::create(path.toStdString(), Document::blank(), simulated);
+        auto writer = SessionWriter::create(path.toStdString(), Document::blank(), simulated, 0.5,
+                                            SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         return path;
     }

@@ -26,7 +26,7 @@ protected:
     std::shared_ptr<RecordedSession> run(const char* name, int samples = 20) {
         const std::string path = folder.filePath(QString::fromLatin1(name)).toStdString();
         const Experiment experiment = readExample(QStringLiteral("two-circles")).value();
-        auto writer = SessionWriter::create(path, experiment, true, 1e6);
+        auto writer = SessionWriter::create(path, experiment, true, 1e6, SessionWriter::Earlier::Replaced);
         for (int k = 0; k < samples; ++k) {
             TraceSample sample;
             sample.time_s = k;

@@ -39,7 +39,8 @@ protected:
     /// A short run; without an outcome as a crash leaves it.
     QString record(const QString& name, const std::string& outcome) {
         const QString path = folder.filePath(name);
-        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
+        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true,
+                                            0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         for (int k = 0; k < 20; ++k) {
             TraceSample sample;

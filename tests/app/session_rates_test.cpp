@@ -57,7 +57,8 @@ TEST(SessionCount, TheRunOpenedLastIsCountedAndDamageIsTold) {
     const QTemporaryDir folder;
     const auto run = [&](const char* name, int samples) {
         const std::string path = folder.filePath(QString::fromLatin1(name)).toStdString();
-        auto writer = SessionWriter::create(path, recorded().facts.experiment, true, 1e6);
+        auto writer = SessionWriter::create(path, recorded().facts.experiment, true, 1e6,
+                                            SessionWriter::Earlier::Replaced);
         TraceSample sample = recorded().numbers.way.front();
         for (int k = 0; k < samples; ++k) {
             sample.time_s = k;

@@ -30,7 +30,8 @@ protected:
 
     QString record(const char* name, int samples = 20) {
         const QString path = folder.filePath(QLatin1String(name));
-        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
+        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true,
+                                            0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         for (int k = 0; k < samples; ++k) {
             TraceSample sample;

@@ -108,6 +108,21 @@ TEST_F(SimulatedRecipe, aSessionThatCannotBeWrittenFailsItsStep) {
     EXPECT_EQ(made.reason().code, MessageCode::FileUnwritable) << describe(made.reason());
 }
 
+// Catches a recording of another recipe, which came there since this one began, that is lost to it.
+TEST_F(SimulatedRecipe, aSessionThatIsThereIsKeptAndFailsItsStep) {
+    RecipeStep first = step(Until::Time, 20.0);
+    first.goesOn = true;
+    RecipeRunner made = runner({first, step(Until::Time, 20.0)});
+    const std::string there = folder.filePath("0.bask").toStdString();
+    ASSERT_TRUE((*SessionWriter::create(there, *readExperiment(BASK_EXAMPLES "/three-objects.json"), true))
+                    ->finish("settled"));
+    runSimulated(made);
+    EXPECT_EQ(made.progress()[0].state, State::Failed);
+    EXPECT_EQ(made.progress()[0].reason.code, MessageCode::FileUnwritable);
+    EXPECT_EQ(made.progress()[1].state, State::Done);
+    EXPECT_EQ(readSession(there)->experiment.objects.size(), 3U);
+}
+
 TEST_F(SimulatedRecipe, stopsWithTheHeatOffWhenAsked) {
     std::stop_source stop;
     RecipeRunner made = runner({step(Until::Settled, 30.0), step(Until::Time, 20.0)});

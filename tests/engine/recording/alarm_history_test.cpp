@@ -36,7 +36,8 @@ protected:
     /// A run of a minute and a half with these events.
     SessionHeader recorded(const char* name, const char* created, const Events& events) const {
         const Experiment experiment = twoDisks();
-        auto writer = SessionWriter::create(file(name), experiment, true);
+        auto writer =
+            SessionWriter::create(file(name), experiment, true, 0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         for (int k = 0; k < 91; ++k)
             EXPECT_TRUE((*writer)->add(madeUpSample(experiment, k)));

@@ -163,7 +163,7 @@ SessionRecord withPictures(const std::string& path, int pictures) {
     Experiment experiment = twoDisks();
     experiment.simulation.thermalCamera.emplace().profile = "lepton-3.5";
     const ThermalProfile profile = findThermalProfile("lepton-3.5").value();
-    auto writer = SessionWriter::create(path, experiment, true);
+    auto writer = SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
     EXPECT_TRUE(writer) << describe(writer.error());
     for (int k = 0; k < 20; ++k)
         EXPECT_TRUE((*writer)->add(madeUpSample(experiment, k)));

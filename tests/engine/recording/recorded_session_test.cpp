@@ -25,7 +25,7 @@ class RecordedSessionTest : public ::testing::Test {
 protected:
     std::string recorded(bool isFinished) {
         const std::string path = m_folder.filePath(QStringLiteral("run.bask")).toStdString();
-        auto writer = SessionWriter::create(path, twoDisks(), true);
+        auto writer = SessionWriter::create(path, twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         for (int k = 0; k < kSamples; ++k)
             EXPECT_TRUE((*writer)->add(at(k)));

@@ -45,7 +45,7 @@ protected:
     /// A finished session of `count` samples.
     std::string recorded(const char* name, int count) const {
         const std::string path = file(name);
-        auto writer = SessionWriter::create(path, twoDisks(), true);
+        auto writer = SessionWriter::create(path, twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced);
         if (!writer) {
             ADD_FAILURE() << describe(writer.error());
             return path;
@@ -411,7 +411,8 @@ TEST_F(SessionFile, AKilledProcessLosesLessThanASecond) {
 
     ASSERT_TRUE(copySession(path.toStdString(), file("saved.bask")));
     EXPECT_EQ(readSession(file("saved.bask"))->samples.size(), record->samples.size());
-    const auto next = SessionWriter::create(path.toStdString(), twoDisks(), true);
+    const auto next =
+        SessionWriter::create(path.toStdString(), twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced);
     EXPECT_TRUE(next) << "an interrupted session can be replaced";
 }
 
@@ -437,11 +438,24 @@ TEST_F(SessionFile, ReplacesAnOlderSessionAndNothingElse) {
     EXPECT_TRUE(SessionWriter::create(file("empty.bask"), twoDisks(), true));
 }
 
+// Catches a recording that is replaced by one that nobody allowed to.
+TEST_F(SessionFile, AnEarlierOneIsKeptUnlessAsked) {
+    const std::string path = recorded("run.bask", 5);
+    const std::string before = contents(qfile("run.bask"));
+    const auto refused = SessionWriter::create(path, twoDisks(), true);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(describe(refused.error()),
+              path + ": the file cannot be written: there is a recording of that name");
+    EXPECT_EQ(contents(qfile("run.bask")), before);
+    EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+              QStringList{"run.bask"});
+}
+
 TEST_F(SessionFile, IsNotTakenFromARunThatRecordsIntoIt) {
     const std::string path = file("busy.bask");
     auto writer = SessionWriter::create(path, twoDisks(), true, 0.0);
     ASSERT_TRUE((*writer)->add(madeUpSample(twoDisks(), 0)));
-    const auto second = SessionWriter::create(path, twoDisks(), true);
+    const auto second = SessionWriter::create(path, twoDisks(), true, 0.5, SessionWriter::Earlier::Replaced);
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().code(), MessageCode::SessionBusy) << describe(second.error());
     const std::string other = recorded("other.bask", 2);

@@ -32,7 +32,8 @@ protected:
     std::string recorded(const char* name, int samples, const std::string& outcome) const {
         Experiment experiment = twoDisks();
         experiment.title = "two disks, evening";
-        auto writer = SessionWriter::create(file(name), experiment, true);
+        auto writer =
+            SessionWriter::create(file(name), experiment, true, 0.5, SessionWriter::Earlier::Replaced);
         EXPECT_TRUE(writer);
         for (int k = 0; k < samples; ++k)
             EXPECT_TRUE((*writer)->add(madeUpSample(experiment, k)));

@@ -572,6 +572,26 @@ TEST(EngineWorker, AnUnwritableRecordingIsRefusedBeforeTheRun) {
     EXPECT_TRUE(rig.reaches(RunState::Ready));
 }
 
+// Catches a recording of before, or one that another process has made since, that is lost to Arm.
+TEST(EngineWorker, AnEarlierRecordingIsReplacedOnlyWhereThatIsAsked) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    ASSERT_TRUE((*SessionWriter::create(path, oneDisk(), true))->finish("settled"));
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::FileUnwritable; }));
+    EXPECT_EQ(rig.last.state, RunState::Ready);
+    EXPECT_EQ(readSessionHeader(path).outcome, "settled");
+    rig.send(Arm{path, true});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    EXPECT_EQ(rig.last.recordingPath, path);
+    rig.send(Disarm{});
+    ASSERT_TRUE(rig.waitFor([&] { return readSessionHeader(path).outcome == "stopped"; }));
+}
+
 TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     Rig rig;
     Experiment experiment = oneDisk();

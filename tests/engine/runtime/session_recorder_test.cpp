@@ -143,6 +143,19 @@ TEST_F(SessionRecorderTest, whoWaitsForAllHasSealedFiles) {
     }
 }
 
+// Catches a recording that is lost to one of the same name.
+TEST_F(SessionRecorderTest, anEarlierFileIsKeptUnlessAsked) {
+    ASSERT_TRUE(isFinished(*recorder()));
+    ASSERT_TRUE(SessionRecorder::waitForAll(std::chrono::seconds(10)));
+    SessionRecorder refused(m_path, m_experiment, false);
+    ASSERT_TRUE(test::waitFor([&] { return refused.made().has_value(); }));
+    EXPECT_EQ(refused.made()->error().code(), MessageCode::FileUnwritable);
+    EXPECT_EQ(readSession(m_path)->outcome, "settled");
+    SessionRecorder asked(m_path, m_experiment, false, 0.0, {}, SessionRecorder::Earlier::Replaced);
+    ASSERT_TRUE(test::waitFor([&] { return asked.made().has_value(); }));
+    EXPECT_TRUE(asked.made()->ok());
+}
+
 // Catches a recording that is begun where there is no room for it.
 TEST_F(SessionRecorderTest, noFileIsMadeWhereThereIsNoRoom) {
     SessionRecorder recording(m_path, m_experiment, false, 1e12);

@@ -551,6 +551,9 @@ TEST(SimulatedRun, AnImpossibleStartLeavesAnOlderSessionAlone) {
     const auto refused = runSimulated(experiment, options);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorsDisagree);
+    EXPECT_EQ(runSimulated(example("three-objects.json"), options).error().code(),
+              MessageCode::FileUnwritable)
+        << "nor does a possible one replace it unasked";
     const auto kept = readSession(options.sessionPath);
     ASSERT_TRUE(kept);
     EXPECT_GT(kept->samples.size(), 10U);

@@ -58,7 +58,8 @@ protected:
         }
         const std::string path = folder.filePath(name + QStringLiteral(".bask")).toStdString();
         {
-            auto writer = SessionWriter::create(path, experiment, true);
+            auto writer =
+                SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
             EXPECT_TRUE(writer);
             for (const TraceSample& sample : samples)
                 EXPECT_TRUE((*writer)->add(sample));

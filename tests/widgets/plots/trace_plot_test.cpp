@@ -447,7 +447,7 @@ TEST(TracePlot, ARecordedRunIsReadWhereItIsLookedAt) {
     auto samples = warmUp(30'000, 0.1);
     samples[20'000].objects[1].measured_K = 350.0; // one sample in fifty minutes
     {
-        auto writer = SessionWriter::create(path, experiment, true);
+        auto writer = SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced);
         ASSERT_TRUE(writer) << describe(writer.error());
         for (const TraceSample& sample : samples)
             ASSERT_TRUE((*writer)->add(sample));

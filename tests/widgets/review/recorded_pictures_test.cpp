@@ -33,7 +33,8 @@ struct RecordedPicturesTest : testing::Test {
     std::shared_ptr<RecordedSession> recorded(int pictures) {
         const std::string path = folder.filePath("run%1.bask").arg(pictures).toStdString();
         SimulatedThermalCamera camera(*simulatedRigConfig(experiment).thermalCamera);
-        auto writer = SessionWriter::create(path, experiment, true).value();
+        auto writer =
+            SessionWriter::create(path, experiment, true, 0.5, SessionWriter::Earlier::Replaced).value();
         for (int k = 0; k < kPictures; ++k) {
             TraceSample sample;
             sample.time_s = k;

@@ -111,7 +111,8 @@ std::size_t blocksHeld(const RecordedSession& session) {
 /// The record as a file of the folder.
 std::string written(const QTemporaryDir& folder, const SessionRecord& session) {
     std::string path = folder.filePath(QString::fromStdString(session.path)).toStdString();
-    auto writer = SessionWriter::create(path, session.experiment, session.simulated, 1e6);
+    auto writer = SessionWriter::create(path, session.experiment, session.simulated, 1e6,
+                                        SessionWriter::Earlier::Replaced);
     EXPECT_TRUE(writer);
     for (const TraceSample& sample : session.samples)
         EXPECT_TRUE((*writer)->add(sample));
