@@ -275,6 +275,9 @@ int runExperimentCommand(const QStringList& arguments) {
     for (const char* option : {"out", "summary"})
         if (isRecipe && parser.isSet(option) && parser.value(option).isEmpty())
             return refuseWords(QStringLiteral("--%1: the name is empty").arg(QLatin1String(option)));
+    for (const char* option : {"operator", "sample", "batch"})
+        if (parser.isSet(option) && parser.value(option).trimmed().isEmpty())
+            return refuseWords(QStringLiteral("--%1: the name is empty").arg(QLatin1String(option)));
     const RunLabels labels{parser.value("operator").toStdString(), parser.value("sample").toStdString(),
                            parser.value("batch").toStdString()};
     for (const char* option : {"operator", "sample", "batch"})

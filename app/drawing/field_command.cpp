@@ -88,7 +88,7 @@ Result<FieldArguments> readScene(const QCommandLineParser& parser, const std::st
         return Error(MessageCode::ValueUnknown, "--quantity", {quantity.toStdString(), "F, T"});
     if (quantity == "T" && object == nullptr)
         return refused("--quantity T", "an experiment with an object named by --object", "none");
-    if (object == nullptr && parser.isSet("shade"))
+    if ((object == nullptr || experiment->objects.size() < 2) && parser.isSet("shade"))
         return refused("--shade", "an object of an experiment, beside which others are", "none");
     const Shape shape = object ? object->shape : presetObject();
     FieldArguments request{{experiment ? radiatingSource(*experiment) : RadiatingContour(presetSource()),

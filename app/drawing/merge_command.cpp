@@ -26,6 +26,17 @@ namespace {
 
 constexpr const char* kMerge = "merge";
 
+/// A part that is named twice, or is in a folder that is named, too.
+std::optional<std::string> namedTwice(const std::vector<std::string>& paths) {
+    std::set<QString> known;
+    for (const std::string& path : paths) {
+        const QString file = QFileInfo(QString::fromStdString(path)).canonicalFilePath();
+        if (!file.isEmpty() && !known.insert(file).second)
+            return path;
+    }
+    return std::nullopt;
+}
+
 /// The parts that are named, and those in folders that are.
 Result<std::vector<std::string>> partsOf(const QStringList& arguments) {
     std::vector<std::string> paths;
@@ -138,7 +149,9 @@ Result<void> checkVersion(const nlohmann::json& work) {
 }
 
 int mergeInto(const QString& output, const std::vector<std::string>& paths) {
-    const auto parts = MergedParts::of(paths);
+    std::optional<Progress> progress(std::in_place, 1.0);
+    const auto parts = MergedParts::of(paths, progress->share());
+    progress.reset();
     if (!parts)
         return refuse(kMerge, parts.error());
     const auto work = nlohmann::json::parse(parts->work());
@@ -171,6 +184,9 @@ int mergeCommand(const QStringList& arguments) {
     const auto paths = partsOf(parser.positionalArguments());
     if (!paths)
         return refuse(kMerge, paths.error());
+    if (const auto twice = namedTwice(*paths))
+        return refuse(kMerge, QStringLiteral("%1 is named twice; name each part, or its folder, once")
+                                  .arg(QString::fromStdString(*twice)));
     if (parser.isSet("status")) {
         if (parser.isSet("output"))
             return refuse(kMerge, QStringLiteral("--status writes no files; leave -o out"));

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
@@ -86,8 +87,11 @@ Result<void> readHeader(const std::string& line, ShardPart& part) {
 }
 
 /// Reads records as long as they are whole; their bytes too, if they are to be checked.
-void readRecords(std::istream& in, std::int64_t size, bool checksBytes, ShardPart& part) {
+void readRecords(std::istream& in, std::int64_t size, bool checksBytes, const ShareDone& done,
+                 ShardPart& part) {
     std::string bytes;
+    ShareCount count(done, static_cast<double>(size));
+    count.add(static_cast<double>(part.wholeBytes));
     for (;;) {
         RecordHead head;
         const std::int64_t begin = part.wholeBytes + static_cast<std::int64_t>(sizeof head);
@@ -110,6 +114,7 @@ void readRecords(std::istream& in, std::int64_t size, bool checksBytes, ShardPar
             return;
         part.records.push_back({head.index, head.took_s, begin, head.length, head.bytesCheck});
         part.wholeBytes = begin + head.length;
+        count.add(static_cast<double>(sizeof head) + head.length);
     }
 }
 
@@ -278,7 +283,7 @@ Result<void> PartWriter::finish() {
     return ::fsync(m_file) == 0 || errno == EINVAL ? Result<void>() : unwritable();
 }
 
-Result<ShardPart> readPart(const std::string& path, bool checksBytes) {
+Result<ShardPart> readPart(const std::string& path, bool checksBytes, const ShareDone& done) {
     struct stat info {};
     if (::stat(path.c_str(), &info) != 0)
         return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
@@ -301,7 +306,7 @@ Result<ShardPart> readPart(const std::string& path, bool checksBytes) {
     line += '\n';
     part.check = checkOf(0, line);
     part.wholeBytes = static_cast<std::int64_t>(line.size());
-    readRecords(in, info.st_size, checksBytes, part);
+    readRecords(in, info.st_size, checksBytes, done, part);
     part.isBeingWritten = isLocked(path);
     return part;
 }
@@ -322,13 +327,57 @@ std::string shardsOf(const std::vector<std::int64_t>& missing, int of) {
     return count > kShown ? text + " and " + std::to_string(count - kShown) + " more" : text;
 }
 
+/// The bytes of a record, whose CRC goes on from `check`.
+Result<std::string> bytesAt(const std::string& path, std::int64_t offset, std::uint32_t length,
+                            std::uint32_t check, std::uint32_t bytesCheck, std::int64_t index) {
+    std::ifstream in(path, std::ios::binary);
+    std::string bytes(length, '\0');
+    if (!in.seekg(offset) || !in.read(bytes.data(), length))
+        return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
+    if (checkOf(check, bytes) != bytesCheck)
+        return Error(MessageCode::PartDamaged, path, {std::to_string(index)});
+    return bytes;
+}
+
 } // namespace
 
-Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
+Result<void> MergedParts::add(const ShardPart& part) {
+    m_parts.push_back({part.path, part.check});
+    const auto number = static_cast<std::int32_t>(m_parts.size()) - 1;
+    for (const PartRecord& record : part.records) {
+        Place& place = m_places[static_cast<std::size_t>(record.index)];
+        if (place.part >= 0) { // a shard was computed twice, or a part copied
+            const auto there = this->record(record.index);
+            if (!there)
+                return there.error();
+            const auto here =
+                bytesAt(part.path, record.offset, record.length, part.check, record.bytesCheck, record.index);
+            if (!here)
+                return here.error();
+            if (*there != *here)
+                return Error(
+                    MessageCode::PartsDisagree, part.path,
+                    {std::to_string(record.index + 1), m_parts[static_cast<std::size_t>(place.part)].first});
+            continue;
+        }
+        place = {number, record.length, record.bytesCheck, record.offset};
+    }
+    return {};
+}
+
+Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths, const ShareDone& done) {
     MergedParts merged;
     std::optional<PartHeader> first;
+    std::vector<double> until{0.0}; // bytes, for the share
     for (const std::string& path : paths) {
-        auto part = readPart(path, true);
+        struct stat info {};
+        until.push_back(until.back() +
+                        (::stat(path.c_str(), &info) == 0 ? static_cast<double>(info.st_size) : 0.0));
+    }
+    const double all = std::max(until.back(), 1.0);
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+        const std::string& path = paths[k];
+        auto part = readPart(path, true, partOf(done, until[k] / all, until[k + 1] / all));
         if (!part && part.error().code() == MessageCode::FileEmpty)
             continue; // its process was ended before it had a result
         if (!part)
@@ -342,11 +391,8 @@ Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
         }
         if (auto same = checkSameParts(path, part->header, *first); !same)
             return same.error();
-        for (const PartRecord& record : part->records)
-            merged.m_places[static_cast<std::size_t>(record.index)] = {
-                static_cast<std::int32_t>(merged.m_parts.size()), record.length, record.bytesCheck,
-                record.offset};
-        merged.m_parts.push_back({path, part->check});
+        if (auto added = merged.add(*part); !added)
+            return added.error();
     }
     if (!first)
         return Error(MessageCode::FileEmpty, paths.empty() ? "" : paths.front());
@@ -364,13 +410,7 @@ Result<MergedParts> MergedParts::of(const std::vector<std::string>& paths) {
 Result<std::string> MergedParts::record(std::int64_t index) const {
     const Place& place = m_places.at(static_cast<std::size_t>(index));
     const auto& [path, check] = m_parts[static_cast<std::size_t>(place.part)];
-    std::ifstream in(path, std::ios::binary);
-    std::string bytes(place.length, '\0');
-    if (!in.seekg(place.offset) || !in.read(bytes.data(), place.length))
-        return Error(MessageCode::FileUnreadable, path, {std::strerror(errno)});
-    if (checkOf(check, bytes) != place.bytesCheck)
-        return Error(MessageCode::PartDamaged, path, {std::to_string(index)});
-    return bytes;
+    return bytesAt(path, place.offset, place.length, check, place.bytesCheck, index);
 }
 
 } // namespace bask

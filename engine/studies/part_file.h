@@ -4,6 +4,7 @@
 // at any moment; what is not whole is computed anew, and never counted.
 
 #include "engine/base/result.h"
+#include "engine/base/share_done.h"
 
 #include <cstdint>
 #include <memory>
@@ -92,14 +93,15 @@ struct ShardPart {
 
 /// Reads a part. `checksBytes`: every byte of it; else the records' heads, which have a check of their own,
 /// as for a look at how far it is. Errors: NotAPart, FileUnreadable, FileEmpty for one that was ended before
-/// its header was whole.
-Result<ShardPart> readPart(const std::string& path, bool checksBytes);
+/// its header was whole. `done` is told of the share of its bytes.
+Result<ShardPart> readPart(const std::string& path, bool checksBytes, const ShareDone& done = {});
 
 /// The results of all cases of a work, from its parts.
 class MergedParts {
 public:
-    /// Errors: those of readPart, PartOfAnother, PartDamaged, PartsMissing.
-    static Result<MergedParts> of(const std::vector<std::string>& paths);
+    /// `done` is told of the share of bytes that were read. A case may be in several parts, with the same
+    /// bytes. Errors: those of readPart, PartOfAnother, PartDamaged, PartsDisagree, PartsMissing.
+    static Result<MergedParts> of(const std::vector<std::string>& paths, const ShareDone& done = {});
 
     const std::string& work() const { return m_work; }
     std::int64_t cases() const { return static_cast<std::int64_t>(m_places.size()); }
@@ -112,6 +114,8 @@ private:
         std::uint32_t length = 0, bytesCheck = 0;
         std::int64_t offset = 0;
     };
+
+    Result<void> add(const ShardPart& part);
 
     std::string m_work;
     std::vector<std::pair<std::string, std::uint32_t>> m_parts; ///< path, and check of the header's line

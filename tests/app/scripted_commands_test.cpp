@@ -28,6 +28,15 @@ QString example(const char* name) {
 class ScriptedCommands : public testing::Test {
 protected:
     QString at(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
+    /// An experiment with one object.
+    QString alone() const {
+        QFile shipped(example("two-circles.json")), file(at("alone.json"));
+        EXPECT_TRUE(shipped.open(QIODevice::ReadOnly) && file.open(QIODevice::WriteOnly));
+        auto experiment = nlohmann::json::parse(shipped.readAll().toStdString());
+        experiment["objects"].erase(1);
+        file.write(QByteArray::fromStdString(experiment.dump()));
+        return file.fileName();
+    }
     QTemporaryDir m_folder;
 };
 
@@ -71,6 +80,8 @@ TEST_F(ScriptedCommands, refuseOptionsWithoutAnEffect) {
         {{"run", two, "--live", "--seed", "3"}, "--seed is for the simulated rig"},
         {{"run", two, "--overwrite"}, "--overwrite is for -o"},
         {{"run", two, "--operator", "A"}, "--operator is for a recording"},
+        {{"run", two, "-o", out, "--operator", ""}, "--operator: the name is empty"},
+        {{"run", two, "-o", out, "--batch", " "}, "--batch: the name is empty"},
         {{"run", two, "--out", out}, "--out is for recipes"},
         {{"run", "--recipe", "r.json", "--targets", "40,40"}, "--targets is not for recipes"},
         {{"run", "--recipe", "r.json", "--duration", "9"}, "--duration is not for recipes"},
@@ -97,6 +108,9 @@ TEST_F(ScriptedCommands, refuseOptionsWithoutAnEffect) {
         {{"export", "s.bask", "--vtk", out, "--all-digits"}, "--all-digits is for --csv"},
         {{"export", "s.bask", "--csv", out, "--vtk", ""}, "--vtk: the name of its folder is empty"},
         {{"merge", "--status", "a.part", "-o", out}, "--status writes no files"},
+        {{"merge", two, two, "-o", out}, "two-circles.json is named twice"},
+        {{"merge", "--status", two, example("./two-circles.json")}, "two-circles.json is named twice"},
+        {{"field", alone(), "--axes", "x=0:0.1:0.1", "--shade", "none", "-o", out + ".vti"}, "--shade"},
         {{"field", "--preset", "paper-translation", "--shade", "exact"}, "--shade"},
         {{"field", "--preset", "paper-translation", "--resume"}, "--resume"},
         {{"study", "view-factor", "--count", "3", "-o", out}, "--count is no option of the study"},

@@ -143,6 +143,26 @@ TEST_F(PartFile, mergesTheSameForEveryNumberOfShards) {
     }
 }
 
+// Catches a case that two parts have with other bytes, of which the last one counts without a word.
+TEST_F(PartFile, takesACaseFromTwoPartsOnlyWhereTheyAgree) {
+    auto paths = allParts(3);
+    paths.push_back(path("again.part"));
+    complete(paths.back(), header({2, 3}));
+    ASSERT_TRUE(MergedParts::of(paths));
+    fs::remove(paths.back());
+    {
+        auto other = PartWriter::open(paths.back(), header({2, 3}), true);
+        ASSERT_TRUE(other);
+        ASSERT_TRUE((*other)->add(4, recordOf(4) + "!", 0.5));
+        ASSERT_TRUE((*other)->finish());
+    }
+    const auto merged = MergedParts::of(paths);
+    ASSERT_FALSE(merged);
+    EXPECT_EQ(merged.error().code(), MessageCode::PartsDisagree);
+    EXPECT_NE(describe(merged.error()).find("again.part: case 5 is also in " + paths[1]), std::string::npos)
+        << describe(merged.error());
+}
+
 TEST_F(PartFile, saysWhichShardsLackCases) {
     auto paths = allParts(7);
     paths.erase(paths.begin() + 2);
