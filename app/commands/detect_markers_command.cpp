@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/message_code.h"
 #include "engine/calibration/camera_file.h"
 #include "engine/calibration/dictionary_file.h"
@@ -116,13 +117,18 @@ struct Search {
 };
 
 Result<Search> markersIn(const DetectMarkersArguments& request) {
+    constexpr double kRead = 0.4; // of the time, of a large picture
+    Progress progress(1.0);
+    const ShareDone done = progress.share();
     const auto picture = readGreyPicture(request.path);
     if (!picture)
         return picture.error();
+    tellShare(done, kRead);
     if (request.pose)
         if (const auto fits = checkSize(request.pose->camera, picture->width, picture->height); !fits)
             return Error{fits.error().code(), request.path, fits.error().message.args};
-    Search search{findSmallMarkersToo(*picture, request.dictionary)};
+    Search search{findSmallMarkersToo(*picture, request.dictionary, partOf(done, kRead, 1.0))};
+    tellShare(done, 1.0);
     std::ranges::stable_sort(search.markers, {}, &FoundMarker::id);
     search.isCrowded = search.markers.empty() && isCrowded(*picture);
     return search;
@@ -165,11 +171,7 @@ int detectMarkersCommand(const QStringList& arguments) {
     if (!search)
         return refuse(kDetectMarkers, search.error());
     if (search->isCrowded)
-        return refuse(
-            kDetectMarkers,
-            QStringLiteral("%1: a chessboard or the like: too many quadrangles to find a marker among "
-                           "them; cut the markers out")
-                .arg(QString::fromStdString(request->path)));
+        return refuse(kDetectMarkers, Error{MessageCode::MarkersCrowded, request->path});
     Json json{{"markers", Json::array()}};
     for (const FoundMarker& marker : search->markers)
         json["markers"].push_back(markerJson(marker, request->pose));

@@ -5,8 +5,9 @@
 #include "app/commands/fit_contour_report.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/message_code.h"
-#include "engine/experiment/text_file.h"
+#include "engine/base/whole_file.h"
 #include "engine/shape/outline_formats.h"
 #include "engine/shape/shape.h"
 
@@ -264,6 +265,13 @@ int list(const FitContourArguments& request) {
     return kExitDone;
 }
 
+Result<FourierFit> fitAsAsked(const Contour& outline, const FitContourArguments& request) {
+    if (request.harmonics > 0)
+        return fitFourier(outline, request.harmonics);
+    Progress progress(1.0, {}, Progress::Total::AtMost);
+    return fitFourierWithin(outline, request.tolerance_m, progress.share());
+}
+
 int fitAndReport(const FitContourArguments& request, bool asJson) {
     const auto file = readOutlines(request.path, request.import);
     if (!file)
@@ -272,8 +280,7 @@ int fitAndReport(const FitContourArguments& request, bool asJson) {
     if (!picked)
         return refuse("fit-contour", picked.error());
     const Contour& outline = picked->contour;
-    const auto fit = request.harmonics == 0 ? fitFourierWithin(outline, request.tolerance_m)
-                                            : fitFourier(outline, request.harmonics);
+    const auto fit = fitAsAsked(outline, request);
     if (!fit)
         return refuse("fit-contour", fit.error());
     if (fit->crossesItself)
@@ -283,13 +290,13 @@ int fitAndReport(const FitContourArguments& request, bool asJson) {
     for (const Message& warning : picked->warnings)
         warn(warning);
     const std::string report = fitReport(*picked, *fit, file->unit).dump(1) + '\n';
+    std::vector<WholeFile> files;
     if (!request.contourPath.empty())
-        if (const auto written = writeTextFile(request.contourPath, report); !written)
-            return refuse("fit-contour", written.error());
+        files.push_back({request.contourPath, report});
     if (!request.previewPath.empty())
-        if (const auto written = writeTextFile(request.previewPath, fitPreview(*picked, *fit).toStdString());
-            !written)
-            return refuse("fit-contour", written.error());
+        files.push_back({request.previewPath, fitPreview(*picked, *fit).toStdString()});
+    if (const auto written = writeWholeFiles(files); !written)
+        return refuse("fit-contour", written.error());
     if (asJson)
         std::printf("%s", report.c_str());
     else

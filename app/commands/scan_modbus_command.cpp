@@ -2,6 +2,7 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/progress.h"
 #include "engine/base/units.h"
 #include "engine/drivers/modbus_search.h"
 
@@ -88,25 +89,24 @@ Json jsonOf(const FoundUnit& found) {
 
 ModbusSearchState searched(const ModbusSearchSpec& spec, bool isTold) {
     ModbusSearch search(spec);
+    Progress progress(1.0);
     std::size_t told = 0;
-    std::string asked;
     ModbusSearchState state = search.state();
     while (!state.isOver) {
         search.work();
         QCoreApplication::processEvents();
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         state = search.state();
-        const std::string now =
-            (spec.isNetwork ? "" : lineText(state.line) + ", ") + "unit " + std::to_string(state.unit);
-        if (std::exchange(asked, now) != now)
-            std::fprintf(stderr, "\r%3.0f %%, %s   ", 100.0 * state.progress, now.c_str());
+        progress.tell(state.progress, [&] {
+            return (spec.isNetwork ? "" : lineText(state.line) + ", ") + "unit " + std::to_string(state.unit);
+        });
         while (isTold && told < state.found.size() &&
                (state.isOver || state.found[told].unit != state.unit)) {
-            std::fprintf(stderr, "\r%40s\r", "");
+            progress.makeRoom();
             print(state.found[told++]);
         }
     }
-    std::fprintf(stderr, "\r%40s\r", "");
+    progress.makeRoom();
     return state;
 }
 

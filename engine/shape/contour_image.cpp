@@ -275,9 +275,10 @@ Result<PicturePlane> planeOfMarker(cv::Mat& image, const ReferenceMarker& refere
                                    std::vector<Message>& warnings) {
     constexpr double kMinSide_px = 40.0;
     const Error notFound{MessageCode::MarkerNotFound, path, {reference.dictionary}};
-    const std::vector<FoundMarker> markers = findMarkers(greyPicture(image), {reference.dictionary});
+    const GreyPicture grey = greyPicture(image);
+    const std::vector<FoundMarker> markers = findMarkers(grey, {reference.dictionary});
     if (markers.empty())
-        return notFound;
+        return isCrowded(grey) ? Error{MessageCode::MarkersCrowded, path} : notFound;
     const auto plane = PicturePlane::ofSquare(markers.front().corners_px, reference.side_m);
     if (!plane)
         return notFound;

@@ -239,7 +239,7 @@ std::vector<double> distancesTo(const FourierFit& fit, const std::vector<Eigen::
     return distancesTo(curve, points);
 }
 
-Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m) {
+Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m, const ShareDone& done) {
     if (!(tolerance_m > 0.0))
         return Error{MessageCode::ValueNotPositive, {}, {formatNumber(tolerance_m * 1e3)}};
     if (outline.points_m.size() < 3)
@@ -247,8 +247,10 @@ Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m) 
     const std::vector<double> s = arcLengths(outline.points_m);
     const std::vector<Complex> c = project(outline.points_m, s, kMaxHarmonics);
     double min_m = 0.0;
+    ShareCount count(done, kMaxHarmonics);
     for (int harmonics = 1; harmonics <= kMaxHarmonics; ++harmonics) {
         min_m = hausdorffOf(outline.points_m, truncated(c, harmonics), s.back());
+        count.add();
         if (min_m > tolerance_m)
             continue;
         auto fit = fitFourier(outline, harmonics);

@@ -2,6 +2,7 @@
 // Truncated Fourier contour x + iy = sum_{j=-H..H} c_j exp(2 pi i j phi) and its least-squares fit by arc
 // length.
 
+#include "engine/base/share_done.h"
 #include "engine/shape/contour.h"
 
 #include <complex>
@@ -63,7 +64,8 @@ Result<FourierFit> fitFourier(const Contour& outline, int harmonics);
 std::vector<double> distancesTo(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points);
 
 /// Returns the fit with the smallest number of harmonics whose Hausdorff distance from the outline is at most
-/// `tolerance_m` and that does not cross itself. Errors: ValueNotPositive, ToleranceUnreachable.
-Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m);
+/// `tolerance_m` and that does not cross itself. `done` is told of the largest share that is left. Errors:
+/// ValueNotPositive, ToleranceUnreachable.
+Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m, const ShareDone& done = {});
 
 } // namespace bask

@@ -324,13 +324,17 @@ std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDic
     return found(image, library(dictionary), 1);
 }
 
-std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary) {
+std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary,
+                                             const ShareDone& done) {
     constexpr int kMaxPixels = 4'000'000;
+    constexpr double kLooked = 0.1, kOnce = 0.25; // of both searches, roughly
     const cv::Mat1b image = imageOf(picture);
     if (hasManyQuads(image))
         return {};
+    tellShare(done, kLooked);
     const cv::aruco::Dictionary from = library(dictionary);
     std::vector<FoundMarker> markers = found(image, from, 1);
+    tellShare(done, kOnce);
     if (picture.width > kMaxPixels / std::max(picture.height, 1))
         return markers;
     const auto isNew = [&, known = markers.size()](const FoundMarker& marker) {

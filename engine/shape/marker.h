@@ -1,6 +1,8 @@
 #pragma once
 // Finds ArUco markers in a picture with subpixel corners. One wrapper for OpenCV's two interfaces.
 
+#include "engine/base/share_done.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -56,7 +58,8 @@ std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDic
 bool isCrowded(const GreyPicture& picture);
 
 /// Like findMarkers, but also searches the picture at twice its size, which takes five times as long: finds
-/// markers down to about 20 px. A picture above 4 megapixels is searched once.
-std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary);
+/// markers down to about 20 px. A picture above 4 megapixels is searched once. `done` is told of each step.
+std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary,
+                                             const ShareDone& done = {});
 
 } // namespace bask
