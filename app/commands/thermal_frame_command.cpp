@@ -41,7 +41,7 @@ struct MeasuredRegion {
 Region readRegion(const json& j, const std::string& path, Failure& failure) {
     Region out;
     Fields fields(j, path, failure);
-    fields.read("name", out.name, true);
+    fields.readName("name", out.name, true);
     if (const json* points = fields.find("polygon_px", true); points && !failure) {
         const std::string place = fields.pathOf("polygon_px");
         if (!points->is_array() || points->size() < 3 || points->size() > kMaxCorners)

@@ -96,6 +96,18 @@ void Fields::read(const std::string& key, std::string& out, bool required) {
     out = j->get<std::string>();
 }
 
+void Fields::readName(const std::string& key, std::string& out, bool required) {
+    read(key, out, required);
+    if (!isOneLine(out) || hasInvisible(out))
+        fail(MessageCode::NameNotPlain, pathOf(key));
+}
+
+void Fields::readTitle(const std::string& key, std::string& out) {
+    read(key, out);
+    if (printable(out) != out)
+        fail(MessageCode::NameNotPlain, pathOf(key));
+}
+
 void Fields::read(const std::string& key, std::vector<double>& out) {
     const json* j = find(key);
     if (j == nullptr)

@@ -38,6 +38,10 @@ public:
     void read(const std::string& key, std::uint64_t& out);
     void read(const std::string& key, bool& out);
     void read(const std::string& key, std::string& out, bool required = false);
+    /// Reads a name: one line without characters that nobody sees (NameNotPlain).
+    void readName(const std::string& key, std::string& out, bool required = false);
+    /// Reads a title: words without control characters (NameNotPlain).
+    void readTitle(const std::string& key, std::string& out);
     /// Reads an array of numbers.
     void read(const std::string& key, std::vector<double>& out);
     /// Reads a quantity in either of its two spellings and converts it to SI.

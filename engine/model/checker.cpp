@@ -4,23 +4,6 @@
 #include "engine/base/plain_text.h"
 
 namespace bask {
-namespace {
-
-/// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
-bool isPlain(const std::string& name) {
-    if (!name.empty() && (name.front() == ' ' || name.back() == ' '))
-        return false;
-    for (std::size_t i = 0; i < name.size(); ++i) {
-        const auto byte = static_cast<unsigned char>(name[i]);
-        const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : '\0');
-        if (byte < 0x20 || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0))
-            return false;
-    }
-    return true;
-}
-
-} // namespace
-
 void Checker::fail(MessageCode code, const std::string& where, std::vector<MessageArg> args) {
     if (!m_error)
         m_error = Error(code, where, std::move(args));
@@ -37,15 +20,17 @@ void Checker::range(const std::string& where, double value, double min, double m
              {formatNumber(value, 10), formatNumber(min), formatNumber(max), std::string(unit)});
 }
 
-void Checker::name(const std::string& where, const std::string& name) {
-    line(where, name, kMaxNameLength);
+void Checker::name(const std::string& where, const std::string& name, std::size_t max) {
+    line(where, name, max);
+    if (hasInvisible(name))
+        fail(MessageCode::NameNotPlain, where);
 }
 
 void Checker::line(const std::string& where, const std::string& text, std::size_t max) {
     if (text.empty())
         return;
     range(where, static_cast<double>(characterCount(text)), 1.0, static_cast<double>(max), "characters");
-    if (!isPlain(text) || hasInvisible(text))
+    if (!isOneLine(text) || hasInvisible(text, Variants::Kept))
         fail(MessageCode::NameNotPlain, where);
 }
 

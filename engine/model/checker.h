@@ -31,10 +31,11 @@ public:
     /// Checks a quantity given in SI and reports it in the units of the file.
     void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double min,
                   double max);
-    /// Refuses a name that is not plain (NameNotPlain), or has more than kMaxNameLength characters. An empty
-    /// one is for the caller.
-    void name(const std::string& where, const std::string& name);
-    /// The same for a longer text of one line, of at most `max` characters.
+    /// Refuses a name that is not plain (NameNotPlain), or has more than `max` characters. An empty one is
+    /// for the caller.
+    void name(const std::string& where, const std::string& name, std::size_t max = kMaxNameLength);
+    /// The same for words of one line or the name of a person, of at most `max` characters: what chooses a
+    /// variant of the character before it is allowed.
     void line(const std::string& where, const std::string& text, std::size_t max);
     /// Checks a parameter; `path` ends with a dot.
     void parameter(const std::string& path, const ParameterFacts& facts, double si);

@@ -62,6 +62,7 @@ std::string numberedName(std::string name, int number) {
 
 void checkMaterial(Checker& check, const std::string& path, const Material& material) {
     check.parameters(path, materialParameters(), material);
+    check.name(path + "name", material.name, kMaxSourceLength); // a library's are shorter
     check.line(path + "source", material.source, kMaxSourceLength);
     if (!material.date.empty() && !isDate(material.date))
         check.fail(MessageCode::DateWrong, path + "date", {plainWords(material.date)});

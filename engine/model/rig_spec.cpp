@@ -174,9 +174,10 @@ bool hasOneLine(const RigSpec& rig) {
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t sensors, const std::array<bool, 6>& freeCoordinates) {
-    if (auto fit = checkRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
-        !fit)
-        return fit;
+    Checker name;
+    name.name("name", rig.name, kMaxText);
+    if (name.failed())
+        return name.result();
     if (rig.robot)
         if (const auto fit = checkRobot(*rig.robot, freeCoordinates); !fit)
             return fit;

@@ -6,7 +6,7 @@ namespace bask {
 
 Result<void> validate(const RunLabels& labels) {
     Checker check;
-    check.name("operator", labels.operatorName);
+    check.line("operator", labels.operatorName, Checker::kMaxNameLength);
     check.name("sample", labels.sample);
     check.name("batch", labels.batch);
     return check.result();

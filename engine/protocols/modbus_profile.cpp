@@ -278,8 +278,8 @@ IdentitySpec readIdentity(const json& j, const std::string& path, Failure& failu
 
 void readProfile(const json& j, Failure& failure, ModbusProfile& out) {
     Fields fields(j, {}, failure);
-    fields.read("name", out.name, true);
-    fields.read("title", out.title);
+    fields.readName("name", out.name, true);
+    fields.readTitle("title", out.title);
     fields.read("source", out.source);
     readPart(fields, "identity", false, [&](const json& part, const std::string& path) {
         out.identity = readIdentity(part, path, failure);

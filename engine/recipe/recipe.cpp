@@ -107,6 +107,7 @@ double maxDuration_s(const Recipe& recipe) {
 
 Result<void> validate(const Recipe& recipe) {
     Checker check;
+    check.name("name", recipe.name, kMaxRecipeName);
     check.range("steps", static_cast<double>(recipe.steps.size()), 0.0, kMaxRecipeSteps);
     for (std::size_t i = 0; i < recipe.steps.size() && !check.failed(); ++i)
         checkStep(check, recipe.steps[i], i);

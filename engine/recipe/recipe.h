@@ -43,6 +43,7 @@ struct Recipe {
 
 inline constexpr int kRecipeFormat = 1; ///< version written to and accepted from recipe files
 inline constexpr std::size_t kMaxRecipeSteps = 500;
+inline constexpr std::size_t kMaxRecipeName = 1000; ///< characters
 
 /// The number that a step waits for: one parameter for each Until.
 ParameterTable<RecipeStep> conditionParameters(RecipeStep::Until until);

@@ -59,8 +59,7 @@ Recipe readRoot(const json& j, const std::string& folder, Failure& failure) {
     Recipe recipe;
     Fields root(j, {}, failure);
     readHeader(root, "bask-recipe", kRecipeFormat);
-    root.read("name", recipe.name);
-    recipe.name = printable(std::move(recipe.name));
+    root.readName("name", recipe.name);
     if (const json* steps = root.find("steps");
         steps != nullptr && steps->is_array() && steps->size() > kMaxRecipeSteps)
         root.fail(MessageCode::ValueOutOfRange, "steps",

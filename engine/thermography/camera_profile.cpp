@@ -72,8 +72,8 @@ void checkRange(const Fields& fields, const ThermalProfile& profile) {
 
 void readThermalProfile(const json& j, Failure& failure, ThermalProfile& out) {
     Fields fields(j, {}, failure);
-    fields.read("name", out.name, true);
-    fields.read("title", out.title);
+    fields.readName("name", out.name, true);
+    fields.readTitle("title", out.title);
     fields.read("source", out.source);
     readWithin(fields, "width", out.width, kMinSide, kMaxSide, true);
     readWithin(fields, "height", out.height, kMinSide, kMaxSide, true);

@@ -134,6 +134,8 @@ TEST(ThermalFrameCommand, refusesRegionsThatAreNone) {
                                   "{\"regions\": [" + a + "\"polygon_px\": [[0, 0], [1, 1]]}]}",
                                   "{\"regions\": [" + a + "\"polygon_px\": [[0, 0], [1, 1], [\"2\", 0]]}]}",
                                   "{\"regions\": [{\"name\": \"\", " + triangle + "}]}",
+                                  "{\"regions\": [{\"name\": \"a\\u202eb\", " + triangle + "}]}",
+                                  "{\"regions\": [{\"name\": \"a\\u001b[31m\", " + triangle + "}]}",
                                   "{\"regions\": [" + a + triangle + ", \"colour\": 1}]}",
                                   "{\"regions\": [" + a + triangle + "}, " + a + triangle + "}]}"};
     for (const QByteArray& text : refused) {

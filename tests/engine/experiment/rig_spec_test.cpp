@@ -84,6 +84,23 @@ TEST(RigSpec, EveryParameterIsRefusedOutsideItsRange) {
 }
 
 // Catches a driver that is not there and silently becomes another.
+// Catches: a name that commands a terminal or looks like another one, and one whose bytes are counted.
+TEST(RigSpec, ANameIsPlainAndMeasuredInCharacters) {
+    RigSpec rig = rigWith(profileOf("pixsys-drr245"));
+    ASSERT_EQ(refusal(rig).code(), MessageCode::None) << describe(refusal(rig));
+    rig.name.clear();
+    for (int k = 0; k < 1000; ++k)
+        rig.name += "\u52a0";
+    EXPECT_EQ(refusal(rig).code(), MessageCode::None);
+    rig.name += "a";
+    EXPECT_EQ(refusal(rig).code(), MessageCode::ValueOutOfRange);
+    for (const char* name : {"a\x1b[31m", "a\u202eb", "a\u200b"}) {
+        rig.name = name;
+        EXPECT_EQ(refusal(rig).code(), MessageCode::NameNotPlain) << name;
+        EXPECT_EQ(refusal(rig).where, "name") << name;
+    }
+}
+
 TEST(RigSpec, AnUnknownDriverIsRefusedWithTheKnownOnes) {
     RigSpec robot = rigWithDevice(&RigSpec::robot, "scara");
     EXPECT_EQ(refusal(robot).code(), MessageCode::ValueUnknown);

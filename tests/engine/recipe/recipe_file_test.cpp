@@ -160,6 +160,12 @@ TEST_F(RecipeFile, refusesDamagedEmptyForeignAndHugeFiles) {
     EXPECT_EQ(code(R"({"format": "bask-recipe", "version": 0, "steps": []})"), MessageCode::ValueOutOfRange);
     EXPECT_EQ(code(R"({"format": "bask-recipe", "version": 1})"), MessageCode::JsonMissingKey);
     EXPECT_EQ(code(R"({"format": "bask-recipe", "version": 1, "steps": {}})"), MessageCode::JsonWrongType);
+    for (const char* name : {R"(a\u001b[31m)", R"(a\u202eb)", R"(a\u200b)", " a"}) {
+        EXPECT_EQ(code(R"({"format": "bask-recipe", "version": 1, "name": ")" + std::string(name) +
+                       R"(", "steps": []})"),
+                  MessageCode::NameNotPlain);
+        EXPECT_EQ(refusal().where, path + ": name");
+    }
     EXPECT_EQ(code(R"({"format": "bask-recipe", "version": 1, "steps": [], "steps": []})"),
               MessageCode::JsonDuplicateKey);
     std::string steps = "{}";

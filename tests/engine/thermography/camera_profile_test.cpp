@@ -53,6 +53,9 @@ TEST(ThermalProfile, unitsAreConverted) {
 TEST(ThermalProfile, refusesWhatItCannotMean) {
     ASSERT_TRUE(thermalProfileFromJson(minimal().dump(), "p"));
     const std::pair<const char*, nlohmann::json> bad[] = {{"name", ""},
+                                                          {"name", "p2\u200b-pro"},
+                                                          {"name", "p2\n"},
+                                                          {"title", "a\x1b[31m"},
                                                           {"width", 7},
                                                           {"width", 5000},
                                                           {"height", "60"},
