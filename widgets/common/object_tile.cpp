@@ -23,6 +23,7 @@ namespace bask {
 namespace {
 
 constexpr int kStateIcon = 14;
+constexpr double kNoTenths = 9.5;            // of twice an uncertainty
 constexpr double kLongestInSeconds_s = 99.5; ///< as an age
 constexpr double kLimitGround = 0.18;        ///< share of its colour in the ground of a tile
 
@@ -119,7 +120,7 @@ bool isUnknown(ObjectActivity activity) {
 }
 
 QString ShownObject::errorText(TemperatureUnit unit) const {
-    return formatPrintedDifference(isUnknown(activity) ? kNothing : temperature_K, target_K, unit);
+    return formatPrintedDifference(isUnknown(activity) ? kNothing : temperature_K, target_K, unit, decimals);
 }
 
 ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(index) {
@@ -275,6 +276,7 @@ void ObjectTile::setRecordedUncertainty(double u_K) {
 
 void ObjectTile::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
+    m_told_u = std::numeric_limits<double>::quiet_NaN();
     showValues();
 }
 
@@ -298,14 +300,28 @@ ShownObject ObjectTile::shown() const {
     const double told_K =
         std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
     const double known_K = m_sample.valid && !isOld ? m_sample.measured_K : ShownObject::kNothing;
-    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, ageText()};
+    return {m_name, m_activity, isOld ? told_K : known_K, m_sample.target_K, ageText(), m_decimals};
+}
+
+/// What differs little from what is told changes nothing: else digits would come and go with its noise.
+void ObjectTile::takeUncertainty() {
+    constexpr double kSteady = 0.15;
+    const double u = displayDifference(m_sensor.uncertainty_K, m_unit);
+    if (std::abs(u - m_told_u) <= kSteady * m_told_u)
+        return;
+    m_told_u = u;
+    m_decimals = decimalsOf(2.0 * u, 2.0 * u < kNoTenths ? 1 : 0).value_or(1); // as of formatReading()
+    const QString widest = formatTemperatureNumber(0.0, TemperatureUnit::Kelvin, m_decimals);
+    m_temperature->setMinimumWidth(
+        m_temperature->fontMetrics().horizontalAdvance(QStringLiteral("00%1\u00a0\u00b0C").arg(widest)));
 }
 
 void ObjectTile::showValues() {
+    takeUncertainty();
     const ShownObject now = shown();
     const bool isKnown = m_sample.valid && !isUnknown(m_activity);
     showTemperature(now);
-    m_target->setText(formatTemperature(now.target_K, m_unit));
+    m_target->setText(formatTemperature(now.target_K, m_unit, now.decimals));
     m_error->setText(now.errorText(m_unit));
     m_rate->setText(formatRate(isKnown ? m_trend.meanRate_K_s() : ShownObject::kNothing, m_unit));
     sayWithText(m_target, m_targetCaption->text());
@@ -323,14 +339,17 @@ void ObjectTile::showValues() {
         m_stateLabel->setPalette(state);
         update();
     }
-    setAccessibleDescription(
-        QStringLiteral("%1, %2 %3").arg(m_stateLabel->text(), m_temperature->text(), m_age->text()));
+    QStringList told{m_temperature->text()};
+    for (const QString& more : {isKnown ? uncertaintyText() : QString(), isKnown ? cameraText() : now.age})
+        if (!more.isEmpty())
+            told << more;
+    setAccessibleDescription(m_stateLabel->text() + QStringLiteral(", ") + told.join(u' '));
 }
 
 void ObjectTile::showTemperature(const ShownObject& now) {
     const bool isOld = isUnknown(m_activity);
     const bool isDoubted = m_activity == ObjectActivity::SensorDistrusted;
-    m_temperature->setText(formatTemperature(now.temperature_K, m_unit));
+    m_temperature->setText(formatTemperature(now.temperature_K, m_unit, now.decimals));
     sayWithText(m_temperature, tr("Measured temperature of %1").arg(m_name));
     if (const QString tip = isOld ? QString() : uncertaintyTip(); tip != m_temperature->toolTip())
         m_temperature->setToolTip(tip);
@@ -343,7 +362,8 @@ void ObjectTile::showTemperature(const ShownObject& now) {
         shown.setColor(QPalette::WindowText, secondaryText(isDark(this)));
     if (m_temperature->palette() != shown)
         m_temperature->setPalette(shown);
-    m_age->setText(isOld ? now.age : cameraText());
+    const QString camera = cameraText();
+    m_age->setText(isOld ? now.age : camera.isEmpty() ? uncertaintyText() : camera);
     m_age->setVisible(!isDoubted);
     m_confirm->setVisible(isDoubted);
 }
@@ -353,6 +373,15 @@ QString ObjectTile::cameraText() const {
     if (std::isfinite(m_sample.camera.T_K))
         return tr("Camera %1").arg(formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit));
     return {};
+}
+
+/// "± 0.15 K"; empty where it is not known.
+QString ObjectTile::uncertaintyText() const {
+    const auto decimals = decimalsOf(m_told_u, 1);
+    if (!decimals)
+        return {};
+    return QStringLiteral("\u00b1 %1\u00a0%2")
+        .arg(QLocale().toString(m_told_u, 'f', *decimals + 1), differenceUnitSymbol(m_unit));
 }
 
 /// Empty where the uncertainty is not known.
@@ -388,9 +417,9 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setText(tr("Rate"));
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(nameWords(m_name));
-    m_age->setToolTip(
-        tr("Age of the newest reading that was believed, how long a sensor has told the same value, or what "
-           "the thermal camera sees of the object, with twice its standard uncertainty"));
+    m_age->setToolTip(tr(
+        "Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its "
+        "own; of a reading that is not believed its age, or how long the sensor has told the same value"));
     m_confirm->setText(tr("Confirm"));
     m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
     m_confirm->setToolTip(
@@ -415,7 +444,7 @@ void ObjectTile::restyle() {
     const QFontMetrics metrics(font());
     for (QLabel* value : {m_target, m_error, m_rate})
         value->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")) + 2);
-    m_temperature->setMinimumWidth(QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
+    m_told_u = std::numeric_limits<double>::quiet_NaN(); // the letters may have another size
     const int foot = std::max(m_age->sizeHint().height(), m_confirm->sizeHint().height());
     m_age->setMinimumHeight(foot); // the tile is as high with the one as with the other
     m_stateIcon->clear();

@@ -54,6 +54,7 @@ struct ShownObject {
     /// Of a reading that is not known, of a frozen one how long it has been the same; empty if there was
     /// none, and for the newest reading, which is not believed.
     QString age;
+    int decimals = 1; ///< of its temperatures: what the uncertainty of its readings allows
 
     /// Returns "+0.3 K", that of the two temperatures as they are shown; a dash without a known reading.
     QString errorText(TemperatureUnit unit) const;
@@ -107,6 +108,8 @@ private:
     QString cameraText() const;
     QString ageText() const;
     QString uncertaintyTip() const;
+    QString uncertaintyText() const;
+    void takeUncertainty();
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
 
@@ -116,6 +119,9 @@ private:
     SensorView m_sensor;
     double m_believed_K = std::numeric_limits<double>::quiet_NaN(); ///< newest reading that was believed
     double m_recorded_K = std::numeric_limits<double>::quiet_NaN(); ///< uncertainty of a record's readings
+    /// the standard uncertainty that is told, in the reader's unit
+    double m_told_u = std::numeric_limits<double>::quiet_NaN();
+    int m_decimals = 1;
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
     double m_warning_K = std::numeric_limits<double>::infinity();

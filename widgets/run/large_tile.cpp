@@ -46,7 +46,9 @@ LargeTile::LargeTile(int index, QWidget* parent)
     setShown({}, TemperatureUnit::Celsius);
 }
 
-void LargeTile::setShown(const ShownObject& object, TemperatureUnit unit) {
+void LargeTile::setShown(const ShownObject& shown, TemperatureUnit unit) {
+    ShownObject object = shown;
+    object.decimals = std::min(shown.decimals, 1); // more would make the letters smaller
     const bool isOld = isUnknown(object.activity);
     if (object.activity != m_activity) {
         m_activity = object.activity;
@@ -54,7 +56,7 @@ void LargeTile::setShown(const ShownObject& object, TemperatureUnit unit) {
     }
     const QString word = activityWord(object.activity);
     m_name->setText(object.name);
-    m_temperature->setText(formatTemperatureNumber(object.temperature_K, unit));
+    m_temperature->setText(formatTemperatureNumber(object.temperature_K, unit, object.decimals));
     m_temperature->setUnit(temperatureUnitSymbol(unit));
     m_temperature->setLook({.isUnknown = isOld,
                             .isGrey = isOld,
@@ -62,13 +64,13 @@ void LargeTile::setShown(const ShownObject& object, TemperatureUnit unit) {
     m_word->setText(object.age.isEmpty() ? word : word + QStringLiteral(" \u00b7 ") + object.age);
     m_word->setLook({.isUnknown = isOld, .priority = activityPriority(object.activity)});
     setCaptions(QStringLiteral("+000.0\u00a0") + temperatureUnitSymbol(unit));
-    m_target->setText(formatTemperature(object.target_K, unit));
+    m_target->setText(formatTemperature(object.target_K, unit, object.decimals));
     m_error->setText(object.errorText(unit));
     setAccessibleName(ObjectTile::nameWords(object.name));
-    setAccessibleDescription(QStringLiteral("%1, %2, %3 %4, %5 %6")
-                                 .arg(m_word->text(), formatTemperature(object.temperature_K, unit),
-                                      m_targetCaption->text(), m_target->text(), m_errorCaption->text(),
-                                      m_error->text()));
+    setAccessibleDescription(
+        QStringLiteral("%1, %2, %3 %4, %5 %6")
+            .arg(m_word->text(), formatTemperature(object.temperature_K, unit, object.decimals),
+                 m_targetCaption->text(), m_target->text(), m_errorCaption->text(), m_error->text()));
 }
 
 /// Their widths depend on the language, those of the figures on the unit.

@@ -18,7 +18,7 @@ class LargeTile : public QFrame {
 public:
     LargeTile(int index, QWidget* parent);
 
-    void setShown(const ShownObject& object, TemperatureUnit unit);
+    void setShown(const ShownObject& shown, TemperatureUnit unit);
     /// Height of a figure of the temperature in px if the tile were this large.
     int figureHeight(QSize size) const;
 

@@ -68,6 +68,41 @@ TEST(ObjectTile, TheTipTellsTheUncertainty) {
     EXPECT_TRUE(tip().contains("Standard uncertainty 0.20 K.")) << tip().toStdString();
 }
 
+// Catches: an uncertainty that only a pointer finds, digits that it does not allow, and digits that come and
+// go with its noise.
+TEST(ObjectTile, TheUncertaintyIsUnderTheReadingAndAllowsItsDigits) {
+    Shown shown;
+    ObjectSample sample;
+    sample.valid = true;
+    sample.measured_K = 273.15 + 30.123;
+    sample.target_K = 273.15 + 40.0;
+    const auto tell = [&](double u_K) {
+        shown.tile.setSample(1.0, sample, {SensorTrust::Trusted, 0.1, sample.measured_K, u_K});
+    };
+    tell(0.153);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.1\u00a0°C"));
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("± 0.15\u00a0K"));
+    EXPECT_TRUE(shown.tile.accessibleDescription().endsWith(QStringLiteral("30.1\u00a0°C ± 0.15\u00a0K")))
+        << shown.tile.accessibleDescription().toStdString();
+    tell(0.02);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.12\u00a0°C"));
+    EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.00\u00a0°C"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u22129.88\u00a0K"));
+    EXPECT_EQ(shown.tile.shown().decimals, 2);
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("± 0.020\u00a0K"));
+    tell(0.046);
+    for (const double u_K : {0.049, 0.045, 0.05, 0.046}) { // at the limit of two decimals
+        tell(u_K);
+        EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.12\u00a0°C")) << u_K;
+        EXPECT_EQ(shown.text("tileAge"), QStringLiteral("± 0.046\u00a0K")) << u_K;
+    }
+    tell(0.06);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.1\u00a0°C"));
+    tell(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(shown.text("tileAge"), QString());
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.1\u00a0°C"));
+}
+
 // Catches 40.1 beside a target of 40.0 and an error of 0.2.
 TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
     Shown shown;
