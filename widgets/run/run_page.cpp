@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "widgets/common/device_words.h"
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/marker_words.h"
 #include "widgets/common/object_tile.h"
@@ -47,6 +48,12 @@ double toldSameFor_s(const std::vector<Alarm>& alarms, const std::string& object
     bool isNumber = false;
     const double same_s = QString::fromStdString(found->message.args[1].text()).toDouble(&isNumber);
     return isNumber ? same_s : kNaN;
+}
+
+/// The share of the source that the others hide from an object, in whole percent; 0 if it is not known.
+int shade_percent(const ObjectSample& object) {
+    const double share = 1.0 - object.viewFactor / object.unshadedViewFactor;
+    return object.unshadedViewFactor > 0.0 && std::isfinite(share) ? qRound(100.0 * share) : 0;
 }
 
 /// "speed, workspace x".
@@ -130,6 +137,7 @@ void RunPage::apply(const Snapshot& snapshot) {
     m_source->apply(snapshot);
     showScene(snapshot);
     showLimits(snapshot);
+    showShade(snapshot);
     m_controller->setSettings(snapshot.controller);
     m_speedRow->setVisible(snapshot.simulated);
     if (const int index = m_speed->findData(snapshot.simulationSpeed);
@@ -205,6 +213,31 @@ void RunPage::showLimits(const Snapshot& snapshot) {
         m_limits->setText(words.isEmpty() ? tr("A limit holds the robot back.")
                                           : tr("Held back by: %1").arg(words));
     m_limits->setToolTip(m_limits->text());
+}
+
+/// That of the most shaded one; the tip has all.
+void RunPage::showShade(const Snapshot& snapshot) {
+    int most = 0;
+    QString first;
+    QStringList all;
+    const std::size_t count = std::min(m_names.size(), snapshot.latest.objects.size());
+    for (std::size_t i = 0; i < count; ++i)
+        if (const int share = shade_percent(snapshot.latest.objects[i]); share > 0) {
+            all << tr("%1 %2 %", "the name of an object, and how much of the source the others hide from it")
+                       .arg(m_names[i])
+                       .arg(share);
+            if (share > most) {
+                most = share;
+                first = all.back();
+            }
+        }
+    const bool isPlaceKnown = snapshot.place != PlaceState::Unknown && snapshot.place != PlaceState::Unsure;
+    m_shade->setText(most > 0 && isPlaceKnown ? tr("Shaded: %1").arg(first) : QString());
+    m_shade->setToolTip(
+        m_shade->text().isEmpty()
+            ? QString()
+            : tr("How much of the source the other objects hide: %1. The view factors count it.")
+                  .arg(all.join(listSeparator())));
 }
 
 void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes) {

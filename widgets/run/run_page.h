@@ -26,6 +26,7 @@ class QToolButton;
 namespace bask {
 
 class ControllerPanel;
+class ElidedLabel;
 class PlotPlace;
 class TileGrid;
 class SceneView;
@@ -95,6 +96,7 @@ private:
     void showPlan();
     void showTiles(const Snapshot& snapshot);
     void showLimits(const Snapshot& snapshot);
+    void showShade(const Snapshot& snapshot);
     void addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes);
     void beginTrace();
     void showThermalTab(bool hasCamera);
@@ -128,7 +130,8 @@ private:
     QLabel* m_sceneLabel = nullptr;
     QToolButton *m_viewTop = nullptr, *m_viewSide = nullptr, *m_viewIsometric = nullptr;
     QLabel* m_placeMark = nullptr;
-    QLabel* m_limits = nullptr; ///< also shows when the robot's position is not known
+    ElidedLabel* m_limits = nullptr; ///< also shows when the robot's position is not known
+    QLabel* m_shade = nullptr;       ///< of one object by the others; empty if there is none
     ControllerPanel* m_controller = nullptr;
     QLabel* m_noteLabel = nullptr;
     QLineEdit* m_note = nullptr;

@@ -1,5 +1,6 @@
 // How the Run page is put together: its parts, their arrangement and their texts.
 
+#include "widgets/common/elided_label.h"
 #include "widgets/common/floating_place.h"
 #include "widgets/common/folding_splitter.h"
 #include "widgets/common/theme.h"
@@ -50,6 +51,7 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     m_tiles = new TileGrid(this);
     m_tiles->setObjectName(QStringLiteral("runTiles"));
     m_source = new SourceTile(this);
+    m_source->setProperty(kKeptFree_px, kWholeWidget_px);
 
     auto* splitter = new FoldingSplitter(this);
     splitter->setObjectName(QStringLiteral("runSplitter"));
@@ -181,9 +183,11 @@ QWidget* RunPage::makeSide() {
     bar->addWidget(m_viewIsometric);
 
     m_placeMark = new QLabel(side);
-    m_limits = new QLabel(side);
+    m_limits = new ElidedLabel(side);
     m_limits->setObjectName(QStringLiteral("activeLimits"));
     m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_shade = new QLabel(side);
+    m_shade->setObjectName(QStringLiteral("shade"));
     m_controller = new ControllerPanel(side);
     connect(m_controller, &ControllerPanel::controllerApplied, this, &RunPage::controllerApplied);
 
@@ -210,6 +214,7 @@ QWidget* RunPage::makeSide() {
     limits->setSpacing(6);
     limits->addWidget(m_placeMark);
     limits->addWidget(m_limits, 1);
+    limits->addWidget(m_shade);
     layout->addLayout(limits);
     layout->addWidget(m_controller);
     layout->addWidget(m_speedRow);
@@ -301,6 +306,7 @@ void RunPage::restyle() {
     m_windowLabel->setPalette(captionPalette(palette()));
     m_noteLabel->setPalette(captionPalette(palette()));
     m_speedLabel->setPalette(captionPalette(palette()));
+    m_shade->setPalette(captionPalette(palette()));
 }
 
 } // namespace bask

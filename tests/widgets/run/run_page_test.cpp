@@ -26,6 +26,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <random>
 
 using namespace bask;
@@ -182,6 +183,32 @@ TEST(RunPage, SaysWhichLimitsHoldTheRobotBack) {
     snapshot.state = RunState::Stopped;
     page.apply(snapshot);
     EXPECT_TRUE(said->text().isEmpty());
+}
+
+// Catches: a shade that only a lower view factor tells, one that is told where there is none, and one of a
+// place that is not known.
+TEST(RunPage, SaysHowMuchTheObjectsShadeEachOther) {
+    RunPage page;
+    page.setExperiment(threeObjects());
+    const auto* said = page.findChild<QLabel*>(QStringLiteral("shade"));
+    ASSERT_NE(said, nullptr);
+    Snapshot snapshot = snapshotOf(likeARun(5));
+    snapshot.place = PlaceState::Sure;
+    for (ObjectSample& object : snapshot.latest.objects) {
+        object.viewFactor = 0.22;
+        object.unshadedViewFactor = 0.2205;
+    }
+    snapshot.latest.objects[0].unshadedViewFactor = std::numeric_limits<double>::quiet_NaN();
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QString()) << "less than half a percent";
+    snapshot.latest.objects[1].unshadedViewFactor = 0.25;
+    snapshot.latest.objects[2].unshadedViewFactor = 0.23;
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("Shaded: bunny 12 %"));
+    EXPECT_TRUE(said->toolTip().contains(QStringLiteral("hand 4 %"))) << said->toolTip().toStdString();
+    snapshot.place = PlaceState::Unknown;
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QString());
 }
 
 // Catches two runs drawn into each other.
