@@ -6,9 +6,9 @@
 #include "app/commands/progress.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/base/whole_file.h"
 #include "engine/calibration/camera_calibration.h"
 #include "engine/calibration/camera_file.h"
-#include "engine/experiment/text_file.h"
 #include "engine/shape/contour_import.h"
 
 #include <QCommandLineParser>
@@ -191,11 +191,11 @@ int calibrate(const CalibrateCameraArguments& request) {
     printFigures(request, *result);
     if (const auto reason = result->reasonAgainst())
         return negative(Error{reason->code, request.outputPath + " is not written", reason->args});
-    if (const auto written = writeTextFile(request.outputPath, openCvYaml(result->camera)); !written)
-        return refuse(kCalibrateCamera, written.error());
+    std::vector<WholeFile> files{{request.outputPath, openCvYaml(result->camera)}};
     if (!request.rosPath.empty())
-        if (const auto written = writeTextFile(request.rosPath, rosYaml(result->camera, "camera")); !written)
-            return refuse(kCalibrateCamera, written.error());
+        files.push_back({request.rosPath, rosYaml(result->camera, "camera")});
+    if (const auto written = writeWholeFiles(files); !written)
+        return refuse(kCalibrateCamera, written.error());
     return kExitDone;
 }
 

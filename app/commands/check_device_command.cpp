@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -59,11 +60,11 @@ int checkDeviceCommand(const QStringList& arguments) {
         return kExitBadInput;
     }
     int broken = 0, all = 0, untried = 0;
-    const SignalCount signalCount; // an interrupted program is ended, too
+    std::optional<SignalCount> signalCount(std::in_place); // an interrupted program is ended, too
     ProgramCheckOptions options;
     options.mayMove = !parser.isSet("no-motion");
     options.mayHome = parser.isSet("home");
-    options.isStopped = [&] { return signalCount.now() > 0; };
+    options.isStopped = [&] { return signalCount->now() > 0; };
     checkProgram(command, *role, options, [&](const ProgramFinding& finding) {
         static constexpr std::array kMarks{"ok    ", "WRONG ", "?     "};
         const bool isTried = finding.kind != ProgramFinding::Kind::NotTried;
@@ -74,6 +75,10 @@ int checkDeviceCommand(const QStringList& arguments) {
                     isTried ? "" : "not tried: ", finding.words.c_str());
         std::fflush(stdout);
     });
+    const int signal = signalCount->last();
+    signalCount.reset();
+    if (signal != 0)
+        endBySignal(signal);
     if (broken == 0)
         std::printf("All %d rules that were tried are kept%s.\n", all,
                     untried > 0 ? "; what is marked with ? was not tried" : "");

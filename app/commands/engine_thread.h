@@ -6,22 +6,38 @@
 
 #include <QThread>
 
+#include <csignal>
 #include <utility>
+#include <vector>
 
 namespace bask {
 
 /// A device that has just been connected answers a moment later: until then the engine is reset this often.
 constexpr double kBetweenResets_s = 1.0;
 
-/// Counts signals during its lifetime. Only one object at a time.
+/// Counts signals during its lifetime, those that are not ignored; afterwards they do what they did before.
+/// Only one object at a time.
 class SignalCount {
 public:
     static constexpr int kLook_ms = 20; ///< between two looks at it
 
     SignalCount();
     ~SignalCount();
+    SignalCount(const SignalCount&) = delete;
+    SignalCount& operator=(const SignalCount&) = delete;
     int now() const;
+    int last() const; ///< number of the signal that came last; 0: none
+
+private:
+    struct Before {
+        int signal;
+        struct sigaction action;
+    };
+    std::vector<Before> m_before;
 };
+
+/// Ends the program by a signal that was counted, as it would have ended it at once. No SignalCount is there.
+[[noreturn]] void endBySignal(int signal);
 
 /// Runs the engine on its own thread, so that a blocked terminal does not delay it.
 class EngineThread {

@@ -8,11 +8,10 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/progress.h"
 #include "engine/base/message_code.h"
-#include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
+#include "engine/base/whole_file.h"
 #include "engine/exchange/reachable_file.h"
 #include "engine/experiment/experiment_file.h"
-#include "engine/experiment/text_file.h"
 #include "engine/model/mounting_check.h"
 #include "engine/model/uneven_source.h"
 #include "engine/rig/rig_setup.h"
@@ -246,14 +245,12 @@ std::optional<std::vector<OutputFile>> mapFiles(const QString& folder, int objec
     return filesIn(folder, "feasibility", kReachableMark, names);
 }
 
-Result<void> writeMaps(const FeasibilityRequest& question, const std::vector<OutputFile>& files) {
-    std::vector<std::string> contents;
+/// Adds a file for each pair; none if no pose of the workspace is allowed.
+void addMaps(const FeasibilityRequest& question, const std::vector<OutputFile>& places,
+             std::vector<WholeFile>& files) {
     const std::vector<ReachableMap> maps = reachablePairs(question).value();
-    for (const ReachableMap& map : maps)
-        contents.push_back(reachableCsv(question.names, map));
-    if (contents.empty()) // no pose of the workspace is allowed
-        return {};
-    return writeFiles(files, contents);
+    for (std::size_t k = 0; k < maps.size(); ++k)
+        files.push_back({places[k].path, reachableCsv(question.names, maps[k])});
 }
 
 } // namespace
@@ -309,19 +306,16 @@ int feasibilityCommand(const QStringList& arguments) {
     for (const MountingRemark& remark : overlapsInPlane(request->experiment))
         std::printf("%s\n", describe(remark.message).c_str());
     printVerdict(request->experiment, verdict, prediction);
-    ReplacedFiles replaced; // the summary without its maps is not left alone
-    Result<void> written;
-    if (!request->summaryPath.empty()) {
-        written = replaced.setAside(request->summaryPath);
-        if (written)
-            written =
-                writeTextFile(request->summaryPath, summaryJson(request->experiment, verdict, prediction));
-    }
-    if (written && !maps.empty())
-        written = writeMaps(question, maps);
-    if (!written)
+    std::vector<WholeFile> files; // the summary is not left without its maps
+    if (!request->summaryPath.empty())
+        files.push_back({request->summaryPath, summaryJson(request->experiment, verdict, prediction)});
+    const std::size_t others = files.size();
+    if (!maps.empty())
+        addMaps(question, maps, files);
+    if (const auto written = writeWholeFiles(files); !written)
         return refuse("feasibility", written.error());
-    replaced.keepNew();
+    for (std::size_t k = others; k < files.size(); ++k)
+        std::fprintf(stderr, "wrote %s\n", files[k].path.c_str());
     return verdict.feasible ? kExitDone : kExitNegative;
 }
 

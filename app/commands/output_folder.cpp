@@ -2,15 +2,15 @@
 
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
-#include "engine/base/replaced_files.h"
 #include "engine/base/unfinished.h"
-#include "engine/experiment/text_file.h"
+#include "engine/base/whole_file.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 
 #include <cstdio>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -63,16 +63,13 @@ std::optional<std::vector<OutputFile>> filesIn(const QString& folder, const char
     return files;
 }
 
-Result<void> writeFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents) {
-    ReplacedFiles replaced;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        auto written = replaced.setAside(files[i].path);
-        if (written)
-            written = writeTextFile(files[i].path, contents[i]);
-        if (!written)
-            return written;
-    }
-    replaced.keepNew();
+Result<void> writeFiles(const std::vector<OutputFile>& files, std::vector<std::string> contents) {
+    std::vector<WholeFile> whole;
+    for (std::size_t i = 0; i < files.size(); ++i)
+        whole.push_back({files[i].path, std::move(contents[i])});
+    auto written = writeWholeFiles(whole);
+    if (!written)
+        return written;
     for (const OutputFile& file : files)
         std::fprintf(stderr, "wrote %s\n", file.path.c_str());
     return {};

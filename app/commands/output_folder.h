@@ -17,6 +17,6 @@ std::optional<std::vector<OutputFile>> filesIn(const QString& folder, const char
                                                const QStringList& names);
 
 /// Writes all files or none, and names them on standard error.
-Result<void> writeFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents);
+Result<void> writeFiles(const std::vector<OutputFile>& files, std::vector<std::string> contents);
 
 } // namespace bask

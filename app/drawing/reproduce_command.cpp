@@ -5,11 +5,10 @@
 #include "app/commands/progress.h"
 #include "app/drawing/reproduction_report.h"
 #include "app/drawing/study_output.h"
-#include "engine/base/unfinished.h"
-#include "engine/experiment/text_file.h"
+#include "engine/base/hidden_folder.h"
+#include "engine/base/whole_file.h"
 
 #include <QCommandLineParser>
-#include <QTemporaryDir>
 
 #include <algorithm>
 #include <cstdio>
@@ -62,15 +61,14 @@ Result<std::vector<ReportFigure>> drawn(const std::vector<PaperFigure>& figures,
     return out;
 }
 
-Result<void> writeRuns(const std::vector<ReproducedExperiment>& results,
-                       const std::vector<OutputFile>& files) {
-    for (std::size_t k = 0; k < results.size(); ++k)
+/// All or nothing, in the order of fileNames().
+Result<void> writeAll(const std::vector<ReproducedExperiment>& results, const std::string& report,
+                      const std::vector<OutputFile>& files) {
+    std::vector<WholeFile> whole{{files[kReport].path, report}};
+    for (const ReproducedExperiment& each : results)
         for (const std::size_t by : {kByThePaper, kByTheLevelServo})
-            if (auto written = writeTextFile(files[1 + 2 * k + by].path,
-                                             reproductionCsv(results[k], by, kReproductionMark));
-                !written)
-                return written;
-    return {};
+            whole.push_back({files[whole.size()].path, reproductionCsv(each, by, kReproductionMark)});
+    return writeWholeFiles(whole);
 }
 
 /// The table on standard output. Returns whether everything is as recorded.
@@ -121,10 +119,7 @@ int reproduceInto(const QString& folder, const std::vector<PaperFigure>& figures
     const auto report = drawn(figures, *results);
     if (!report)
         return refuse(kCommand, report.error());
-    auto written = writeRuns(*results, *files);
-    if (written)
-        written = writeTextFile((*files)[kReport].path, reproductionHtml(*report));
-    if (!written)
+    if (const auto written = writeAll(*results, reproductionHtml(*report), *files); !written)
         return refuse(kCommand, written.error());
     std::fprintf(stderr, "wrote %s and the runs beside it\n", (*files)[kReport].path.c_str());
     return printSummary(*results) ? kExitDone : kExitNegative;
@@ -136,9 +131,10 @@ Result<std::vector<PaperFigure>> figuresOf(const QCommandLineParser& parser) {
     const std::string only = parser.value("only").toStdString();
     if (parser.isSet("experiments"))
         return readPaperFigures(parser.value("experiments").toStdString(), only);
-    const QTemporaryDir unpacked;
-    const Unfinished gone(unpacked.path().toStdString());
-    const auto from = unpackPaperExperiments(unpacked.path());
+    const auto unpacked = HiddenFolder::temporary();
+    if (!unpacked)
+        return unpacked.error();
+    const auto from = unpackPaperExperiments(QString::fromStdString(unpacked->path()));
     return from ? readPaperFigures(*from, only) : from.error();
 }
 

@@ -290,6 +290,50 @@ TEST(CommandLine, CtrlCEndsARunInOrder) {
     }
 }
 
+// Catches a run under nohup that its terminal's end stops.
+TEST(CommandLine, ARunUnderNohupOutlivesItsTerminal) {
+    const QTemporaryDir folder;
+    const QString session = folder.filePath("s.bask");
+    QProcess process;
+    process.setChildProcessModifier([] { (void)std::signal(SIGHUP, SIG_IGN); });
+    process.start(QStringLiteral(BASK_PROGRAM),
+                  {"run", BASK_EXAMPLES "/two-circles.json", "--duration", "1e6", "-o", session});
+    ASSERT_TRUE(process.waitForStarted());
+    for (int i = 0; i < 6000 && !QFile::exists(session); ++i)
+        QThread::msleep(10);
+    ASSERT_EQ(::kill(static_cast<pid_t>(process.processId()), SIGHUP), 0);
+    EXPECT_FALSE(process.waitForFinished(500)) << process.readAllStandardError().toStdString();
+    ASSERT_EQ(::kill(static_cast<pid_t>(process.processId()), SIGTERM), 0);
+    ASSERT_TRUE(process.waitForFinished(60000));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    EXPECT_TRUE(process.exitCode() == 0 || process.exitCode() == 3) << "settled or not by then";
+}
+
+// Catches a recording of one recipe that is lost to another in the same folder.
+TEST(CommandLine, OfTwoRecipesIntoOneFolderNoRunIsLost) {
+    const QTemporaryDir folder;
+    QFile recipe(folder.filePath("r.json"));
+    ASSERT_TRUE(recipe.open(QIODevice::WriteOnly));
+    const char* step = R"({"run_example": "two-circles", "until": {"time_s": 2000}, "otherwise": "next"})";
+    recipe.write(QStringLiteral(R"({"format": "bask-recipe", "version": 1, "steps": [%1, %1]})")
+                     .arg(QLatin1String(step))
+                     .toUtf8());
+    recipe.close();
+    for (int round = 0; round < 3; ++round) {
+        const QString out = folder.filePath(QString::number(round));
+        std::array<QProcess, 2> runs;
+        for (QProcess& each : runs)
+            each.start(QStringLiteral(BASK_PROGRAM), {"run", "--recipe", recipe.fileName(), "--out", out});
+        int done = 0;
+        for (QProcess& each : runs) {
+            ASSERT_TRUE(each.waitForFinished(120000));
+            done += static_cast<int>(each.readAllStandardError().count(": done after"));
+        }
+        EXPECT_EQ(QDir(out).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 2);
+        EXPECT_EQ(done, 2) << "a run that is told as done is there";
+    }
+}
+
 TEST(CommandLine, AMissingFileIsBadInput) {
     const Answer answer = bask({QStringLiteral("/nowhere/gone.json")});
     EXPECT_EQ(answer.exitCode, 2);

@@ -1,6 +1,7 @@
 // A signal at any moment of a command: nothing half is left, and the program ends by that signal, as a shell
 // expects.
 
+#include "engine/base/replaced_files.h"
 #include "engine/base/unfinished.h"
 
 #include <QDir>
@@ -50,7 +51,24 @@ bool interrupted(const QStringList& arguments, int after_ms, int signal) {
 class EndBySignal : public testing::Test {
 protected:
     QString at(const char* name) const { return m_folder.filePath(QLatin1String(name)); }
-    QTemporaryDir m_folder;
+    /// So many cases of view factors, in a file beside the outputs' folder.
+    QString manyCases(int count) const {
+        const QString path = m_inputs.filePath(QStringLiteral("cases.json"));
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("{\"cases\": [");
+        for (int k = 0; k < count; ++k)
+            file.write(QStringLiteral(R"(%1{"id":"%2","source":{"type":"disk","radius_m":0.15},)"
+                                      R"("object":{"type":"disk","radius_m":0.015},"pose":)"
+                                      R"({"translation_m":[0,0,0.05],"rotation_vector_rad":[0.%3,0,0]}})")
+                           .arg(QLatin1String(k > 0 ? "," : ""))
+                           .arg(k)
+                           .arg(k)
+                           .toUtf8());
+        file.write("]}");
+        return path;
+    }
+    QTemporaryDir m_folder, m_inputs;
 };
 
 // Catches: an empty folder of a study, a temporary file of a field, a stage of an export.
@@ -74,13 +92,16 @@ TEST_F(EndBySignal, leavesNothingHalf) {
         field + QStringList{at("out.h5")},
         {"export", session, "--csv", at("out"), "--vtk", at("out"), "--nexus", at("out")},
         {"export", session, "--figures", at("out")},
-        {"report", session, "-o", at("out.pdf")}};
+        {"report", session, "-o", at("out.pdf")},
+        {"isosurface", examples + "/two-circles.json", "--object", "left", "--step", "0.2", "-o",
+         at("out.vtp")},
+        {"view-factor", manyCases(30000), "-o", at("out.json")}};
     for (const QStringList& command : commands)
         for (const int after_ms : {150, 700, 1500})
             for (const int signal : {SIGINT, SIGTERM}) {
                 if (!interrupted(command, after_ms, signal)) {
                     QDir(at("out")).removeRecursively();
-                    for (const char* name : {"out.vti", "out.h5", "out.pdf"})
+                    for (const char* name : {"out.vti", "out.h5", "out.pdf", "out.vtp", "out.json"})
                         QFile::remove(at(name));
                     break;
                 }
@@ -115,6 +136,29 @@ TEST_F(EndBySignal, whatAKillLeavesIsDeletedByTheNextExport) {
     EXPECT_GT(below(at("out")).size(), 5);
     for (const QString& file : below(at("out")))
         EXPECT_FALSE(file.contains(QStringLiteral("/.bask"))) << file.toStdString();
+}
+
+// Catches: a part of a field as large as the whole that a kill leaves for ever.
+TEST_F(EndBySignal, whatAKillLeavesIsDeletedByTheNextField) {
+    for (const char* name : {"out.vti", "out.h5"}) {
+        const QStringList command{"field",    QStringLiteral(BASK_EXAMPLES "/two-circles.json"),
+                                  "--object", "left",
+                                  "--shade",  "none",
+                                  "--axes",   "x=-0.2:0.2:0.001,y=-0.2:0.2:0.001,z=0.01:0.3:0.0005",
+                                  "-o",       at(name)};
+        ASSERT_TRUE(interrupted(command, 1500, SIGKILL)) << name;
+        QProcess next;
+        next.start(QStringLiteral(BASK_PROGRAM),
+                   {"field", "--preset", "paper-translation", "-o", at("next.vti")});
+        ASSERT_TRUE(next.waitForFinished(120000));
+        EXPECT_EQ(next.exitCode(), 0) << next.readAllStandardError().toStdString();
+        EXPECT_EQ(below(m_folder.path()), QStringList{at("next.vti")}) << name;
+    }
+}
+
+// Catches: a check that a signal has cut short, told as one that has passed.
+TEST_F(EndBySignal, endsACheckOfADeviceWithItsProgram) {
+    EXPECT_TRUE(interrupted({"check-device", "--role", "thermometer", "--", "sleep", "1000"}, 500, SIGINT));
 }
 
 /// In a process of its own: runs `body`, which waits for the signal.
@@ -171,6 +215,31 @@ TEST_F(EndBySignal, waitsForAStepThatIsNotInterrupted) {
     });
     EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
     EXPECT_TRUE(QFile::exists(at("whole")));
+}
+
+// Catches: old files under hidden names, and new ones beside them, of a program that a signal ends.
+TEST_F(EndBySignal, waitsForFilesThatAreReplacedTogether) {
+    const auto write = [this](const char* name, const char* text) {
+        QFile file(at(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) > 0);
+    };
+    write("old", "old");
+    const int status = signalled(SIGTERM, [&](int ready) {
+        {
+            ReplacedFiles replaced;
+            (void)replaced.setAside(at("old").toStdString());
+            write("old", "new");
+            (void)replaced.setAside(at("other").toStdString());
+            (void)::write(ready, "x", 1);
+            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            write("other", "new");
+            replaced.keepNew();
+        }
+        for (;;)
+            ::pause();
+    });
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM);
+    EXPECT_EQ(below(m_folder.path()), (QStringList{at("old"), at("other")}));
 }
 
 } // namespace

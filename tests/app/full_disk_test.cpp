@@ -34,7 +34,7 @@ protected:
         QDir().mkpath(m_folder.path());
     }
 
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder, m_inputs;
     QString m_examples = QStringLiteral(BASK_EXAMPLES);
 };
 
@@ -48,11 +48,27 @@ TEST_F(FullDisk, isToldAndLeavesNothingHalf) {
     expectRefused({"fit-contour", m_examples + "/contours/bunny_1200.png", "--harmonics", "8", "--scale",
                    "10", "-o", at("c.json")},
                   0);
+    // The contour finds room, its picture does not.
+    expectRefused({"fit-contour", m_examples + "/contours/bunny_1200.png", "--harmonics", "8", "--scale",
+                   "10", "-o", at("c.json"), "--preview", at("p.png")},
+                  120);
     expectRefused({"make-board", "chessboard:6x5:0.02", "-o", at("b.pdf")}, 1);
     expectRefused({"field", "--preset", "paper-translation", "-o", at("f.vti")}, 100);
     expectRefused({"field", "--preset", "paper-translation", "-o", at("f.h5")}, 100);
     expectRefused(
         {"run", "--recipe", m_examples + "/recipes/two-circles-by-degrees.json", "--out", at("runs")}, 300);
+    // The table and the first figure find room, the others do not.
+    expectRefused({"study", "closed-loop", "--count", "1", "-o", at("out")}, 165);
+    const QString session = m_inputs.filePath("run.bask");
+    QProcess record;
+    record.start(QStringLiteral(BASK_PROGRAM),
+                 {"run", m_examples + "/two-circles.json", "--duration", "20", "-o", session});
+    ASSERT_TRUE(record.waitForFinished(120000));
+    ASSERT_TRUE(QFile::exists(session));
+    expectRefused({"report", session, "-o", at("r.html")}, 40);
+    expectRefused({"report", session, "-o", at("r.pdf")}, 8);
+    // The runs find room, the report does not.
+    expectRefused({"reproduce", "--only", "target-coefficient-40", "-o", at("out")}, 200);
 }
 
 } // namespace
