@@ -4,6 +4,7 @@
 #include "app/monitor_dialog.h"
 #include "engine/recording/session_header.h"
 #include "tests/app/window_fixture.h"
+#include "tests/support/listening_sockets.h"
 
 #include <QAction>
 #include <QCheckBox>
@@ -16,9 +17,7 @@
 #include <QToolButton>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <set>
 
 namespace bask::test {
 namespace {
@@ -46,42 +45,6 @@ protected:
         return files.empty() ? std::string() : *std::ranges::max_element(files);
     }
 };
-
-/// Inodes of this process's sockets that listen.
-std::set<std::string> listening() {
-    std::set<std::string> own, out;
-    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-        std::error_code gone;
-        const std::string to = std::filesystem::read_symlink(entry.path(), gone).string();
-        if (to.starts_with("socket:["))
-            own.insert(to.substr(8, to.size() - 9));
-    }
-    const auto look = [&](const char* table, std::size_t stateColumn, const char* state,
-                          std::size_t inodeColumn) {
-        std::ifstream lines(table);
-        std::string line;
-        std::getline(lines, line); // the header
-        while (std::getline(lines, line)) {
-            const QStringList columns = QString::fromStdString(line).split(u' ', Qt::SkipEmptyParts);
-            const auto at = [&](std::size_t k) {
-                return columns.value(static_cast<qsizetype>(k)).toStdString();
-            };
-            if (at(stateColumn) == state && own.contains(at(inodeColumn)))
-                out.insert(std::string(table) + ' ' + line);
-        }
-    };
-    look("/proc/self/net/tcp", 3, "0A", 9);
-    look("/proc/self/net/tcp6", 3, "0A", 9);
-    look("/proc/self/net/unix", 3, "00010000", 6);
-    return out;
-}
-
-std::string joined(const std::set<std::string>& lines) {
-    std::string out;
-    for (const std::string& line : lines)
-        out += line + '\n';
-    return out;
-}
 
 } // namespace
 
@@ -146,7 +109,7 @@ TEST_F(LabelsTest, AsksBeforeARunIfThatIsWanted) {
 TEST_F(LabelsTest, PublishesAsSetUpAndListensNowhere) {
     const QTemporaryDir status;
     ASSERT_NO_FATAL_FAILURE(openWindow());
-    EXPECT_EQ(joined(listening()), "");
+    EXPECT_EQ(listeningSockets(), "");
     EXPECT_TRUE(find<QLabel>("monitoring")->isHidden());
     trigger("monitoring");
     auto* dialog = find<MonitorDialog>("monitorDialog");
@@ -164,7 +127,7 @@ TEST_F(LabelsTest, PublishesAsSetUpAndListensNowhere) {
     EXPECT_TRUE(find<QLabel>("monitoring")->toolTip().contains("127.0.0.1:1"));
     EXPECT_TRUE(window->lastSnapshot().alarms.empty()) << "a run does not depend on it";
     keepPicture(QStringLiteral("monitoring-fails"));
-    EXPECT_EQ(joined(listening()), "");
+    EXPECT_EQ(listeningSockets(), "");
     closeWindow();
 
     ASSERT_NO_FATAL_FAILURE(openWindow());
@@ -172,10 +135,10 @@ TEST_F(LabelsTest, PublishesAsSetUpAndListensNowhere) {
     ASSERT_TRUE(waitForState(RunState::Ready));
     click("armButton");
     ASSERT_TRUE(waitForState(RunState::Armed));
-    EXPECT_EQ(joined(listening()), "");
+    EXPECT_EQ(listeningSockets(), "");
     click("startButton");
     ASSERT_TRUE(waitForState(RunState::Running));
-    EXPECT_EQ(joined(listening()), "");
+    EXPECT_EQ(listeningSockets(), "");
     const std::string file = status.filePath("bask.json").toStdString();
     const auto says = [&](const char* word) {
         std::ifstream in(file);
@@ -184,9 +147,19 @@ TEST_F(LabelsTest, PublishesAsSetUpAndListensNowhere) {
         return text.find(word) != std::string::npos;
     };
     EXPECT_TRUE(waitFor([&] { return says("\"state\":\"Running\""); }));
+    click("holdButton");
+    ASSERT_TRUE(waitForState(RunState::Holding));
+    EXPECT_EQ(listeningSockets(), "");
+    click("holdButton"); // goes on
+    ASSERT_TRUE(waitForState(RunState::Running));
+    click("stopRunButton");
+    ASSERT_TRUE(waitForState(RunState::Stopping));
+    EXPECT_EQ(listeningSockets(), "");
+    ASSERT_TRUE(waitForState(RunState::Stopped));
+    EXPECT_EQ(listeningSockets(), "");
     click("stopButton");
     ASSERT_TRUE(waitForState(RunState::Fault));
-    EXPECT_EQ(joined(listening()), "");
+    EXPECT_EQ(listeningSockets(), "");
     EXPECT_TRUE(waitFor([&] { return says("\"state\":\"Fault\""); }));
     closeWindow();
     EXPECT_TRUE(says("\"closed\":true"));

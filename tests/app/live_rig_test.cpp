@@ -3,6 +3,7 @@
 
 #include "engine/recording/session_file.h"
 #include "tests/app/rig_processes.h"
+#include "tests/support/listening_sockets.h"
 
 namespace bask::test {
 namespace {
@@ -69,8 +70,11 @@ TEST_F(LiveRigTest, anInterruptStopsAndRetreats) {
     QElapsedTimer run;
     run.start();
     ASSERT_TRUE(waitFor([&] { return run.elapsed() > 5000; }));
+    const std::string process = std::to_string(engine.processId());
+    EXPECT_EQ(listeningSockets(process), "");
     sendSignal(engine, SIGINT);
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 4000));
+    EXPECT_EQ(listeningSockets(process), "") << "nor in its retreat";
     EXPECT_TRUE(ended(60000).has_value());
     EXPECT_GT(state().place_m.z(), kAway_m) << "the top of its workspace";
     const auto record = readSession(session().toStdString());

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/monitor/monitor.h"
 #include "engine/monitor/status_files.h"
+#include "tests/support/listening_sockets.h"
 #include "tests/support/mqtt_broker.h"
 
 #include <nlohmann/json.hpp>
@@ -299,6 +300,7 @@ TEST(MonitorWithBroker, PublishesToABroker) {
         EXPECT_EQ(json::parse(late.last("event"))["code"], "EventFault");
         EXPECT_TRUE(monitor.state().isConnected);
         EXPECT_EQ(monitor.state().brokerProblem.code, MessageCode::None);
+        EXPECT_EQ(test::listeningSockets(), "") << "it publishes only";
     }
     test::MqttSubscriber after(broker.port());
     ASSERT_TRUE(waitFor([&] { return after.last("presence") == "closed"; }));
