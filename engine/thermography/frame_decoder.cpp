@@ -1,6 +1,7 @@
 #include "engine/thermography/frame_decoder.h"
 
 #include "engine/base/message_code.h"
+#include "engine/thermography/plain_picture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,7 +66,15 @@ Result<ThermalFrame> frameOfCounts(const CountPicture& counts, const ThermalProf
         picture.T_K.push_back(number == largest ? std::numeric_limits<double>::infinity()
                                                 : profile.temperature_K(number));
     }
-    return frameOfTemperatures(std::move(picture), profile, where);
+    if (isConstant(picture))
+        return Error{MessageCode::ThermalPictureConstant, where};
+    const PlainPicture plain = plainPicture(counts, profile);
+    if (plain == PlainPicture::Yes)
+        return Error{MessageCode::ThermalPlainPicture, where, {profile.name}};
+    auto frame = frameOfTemperatures(std::move(picture), profile, where);
+    if (frame && plain == PlainPicture::Perhaps)
+        frame->warnings.push_back(plainPictureDoubt(profile));
+    return frame;
 }
 
 Result<ThermalFrame> frameOfBytes(std::string_view bytes, const ThermalProfile& profile,
@@ -89,6 +98,9 @@ Result<ThermalFrame> frameOfBytes(std::string_view bytes, const ThermalProfile& 
     CountPicture counts{profile.width, profile.height, {}};
     const std::size_t first = static_cast<std::size_t>(profile.skipTop) * width;
     const std::size_t pixels = static_cast<std::size_t>(profile.height) * width;
+    counts.above.reserve(first);
+    for (std::size_t k = 0; k < first; ++k)
+        counts.above.push_back(numberAt(bytes, k, profile.isBigEndian));
     counts.counts.reserve(pixels);
     for (std::size_t k = 0; k < pixels; ++k)
         counts.counts.push_back(numberAt(bytes, first + k, profile.isBigEndian));

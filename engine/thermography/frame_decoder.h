@@ -17,7 +17,7 @@ namespace bask {
 /// A decoded frame with what a person should know of it.
 struct ThermalFrame {
     ThermalPicture picture;
-    std::vector<Message> warnings; ///< ThermalHighRange
+    std::vector<Message> warnings; ///< ThermalHighRange, ThermalPlainDoubt
 };
 
 /// Decodes one frame of the camera's own bytes, 16 bits a pixel. `where` names it in errors, here and below.
@@ -50,6 +50,7 @@ Result<ThermalFrame> frameOfCsv(std::string_view text, const std::optional<Therm
 struct CountPicture {
     int width = 0, height = 0;
     std::vector<unsigned short> counts;
+    std::vector<unsigned short> above{}; ///< of the rows above, if they are known: no temperatures
 };
 /// Makes temperatures of numbers, with the checks of frameOfBytes. The picture has the profile's size.
 Result<ThermalFrame> frameOfCounts(const CountPicture& counts, const ThermalProfile& profile,

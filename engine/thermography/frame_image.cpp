@@ -60,9 +60,10 @@ Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile&
         if (image.type() != CV_16UC1 || image.cols != profile.width || image.rows < *above + profile.height)
             return Error{MessageCode::ImageUnreadable, where};
         CountPicture counts{profile.width, profile.height, {}};
-        for (int row = 0; row < profile.height; ++row) {
-            const auto* first = image.ptr<unsigned short>(*above + row);
-            counts.counts.insert(counts.counts.end(), first, first + profile.width);
+        for (int row = 0; row < *above + profile.height; ++row) {
+            auto& rows = row < *above ? counts.above : counts.counts;
+            const auto* first = image.ptr<unsigned short>(row);
+            rows.insert(rows.end(), first, first + profile.width);
         }
         return counts;
     } catch (const std::exception&) {
