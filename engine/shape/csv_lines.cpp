@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <span>
 
 namespace bask {
 namespace {
@@ -17,6 +18,36 @@ std::string_view unquoted(std::string_view field) {
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
         field = trimmed(field.substr(1, field.size() - 2));
     return field;
+}
+
+bool separates(char c, char delimiter) {
+    return c == delimiter || (delimiter == kSpaces && c == '\t');
+}
+
+/// Where the first field ends; npos for the last one. A quote that is not closed before a delimiter, or at
+/// the line's end, is a character as any other.
+std::size_t fieldEnd(std::string_view line, char delimiter) {
+    const std::size_t plain = delimiter == kSpaces ? line.find_first_of(" \t") : line.find(delimiter);
+    const std::size_t first = line.find_first_not_of(' ');
+    if (first == std::string_view::npos || line[first] != '"')
+        return plain;
+    std::size_t at = first + 1;
+    while (at < line.size() && (line[at] != '"' || line.substr(at, 2) == "\"\""))
+        at += line[at] == '"' ? 2 : 1;
+    for (at += 1; at < line.size() && !separates(line[at], delimiter); ++at)
+        if (line[at] != ' ')
+            return plain;
+    return at < line.size() ? at : at == line.size() ? std::string_view::npos : plain;
+}
+
+/// Whether commas of this line are decimal: they leave values with blanks in them, and blanks leave numbers.
+bool hasDecimalCommas(std::string_view line) {
+    const auto hasBlank = [](std::string_view field) {
+        return field.find_first_of(" \t") != std::string_view::npos;
+    };
+    return std::ranges::any_of(csvFields(line, ','), hasBlank) &&
+           std::ranges::all_of(csvFields(line, kSpaces),
+                               [](std::string_view field) { return csvNumber(field, true).has_value(); });
 }
 
 } // namespace
@@ -32,7 +63,7 @@ Result<void> checkCsvText(std::string_view text, const std::string& path) {
     return {};
 }
 
-std::vector<CsvLine> csvLines(std::string_view text) {
+std::vector<CsvLine> csvLines(std::string_view text, bool keepTabs) {
     std::vector<CsvLine> lines;
     std::size_t number = 0;
     if (text.starts_with("\xEF\xBB\xBF"))
@@ -43,7 +74,9 @@ std::vector<CsvLine> csvLines(std::string_view text) {
         const bool pair = text.substr(end, 2) == "\r\n";
         text.remove_prefix(std::min(text.size(), end + (pair ? 2 : 1)));
         ++number;
-        if (const std::string_view inner = trimmed(line); !inner.empty() && inner.front() != '#')
+        const std::string_view inner = trimmed(line);
+        const bool isBlank = inner.empty() && !(keepTabs && line.find('\t') != std::string_view::npos);
+        if (!isBlank && !inner.starts_with('#'))
             lines.push_back({line, number});
     }
     return lines;
@@ -51,13 +84,15 @@ std::vector<CsvLine> csvLines(std::string_view text) {
 
 char csvDelimiter(const std::vector<CsvLine>& lines) {
     constexpr std::size_t kLooked = 50;
-    const std::size_t looked = std::min(kLooked, lines.size());
+    const std::span<const CsvLine> looked(lines.data(), std::min(kLooked, lines.size()));
     for (const char c : {';', '\t', ','}) {
-        const auto has = std::count_if(
-            lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(looked),
-            [&](const CsvLine& l) { return trimmed(l.text).find(c) != std::string_view::npos; });
-        if (2 * static_cast<std::size_t>(has) > looked)
-            return c;
+        const auto has = std::ranges::count_if(looked, [&](const CsvLine& line) {
+            return trimmed(line.text).find(c) != std::string_view::npos;
+        });
+        if (2 * static_cast<std::size_t>(has) <= looked.size())
+            continue;
+        const auto decimal = c == ',' ? std::ranges::count_if(looked, hasDecimalCommas, &CsvLine::text) : 0;
+        return 2 * decimal > has ? kSpaces : c;
     }
     return kSpaces;
 }
@@ -66,7 +101,7 @@ std::vector<std::string_view> csvFields(std::string_view line, char delimiter) {
     std::vector<std::string_view> fields;
     line = delimiter == '\t' ? line : trimmed(line);
     for (;;) {
-        const std::size_t end = delimiter == kSpaces ? line.find_first_of(" \t") : line.find(delimiter);
+        const std::size_t end = fieldEnd(line, delimiter);
         fields.push_back(unquoted(line.substr(0, end)));
         if (end == std::string_view::npos)
             return fields;

@@ -36,13 +36,16 @@ Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& 
                                   const std::string& where);
 
 /// Decodes a table of temperatures in degC, as camera programs export it: one line a row of pixels, separated
-/// by semicolons, tabs, commas or blanks; a decimal comma unless the comma separates. Accepted besides: lines
-/// before the table with another number of values, or with no number; a first line and a first column that
-/// count 0, 1, 2 ... or 1, 2, 3 ... (with a profile where the size is one too many; without one both
-/// together, with a corner that is no number); a byte order mark, quotes, a separator at a line's end, lines
-/// that begin with #. With a profile the size has to be its, and values outside of what it can tell are
-/// infinite. Errors: ThermalCellUnusable for a value that is none (words, NaN, nothing, not above absolute
-/// zero, above 2726.85 degC), ThermalRowLength, ThermalNoTable, ThermalPictureSize, and as above.
+/// by semicolons, tabs, commas or blanks; a decimal comma, where commas separate only within quotes. Accepted
+/// besides: lines before the table with another number of values, or with no number (but a line as wide as
+/// the table directly above it only if it names columns, or by the profile's height); a first line and a
+/// first column that count 0, 1, 2 ... or 1, 2, 3 ... (with a profile where the size is one too many; without
+/// one both together, with a corner that is no number); a byte order mark, quotes, a separator at a line's
+/// end, lines that begin with #. With a profile the size has to be its, and values outside of what it can
+/// tell are infinite. Errors: ThermalCellUnusable for a value that is none (words, NaN, nothing, not above
+/// absolute zero, above 2726.85 degC, "1,234" between commas), ThermalRowLength, ThermalNoTable,
+/// ThermalLineCounts and ThermalColumnCounts for a line or a column that counts where no profile tells what
+/// it is, ThermalPictureSize, and as above.
 Result<ThermalFrame> frameOfCsv(std::string_view text, const std::optional<ThermalProfile>& profile,
                                 const std::string& where);
 

@@ -80,16 +80,22 @@ TEST(ContourCsv, TakesTheUnitFromTheHeaderUnlessOneIsGiven) {
 }
 
 TEST(ContourCsv, ReadsEveryDelimiterEndOfLineAndNumber) {
-    const char* const files[] = {"0,0\n2,0\n2,1\n0,1",
-                                 "0;0\r\n2;0\r\n2;1\r\n0;1\r\n",
-                                 "0\t0\r2\t0\r2\t1\r0\t1\r",
-                                 "# a comment\n\n 0 , 0 \n2 ,0\n\n  2, 1\n0,1\n\n",
-                                 "0,0;0,0\n2,0;0,0\n2,0;1,0\n0;1",
-                                 "0.0;0\n+2.0;-0\n2e0;10E-1\n0;1",
-                                 "0\t0,0\n2,0\t0\n2\t1,0\n0\t1",
-                                 "0  0\n2   0\n  2 1\n0 1  ",
-                                 "\"0\",\"0\"\n\"2\",\"0\"\n\"2\",\"1\"\n\"0\",\"1\"\n",
-                                 "0,0,7\n2,0,7\n2,1,7\n0,1,7\n0,0,7\n"};
+    const char* const files[] = {
+        "0,0\n2,0\n2,1\n0,1",
+        "0;0\r\n2;0\r\n2;1\r\n0;1\r\n",
+        "0\t0\r2\t0\r2\t1\r0\t1\r",
+        "# a comment\n\n 0 , 0 \n2 ,0\n\n  2, 1\n0,1\n\n",
+        "0,0;0,0\n2,0;0,0\n2,0;1,0\n0;1",
+        "0.0;0\n+2.0;-0\n2e0;10E-1\n0;1",
+        "0\t0,0\n2,0\t0\n2\t1,0\n0\t1",
+        "0  0\n2   0\n  2 1\n0 1  ",
+        "\"0\",\"0\"\n\"2\",\"0\"\n\"2\",\"1\"\n\"0\",\"1\"\n",
+        "0,0 0,0\n2,0 0,0\n2,0 1,0\n0 1\n",
+        "\"0,0\" \"0,0\"\n\"2,0\" \"0,0\"\n\"2,0\" \"1,0\"\n\"0,0\" \"1,0\"\n",
+        "x,\"y, seen\",\"at 1, 2\"\n0,0,\"a, b\"\n2,0,\"\"\n2,1,\"a \"\"b\"\", c\"\n0,1,\"\n",
+        "t,x,y\n2024-01-01 10:00:00,0,0\n2024-01-01 10:00:01,2,0\n2024-01-01 10:00:02,2,1\n"
+        "2024-01-01 10:00:03,0,1\n",
+        "0,0,7\n2,0,7\n2,1,7\n0,1,7\n0,0,7\n"};
     for (const char* file : files) {
         const auto contour = readText(file, LengthUnit::Metre);
         ASSERT_TRUE(contour) << file << describe(contour.error());
