@@ -76,7 +76,7 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
     for (const ThermalProfile& each : shippedThermalProfiles())
         listAndChoose(*m_profile, m_profiles, each);
     ThermalCameraSpec usual;
-    usual.profile = m_profiles.front();
+    usual.profile = findThermalProfile("lepton-3.5").value();
     setCamera(usual);
     retranslate();
 }

@@ -21,13 +21,19 @@ nlohmann::json minimal() {
 
 // Catches: a shipped camera that reads otherwise than its table says.
 TEST(ThermalProfile, theShippedOnesAreWhatTheCamerasSend) {
-    ASSERT_GE(shippedThermalProfiles().size(), 3U);
+    ASSERT_GE(shippedThermalProfiles().size(), 4U);
     const auto lepton = findThermalProfile("lepton-3.5");
     ASSERT_TRUE(lepton);
     EXPECT_EQ(lepton->width, 160);
     EXPECT_EQ(lepton->height, 120);
     EXPECT_EQ(lepton->optionalBottom, 2);
     EXPECT_NEAR(lepton->temperature_K(29315), 293.15, 1e-9);
+    const auto small = findThermalProfile("lepton-2.5");
+    ASSERT_TRUE(small);
+    EXPECT_EQ(small->width, 80);
+    EXPECT_EQ(small->height, 60);
+    EXPECT_EQ(small->optionalBottom, 3);
+    EXPECT_NEAR(small->temperature_K(29315), 293.15, 1e-9);
     for (const char* name : {"p2-pro", "tc001"}) {
         const auto profile = findThermalProfile(name);
         ASSERT_TRUE(profile) << name;
