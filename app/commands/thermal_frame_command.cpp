@@ -15,6 +15,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -36,6 +38,12 @@ struct Region {
 struct MeasuredRegion {
     std::string name;
     Result<RegionStatistics> statistics;
+    bool isPartlyOutside = false; ///< of the picture
+};
+
+/// Which frame of a file, counted from 1, and how many there are.
+struct ChosenFrame {
+    std::size_t number = 1, count = 1;
 };
 
 Region readRegion(const json& j, const std::string& path, Failure& failure) {
@@ -92,6 +100,14 @@ Result<RegionStatistics> measured(const ThermalPicture& picture, const Region& r
     return regionStatistics(picture, pixels);
 }
 
+bool isPartlyOutside(const ThermalPicture& picture, const Region& region) {
+    constexpr double kEdge = -0.5; // of the first pixel
+    return std::ranges::any_of(region.polygon_px, [&](const Eigen::Vector2d& corner) {
+        return corner.x() < kEdge || corner.y() < kEdge || corner.x() > picture.width + kEdge ||
+               corner.y() > picture.height + kEdge;
+    });
+}
+
 /// Without the last digits, which are those of the conversion: 20, not 20.00000000000003.
 double shown(double value) {
     constexpr double kSteps = 1e9;
@@ -110,6 +126,7 @@ Json regionJson(const MeasuredRegion& region) {
     }
     const RegionStatistics& found = *region.statistics;
     out["pixels"] = found.pixels;
+    out["partly_outside"] = region.isPartlyOutside;
     out["mean_degC"] = degC(found.mean_K);
     out["standard_error_K"] = shown(found.standardError_K);
     out["spread_K"] = shown(found.spread_K);
@@ -125,8 +142,12 @@ Json regionJson(const MeasuredRegion& region) {
 }
 
 std::string jsonText(const ThermalPicture& picture, const Result<PictureRange>& range,
-                     const std::vector<MeasuredRegion>& regions) {
+                     const std::vector<MeasuredRegion>& regions, const std::optional<ChosenFrame>& chosen) {
     Json out{{"width", picture.width}, {"height", picture.height}};
+    if (chosen) {
+        out["frame"] = chosen->number;
+        out["frames"] = chosen->count;
+    }
     out["min_degC"] = range ? Json(degC(range->min_K)) : Json();
     out["max_degC"] = range ? Json(degC(range->max_K)) : Json();
     out["mean_degC"] = range ? Json(degC(range->mean_K)) : Json();
@@ -142,8 +163,11 @@ std::string words(double T_K) {
 }
 
 std::string sentences(const ThermalPicture& picture, const Result<PictureRange>& range,
-                      const std::vector<MeasuredRegion>& regions) {
-    std::string out = pixelsText(picture.width, picture.height) + " pixels";
+                      const std::vector<MeasuredRegion>& regions, const std::optional<ChosenFrame>& chosen) {
+    std::string out;
+    if (chosen)
+        out = "frame " + std::to_string(chosen->number) + " of " + std::to_string(chosen->count) + ": ";
+    out += pixelsText(picture.width, picture.height) + " pixels";
     out += range ? ", " + words(range->min_K) + " to " + words(range->max_K) + " degC, mean " +
                        words(range->mean_K) + " degC\n"
                  : "; of the whole picture: " + describe(range.error()) + "\n";
@@ -159,6 +183,8 @@ std::string sentences(const ThermalPicture& picture, const Result<PictureRange>&
             out += "; largest difference across it " +
                    formatNumber(region.statistics->difference->value_K, 2) + " K (" +
                    formatNumber(region.statistics->difference->byNoise_K, 2) + " K by noise alone)";
+        if (region.statistics && region.isPartlyOutside)
+            out += "; a part of it is outside of the picture";
         out += "\n";
     }
     return out;
@@ -176,13 +202,35 @@ void addThermalFrameOptions(QCommandLineParser& parser) {
               "without it.")
               .arg(names),
           "NAME|FILE.json"},
-         {"json", "Prints width, height, min_degC, max_degC and mean_degC as JSON."},
+         {"frame",
+          "Which frame of a file that holds several, the camera's bytes one after another or a TIFF of "
+          "several pictures; counted from 1.",
+          "K"},
+         {"json", "Prints width, height, min_degC, max_degC and mean_degC as JSON; with --frame also frame "
+                  "and frames, how many there are."},
          {"regions",
           "Polygons whose statistics are told, too: {\"regions\": [{\"name\", \"polygon_px\": [[column, "
           "row], "
           "...]}]}, pixel centres at whole numbers from the upper left.",
           "REGIONS.json"}});
-    parser.addPositionalArgument("FILE", "The frame; at most 64 MiB.");
+    parser.addPositionalArgument("FILE", "The frame; at most 64 MiB, the camera's bytes with --frame more.");
+}
+
+/// Empty without the option.
+Result<std::optional<ChosenFrame>> frameOption(const QCommandLineParser& parser, const std::string& path,
+                                               const std::optional<ThermalProfile>& profile) {
+    if (!parser.isSet("frame"))
+        return std::optional<ChosenFrame>();
+    const auto count = frameCount(path, profile);
+    if (!count)
+        return count.error();
+    bool isNumber = false;
+    const qulonglong number = parser.value("frame").toULongLong(&isNumber);
+    if (!isNumber || number < 1 || number > *count)
+        return Error{MessageCode::ThermalFrameNone,
+                     path,
+                     {plainWords(parser.value("frame").toStdString()), std::to_string(*count)}};
+    return std::optional(ChosenFrame{static_cast<std::size_t>(number), *count});
 }
 
 } // namespace
@@ -196,7 +244,9 @@ int thermalFrameCommand(const QStringList& arguments) {
         "of\n"
         "16 bits with the camera's numbers, or a table in degC (.csv .txt .tsv); a file with another ending "
         "is\n"
-        "told by its content. A size, a format or a value that does not fit is refused, not guessed.\n"
+        "told by its content. Of a file with several frames, --frame chooses one. A size, a format or a "
+        "value\n"
+        "that does not fit is refused, not guessed.\n"
         "Exit code: 0 done, 2 a frame that does not fit, or another bad input, 3 a region without a "
         "temperature.");
     addThermalFrameOptions(parser);
@@ -213,7 +263,11 @@ int thermalFrameCommand(const QStringList& arguments) {
         asked = std::move(*read);
     }
     const std::string path = parser.positionalArguments().front().toStdString();
-    const auto frame = readFrame(path, *profile);
+    const auto chosen = frameOption(parser, path, *profile);
+    if (!chosen)
+        return refuse(kThermalFrame, chosen.error());
+    const auto frame =
+        readFrame(path, *profile, *chosen ? std::optional((*chosen)->number - 1) : std::nullopt);
     if (!frame)
         return refuse(kThermalFrame, frame.error());
     const auto range = pictureRange(frame->picture);
@@ -223,11 +277,12 @@ int thermalFrameCommand(const QStringList& arguments) {
     std::vector<MeasuredRegion> regions;
     bool areAllKnown = true;
     for (const Region& region : asked) {
-        regions.push_back({region.name, measured(frame->picture, region)});
+        regions.push_back(
+            {region.name, measured(frame->picture, region), isPartlyOutside(frame->picture, region)});
         areAllKnown = areAllKnown && regions.back().statistics.ok();
     }
-    const std::string text = parser.isSet("json") ? jsonText(frame->picture, range, regions)
-                                                  : sentences(frame->picture, range, regions);
+    const std::string text = parser.isSet("json") ? jsonText(frame->picture, range, regions, *chosen)
+                                                  : sentences(frame->picture, range, regions, *chosen);
     std::fputs(text.c_str(), stdout);
     return areAllKnown ? kExitDone : kExitNegative;
 }

@@ -1,6 +1,8 @@
 #include "engine/shape/image_header.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <vector>
 
 namespace bask {
 namespace {
@@ -74,11 +76,33 @@ bool isCompleteTiff(std::string_view bytes, const TiffField& offsets, const Tiff
     return true;
 }
 
-PictureHeader tiffHeader(std::string_view bytes) {
+std::size_t tiffEntries(std::string_view bytes, std::size_t directory, bool big) {
+    return static_cast<std::size_t>(number(bytes, directory, 2, big));
+}
+
+// Where the directories of a TIFF begin; none if they go round in a circle, or are too many to be true.
+std::vector<std::size_t> tiffDirectories(std::string_view bytes) {
+    constexpr std::size_t kMaxPictures = 1'000'000;
     const bool big = bytes[0] == 'M';
-    const auto directory = static_cast<std::size_t>(number(bytes, 4, 4, big));
-    const auto entries = static_cast<std::size_t>(number(bytes, directory, 2, big));
+    std::vector<std::size_t> out;
+    std::unordered_set<std::size_t> known;
+    for (auto at = static_cast<std::size_t>(number(bytes, 4, 4, big)); at != 0;) {
+        if (!known.insert(at).second || out.size() == kMaxPictures)
+            return {};
+        out.push_back(at);
+        at = static_cast<std::size_t>(number(bytes, at + 2 + 12 * tiffEntries(bytes, at, big), 4, big));
+    }
+    return out;
+}
+
+PictureHeader tiffHeader(std::string_view bytes, std::size_t picture = 0) {
+    const bool big = bytes[0] == 'M';
+    const std::vector<std::size_t> directories = tiffDirectories(bytes);
     PictureHeader out;
+    if (picture >= directories.size())
+        return out;
+    const std::size_t directory = directories[picture];
+    const std::size_t entries = tiffEntries(bytes, directory, big);
     out.bits = out.channels = 1; // what TIFF 6.0 says where there is no tag
     out.isWhole = true;
     bool isPalette = false;
@@ -114,12 +138,13 @@ PictureHeader tiffHeader(std::string_view bytes) {
     if (isPalette)
         out.channels = 0;
     out.isComplete = isCompleteTiff(bytes, offsets, lengths, big);
-    out.pictures = number(bytes, directory + 2 + 12 * entries, 4, big) == 0 ? 1 : 2;
+    out.pictures = directories.size();
+    out.at = directory;
     return out;
 }
 
 bool isTiff(std::string_view bytes) {
-    return bytes.starts_with("II*") || bytes.starts_with("MM");
+    return bytes.starts_with("II*") || (bytes.starts_with("MM") && !isBigTiff(bytes));
 }
 
 std::uint64_t magnitude(std::uint64_t value32) {
@@ -137,9 +162,21 @@ bool isCompleteJpeg(std::string_view bytes) {
     return scan > 0 && bytes.find("\xFF\xD9", scan) != std::string_view::npos;
 }
 
-std::optional<PictureHeader> pictureHeader(std::string_view bytes) {
+bool isBigTiff(std::string_view bytes) {
+    return bytes.starts_with(std::string_view("II+\0", 4)) || bytes.starts_with(std::string_view("MM\0+", 4));
+}
+
+std::string tiffFrom(std::string_view bytes, std::size_t directory) {
+    std::string out(bytes);
+    const bool big = isTiff(bytes) && bytes[0] == 'M';
+    for (std::size_t k = 0; k < 4 && out.size() >= 8; ++k)
+        out[4 + k] = static_cast<char>(directory >> 8 * (big ? 3 - k : k) & 0xFF);
+    return out;
+}
+
+std::optional<PictureHeader> pictureHeader(std::string_view bytes, std::size_t picture) {
     PictureHeader out;
-    if (bytes.starts_with("\x89PNG")) {
+    if (bytes.starts_with("\x89PNG") && picture == 0) {
         constexpr std::uint64_t kChannels[] = {1, 0, 3, 0, 2, 0, 4}; // by the type of colour
         out.width = number(bytes, 16, 4, true);
         out.height = number(bytes, 20, 4, true);
@@ -149,7 +186,7 @@ std::optional<PictureHeader> pictureHeader(std::string_view bytes) {
         out.pictures = 1;
         out.isComplete = isCompletePng(bytes);
     } else if (isTiff(bytes)) {
-        out = tiffHeader(bytes);
+        out = tiffHeader(bytes, picture);
     }
     return out.width == 0 || out.height == 0 ? std::nullopt : std::optional(out);
 }

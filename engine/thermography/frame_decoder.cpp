@@ -77,23 +77,37 @@ Result<ThermalFrame> frameOfCounts(const CountPicture& counts, const ThermalProf
     return frame;
 }
 
+Result<FramesOfBytes> framesOfBytes(std::uint64_t bytes, const ThermalProfile& profile,
+                                    const std::string& where) {
+    if (bytes == 0)
+        return Error{MessageCode::FileEmpty, where};
+    const auto [usual, longer] = profile.frameSizes();
+    const bool isUsual = bytes % usual == 0, isLonger = bytes % longer == 0;
+    if (bytes == usual || bytes == longer)
+        return FramesOfBytes{1, static_cast<std::size_t>(bytes)};
+    if (isUsual && isLonger && usual != longer)
+        return Error{MessageCode::ThermalFramesEither,
+                     where,
+                     {std::to_string(bytes / usual), profile.name, std::to_string(bytes / longer)}};
+    if (isUsual || isLonger) {
+        const std::size_t size = isUsual ? usual : longer;
+        return FramesOfBytes{static_cast<std::size_t>(bytes / size), size};
+    }
+    std::string words = std::to_string(usual);
+    if (longer != usual)
+        words += " / " + std::to_string(longer);
+    return Error{MessageCode::ThermalFrameSize, where, {profile.name, words, std::to_string(bytes)}};
+}
+
 Result<ThermalFrame> frameOfBytes(std::string_view bytes, const ThermalProfile& profile,
                                   const std::string& where) {
-    if (bytes.empty())
-        return Error{MessageCode::FileEmpty, where};
-    if (!profile.isFrameSize(bytes.size())) {
-        const auto sizes = profile.frameSizes();
-        for (const std::size_t size : sizes)
-            if (bytes.size() % size == 0)
-                return Error{MessageCode::ThermalFramesSeveral,
-                             where,
-                             {std::to_string(bytes.size() / size), profile.name, std::to_string(size)}};
-        std::string words = std::to_string(sizes[0]);
-        if (sizes[1] != sizes[0])
-            words += " / " + std::to_string(sizes[1]);
-        return Error{
-            MessageCode::ThermalFrameSize, where, {profile.name, words, std::to_string(bytes.size())}};
-    }
+    const auto frames = framesOfBytes(bytes.size(), profile, where);
+    if (!frames)
+        return frames.error();
+    if (frames->count != 1)
+        return Error{MessageCode::ThermalFramesSeveral,
+                     where,
+                     {std::to_string(frames->count), profile.name, std::to_string(frames->frameBytes)}};
     const auto width = static_cast<std::size_t>(profile.width);
     CountPicture counts{profile.width, profile.height, {}};
     const std::size_t first = static_cast<std::size_t>(profile.skipTop) * width;

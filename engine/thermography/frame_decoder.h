@@ -7,6 +7,8 @@
 #include "engine/thermography/camera_profile.h"
 #include "engine/thermography/thermal_picture.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,20 +22,32 @@ struct ThermalFrame {
     std::vector<Message> warnings; ///< ThermalHighRange, ThermalPlainDoubt
 };
 
+/// Frames of the camera's bytes, one after another.
+struct FramesOfBytes {
+    std::size_t count = 0, frameBytes = 0;
+};
+/// Divides a number of bytes into frames. Errors: FileEmpty; ThermalFrameSize if they are no whole frames;
+/// ThermalFramesEither if they can be frames with and without the rows that are optional.
+Result<FramesOfBytes> framesOfBytes(std::uint64_t bytes, const ThermalProfile& profile,
+                                    const std::string& where);
+
 /// Decodes one frame of the camera's own bytes, 16 bits a pixel. `where` names it in errors, here and below.
-/// Errors: FileEmpty; ThermalFrameSize and ThermalFramesSeveral for any other number of bytes;
-/// ThermalBitsOver for a number that does not fit into the profile's bits; ThermalPictureConstant;
-/// ThermalNotTemperatures if more than half of the pixels lie outside of what the camera can tell. Single
-/// pixels outside are infinite.
+/// Errors: those of framesOfBytes; ThermalFramesSeveral; ThermalBitsOver for a number that does not fit into
+/// the profile's bits; ThermalPictureConstant; ThermalPlainPicture if the rows of temperatures of a YUYV
+/// camera hold a picture for people; ThermalNotTemperatures if more than half of the pixels lie outside of
+/// what the camera can tell. Single pixels outside are infinite.
 Result<ThermalFrame> frameOfBytes(std::string_view bytes, const ThermalProfile& profile,
                                   const std::string& where);
 
-/// Decodes a recorded frame: a PNG or TIFF of one picture with one channel of 16 bits that holds the camera's
-/// numbers, either the rows with temperatures alone or a whole frame. Errors: ImageUnreadable (damaged,
-/// short, or neither), ThermalPictureKind (colours, 8 bits, a palette), ThermalPictureSeveral (a TIFF of
-/// several pictures), ThermalPictureSize, and those of frameOfBytes for the numbers.
+/// Decodes a recorded frame: a PNG or TIFF with one channel of 16 bits that holds the camera's numbers,
+/// either the rows with temperatures alone or a whole frame. `picture` is counted from 0; without it the file
+/// holds one. Errors: ImageUnreadable (damaged, short, or neither), ThermalBigTiff, ThermalPictureKind
+/// (colours, 8 bits, a palette), ThermalPictureSeveral, ThermalFrameNone if there is no such picture,
+/// ThermalPictureSize, and those of frameOfBytes for the numbers.
 Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
-                                  const std::string& where);
+                                  const std::string& where, std::optional<std::size_t> picture = {});
+/// Returns how many pictures a PNG or TIFF holds. Errors: ImageUnreadable, ThermalBigTiff.
+Result<std::size_t> picturesOfImage(std::string_view bytes, const std::string& where);
 
 /// Decodes a table of temperatures in degC, as camera programs export it: one line a row of pixels, separated
 /// by semicolons, tabs, commas or blanks; a decimal comma, where commas separate only within quotes. Accepted

@@ -4,11 +4,15 @@
 #include "engine/base/plain_text.h"
 #include "engine/shape/contour_file.h"
 #include "engine/shape/csv_lines.h"
+#include "engine/shape/image_header.h"
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <utility>
 
@@ -48,6 +52,39 @@ std::string frameEndings() {
     for (const auto& [ending, unused] : kFrameEndings)
         out += (out.empty() ? "" : " ") + std::string(ending);
     return out;
+}
+
+Error tooManyFrames(const std::string& where, std::size_t count) {
+    return {
+        MessageCode::FileTooLarge, where, {std::to_string(count) + " frames", std::to_string(kMaxFrames)}};
+}
+
+Error noFrame(const std::string& where, std::size_t number, std::size_t count) {
+    return {MessageCode::ThermalFrameNone, where, {std::to_string(number + 1), std::to_string(count)}};
+}
+
+/// Of a file whose ending says that it holds the camera's bytes; such a file need not be read as a whole.
+std::optional<std::uintmax_t> sizeOfCameraBytes(const std::string& path) {
+    std::error_code failed;
+    if (formatOfEnding(path) != FrameFormat::CameraBytes || !fs::is_regular_file(path, failed))
+        return std::nullopt;
+    const std::uintmax_t size = fs::file_size(path, failed);
+    return failed ? std::nullopt : std::optional(size);
+}
+
+Result<ThermalFrame> readCameraBytes(const std::string& path, std::uintmax_t size,
+                                     const ThermalProfile& profile, std::size_t number) {
+    const auto frames = framesOfBytes(size, profile, path);
+    if (!frames)
+        return frames.error();
+    if (number >= frames->count)
+        return noFrame(path, number, frames->count);
+    std::ifstream file(path, std::ios::binary);
+    std::string bytes(frames->frameBytes, '\0');
+    file.seekg(static_cast<std::streamoff>(number) * static_cast<std::streamoff>(frames->frameBytes));
+    if (!file.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+        return Error{MessageCode::FileUnreadable, path, {std::strerror(errno)}};
+    return frameOfBytes(bytes, profile, path);
 }
 
 /// Names in the order of people: frame 2 before frame 10.
@@ -126,7 +163,7 @@ FrameFormat frameFormat(const std::string& path, std::string_view bytes,
     if (const auto format = formatOfEnding(path))
         return *format;
     if (bytes.starts_with("\x89PNG") || bytes.starts_with(std::string_view("II*\0", 4)) ||
-        bytes.starts_with(std::string_view("MM\0*", 4)))
+        bytes.starts_with(std::string_view("MM\0*", 4)) || isBigTiff(bytes))
         return FrameFormat::Image;
     // The numbers of an even picture can all be letters.
     if (profile && profile->isFrameSize(bytes.size()))
@@ -134,17 +171,59 @@ FrameFormat frameFormat(const std::string& path, std::string_view bytes,
     return checkCsvText(bytes, path) ? FrameFormat::Csv : FrameFormat::CameraBytes;
 }
 
-Result<ThermalFrame> readFrame(const std::string& path, const std::optional<ThermalProfile>& profile) {
+Result<std::size_t> frameCount(const std::string& path, const std::optional<ThermalProfile>& profile) {
+    if (const auto size = sizeOfCameraBytes(path); size && profile) {
+        const auto frames = framesOfBytes(*size, *profile, path);
+        return frames ? Result<std::size_t>(frames->count) : frames.error();
+    }
+    const auto bytes = readFileBytes(path, kLargestFrame);
+    if (!bytes)
+        return bytes.error();
+    const FrameFormat format = frameFormat(path, *bytes, profile);
+    if (format == FrameFormat::Image)
+        return picturesOfImage(*bytes, path);
+    if (format == FrameFormat::Csv)
+        return std::size_t{1};
+    if (!profile)
+        return Error{MessageCode::ThermalProfileNeeded, path};
+    const auto frames = framesOfBytes(bytes->size(), *profile, path);
+    return frames ? Result<std::size_t>(frames->count) : frames.error();
+}
+
+Result<ThermalFrame> readFrame(const std::string& path, const std::optional<ThermalProfile>& profile,
+                               std::optional<std::size_t> number) {
+    if (const auto size = sizeOfCameraBytes(path); size && profile && number)
+        return readCameraBytes(path, *size, *profile, *number);
     const auto bytes = readFileBytes(path, kLargestFrame);
     if (!bytes)
         return bytes.error();
     const FrameFormat format = frameFormat(path, *bytes, profile);
     if (format == FrameFormat::Csv)
-        return frameOfCsv(*bytes, profile, path);
+        return number.value_or(0) == 0 ? frameOfCsv(*bytes, profile, path) : noFrame(path, *number, 1);
     if (!profile)
         return Error{MessageCode::ThermalProfileNeeded, path};
-    return format == FrameFormat::Image ? frameOfImage(*bytes, *profile, path)
-                                        : frameOfBytes(*bytes, *profile, path);
+    if (format == FrameFormat::Image)
+        return frameOfImage(*bytes, *profile, path, number);
+    return number ? readCameraBytes(path, bytes->size(), *profile, *number)
+                  : frameOfBytes(*bytes, *profile, path);
+}
+
+Result<std::vector<TimedFrame>> framesOfFile(const std::string& path,
+                                             const std::optional<ThermalProfile>& profile) {
+    const auto count = frameCount(path, profile);
+    if (!count)
+        return count.error();
+    if (*count == 1)
+        return std::vector<TimedFrame>{{path, 0.0}};
+    if (*count > kMaxFrames)
+        return tooManyFrames(path, *count);
+    if (!profile || !profile->frameRate_Hz)
+        return Error{MessageCode::ThermalTimesNeeded, path, {kFrameTimesFile}};
+    std::vector<TimedFrame> out;
+    out.reserve(*count);
+    for (std::size_t k = 0; k < *count; ++k)
+        out.push_back({path, static_cast<double>(k) / *profile->frameRate_Hz, k});
+    return out;
 }
 
 Result<std::vector<TimedFrame>> framesOfFolder(const std::string& folder,
@@ -163,9 +242,7 @@ Result<std::vector<TimedFrame>> framesOfFolder(const std::string& folder,
     if (names.empty())
         return Error{MessageCode::ThermalNoFrames, folder, {frameEndings()}};
     if (names.size() > kMaxFrames)
-        return Error{MessageCode::FileTooLarge,
-                     folder,
-                     {std::to_string(names.size()) + " frames", std::to_string(kMaxFrames)}};
+        return tooManyFrames(folder, names.size());
     if (!profile || !profile->frameRate_Hz)
         return Error{MessageCode::ThermalTimesNeeded, folder, {kFrameTimesFile}};
     std::ranges::sort(names, comesBefore);

@@ -19,15 +19,17 @@ std::string kindOf(const PictureHeader& header) {
            (header.isWhole ? "" : ", not whole numbers");
 }
 
+Error unreadable(std::string_view bytes, const std::string& where) {
+    return {isBigTiff(bytes) ? MessageCode::ThermalBigTiff : MessageCode::ImageUnreadable, where};
+}
+
 /// Checks the header, before anything is unpacked. Returns the number of rows above the temperatures.
-Result<int> rowsAbove(std::string_view bytes, const ThermalProfile& profile, const std::string& where) {
-    const auto header = pictureHeader(bytes);
+Result<int> rowsAbove(const std::optional<PictureHeader>& header, const ThermalProfile& profile,
+                      const std::string& where) {
     if (!header)
         return Error{MessageCode::ImageUnreadable, where};
     if (header->channels != 1 || header->bits != 16 || !header->isWhole)
         return Error{MessageCode::ThermalPictureKind, where, {kindOf(*header)}};
-    if (header->pictures != 1)
-        return Error{MessageCode::ThermalPictureSeveral, where};
     const auto rows = static_cast<std::uint64_t>(profile.height);
     const auto around =
         static_cast<std::uint64_t>(profile.skipTop) + static_cast<std::uint64_t>(profile.skipBottom);
@@ -47,13 +49,31 @@ Result<int> rowsAbove(std::string_view bytes, const ThermalProfile& profile, con
 
 } // namespace
 
-Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile& profile,
-                                   const std::string& where) {
+Result<std::size_t> picturesOfImage(std::string_view bytes, const std::string& where) {
     if (bytes.empty())
         return Error{MessageCode::FileEmpty, where};
-    const auto above = rowsAbove(bytes, profile, where);
+    const auto header = pictureHeader(bytes);
+    if (!header)
+        return unreadable(bytes, where);
+    return header->pictures;
+}
+
+Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile& profile,
+                                   const std::string& where, std::optional<std::size_t> picture) {
+    const auto pictures = picturesOfImage(bytes, where);
+    if (!pictures)
+        return pictures.error();
+    if (*pictures != 1 && !picture)
+        return Error{MessageCode::ThermalPictureSeveral, where, {std::to_string(*pictures)}};
+    if (picture && *picture >= *pictures)
+        return Error{
+            MessageCode::ThermalFrameNone, where, {std::to_string(*picture + 1), std::to_string(*pictures)}};
+    const auto header = pictureHeader(bytes, picture.value_or(0));
+    const auto above = rowsAbove(header, profile, where);
     if (!above)
         return above.error();
+    if (picture.value_or(0) > 0) // OpenCV decodes the first one
+        return countsOfImage(tiffFrom(bytes, header->at), profile, where, 0);
     try {
         const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
         const cv::Mat image = pictureCodecs().decode(raw, cv::IMREAD_UNCHANGED);
@@ -72,8 +92,8 @@ Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile&
 }
 
 Result<ThermalFrame> frameOfImage(std::string_view bytes, const ThermalProfile& profile,
-                                  const std::string& where) {
-    const auto counts = countsOfImage(bytes, profile, where);
+                                  const std::string& where, std::optional<std::size_t> picture) {
+    const auto counts = countsOfImage(bytes, profile, where, picture);
     return counts ? frameOfCounts(*counts, profile, where) : counts.error();
 }
 

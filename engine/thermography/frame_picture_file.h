@@ -5,6 +5,8 @@
 #include "engine/thermography/frame_decoder.h"
 #include "engine/thermography/thermal_picture.h"
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,10 +17,10 @@ namespace bask {
 /// Throws std::invalid_argument for a picture of another size than the profile's.
 CountPicture countsOfPicture(const ThermalPicture& picture, const ThermalProfile& profile);
 
-/// Reads the numbers of a PNG or a TIFF without making temperatures of them. Errors: as frameOfImage
-/// (frame_decoder.h), without those of the numbers.
+/// Reads the numbers of a PNG or a TIFF without making temperatures of them. `picture` and errors: as
+/// frameOfImage (frame_decoder.h), without the errors of the numbers.
 Result<CountPicture> countsOfImage(std::string_view bytes, const ThermalProfile& profile,
-                                   const std::string& where);
+                                   const std::string& where, std::optional<std::size_t> picture = {});
 
 /// Returns the bytes of a PNG or a TIFF (LZW) of one channel of 16 bits, without loss: frameOfImage reads
 /// both.

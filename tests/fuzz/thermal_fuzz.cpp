@@ -22,7 +22,24 @@ const bask::ThermalProfile& smallCamera() {
     return kProfile;
 }
 
+/// A camera that sends a picture for people above the temperatures.
+const bask::ThermalProfile& yuyvCamera() {
+    static const bask::ThermalProfile kProfile = [] {
+        bask::ThermalProfile profile = smallCamera();
+        profile.skipTop = 8;
+        profile.optionalBottom = 0;
+        profile.pixelFormat = "YUYV";
+        profile.scale = 1.0 / 64.0;
+        return profile;
+    }();
+    return kProfile;
+}
+
 bask::Result<bask::ThermalFrame> frameAs(std::uint8_t kind, const std::string& bytes) {
+    if (kind >= 0xC0)
+        return bask::frameOfBytes(bytes, yuyvCamera(), "fuzz");
+    if (kind >= 0x80)
+        return bask::frameOfImage(bytes, smallCamera(), "fuzz", kind & 0x3U);
     switch (kind % 4) {
     case 0:
         return bask::frameOfBytes(bytes, smallCamera(), "fuzz");

@@ -71,14 +71,91 @@ def tiff(rows, order="<", compression=1, pages=1, bits=16, kind=1):
     return text + data
 
 
-def expect(name, data, profile, rows, kelvin_of):
+def lzw(data):
+    """After TIFF 6.0, section 13."""
+    bits = []
+    table, width = {}, 9
+
+    def put(code):
+        bits.append(format(code, f"0{width}b"))
+
+    def clear():
+        put(256)
+        table.clear()
+        table.update({bytes([i]): i for i in range(256)})
+        return 9
+
+    width = clear()
+    known, following = b"", 258
+    for i in range(len(data)):
+        byte = data[i:i + 1]
+        if known + byte in table:
+            known += byte
+            continue
+        put(table[known])
+        table[known + byte] = following
+        following += 1
+        known = byte
+        if following in (512, 1024, 2048):
+            width += 1
+        elif following == 4094:
+            width, following = clear(), 258
+    put(table[known])
+    put(257)
+    text = "".join(bits)
+    text += "0" * (-len(text) % 8)
+    return bytes(int(text[i:i + 8], 2) for i in range(0, len(text), 8))
+
+
+def stack(pictures, order="<", pack=None, strip=None, tile=None, differences=False):
+    """A TIFF with a page for each picture, in strips of some rows or in square tiles, packed with Deflate (8) or LZW (5)."""
+    text = bytearray((b"II" if order == "<" else b"MM") + struct.pack(order + "HI", 42, 0))
+    link = 4  # where the offset of the next directory goes
+    for rows in pictures:
+        height, width = len(rows), len(rows[0])
+        if tile:
+            pieces = [[[rows[min(y, height - 1)][min(x, width - 1)] for x in range(left, left + tile)] for y in range(top, top + tile)]
+                      for top in range(0, height, tile) for left in range(0, width, tile)]
+        else:
+            pieces = [rows[top:top + (strip or height)] for top in range(0, height, strip or height)]
+        offsets, lengths = [], []
+        for piece in pieces:
+            if differences:
+                piece = [row[:1] + [(b - a) % 65536 for a, b in zip(row, row[1:])] for row in piece]
+            data = raw(piece, order)
+            data = {None: bytes, 8: zlib.compress, 5: lzw}[pack](data)
+            offsets.append(len(text))
+            lengths.append(len(data))
+            text += data + b"\0" * (len(data) % 2)
+        tags = [(256, 4, [width]), (257, 4, [height]), (258, 3, [16]), (259, 3, [pack or 1]), (262, 3, [1]), (277, 3, [1])]
+        if differences:
+            tags.append((317, 3, [2]))
+        if tile:
+            tags += [(322, 4, [tile]), (323, 4, [tile]), (324, 4, offsets), (325, 4, lengths)]
+        else:
+            tags += [(273, 4, offsets), (278, 4, [strip or height]), (279, 4, lengths)]
+        entries = b""
+        for tag, form, values in sorted(tags):
+            packed = struct.pack(f"{order}{len(values)}{'H' if form == 3 else 'I'}", *values)
+            if len(packed) > 4:
+                packed, at = struct.pack(order + "I", len(text)), packed
+                text += at
+            entries += struct.pack(order + "HHI", tag, form, len(values)) + packed.ljust(4, b"\0")
+        text[link:link + 4] = struct.pack(order + "I", len(text))
+        text += struct.pack(order + "H", len(tags)) + entries
+        link = len(text)
+        text += b"\0\0\0\0"
+    return bytes(text)
+
+
+def expect(name, data, profile, rows, kelvin_of, warnings=0):
     (out / name).write_bytes(data)
     degC = [[kelvin_of(v) - 273.15 for v in row] for row in rows]
     flat = [t for row in degC for t in row]
     samples = [[x, y, degC[y][x]] for x, y in ((0, 0), (len(rows[0]) - 1, 0), (0, len(rows) - 1), (len(rows[0]) // 3, len(rows) // 2),
                                                 (len(rows[0]) - 1, len(rows) - 1))]
     good[name] = {"profile": profile, "width": len(rows[0]), "height": len(rows), "min_degC": min(flat), "max_degC": max(flat),
-                  "mean_degC": sum(flat) / len(flat), "samples": samples}
+                  "mean_degC": sum(flat) / len(flat), "samples": samples, "warnings": warnings}
 
 
 def refuse(name, data, profile, code):
@@ -108,6 +185,15 @@ expect("lepton_motorola.TIFF", tiff(lepton, ">"), "lepton-3.5", lepton, centikel
 expect("lepton_deflated.tiff", tiff(lepton, "<", 8), "lepton-3.5", lepton, centikelvin)
 expect("tiff_without_ending", tiff(lepton), "lepton-3.5", lepton, centikelvin)
 
+expect("lepton_strips.tif", stack([lepton], strip=7), "lepton-3.5", lepton, centikelvin)
+expect("lepton_lzw.tif", stack([lepton], pack=5, strip=32), "lepton-3.5", lepton, centikelvin)
+expect("lepton_lzw_motorola.tif", stack([lepton], ">", 5, 32, differences=True), "lepton-3.5", lepton, centikelvin)
+expect("lepton_tiles.tif", stack([lepton], tile=64), "lepton-3.5", lepton, centikelvin)
+expect("lepton_tiles_motorola.tif", stack([lepton], ">", 8, tile=32), "lepton-3.5", lepton, centikelvin)
+lepton25 = scene(80, 60, 25, 29515, 33315)
+expect("lepton25.raw", raw(lepton25), "lepton-2.5", lepton25, centikelvin)
+expect("lepton25_telemetry.raw", raw(lepton25 + [[i % 5 for i in range(80)]] * 3), "lepton-2.5", lepton25, centikelvin)
+
 random = noise(5)
 visible = [[next(random) for _ in range(256)] for _ in range(192)]
 for name, profile in (("p2pro", "p2-pro"), ("tc001", "tc001")):
@@ -116,7 +202,29 @@ for name, profile in (("p2pro", "p2-pro"), ("tc001", "tc001")):
     expect(f"{name}.png", png(cold), profile, cold, sixtyfourths)
     expect(f"{name}_whole.png", png(visible + cold), profile, cold, sixtyfourths)
 hot = scene(256, 192, 9, 18780, 30000)
-expect("p2pro_hot.raw", raw(visible + hot), "p2-pro", hot, sixtyfourths)
+expect("p2pro_hot.raw", raw(visible + hot), "p2-pro", hot, sixtyfourths, 1)
+
+# A plain picture in YUYV: brightness in the low bytes; colour in the high ones, without any 128.
+def shades(low, high):
+    return [[low + (high - low) * (x + 2 * y) // (256 + 2 * 192) for x in range(256)] for y in range(192)]
+
+
+grey = [[0x8000 + v for v in row] for row in shades(16, 235)]
+dull = [[0x8000 + v for v in row] for row in shades(60, 190)]
+colours = [[((90, 160)[x % 2] << 8) + v for x, v in enumerate(row)] for row in shades(16, 235)]
+at_240 = [[0x8000 + 140 + next(random) % 23 - 11 for _ in range(256)] for _ in range(192)]  # 241.0 degC, and noise
+about_240 = [[0x8000 - 60 + v + v // 2 for v in row] for row in shades(0, 255)]  # 237.9 to 243.9 degC
+for name, upper in (("grey", grey), ("colours", colours), ("noise", visible)):
+    expect(f"p2pro_at_240_{name}.yuyv", raw(upper + at_240), "p2-pro", at_240, sixtyfourths, 2)
+expect("p2pro_at_240.png", png(at_240), "p2-pro", at_240, sixtyfourths, 2)
+expect("p2pro_about_240.yuyv", raw(grey + about_240), "p2-pro", about_240, sixtyfourths, 1)
+expect("p2pro_dull.yuyv", raw(grey + dull), "p2-pro", dull, sixtyfourths, 2)  # nothing tells
+for name, upper, lower in (("exchanged", cold, grey), ("exchanged_dull", cold, dull), ("exchanged_hot", hot, dull), ("plain", grey, grey),
+                           ("part_in_colour", grey, [colours[y] if y < 40 else row for y, row in enumerate(grey)]),
+                           ("colours", cold, colours), ("plain_colours", colours, colours)):
+    refuse(f"p2pro_{name}.yuyv", raw(upper + lower), "p2-pro", "ThermalPlainPicture")
+refuse("p2pro_exchanged.png", png(cold + dull), "p2-pro", "ThermalPlainPicture")
+refuse("tc001_plain.png", png(grey), "tc001", "ThermalPlainPicture")
 
 own = {"name": "ours", "width": 80, "height": 60, "skip_top": 1, "skip_bottom": 2, "bits": 14, "byte_order": "big", "scale": 0.04,
        "unit": "degC", "offset": -40, "min_degC": -40, "max_degC": 500, "frame_rate_Hz": 2}
@@ -149,10 +257,39 @@ expect("text_without_ending", "\n".join(semicolon).encode(), "lepton-3.5", degC,
 counted = [",".join([""] + [str(i) for i in range(160)])] + [f"{i},{line}" for i, line in enumerate(table(degC, ",", "."))]
 expect("counted.csv", "\n".join(counted).encode(), "lepton-3.5", degC, kelvin)
 expect("counted_any_size.csv", "\n".join(counted).encode(), None, degC, kelvin)
+counting = [",".join(str(i) for i in range(160))] + table(degC, ",", ".")
+expect("counting_line.csv", "\n".join(counting).encode(), "lepton-3.5", degC, kelvin)
+names = [",".join(f"x{i}" for i in range(160)), ",".join(["°C"] * 160)]
+expect("names_any_size.csv", "\n".join(names + table(degC, ",", ".")).encode(), None, degC, kelvin)
+expect("units.csv", "\n".join(names[1:] + table(degC, ",", ".")).encode(), "lepton-3.5", degC, kelvin)
+expect("decimal_commas.txt", "\n".join(table(degC, " ", ",")).encode(), "lepton-3.5", degC, kelvin)
+expect("decimal_commas_any_size.txt", "\n".join(table(degC, "  ", ",")).encode(), None, degC, kelvin)
+quoted = [",".join(f'"{cell}"' for cell in line.split(";")) for line in semicolon]
+expect("quoted.csv", "\n".join(quoted).encode(), "lepton-3.5", degC, kelvin)
+expect("quoted_any_size.csv", "\n".join(['"a, b","c"'] + quoted).encode(), None, degC, kelvin)
 ramp = [[float(x + 160 * y % 7) for x in range(160)] for y in range(120)]  # counts, but is the picture
 expect("ramp.csv", "\n".join(table(ramp, ",", ".", 0)).encode(), "lepton-3.5", ramp, kelvin)
 expect("ramp_any_size.csv", "\n".join(table(ramp, ",", ".", 0)).encode(), None, ramp, kelvin)
 
+masked = [",".join(["---"] * 160)]
+for profile, name in (("lepton-3.5", "masked"), (None, "masked_any_size")):
+    refuse(f"{name}.csv", "\n".join(masked + table(degC[1:], ",", ".")).encode(), profile, "ThermalCellUnusable")
+refuse("masked_with_names.csv", "\n".join(masked + names[:1] + masked + table(degC, ",", ".")).encode(), None, "ThermalCellUnusable")
+refuse("empty_row.csv", "\n".join([";" * 159] + semicolon[1:]).encode(), None, "ThermalCellUnusable")
+tabs = table(degC, "\t", ".")
+refuse("gap_any_size.tsv", "\n".join(tabs[:40] + ["\t" * 159] + tabs[41:]).encode(), None, "ThermalRowLength")
+expect("tabs_after.tsv", "\n".join(tabs + ["\t" * 159] * 2 + [""]).encode(), None, degC, kelvin)
+refuse("counting_line_any_size.csv", "\n".join(counting).encode(), None, "ThermalLineCounts")
+refuse("counting_column_any_size.csv", "\n".join(f"{i},{line}" for i, line in enumerate(table(degC, ",", "."))).encode(), None,
+       "ThermalColumnCounts")
+refuse("thousands.csv", "\n".join([quoted[0].replace(quoted[0].split('","')[1], "1,234", 1)] + quoted[1:]).encode(), "lepton-3.5",
+       "ThermalCellUnusable")
+refuse("either.raw", struct.pack("<H", 29999) * (61 * 19200), "lepton-3.5", "ThermalFramesEither")
+refuse("big.tif", b"II+\0\x08\0\0\0" + struct.pack("<Q", 16) + bytes(100), "lepton-3.5", "ThermalBigTiff")
+refuse("big_without_ending", b"MM\0+\0\x08\0\0" + struct.pack(">Q", 16) + bytes(100), "lepton-3.5", "ThermalBigTiff")
+circle = bytearray(stack([lepton, lepton]))
+circle[-4:] = circle[4:8]  # the last page is followed by the first
+refuse("circle.tif", bytes(circle), "lepton-3.5", "ImageUnreadable")
 refuse("empty.raw", b"", "lepton-3.5", "FileEmpty")
 refuse("short.raw", raw(lepton)[:-1], "lepton-3.5", "ThermalFrameSize")
 refuse("long.raw", raw(lepton) + b"\0", "lepton-3.5", "ThermalFrameSize")
@@ -190,6 +327,13 @@ refuse("utf16.csv", "\n".join(semicolon).encode("utf-16"), "lepton-3.5", "FileUn
 refuse("bytes.csv", raw(lepton), "lepton-3.5", "FileUnreadable")
 refuse("constant.csv", "\n".join(table([[25.0] * 160] * 120, ",", ".")).encode(), "lepton-3.5", "ThermalPictureConstant")
 refuse("no_profile.raw", raw(lepton), None, "ThermalProfileNeeded")
+
+# Files of three frames.
+three = [scene(160, 120, seed, 29515, 33315) for seed in (21, 22, 23)]
+(out / "three.raw").write_bytes(b"".join(raw(rows) for rows in three))
+(out / "three.tif").write_bytes(stack(three, strip=40))
+(out / "three_motorola.tif").write_bytes(stack(three, ">", 5))
+(out / "three.json").write_text(json.dumps([rows[60][80] / 100 - 273.15 for rows in three]))
 
 # A few pixels that the camera cannot tell: decoded, but the whole picture has no maximum.
 saturated = [list(row) for row in lepton]
