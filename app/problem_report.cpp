@@ -55,7 +55,8 @@ void putState(QTextStream& out, const Snapshot& snapshot) {
             << (device.status.link == LinkState::Live ? "live" : "not live") << ", \""
             << QString::fromStdString(device.status.identity) << "\", " << device.status.rate_Hz
             << " Hz, age " << device.age_s << " s, discarded " << device.status.discarded << ", "
-            << words(device.status.problem) << '\n';
+            << words(device.status.problem) << ", last discarded: " << words(device.status.lastDiscarded)
+            << '\n';
     out << '\n';
 }
 

@@ -3,6 +3,7 @@
 // leaves a capture that hangs.
 
 #include "engine/base/clock.h"
+#include "engine/base/left_out_pictures.h"
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"
 #include "engine/base/thread_name.h"
@@ -30,10 +31,10 @@ template <class Caught> class CaptureSource {
 public:
     virtual ~CaptureSource() = default;
     /// Returns the next picture. Errors: CameraNotOpened with the reason; the source cannot be used after
-    /// that.
+    /// that. Any other error is one of this picture alone, and the next one may be good.
     virtual Result<Caught> next() = 0;
-    /// Returns the time from the last picture of a recording to the next one; 0 for a live camera, where
-    /// noise makes any two pictures different.
+    /// Returns the time from the last picture of a recording, good or not, to the next one; 0 for a live
+    /// camera, where noise makes any two pictures different.
     virtual double period_s() const { return 0.0; }
     /// Returns whether it is better to wait for a next() that does not return, because it will continue where
     /// it stopped.
@@ -58,9 +59,10 @@ template <class Caught> struct NumberedPicture {
     double period_s = 0.0; ///< to the next one of a recording; 0: live
 };
 
-/// Two pictures of a live camera are never equal, so a repeated picture is ignored. A capture that hangs is
-/// abandoned and another one is started, at most kMaxHanging in the process; after that it waits. Use it on
-/// one thread, which it never keeps waiting.
+/// Two pictures of a live camera are never equal, so a repeated picture is ignored. A picture that cannot be
+/// used is left out and counted; a live camera that gives no other for kLost_s is opened again. A capture
+/// that hangs is abandoned and another one is started, at most kMaxHanging in the process; after that it
+/// waits. Use it on one thread, which it never keeps waiting.
 template <class Caught> class BackgroundCapture {
 public:
     static constexpr double kLost_s = 1.0;
@@ -72,7 +74,7 @@ public:
     /// Opens by `opener` on the capture's thread. `name` is told in errors.
     BackgroundCapture(std::string name, CaptureOpener<Caught> opener)
         : m_name(std::move(name)), m_opener(std::move(opener)), m_began_s(m_clock.now_s()),
-          m_thread(std::make_shared<Thread>(0)) {
+          m_thread(std::make_shared<Thread>(0, LeftOutPictures())) {
         Thread::begin(m_thread, m_opener);
     }
     /// Waits for at most kFarewell_s.
@@ -93,6 +95,9 @@ public:
         return absence(now_s);
     }
 
+    /// Returns what was left out so far.
+    LeftOutPictures leftOut() const { return m_thread->leftOut(); }
+
 private:
     static std::chrono::duration<double> seconds(double time_s) {
         return std::chrono::duration<double>(time_s);
@@ -101,7 +106,8 @@ private:
     /// What the thread and its owner share; it outlives either.
     class Thread {
     public:
-        explicit Thread(std::uint64_t pictures) : m_pictures(pictures) {}
+        Thread(std::uint64_t pictures, LeftOutPictures leftOut)
+            : m_pictures(pictures), m_leftOut(std::move(leftOut)) {}
 
         // -- by the owner ------------------------------------------------------------------------------
 
@@ -147,6 +153,10 @@ private:
             const std::lock_guard lock(m_mutex);
             return m_pictures;
         }
+        LeftOutPictures leftOut() const {
+            const std::lock_guard lock(m_mutex);
+            return m_leftOut;
+        }
 
     private:
         static constexpr double kFirstPause_s = 0.25, kLongestPause_s = 2.0; // between attempts to open
@@ -176,19 +186,28 @@ private:
         bool play(CaptureSource<Caught>& source) {
             std::shared_ptr<const NumberedPicture<Caught>> before;
             double lastNew_s = m_clock.now_s(), due_s = lastNew_s;
+            const auto keepTime = [&](double now_s, double period_s) {
+                due_s = std::max(due_s + period_s, now_s - period_s);
+                if (due_s > now_s)
+                    pause(due_s - now_s);
+            };
             while (!isStopped()) {
                 auto caught = read(source);
+                const double now_s = m_clock.now_s(), period_s = source.period_s();
                 if (!caught) {
                     say(captureProblem(caught.error()));
-                    break;
+                    const bool isOver = caught.error().code() == MessageCode::CameraNotOpened;
+                    if (!isOver)
+                        leaveOut(caught.error());
+                    if (isOver || (period_s == 0.0 && now_s - lastNew_s > kLost_s))
+                        break;
+                    keepTime(now_s, std::max(period_s, kRepeated_s));
+                    continue;
                 }
-                const double now_s = m_clock.now_s(), period_s = source.period_s();
                 if (period_s > 0.0 || !before || !isSamePicture(*caught, before->caught)) {
                     lastNew_s = now_s;
                     before = publish(std::move(*caught), period_s);
-                    due_s = std::max(due_s + period_s, now_s - period_s);
-                    if (due_s > now_s)
-                        pause(due_s - now_s);
+                    keepTime(now_s, period_s);
                     continue;
                 }
                 say("it gives the same picture again and again");
@@ -224,6 +243,11 @@ private:
             const std::lock_guard lock(m_mutex);
             m_words = std::move(words);
         }
+        void leaveOut(const Error& reason) {
+            const std::lock_guard lock(m_mutex);
+            ++m_leftOut.count;
+            m_leftOut.last = reason;
+        }
         void pause(double time_s) {
             std::unique_lock lock(m_mutex);
             m_wake.wait_for(lock, seconds(time_s), [this] { return m_stopped; });
@@ -246,6 +270,7 @@ private:
         bool m_stopped = false, m_ended = false, m_left = false;
         std::shared_ptr<const NumberedPicture<Caught>> m_arrived; ///< that the owner has not taken yet
         std::uint64_t m_pictures;
+        LeftOutPictures m_leftOut;
         std::string m_words;                    ///< why nothing new comes
         std::optional<double> m_readingSince_s; ///< the system has not answered since
     };
@@ -253,7 +278,7 @@ private:
     void beginAgainWhenHanging(double now_s) {
         if (!m_thread->hangs(now_s) || hangingCaptures() >= kMaxHanging)
             return;
-        auto next = std::make_shared<Thread>(m_thread->pictures());
+        auto next = std::make_shared<Thread>(m_thread->pictures(), m_thread->leftOut());
         (void)m_thread->finish(0.0);
         m_thread = std::move(next);
         Thread::begin(m_thread, m_opener);

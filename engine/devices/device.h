@@ -32,6 +32,7 @@ struct DeviceStatus {
     double replyTime_s = 0.0;    ///< from the newest request to its answer; 0: unknown
     double rate_Hz = 0.0;        ///< rate of answers
     int discarded = 0;           ///< number of replies so far that could not be read or were not requested
+    Message lastDiscarded{};     ///< why the last of them was; code None: not known
     std::string identity;        ///< as the device reports it, "Grbl 1.1h"; empty: it does not
     /// Distinguishes it from others of its kind, as it reports it. "": it has none; empty: not reported yet.
     std::optional<std::string> signature{};

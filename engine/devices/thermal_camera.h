@@ -1,6 +1,7 @@
 #pragma once
 // The interface of a thermal camera: the newest frame, with its age.
 
+#include "engine/base/left_out_pictures.h"
 #include "engine/base/result.h"
 #include "engine/thermography/frame_decoder.h"
 
@@ -24,6 +25,8 @@ public:
     /// shutter is closed. Errors: those of Camera::newest.
     virtual Result<std::shared_ptr<const ThermalCameraFrame>> newest() = 0;
     virtual const ThermalProfile& profile() const = 0;
+    /// Returns the frames so far that could not be used.
+    virtual LeftOutPictures leftOut() const { return {}; }
 };
 
 } // namespace bask

@@ -7,7 +7,9 @@
 
 #include <opencv2/videoio.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,9 +18,9 @@ namespace {
 
 using FramesOpened = Result<std::unique_ptr<ThermalFrameSource>>;
 
-Result<CaughtThermalFrame> caughtNow(const std::string& name, Result<ThermalFrame> frame) {
+Result<CaughtThermalFrame> caughtNow(Result<ThermalFrame> frame) {
     if (!frame)
-        return captureRefusal(name, describe(frame.error()));
+        return frame.error();
     return CaughtThermalFrame{std::move(*frame), SteadyClock().now_s()};
 }
 
@@ -30,17 +32,41 @@ public:
     Result<CaughtThermalFrame> next() override {
         const std::size_t now = std::exchange(m_next, (m_next + 1) % m_frames.size());
         m_period_s = m_next > now ? m_frames[m_next].time_s - m_frames[now].time_s : kAgain_s;
-        return caughtNow(m_name, readFrame(m_frames[now].path, m_profile));
+        auto caught = caughtNow(frameAt(now));
+        m_bad = caught ? 0 : m_bad + 1;
+        if (m_bad >= m_frames.size())
+            return captureRefusal(m_name, describe(caught.error()));
+        return caught;
     }
     double period_s() const override { return m_period_s; }
 
+    /// Refuses a recording that begins with many frames that cannot be used, with what is wrong with the
+    /// first one: its profile, as a rule.
+    Result<void> check() const {
+        constexpr std::size_t kTried = 100;
+        std::optional<Error> first;
+        for (std::size_t k = 0; k < std::min(kTried, m_frames.size()); ++k) {
+            const auto frame = frameAt(k);
+            if (frame)
+                return {};
+            if (!first)
+                first = frame.error();
+        }
+        return captureRefusal(m_name, describe(*first));
+    }
+
 private:
+    Result<ThermalFrame> frameAt(std::size_t index) const {
+        return readFrame(m_frames[index].path, m_profile, m_frames[index].number);
+    }
+
     static constexpr double kAgain_s = 0.5; // from the last frame to the first one
 
     std::string m_name;
     ThermalProfile m_profile;
     std::vector<TimedFrame> m_frames;
     std::size_t m_next = 0;
+    std::size_t m_bad = 0; ///< one after another; a whole round of them is an end
     double m_period_s = kAgain_s;
 };
 
@@ -64,9 +90,7 @@ public:
             static_cast<int>(m_capture->get(cv::CAP_PROP_FRAME_WIDTH)) != m_profile.width ||
             (given != rows && given != rows + m_profile.optionalBottom))
             return captureRefusal(m_name, "it gives no frames of \"" + m_profile.name + "\"");
-        if (const auto first = next(); !first)
-            return first.error();
-        return {};
+        return awaitFrame();
     }
 
     Result<CaughtThermalFrame> next() override {
@@ -77,10 +101,26 @@ public:
             image = image.clone();
         const std::string_view bytes(reinterpret_cast<const char*>(image.data),
                                      image.total() * image.elemSize());
-        return caughtNow(m_name, frameOfBytes(bytes, m_profile, m_name));
+        return caughtNow(frameOfBytes(bytes, m_profile, m_name));
     }
 
 private:
+    /// A camera that has just been opened closes its shutter, or sends pictures of nothing.
+    Result<void> awaitFrame() {
+        constexpr double kAwaited_s = 1.0;
+        const SteadyClock clock;
+        const double begun_s = clock.now_s();
+        for (;;) {
+            const auto frame = next();
+            if (frame)
+                return {};
+            if (frame.error().code() == MessageCode::CameraNotOpened)
+                return frame.error();
+            if (clock.now_s() - begun_s > kAwaited_s)
+                return captureRefusal(m_name, describe(frame.error()));
+        }
+    }
+
     std::string m_name;
     ThermalProfile m_profile;
     std::unique_ptr<VideoInput> m_capture = makeVideoInput();
@@ -94,16 +134,13 @@ FramesOpened openLive(const std::string& name, const ThermalProfile& profile) {
 }
 
 FramesOpened openRecorded(const std::string& name, const ThermalProfile& profile, bool isFolder) {
-    std::vector<TimedFrame> frames{{name, 0.0}};
-    if (isFolder) {
-        auto listed = framesOfFolder(name, profile);
-        if (!listed)
-            return captureRefusal(name, describe(listed.error()));
-        frames = std::move(*listed);
-    }
-    if (auto first = readFrame(frames.front().path, profile); !first)
-        return captureRefusal(name, describe(first.error()));
-    return FramesOpened(std::make_unique<RecordedFrames>(name, profile, std::move(frames)));
+    auto frames = isFolder ? framesOfFolder(name, profile) : framesOfFile(name, profile);
+    if (!frames)
+        return captureRefusal(name, describe(frames.error()));
+    auto source = std::make_unique<RecordedFrames>(name, profile, std::move(*frames));
+    if (const auto checked = source->check(); !checked)
+        return checked.error();
+    return FramesOpened(std::move(source));
 }
 
 } // namespace

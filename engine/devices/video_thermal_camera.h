@@ -24,6 +24,7 @@ public:
 
     Result<std::shared_ptr<const ThermalCameraFrame>> newest() override;
     const ThermalProfile& profile() const override { return m_profile; }
+    LeftOutPictures leftOut() const override { return m_capture.leftOut(); }
 
 private:
     ThermalProfile m_profile;

@@ -259,6 +259,7 @@ std::shared_ptr<const ThermalView> CameraThermometer::view() {
         m_view = viewOfFrame();
     auto view = std::make_shared<ThermalView>(m_view.value_or(ThermalView{}));
     view->cameraName = cameraName(m_camera.profile());
+    view->leftOut = m_camera.leftOut();
     view->age_s = m_frame ? m_clock.now_s() - m_frame->time_s : 0.0;
     if (!read)
         view->problem = read.error().message;

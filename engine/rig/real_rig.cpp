@@ -61,6 +61,10 @@ struct Plan {
 
 DeviceStatus statusOf(ThermalCamera& camera) {
     DeviceStatus status;
+    const LeftOutPictures leftOut = camera.leftOut();
+    status.discarded = static_cast<int>(leftOut.count);
+    if (leftOut.last)
+        status.lastDiscarded = leftOut.last->message;
     const auto newest = camera.newest();
     if (newest) {
         status.link = LinkState::Live;

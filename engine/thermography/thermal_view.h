@@ -2,6 +2,7 @@
 // What the window shows of a thermal camera: a picture and what was read from it. Contains values, never the
 // camera.
 
+#include "engine/base/left_out_pictures.h"
 #include "engine/base/message.h"
 #include "engine/thermography/camera_profile.h"
 #include "engine/thermography/thermal_picture.h"
@@ -40,6 +41,7 @@ struct ThermalView {
     double time_s = 0.0;                           ///< when it was taken, on the engine's clock
     double age_s = 0.0;                            ///< when the view was made
     Message problem;                               ///< such as CameraLost; code None if the camera answers
+    LeftOutPictures leftOut;                       ///< so far
     std::vector<ThermalObjectView> objects;        ///< in the experiment's order
 };
 

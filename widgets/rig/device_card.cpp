@@ -166,9 +166,18 @@ void DeviceCard::showState() {
     }
     setText(m_word, word);
     setText(m_age, age);
+    showAgeTip();
     setText(m_problem, problem);
     showAccept(isThere && m_state ? m_state->status.problem.code : MessageCode::None);
     showMark();
+}
+
+void DeviceCard::showAgeTip() {
+    QString tip = tr("Age of its newest answer, answers a second, and answers that nobody can read or "
+                     "that were not asked for");
+    if (m_state && m_state->status.lastDiscarded.code != MessageCode::None)
+        tip += u'\n' + tr("The last of them: %1").arg(messageText(m_state->status.lastDiscarded));
+    m_age->setToolTip(tip);
 }
 
 void DeviceCard::showAccept(MessageCode problem) {
@@ -199,8 +208,6 @@ void DeviceCard::retranslate() {
         widest = std::max(widest, m_title->fontMetrics().horizontalAdvance(roleWord(role)));
     m_title->setMinimumWidth(widest + kMark);
     m_remove->setText(tr("Remove"));
-    m_age->setToolTip(tr("Age of its newest answer, answers a second, and answers that nobody can read or "
-                         "that were not asked for"));
     setAccessibleName(roleWord(m_role));
     showDevice();
 }

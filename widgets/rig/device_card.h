@@ -43,6 +43,7 @@ protected:
 private:
     void showDevice();
     void showState();
+    void showAgeTip();
     void showAccept(MessageCode problem);
     void showMark();
     void retranslate();

@@ -5,6 +5,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/thermal/thermal_zoom.h"
 
+#include <QFileInfo>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QToolTip>
@@ -306,6 +307,11 @@ bool ThermalCanvas::showToolTip(const QHelpEvent& event) {
         if (object && !m_view.objects[*object].T_K)
             text =
                 nameOf(*object) + QStringLiteral(": ") + messageText(m_view.objects[*object].reason, m_unit);
+    } else if (m_view.leftOut.last && event.pos().y() > pictureRect().bottom()) {
+        const Error& last = *m_view.leftOut.last;
+        text = tr("Left out last: %1")
+                   .arg(QFileInfo(QString::fromStdString(last.where)).fileName() + QStringLiteral(": ") +
+                        messageText(last.message, m_unit));
     } else if (hasPicture(m_view) && event.pos().x() > pictureRect().right() &&
                barRect().height() > event.pos().y()) {
         text =

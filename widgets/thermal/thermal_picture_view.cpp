@@ -115,6 +115,8 @@ QString ThermalPictureView::statusText() const {
     words << tr("%1 \u00d7 %2").arg(m_view.picture->width).arg(m_view.picture->height);
     if (m_isRecorded)
         return words.join(kBetween);
+    if (m_view.leftOut.count > 0)
+        words << tr("%n picture(s) left out", nullptr, static_cast<int>(m_view.leftOut.count));
     if (m_period_s > 0.0 && sentence().isEmpty())
         words << tr("%1 pictures/s").arg(QLocale().toString(1.0 / m_period_s, 'f', 1));
     words << tr("age %1 s").arg(QLocale().toString(age_s(), 'f', age_s() < 1.0 ? 2 : 1));

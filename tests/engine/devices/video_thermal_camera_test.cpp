@@ -73,6 +73,103 @@ TEST(ThermalFrames, AreRefusedInWordsWhenTheyAreOpened) {
     }
 }
 
+TEST(ThermalFrames, PlayAFileOfSeveralAtTheProfilesRate) {
+    const ScratchFolder folder;
+    write(folder / "three.raw", leptonBytes(300.0) + leptonBytes(310.0) + leptonBytes(320.0));
+    auto source = openThermalFrames(folder / "three.raw", lepton());
+    ASSERT_TRUE(source) << describe(source.error());
+    for (const double expected_K : {300.0, 310.0, 320.0, 300.0}) {
+        const auto caught = (*source)->next();
+        ASSERT_TRUE(caught) << describe(caught.error());
+        EXPECT_NEAR(caught->frame.picture.at(0, 0), expected_K, 1e-9);
+        if (expected_K < 320.0) {
+            EXPECT_NEAR((*source)->period_s(), 1.0 / 9.0, 1e-9);
+        }
+    }
+    ThermalProfile timeless = lepton();
+    timeless.frameRate_Hz.reset();
+    const auto refused = openThermalFrames(folder / "three.raw", timeless);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(wordsOf(refused.error()).find("frame_rate_Hz"), std::string::npos);
+}
+
+/// A folder with a good first and last frame and these between them.
+void writeRecording(const ScratchFolder& folder, const std::vector<std::string>& between, double period_s) {
+    std::string times = "file,time_s\n";
+    const auto add = [&](std::size_t k, const std::string& bytes) {
+        write(folder / (std::to_string(k) + ".raw"), bytes);
+        times += std::to_string(k) + ".raw," + std::to_string(static_cast<double>(k) * period_s) + "\n";
+    };
+    add(0, leptonBytes(300.0));
+    for (std::size_t k = 0; k < between.size(); ++k)
+        add(k + 1, between[k]);
+    add(between.size() + 1, leptonBytes(310.0));
+    write(folder / "times.csv", times);
+}
+
+std::string constantBytes() {
+    std::string bytes;
+    for (int k = 0; k < 160 * 120; ++k)
+        bytes += "\x30\x75";
+    return bytes;
+}
+
+const std::vector<std::string> kBadFrames{constantBytes(), leptonBytes(300.0, 1000), ""};
+
+// Catches: a recording that ends, or begins again, at a frame of a closed shutter or a damaged one; and one
+// whose times shift by it.
+TEST(ThermalFrames, AFrameThatCannotBeUsedIsAnErrorOfItsOwn) {
+    const ScratchFolder folder;
+    writeRecording(folder, kBadFrames, 0.125);
+    auto source = openThermalFrames(folder / "", lepton());
+    ASSERT_TRUE(source) << describe(source.error());
+    for (int round = 0; round < 2; ++round) {
+        EXPECT_TRUE((*source)->next());
+        for (const MessageCode expected :
+             {MessageCode::ThermalPictureConstant, MessageCode::ThermalFrameSize, MessageCode::FileEmpty}) {
+            const auto bad = (*source)->next();
+            ASSERT_FALSE(bad);
+            EXPECT_EQ(bad.error().code(), expected);
+            EXPECT_NEAR((*source)->period_s(), 0.125, 1e-9);
+        }
+        const auto last = (*source)->next();
+        ASSERT_TRUE(last);
+        EXPECT_NEAR(last->frame.picture.at(0, 0), 310.0, 1e-9);
+    }
+}
+
+// Catches: a closed shutter at the very beginning that keeps a recording from being opened, and one without
+// a good frame that is opened or played for ever.
+TEST(ThermalFrames, OneGoodFrameIsNeeded) {
+    const ScratchFolder folder;
+    write(folder / "a.raw", constantBytes());
+    write(folder / "b.raw", leptonBytes(300.0));
+    auto source = openThermalFrames(folder / "", lepton());
+    ASSERT_TRUE(source) << describe(source.error());
+    EXPECT_FALSE((*source)->next());
+    EXPECT_TRUE((*source)->next());
+    write(folder / "b.raw", "cut off");
+    EXPECT_NE((*source)->next().error().code(), MessageCode::CameraNotOpened);
+    EXPECT_EQ((*source)->next().error().code(), MessageCode::CameraNotOpened) << "a whole round";
+    const auto none = openThermalFrames(folder / "", lepton());
+    ASSERT_FALSE(none);
+    EXPECT_NE(wordsOf(none.error()).find("a.raw"), std::string::npos) << wordsOf(none.error());
+}
+
+TEST(VideoThermalCamera, PlaysPastFramesThatCannotBeUsedAndCountsThem) {
+    const ScratchFolder folder;
+    writeRecording(folder, kBadFrames, 0.02);
+    VideoThermalCamera camera(folder / "", lepton(), kTestClock);
+    EXPECT_TRUE(waitUntil([&] {
+        const auto newest = camera.newest();
+        return newest && std::abs((*newest)->frame.picture.at(0, 0) - 310.0) < 1e-6;
+    }));
+    ASSERT_TRUE(waitUntil([&] { return camera.leftOut().count >= 6; })) << "the second round, too";
+    EXPECT_TRUE(camera.newest());
+    ASSERT_TRUE(camera.leftOut().last);
+    EXPECT_NE(camera.leftOut().last->where.find(".raw"), std::string::npos);
+}
+
 TEST(VideoThermalCamera, HandsOutTheFramesOfARecording) {
     const ScratchFolder folder;
     write(folder / "a.raw", leptonBytes(300.0));
@@ -107,6 +204,49 @@ private:
     std::shared_ptr<std::atomic<int>> m_state;
     double m_from_K = 300.0;
 };
+
+/// A live camera that sends frames of nothing.
+class BadSource final : public ThermalFrameSource {
+public:
+    BadSource(std::shared_ptr<std::atomic<int>> opened, std::shared_ptr<std::atomic<bool>> isBad)
+        : m_isBad(std::move(isBad)) {
+        ++*opened;
+    }
+    Result<CaughtThermalFrame> next() override {
+        if (*m_isBad)
+            return Error{MessageCode::ThermalPictureConstant, "scripted"};
+        m_from_K += 0.01;
+        auto frame = frameOfBytes(leptonBytes(m_from_K), lepton(), "scripted");
+        return CaughtThermalFrame{std::move(*frame), kTestClock.now_s()};
+    }
+
+private:
+    std::shared_ptr<std::atomic<bool>> m_isBad;
+    double m_from_K = 300.0;
+};
+
+// Catches: a live camera that is closed at the first frame that cannot be used, or never opened again.
+TEST(VideoThermalCamera, IsOpenedAgainWhenNoGoodFrameComesForASecond) {
+    const auto opened = std::make_shared<std::atomic<int>>(0);
+    const auto isBad = std::make_shared<std::atomic<bool>>(false);
+    VideoThermalCamera camera("scripted", lepton(), kTestClock, [=](const std::function<bool()>&) {
+        return Result<std::unique_ptr<ThermalFrameSource>>(std::make_unique<BadSource>(opened, isBad));
+    });
+    ASSERT_TRUE(waitUntil([&] { return camera.newest().ok(); }));
+    *isBad = true;
+    ASSERT_TRUE(waitUntil([&] { return camera.leftOut().count > 3; }));
+    *isBad = false;
+    const std::uint64_t before = camera.newest().value()->number;
+    ASSERT_TRUE(waitUntil([&] { return camera.newest().value()->number > before + 3; }));
+    EXPECT_EQ(*opened, 1) << "as little as a shutter does";
+    *isBad = true;
+    ASSERT_TRUE(waitUntil([&] { return !camera.newest().ok(); }));
+    EXPECT_EQ(camera.newest().error().code(), MessageCode::CameraLost);
+    EXPECT_NE(wordsOf(camera.newest().error()).find("one value"), std::string::npos);
+    *isBad = false;
+    EXPECT_TRUE(waitUntil([&] { return camera.newest().ok(); }));
+    EXPECT_GT(*opened, 1);
+}
 
 TEST(VideoThermalCamera, KeepsTheLastFrameWhileTheShutterIsClosedAndTellsALoss) {
     const auto state = std::make_shared<std::atomic<int>>(0);

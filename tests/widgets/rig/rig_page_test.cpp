@@ -125,6 +125,11 @@ TEST_F(RigPageTest, TheCardsTellHowTheDevicesAre) {
     snapshot.devices[0].status.discarded = 3;
     page.apply(snapshot, true);
     EXPECT_EQ(text("age.robot"), "12 ms ago, 10.0 Hz, 3 answer(s) discarded"); // English is in its own file
+    EXPECT_FALSE(child<QLabel>("age.robot")->toolTip().contains("The last of them"));
+    snapshot.devices[0].status.lastDiscarded = {MessageCode::ThermalPictureConstant, {}};
+    page.apply(snapshot, true);
+    EXPECT_TRUE(child<QLabel>("age.robot")->toolTip().contains("The last of them: all pixels"))
+        << child<QLabel>("age.robot")->toolTip().toStdString();
     EXPECT_FALSE(child<QLabel>("problem.robot")->isVisible());
 }
 
