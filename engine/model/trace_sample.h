@@ -25,6 +25,7 @@ struct CameraSample {
     double uncertainty_K = std::numeric_limits<double>::quiet_NaN(); ///< standard uncertainty of T_K
     double spread_K = std::numeric_limits<double>::quiet_NaN();      ///< largest difference across its face
     double pixels = std::numeric_limits<double>::quiet_NaN();        ///< number of them that were read
+    bool isPartlyOutside = false; ///< a part of it is not in the picture; shown, not recorded
 };
 
 /// One object at one sample. A value that is unknown or invalid is NaN (NULL in the file).

@@ -213,6 +213,7 @@ void CameraThermometer::take(std::size_t object, const Moment& then, const ReadO
         return;
     }
     seen.pixels = std::move(reading->seen.pixels);
+    seen.isPartlyOutside = !reading->seen.isWhole;
     const RegionStatistics& region = reading->region;
     const auto& warnAbove_K = m_camera.profile().warnAbove_K;
     if (!m_zeros[object])
@@ -229,7 +230,7 @@ void CameraThermometer::take(std::size_t object, const Moment& then, const ReadO
     seen.reading = Reading{m_frame->time_s, face.T_K, true, SensorFault::None, face.standardUncertainty_K};
     seen.sample = {face.T_K, face.standardUncertainty_K,
                    region.difference ? region.difference->value_K : std::numeric_limits<double>::quiet_NaN(),
-                   static_cast<double>(region.pixels)};
+                   static_cast<double>(region.pixels), seen.isPartlyOutside};
     seen.face = (reading->seen.isFront ? known.front : known.back).surroundings;
     seen.apparent_K = region.mean_K - m_zeros[object]->offset_K;
 }
@@ -280,6 +281,7 @@ ThermalView CameraThermometer::viewOfFrame() const {
                                  m_setup.objects[i].shape);
         }
         object.pixels = seen.pixels;
+        object.isPartlyOutside = seen.isPartlyOutside;
         if (seen.reading.valid)
             object.T_K = seen.reading.value_K;
         object.uncertainty_K = seen.reading.standardUncertainty_K;

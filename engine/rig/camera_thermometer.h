@@ -107,6 +107,7 @@ private:
         Reading reading;
         CameraSample sample;
         std::vector<int> pixels;
+        bool isPartlyOutside = false;
         FaceSurroundings face; ///< as the camera sees it, if it could be read
         double apparent_K = 0.0;
     };

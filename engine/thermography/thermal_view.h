@@ -26,7 +26,8 @@ struct ThermalObjectView {
     std::optional<double> T_K;  ///< empty: it could not be read
     double uncertainty_K = 0.0; ///< standard uncertainty of T_K
     double spread_K = std::numeric_limits<double>::quiet_NaN(); ///< across its face; NaN: not known
-    Message reason; ///< why it could not be read; code None if it could
+    Message reason;               ///< why it could not be read; code None if it could
+    bool isPartlyOutside = false; ///< of what was read: a part of it is not in the picture
 };
 
 /// Returns what stands in a profile's title before the first comma; without a title, its name.

@@ -370,9 +370,11 @@ void ObjectTile::showTemperature(const ShownObject& now) {
 
 /// What the thermal camera sees, in the place of an age.
 QString ObjectTile::cameraText() const {
-    if (std::isfinite(m_sample.camera.T_K))
-        return tr("Camera %1").arg(formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit));
-    return {};
+    if (!std::isfinite(m_sample.camera.T_K))
+        return {};
+    const QString reading = formatReading(m_sample.camera.T_K, m_sample.camera.uncertainty_K, m_unit);
+    return m_sample.camera.isPartlyOutside ? tr("Camera %1 (part)").arg(reading)
+                                           : tr("Camera %1").arg(reading);
 }
 
 /// "± 0.15 K"; empty where it is not known.
@@ -417,9 +419,10 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setText(tr("Rate"));
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(nameWords(m_name));
-    m_age->setToolTip(tr(
-        "Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its "
-        "own; of a reading that is not believed its age, or how long the sensor has told the same value"));
+    m_age->setToolTip(
+        tr("Standard uncertainty of the reading, or what the thermal camera sees of the object, with twice its "
+           "own; of a reading that is not believed its age, or how long the sensor has told the same value. "
+           "(part): some of the object is outside of the picture"));
     m_confirm->setText(tr("Confirm"));
     m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
     m_confirm->setToolTip(

@@ -66,8 +66,10 @@ void RecordedPictures::addObjects(ThermalView& view, const Vector6d& q, const Tr
             object.T_K = told.T_K;
             object.uncertainty_K = told.uncertainty_K;
             object.spread_K = told.spread_K;
-            if (m_camera.X_RC && pixels[i])
+            if (m_camera.X_RC && pixels[i]) {
                 object.pixels = pixels[i]->pixels;
+                object.isPartlyOutside = !pixels[i]->isWhole;
+            }
         } else if (m_camera.X_RC && !pixels[i]) {
             object.reason = pixels[i].error().message;
         }

@@ -143,8 +143,13 @@ void ThermalObjectList::showReading(int row, const ThermalObjectView& object, bo
         item(row, kThermalReading)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
     const bool isShown = isCurrent && object.T_K;
-    setCell(row, kThermalReading,
-            isShown ? formatReading(*object.T_K, object.uncertainty_K, unit) : QString(kNoValue));
+    const QString reading =
+        isShown ? formatReading(*object.T_K, object.uncertainty_K, unit) : QString(kNoValue);
+    if (isShown && object.isPartlyOutside)
+        setCell(row, kThermalReading, tr("%1 (part)").arg(reading),
+                tr("A part of the object is outside of the picture: the reading is that of the rest."));
+    else
+        setCell(row, kThermalReading, reading);
     setCell(row, kThermalSpread, isShown ? spreadText(object.spread_K, unit) : QString(kNoValue));
 }
 

@@ -335,6 +335,46 @@ TEST(CameraThermometer, ShowsWhatItReads) {
     EXPECT_GT(lost->age_s, 2.0);
 }
 
+// Catches half an object that is read as if it were a whole one.
+TEST(CameraThermometer, TellsThatAnObjectIsPartlyOutside) {
+    Experiment experiment = cameraExperiment();
+    experiment.objects[0].shape = Disk{0.05};
+    experiment.objects[0].mounting[0] = 0.51; // the picture ends at 0.516 m
+    Bench bench(experiment);
+    ASSERT_TRUE(bench.read()[0].valid) << describe(bench.thermometer->reason(0));
+    const auto view = bench.thermometer->view();
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(bench.thermometer->sample(i).isPartlyOutside, i == 0) << i;
+        EXPECT_EQ(view->objects[i].isPartlyOutside, i == 0) << i;
+    }
+}
+
+// Catches frames that are left out without a word.
+TEST(CameraThermometer, ShowsWhatItsCameraLeftOut) {
+    struct Left final : ThermalCamera {
+        explicit Left(ThermalCamera& camera) : m_camera(camera) {}
+        Result<std::shared_ptr<const ThermalCameraFrame>> newest() override { return m_camera.newest(); }
+        const ThermalProfile& profile() const override { return m_camera.profile(); }
+        LeftOutPictures leftOut() const override {
+            return {2, Error{MessageCode::ThermalPictureConstant, "b.raw"}};
+        }
+        ThermalCamera& m_camera;
+    };
+    const Experiment experiment = cameraExperiment();
+    Bench bench(experiment);
+    EXPECT_EQ(bench.thermometer->view()->leftOut.count, 0U);
+    Left camera(*bench.rig.thermalCamera());
+    CameraThermometerSetup setup;
+    setup.camera = believedThermalCamera(experiment, true)->lens;
+    setup.objects = experiment.objects;
+    setup.geometry = rigGeometry(experiment);
+    CameraThermometer thermometer(setup, camera, bench.rig.robot(), bench.rig.heatSource(),
+                                  bench.rig.clock());
+    const auto view = thermometer.view();
+    EXPECT_EQ(view->leftOut.count, 2U);
+    EXPECT_EQ(view->leftOut.last->where, "b.raw");
+}
+
 // Catches the channel of one object taken for another's where a sensor is left out, and a camera asked for
 // what it does not read.
 TEST(ObjectThermometer, TakesEachObjectFromWhatItIsReadBy) {

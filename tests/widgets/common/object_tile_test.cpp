@@ -103,6 +103,20 @@ TEST(ObjectTile, TheUncertaintyIsUnderTheReadingAndAllowsItsDigits) {
     EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.1\u00a0°C"));
 }
 
+// Catches a part of an object that passes for the whole.
+TEST(ObjectTile, TellsThatTheCameraSeesAPart) {
+    Shown shown;
+    ObjectSample sample;
+    sample.valid = true;
+    sample.measured_K = 303.15;
+    sample.camera = {303.25, 0.25, 0.1, 20.0};
+    shown.tile.setSample(1.0, sample);
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("Camera 30.1\u00a0°C ± 0.5\u00a0K"));
+    sample.camera.isPartlyOutside = true;
+    shown.tile.setSample(2.0, sample);
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("Camera 30.1\u00a0°C ± 0.5\u00a0K (part)"));
+}
+
 // Catches 40.1 beside a target of 40.0 and an error of 0.2.
 TEST(ObjectTile, TheErrorIsThatOfTheShownNumbers) {
     Shown shown;

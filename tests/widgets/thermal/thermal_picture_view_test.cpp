@@ -241,6 +241,37 @@ TEST(ThermalPictureView, TheListTellsReadingsAndReasons) {
     EXPECT_EQ(shown.list.columnSpan(2, 1), 1);
 }
 
+// Catches a part of an object that passes for the whole.
+TEST(ThermalPictureView, TheListMarksObjectsThatArePartlyOutside) {
+    ThermalView scene = squareScene();
+    scene.objects[0].isPartlyOutside = true;
+    Shown shown(scene);
+    EXPECT_EQ(shown.list.item(1, 1)->text(), QStringLiteral("41.0\u00a0°C ± 0.5\u00a0K (part)"));
+    EXPECT_TRUE(shown.list.item(1, 1)->toolTip().contains(QStringLiteral("outside of the picture")));
+    shown.view.setView(squareScene());
+    EXPECT_EQ(shown.list.item(1, 1)->text(), QStringLiteral("41.0\u00a0°C ± 0.5\u00a0K"));
+    EXPECT_TRUE(shown.list.item(1, 1)->toolTip().isEmpty());
+}
+
+// Catches pictures that are left out without a word, or without the reason.
+TEST(ThermalPictureView, TheStatusCountsWhatWasLeftOut) {
+    ThermalView scene = squareScene();
+    Shown shown(scene);
+    EXPECT_FALSE(shown.view.statusText().contains(QStringLiteral("left out")));
+    const auto tip = [&shown] {
+        const QPoint below(20, static_cast<int>(shown.canvas.pictureRect().bottom()) + 5);
+        QHelpEvent help(QEvent::ToolTip, below, shown.canvas.mapToGlobal(below));
+        QApplication::sendEvent(&shown.canvas, &help);
+        return QToolTip::text();
+    };
+    EXPECT_TRUE(tip().isEmpty());
+    scene.leftOut = {2, Error{MessageCode::ThermalPictureConstant, "/tmp/run/b.raw"}};
+    shown.view.setView(scene);
+    EXPECT_TRUE(shown.view.statusText().contains(QStringLiteral("2 picture(s) left out")));
+    EXPECT_TRUE(tip().startsWith(QStringLiteral("Left out last: b.raw: all pixels"))) << tip().toStdString();
+    QToolTip::hideText();
+}
+
 // Catches an uncertainty that is rounded to nothing.
 TEST(ThermalPictureView, SmallUncertaintiesHaveADigitMore) {
     EXPECT_EQ(formatReading(300.0, 0.02, TemperatureUnit::Kelvin),
