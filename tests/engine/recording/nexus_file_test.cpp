@@ -433,8 +433,12 @@ TEST_F(NexusFile, IsReadByH5py) {
         if (isRead)
             break;
     }
-    if (!isRead)
-        GTEST_SKIP() << "python3 with h5py is not installed";
+    // A machine without it is not one where the file is right: whoever leaves this out says why.
+    const std::string reason = qEnvironmentVariable("BASK_NO_H5PY").toStdString();
+    if (!isRead && !reason.empty())
+        GTEST_SKIP() << "not checked: NeXus by h5py, " << reason;
+    ASSERT_TRUE(isRead) << "python3 needs h5py, which packaging/install-deps.sh installs; to leave this test "
+                           "out, say why in BASK_NO_H5PY";
     const QStringList lines = QString::fromUtf8(python.readAllStandardOutput()).split('\n');
     ASSERT_EQ(lines.size(), 5) << python.readAllStandardError().toStdString();
     EXPECT_EQ(lines[0], "NXentry 2026-11-22T10:17:49Z 40 K");

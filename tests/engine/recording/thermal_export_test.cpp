@@ -38,8 +38,13 @@ TEST(ThermalExport, IsReadByIndependentReaders) {
         if (isRead)
             break;
     }
-    if (!isRead)
-        GTEST_SKIP() << "python3 with h5py and Pillow is not installed";
+    // A machine without them is not one where the export is right: whoever leaves this out says why.
+    const std::string reason = qEnvironmentVariable("BASK_NO_H5PY").toStdString();
+    if (!isRead && !reason.empty())
+        GTEST_SKIP() << "not checked: thermal pictures by other readers, " << reason;
+    ASSERT_TRUE(isRead)
+        << "python3 needs h5py and Pillow, which packaging/install-deps.sh installs; to leave "
+           "this test out, say why in BASK_NO_H5PY";
     const QStringList lines = QString::fromUtf8(python.readAllStandardOutput()).split('\n');
     ASSERT_EQ(lines.size(), 4) << python.readAllStandardError().toStdString();
     EXPECT_GE(lines[0].toInt(), kDuration_s);
