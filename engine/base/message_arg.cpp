@@ -24,25 +24,30 @@ std::optional<double> numberOf(std::string_view text) {
 
 constexpr std::string_view kCelsius = " \u00b0C", kKelvin = " K", kUnknown = "?";
 
+std::string_view unitOf(ArgKind kind) {
+    return kind == ArgKind::Temperatures ? kCelsius : kKelvin;
+}
+
+std::string figureOf(double value_K, ArgKind kind) {
+    if (!std::isfinite(value_K))
+        return std::string(kUnknown);
+    if (kind == ArgKind::Temperatures)
+        return roundedTemperatureArg(value_K, 2).text();
+    return (value_K > 0.0 ? "+" : "") + formatNumber(value_K, 2);
+}
+
 std::string joined(const std::vector<ObjectKelvin>& objects, ArgKind kind) {
     std::string out;
     for (const ObjectKelvin& each : objects) {
-        const bool isTemperature = kind == ArgKind::Temperatures;
-        out += (out.empty() ? "" : ", ") + each.object + ' ';
-        if (!std::isfinite(each.value_K))
-            out += kUnknown;
-        else if (isTemperature)
-            out += roundedTemperatureArg(each.value_K, 2).text();
-        else
-            out += (each.value_K > 0.0 ? "+" : "") + formatNumber(each.value_K, 2);
-        out += isTemperature ? kCelsius : kKelvin;
+        out += (out.empty() ? "" : ", ") + each.object + ' ' + figureOf(each.value_K, kind);
+        out += unitOf(kind);
     }
     return out;
 }
 
 /// "left 60 °C": a name may have spaces and commas, so it is read from its end.
-std::optional<ObjectKelvin> objectOf(std::string_view text, ArgKind kind) {
-    const std::string_view unit = kind == ArgKind::Temperatures ? kCelsius : kKelvin;
+std::optional<ObjectFigure> objectOf(std::string_view text, ArgKind kind) {
+    const std::string_view unit = unitOf(kind);
     if (!text.ends_with(unit))
         return std::nullopt;
     text.remove_suffix(unit.size());
@@ -50,16 +55,19 @@ std::optional<ObjectKelvin> objectOf(std::string_view text, ArgKind kind) {
     if (space == std::string_view::npos)
         return std::nullopt;
     const std::string_view figure = text.substr(space + 1);
-    const auto value = figure == kUnknown ? std::numeric_limits<double>::quiet_NaN() : numberOf(figure);
-    if (!value)
+    if (figure != kUnknown && !numberOf(figure))
         return std::nullopt;
-    return ObjectKelvin{std::string(text.substr(0, space)),
-                        kind == ArgKind::Temperatures ? kelvinFromCelsius(*value) : *value};
+    return ObjectFigure{std::string(text.substr(0, space)), std::string(figure)};
 }
 
-std::vector<ObjectKelvin> objectsOf(std::string_view text, ArgKind kind) {
+double kelvinOf(const ObjectFigure& object, ArgKind kind) {
+    const double value = numberOf(object.figure).value_or(std::numeric_limits<double>::quiet_NaN());
+    return kind == ArgKind::Temperatures ? kelvinFromCelsius(value) : value;
+}
+
+std::vector<ObjectFigure> objectsOf(std::string_view text, ArgKind kind) {
     constexpr std::string_view kBetween = ", ";
-    std::vector<ObjectKelvin> out;
+    std::vector<ObjectFigure> out;
     for (std::size_t from = 0, to = 0; to != std::string_view::npos;) {
         to = text.find(kBetween, to);
         if (const auto object = objectOf(text.substr(from, to - from), kind)) {
@@ -111,7 +119,27 @@ std::optional<double> MessageArg::kelvin(ArgKind declared) const {
 std::vector<ObjectKelvin> MessageArg::objects(ArgKind declared) const {
     if (const Objects* value = std::get_if<Objects>(&m_value))
         return **value;
-    return objectsOf(m_text, kind(declared));
+    std::vector<ObjectKelvin> out;
+    for (ObjectFigure& each : objectsOf(m_text, kind(declared))) {
+        const double value_K = kelvinOf(each, kind(declared));
+        out.push_back({std::move(each.object), value_K});
+    }
+    return out;
+}
+
+std::vector<ObjectFigure> MessageArg::figures(ArgKind declared) const {
+    const Objects* value = std::get_if<Objects>(&m_value);
+    if (value == nullptr)
+        return objectsOf(m_text, kind(declared));
+    std::vector<ObjectFigure> out;
+    for (const ObjectKelvin& each : **value)
+        out.push_back({each.object, figureOf(each.value_K, kind(declared))});
+    return out;
+}
+
+std::optional<double> MessageArg::number() const {
+    const double* value = std::get_if<double>(&m_value);
+    return value != nullptr ? std::optional(*value) : numberOf(m_text);
 }
 
 const std::vector<Message>& MessageArg::sentences() const {
@@ -128,6 +156,10 @@ std::string formatNumber(double value, int digits) {
         isWhole ? std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed, 0)
                 : std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
     return {buffer.begin(), end};
+}
+
+MessageArg numberArg(double value, const std::string& unit, int digits) {
+    return MessageArg::number(value, formatNumber(value, digits) + (unit.empty() ? unit : ' ' + unit));
 }
 
 MessageArg temperatureArg(double t_K, int digits) {

@@ -41,6 +41,12 @@ struct ObjectKelvin {
     double value_K = 0.0;
 };
 
+/// Such a value as files store it: "60", "+2.1" or "?", without its unit.
+struct ObjectFigure {
+    std::string object;
+    std::string figure;
+};
+
 class MessageArg {
 public:
     MessageArg(std::string text) : m_text(std::move(text)) {}
@@ -49,6 +55,10 @@ public:
     /// Several sentences, shown with semicolons between them.
     MessageArg(std::vector<Message> sentences);
 
+    /// A number of the engine whose text may end in a unit: "2 mm".
+    static MessageArg number(double value, std::string text) {
+        return {ArgKind::Number, std::move(text), value};
+    }
     static MessageArg temperature(double t_K, std::string text_degC) {
         return {ArgKind::Temperature, std::move(text_degC), t_K};
     }
@@ -66,8 +76,13 @@ public:
     /// Returns the value of a Temperature or a Difference, parsed from its text if necessary; empty if it is
     /// not a number.
     std::optional<double> kelvin(ArgKind declared) const;
+    /// Returns the value of a Number, parsed from its text if necessary; empty if the text is not a number
+    /// alone.
+    std::optional<double> number() const;
     /// Returns the values of Temperatures or Differences; empty if the text does not contain any.
     std::vector<ObjectKelvin> objects(ArgKind declared) const;
+    /// Returns the same with the digits that files store.
+    std::vector<ObjectFigure> figures(ArgKind declared) const;
     /// Returns the sentences of a Sentence; empty if the argument is only text.
     const std::vector<Message>& sentences() const;
 
@@ -88,6 +103,8 @@ private:
 
 /// Returns a number for a sentence: %.*g with `digits` significant digits; below 100,000 without an exponent.
 std::string formatNumber(double value, int digits = 4);
+/// Makes a number argument with `digits` significant digits, followed by the unit if there is one.
+MessageArg numberArg(double value, const std::string& unit = {}, int digits = 4);
 /// Makes a temperature argument; the English text is in degC with `digits` significant digits.
 MessageArg temperatureArg(double t_K, int digits = 4);
 /// Makes a temperature argument rounded to `decimals` decimals; "?" if it is not finite.

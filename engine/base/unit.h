@@ -9,6 +9,9 @@
 
 namespace bask {
 
+/// Whether a value in kelvins is one that a reader in another scale is shown otherwise.
+enum class Kelvins { None, Difference, Rate };
+
 /// The unit of a parameter. Inside the program every value is in SI, or in this unit if SI has none.
 struct Unit {
     const char* suffix = "";        ///< of a key in files: "K_s"
@@ -16,6 +19,7 @@ struct Unit {
     const char* symbol = "";        ///< on a screen, UTF-8: "K/s"
     double symbolPerSi = 1.0;       ///< value on a screen divided by the value in SI
     std::optional<EdgeUnit> edge{}; ///< if set, files accept two spellings: the readable unit and SI
+    Kelvins kelvins = Kelvins::None;
 };
 
 namespace unit {
@@ -28,8 +32,8 @@ inline constexpr Unit kPerSecond2{"1_s2", "1/s2", "1/s\u00b2"};
 inline constexpr Unit kPerKelvin{"1_K", "1/K", "1/K"};
 inline constexpr Unit kSeconds3PerKelvin3{"s3_K3", "s3/K3", "s\u00b3/K\u00b3"};
 inline constexpr Unit kSecondsPerKelvin9{"s_K9", "s/K9", "s/K\u2079"};
-inline constexpr Unit kKelvin{"K", "K", "K"}; ///< a difference
-inline constexpr Unit kKelvinPerSecond{"K_s", "K/s", "K/s"};
+inline constexpr Unit kKelvin{"K", "K", "K", 1.0, {}, Kelvins::Difference};
+inline constexpr Unit kKelvinPerSecond{"K_s", "K/s", "K/s", 1.0, {}, Kelvins::Rate};
 inline constexpr Unit kPerKelvin3Second{"1_K3s", "1/(K3 s)", "1/(K\u00b3 s)"};
 inline constexpr Unit kMegabytes{"MB", "MB", "MB"};
 inline constexpr Unit kHertz{"Hz", "Hz", "Hz"};

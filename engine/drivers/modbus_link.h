@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace bask {
@@ -23,6 +24,14 @@ struct ModbusRequest {
 /// The registers read: exactly as many as requested; none for a write. Errors: DeviceSilent, DeviceException,
 /// DeviceAnswersWrong.
 using ModbusReply = Result<std::vector<std::uint16_t>>;
+
+/// Exceptions of a gateway that has no such unit behind it (Modbus application protocol 1.1b3, 7).
+inline constexpr int kNoGatewayPath = 10;
+inline constexpr int kNoGatewayAnswer = 11;
+/// Returns the error of a request that a unit answered with an exception.
+Error modbusException(const std::string& port, int unit, int exception);
+/// Returns the exception of such an error; empty for any other.
+std::optional<int> exceptionOf(const Error& error);
 
 /// No function here waits. Use it only on the engine thread.
 class ModbusLink {

@@ -51,10 +51,8 @@ bool isMoreProbable(const ProfileFit& a, const ProfileFit& b) {
            std::tuple(b.isTypeTold, isInRoom(b), b.registers);
 }
 
-/// The exceptions of a gateway that has no such unit behind it.
-bool isFromGateway(const Message& exception) {
-    const auto args = argTexts(exception);
-    return args.size() > 2 && (args[2] == "10" || args[2] == "11");
+bool isFromGateway(int exception) {
+    return exception == kNoGatewayPath || exception == kNoGatewayAnswer;
 }
 
 } // namespace
@@ -126,8 +124,8 @@ void ModbusScan::take(const ModbusReply& reply) {
     m_has[{range.function, range.address, range.count}] = reply.ok();
     if (reply)
         m_image.store(range, *reply);
-    const bool isRefused = !reply && reply.error().code() == MessageCode::DeviceException;
-    if (m_isThere || !(reply || (isRefused && !isFromGateway(reply.error().message))))
+    const auto exception = reply ? std::nullopt : exceptionOf(reply.error());
+    if (m_isThere || !(reply || (exception && !isFromGateway(*exception))))
         return;
     m_isThere = true;
     m_found.push_back({m_unit, {}});

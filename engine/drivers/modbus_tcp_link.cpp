@@ -142,8 +142,7 @@ ModbusReply ModbusTcpLink::Line::judged(const std::string& reply) const {
     if ((unsignedAt(reply, 1) & 0x7f) != request.function)
         return wrong("another function");
     if ((unsignedAt(reply, 1) & 0x80) != 0)
-        return Error(MessageCode::DeviceException, "",
-                     {bytes->name(), std::to_string(request.unit), std::to_string(unsignedAt(reply, 2))});
+        return modbusException(bytes->name(), request.unit, unsignedAt(reply, 2));
     if (auto registers = tcpRegisters(reply, request))
         return std::move(*registers);
     return wrong(request.reads() ? "another number of registers" : "another write");

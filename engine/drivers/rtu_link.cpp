@@ -208,8 +208,7 @@ ModbusReply RtuLink::Line::judged(const std::string& frame) {
             return wrong("it may be late, to an earlier question");
     }
     if ((byteAt(frame, 1) & 0x80) != 0)
-        return Error(MessageCode::DeviceException, "",
-                     {bytes->name(), std::to_string(request.unit), std::to_string(byteAt(frame, 2))});
+        return modbusException(bytes->name(), request.unit, byteAt(frame, 2));
     if (auto registers = registersIn(frame, request))
         return std::move(*registers);
     keepSilent();

@@ -267,20 +267,22 @@ private:
     }
 
     QString objects(const MessageArg& arg, ArgKind kind, const QString& text) const {
-        const std::vector<ObjectKelvin> all = arg.objects(kind);
         const bool isTemperature = kind == ArgKind::Temperatures;
-        if (!m_unit || all.empty() || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit)) {
-            // The values alone: a name may have a point, too.
-            static const QRegularExpression kPoint(QStringLiteral("(?<=\\d)\\.(?=\\d+ (K|°C)(, |$))"));
-            static const QRegularExpression kBetween(QStringLiteral("(?<= K|°C), "));
-            return QString(text).replace(kPoint, QLocale().decimalPoint()).replace(kBetween, listSeparator());
-        }
         QStringList words;
-        for (const ObjectKelvin& each : all)
-            words << QString::fromStdString(each.object) + u' ' +
-                         (isTemperature ? formatTemperature(each.value_K, *m_unit)
-                                        : formatDifference(each.value_K, *m_unit));
-        return words.join(listSeparator());
+        if (!m_unit || (!isTemperature && *m_unit != TemperatureUnit::Fahrenheit)) {
+            constexpr TemperatureUnit kRecorded = TemperatureUnit::Celsius;
+            const QString symbol =
+                isTemperature ? temperatureUnitSymbol(kRecorded) : differenceUnitSymbol(kRecorded);
+            for (const ObjectFigure& each : arg.figures(kind))
+                words << QString::fromStdString(each.object) + u' ' +
+                             inNotation(QString::fromStdString(each.figure)) + u' ' + symbol;
+        } else {
+            for (const ObjectKelvin& each : arg.objects(kind))
+                words << QString::fromStdString(each.object) + u' ' +
+                             (isTemperature ? formatTemperature(each.value_K, *m_unit)
+                                            : formatDifference(each.value_K, *m_unit));
+        }
+        return words.isEmpty() ? text : words.join(listSeparator());
     }
 
     QString sentences(const MessageArg& arg, const QString& text) const {

@@ -28,16 +28,15 @@ protected:
     /// As the simulated units answer; an address that they have not is refused.
     std::optional<ModbusReply> answer(const ModbusRequest& request) {
         if (!units.contains(request.unit))
-            return gatewayException.empty()
-                       ? std::nullopt
-                       : std::optional(ModbusReply(
-                             Error(MessageCode::DeviceException, "", {"line", "1", gatewayException})));
+            return gatewayException
+                       ? std::optional(ModbusReply(modbusException("line", 1, *gatewayException)))
+                       : std::nullopt;
         std::vector<std::uint16_t> out;
         for (int i = 0; i < request.count; ++i) {
             try {
                 out.push_back(sim.registerAt(request.unit, request.function, request.address + i));
             } catch (const std::out_of_range&) {
-                return ModbusReply(Error(MessageCode::DeviceException, "", {"line", "1", "2"}));
+                return ModbusReply(modbusException("line", 1, 2));
             }
         }
         return ModbusReply(out);
@@ -60,7 +59,7 @@ protected:
     ManualClock clock;
     ModbusSimulator sim;
     std::set<int> units;
-    std::string gatewayException; ///< for a unit that is not there
+    std::optional<int> gatewayException; ///< for a unit that is not there
     ScriptedModbusLink link{clock, [this](const ModbusRequest& request) { return answer(request); }};
     std::vector<FoundUnit> found;
 };
@@ -156,17 +155,26 @@ TEST_F(ModbusScanTest, TheMostProbableIsFirst) {
     EXPECT_EQ(fitsOf(6), std::vector<std::string>{"thermasgard-rtm1"});
 }
 
+// Catches an exception that is told, and not known by its number any more.
+TEST(ModbusException, KeepsItsNumber) {
+    EXPECT_EQ(exceptionOf(modbusException("line", 7, kNoGatewayPath)), 10);
+    EXPECT_EQ(describe(modbusException("line", 7, 2)),
+              "unit 7 on \"line\" refuses the request with exception 2. Check the profile set for it.");
+    EXPECT_EQ(exceptionOf(Error(MessageCode::DeviceException, "", {"line", "1", "11"})), 11) << "as recorded";
+    EXPECT_FALSE(exceptionOf(Error(MessageCode::DeviceSilent, "", {"line", "1", "11"})));
+}
+
 // Catches units that are not there, which a gateway says by an exception, and one device that is found 16
 // times.
 TEST_F(ModbusScanTest, AGatewayAndADeviceThatAnswersToAllNumbers) {
     sim.addThermometer(4, scannedProfile("modmux-pm6rtd"), 299.15);
     units = {4};
-    gatewayException = "11";
+    gatewayException = kNoGatewayAnswer;
     link.open();
     run(1, 16);
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found.front().unit, 4);
-    gatewayException.clear();
+    gatewayException.reset();
     for (const int unit : {1, 2, 3})
         sim.addThermometer(unit, scannedProfile("labjack-t7-thermocouples"), 299.15);
     sim.setRegister(3, 3, 60028, 1); // another one

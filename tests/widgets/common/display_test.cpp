@@ -1,6 +1,8 @@
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 
+#include <QLocale>
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -123,6 +125,46 @@ TEST(Display, AlsoRangesListsAndOtherSentencesDo) {
                     .contains(QString::fromUtf8("77 \u00b0C")));
     EXPECT_TRUE(text({MessageCode::ReasonSensorDoubted, {"a", "?"}})
                     .contains(QString::fromUtf8("reads ?\u00a0\u00b0F")));
+}
+
+// Catches a question about limits that a reader of another scale or notation is asked in kelvins and points.
+TEST(Display, WidenedLimitsSpeakTheReadersUnitAndNotation) {
+    const auto text = [](MessageArg name, MessageArg before, MessageArg after) {
+        return messageText({MessageCode::LimitLooser, {std::move(name), std::move(before), std::move(after)}},
+                           TemperatureUnit::Fahrenheit);
+    };
+    const auto rate = [](double K_s) { return Message{MessageCode::RateOfChange, {differenceArg(K_s)}}; };
+    EXPECT_EQ(text("Sensors apart when cold", differenceArg(5.0), differenceArg(10.0)),
+              QString::fromUtf8("Sensors apart when cold: 18.0\u00a0\u00b0F instead of 9.0\u00a0\u00b0F"));
+    EXPECT_EQ(
+        text("Fastest plausible change", rate(2.0), rate(3.0)),
+        QString::fromUtf8("Fastest plausible change: 5.4\u00a0\u00b0F/s instead of 3.6\u00a0\u00b0F/s"));
+    EXPECT_EQ(
+        text(Message{MessageCode::LimitOfTrip, {"hand"}}, temperatureArg(373.15), temperatureArg(383.15)),
+        QString::fromUtf8("trip limit of \"hand\": 230.0\u00a0\u00b0F instead of 212.0\u00a0\u00b0F"));
+    QLocale::setDefault(QLocale(QLocale::French));
+    EXPECT_EQ(text(Message{MessageCode::LimitHighest, {"x"}}, numberArg(20.0, "cm"), numberArg(20.5, "cm")),
+              QStringLiteral("highest x: 20,5 cm instead of 20 cm"));
+    QLocale::setDefault(QLocale());
+}
+
+// Catches lists of objects that are recorded with points, and names with points, commas and units in them.
+TEST(Display, ListsOfObjectsHaveTheReadersNotation) {
+    QLocale::setDefault(QLocale(QLocale::French));
+    const std::vector<ObjectKelvin> live{{"a 1.5 K, b", 2.5}, {"c", std::nan("")}};
+    for (const MessageArg& objects :
+         {MessageArg::differences(live), MessageArg("a 1.5 K, b +2.5 K, c ? K")}) {
+        const QString text = recordedText({MessageCode::EventNotSettled, {objects}}, std::nullopt);
+        EXPECT_TRUE(text.endsWith("b +2,5 K; c ? K")) << text.toStdString();
+    }
+    EXPECT_EQ(recordedText({MessageCode::EventNotSettled, {MessageArg::differences(live)}}, std::nullopt),
+              QStringLiteral("Not settled: a 1.5 K, b +2,5 K; c ? K"));
+    EXPECT_EQ(
+        recordedText({MessageCode::EventTargetsChanged, {"v1.2 100.5 \u00b0C, b 40 \u00b0C"}}, std::nullopt),
+        QString::fromUtf8("Targets: v1.2 100,5 \u00b0C; b 40 \u00b0C"));
+    EXPECT_EQ(recordedText({MessageCode::EventNotSettled, {"all"}}, std::nullopt),
+              QStringLiteral("Not settled: all"));
+    QLocale::setDefault(QLocale());
 }
 
 // Catches arguments that are themselves taken for placeholders.
