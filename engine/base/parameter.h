@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <variant>
 
@@ -14,7 +15,8 @@ namespace bask {
 
 /// The direction in which a change loosens a limit. A person is asked before a limit is loosened.
 enum class Loosens {
-    Never, ///< the value is not a limit
+    Unstated, ///< treated as Never; a table whose values may be limits states it, and a test insists
+    Never,    ///< the value is not a limit
     Up,
     UpOrZero, ///< a larger value loosens it, and zero means no limit
     Down,
@@ -33,7 +35,7 @@ struct ParameterFacts {
     const char* name; ///< in files, without the unit: "held_limit"
     Unit unit;
     ValidRange range;
-    Loosens loosens = Loosens::Never;
+    Loosens loosens = Loosens::Unstated;
     const char* label = "";  ///< English label, translation context "Parameter"
     const char* help = "";   ///< an English sentence in the same context; empty if the label is enough
     int decimals = 2;        ///< number of decimals on a screen
@@ -41,6 +43,11 @@ struct ParameterFacts {
     const char* symbol = ""; ///< in formulas, UTF-8
 };
 
+/// Returns whether a change in one direction loosens it by itself, without regard to other values.
+inline bool loosensByItself(const ParameterFacts& facts) {
+    return facts.loosens == Loosens::Up || facts.loosens == Loosens::UpOrZero ||
+           facts.loosens == Loosens::Down;
+}
 /// Returns the key in files, with the unit: "held_limit_s".
 std::string keyOf(const ParameterFacts& facts);
 /// Converts a value from SI to the unit used in files.
@@ -69,6 +76,15 @@ template <class Spec> struct Parameter : ParameterFacts {
 };
 
 template <class Spec> using ParameterTable = std::span<const Parameter<Spec>>;
+
+/// Returns the parameter that is stored in this member. Throws std::invalid_argument if the table has none.
+template <class Spec, class Value>
+const Parameter<Spec>& parameterOf(ParameterTable<Spec> table, Value Spec::*member) {
+    for (const Parameter<Spec>& parameter : table)
+        if (parameter.member == decltype(parameter.member)(member))
+            return parameter;
+    throw std::invalid_argument("a member without a parameter");
+}
 
 /// Sets the parameter with these facts; no effect if it is not in the table.
 template <class Spec>

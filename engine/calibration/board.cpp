@@ -9,9 +9,6 @@
 namespace bask {
 namespace {
 
-constexpr int kMinSide = 3, kMaxSide = 50;
-constexpr double kMinSquare_m = 1e-3, kMaxSquare_m = 1.0;
-
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
@@ -88,7 +85,7 @@ Result<Board> parseBoard(const std::string& text) {
     board.marker_m = *marker;
     for (const int side : {board.columns, board.rows})
         if (auto checked =
-                checkRange(side, kMinSide, kMaxSide, isCharuco ? "squares" : "inner corners", text);
+                checkRange(side, kMinBoardSide, kMaxBoardSide, isCharuco ? "squares" : "inner corners", text);
             !checked)
             return checked.error();
     if (auto checked = checkRange(board.square_m, kMinSquare_m, kMaxSquare_m, "m", text); !checked)

@@ -14,6 +14,10 @@ namespace bask {
 
 enum class BoardKind { Chessboard, Charuco };
 
+/// Valid ranges: of columns and rows, and of a square's side.
+inline constexpr int kMinBoardSide = 3, kMaxBoardSide = 50;
+inline constexpr double kMinSquare_m = 1e-3, kMaxSquare_m = 1.0;
+
 /// A board's layout. Its frame has x right and y down, in metres; the origin is the first inner corner of a
 /// chessboard and the upper left corner of a ChArUco board.
 struct Board {

@@ -13,7 +13,6 @@ std::array<Eigen::Vector3d, 4> PlacedMarker::corners() const {
 }
 
 Result<void> checkLayout(const MarkerLayout& layout) {
-    constexpr double kMinSide_mm = 1.0, kMaxSide_mm = 2000.0;
     std::set<int> ids;
     for (std::size_t k = 0; k < layout.markers.size(); ++k) {
         const PlacedMarker& marker = layout.markers[k];
@@ -26,10 +25,11 @@ Result<void> checkLayout(const MarkerLayout& layout) {
         if (!ids.insert(marker.id).second)
             return Error{MessageCode::MarkerListedTwice, where + ".id", {std::to_string(marker.id)}};
         const double side_mm = 1e3 * marker.side_m;
-        if (!(side_mm >= kMinSide_mm && side_mm <= kMaxSide_mm))
+        if (!(side_mm >= kMinMarkerSide_mm && side_mm <= kMaxMarkerSide_mm))
             return Error{MessageCode::ValueOutOfRange,
                          where + ".side_mm",
-                         {formatNumber(side_mm), formatNumber(kMinSide_mm), formatNumber(kMaxSide_mm), "mm"}};
+                         {formatNumber(side_mm), formatNumber(kMinMarkerSide_mm),
+                          formatNumber(kMaxMarkerSide_mm), "mm"}};
         if (!marker.X_PM.matrix().allFinite())
             return Error{MessageCode::NumbersUnusable, where + ".pose", {"pose"}};
     }

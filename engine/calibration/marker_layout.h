@@ -25,6 +25,9 @@ struct PlacedMarker {
     std::array<Eigen::Vector3d, 4> corners() const;
 };
 
+/// Valid range of a marker's side.
+inline constexpr double kMinMarkerSide_mm = 1.0, kMaxMarkerSide_mm = 2000.0;
+
 /// Ids are unique: all parts use one dictionary.
 struct MarkerLayout {
     MarkerDictionary dictionary;

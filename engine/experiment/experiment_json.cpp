@@ -285,8 +285,7 @@ void readSource(const json& j, const std::string& path, const std::string& folde
     readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
         readContourForm(part, where, folder, failure, out.shape, out.origin);
     });
-    fields.read("temperature", EdgeUnit::Temperature, out.temperature_K, true);
-    fields.read("emittance", out.emittance, true);
+    readParameters(fields, sourceParameters(), out);
     fields.readWord("source_model", {{"gray", SourceModel::Gray}, {"paper", SourceModel::Paper}}, out.model);
     readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
         readCoordinates(part, where, failure, out.pose);

@@ -115,10 +115,10 @@ void putUnevenness(Json& j, const std::string& prefix, const Unevenness& uneven)
 Json sourceJson(const SourceSpec& source) {
     Json j;
     j["contour"] = contourJson(source.shape, source.origin);
-    putQuantity(j, "temperature", EdgeUnit::Temperature, source.temperature_K);
-    if (!source.temperatureProfile.empty())
+    putParameters(j, sourceParameters().first(1), source);
+    if (!source.temperatureProfile.empty()) // beside the set point
         j["temperature_profile"] = setPointsJson(source.temperatureProfile);
-    j["emittance"] = source.emittance;
+    putParameters(j, sourceParameters().subspan(1), source);
     j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";
     j["pose"] = coordinatesJson(source.pose);
     j["tracked"] = source.tracked;

@@ -48,7 +48,7 @@ MarkerSpec readMarker(const json& j, const std::string& path, Failure& failure) 
     MarkerSpec marker;
     fields.readWord("part", kParts, marker.part, true);
     fields.read("id", marker.id, true);
-    fields.read("side", EdgeUnit::LengthMm, marker.side_m, true);
+    readParameters(fields, markerParameters(), marker);
     readPart(fields, "pose", true, [&](const json& part, const std::string& where) {
         readCoordinates(part, where, failure, marker.pose);
     });
@@ -62,7 +62,7 @@ Json markerJson(const MarkerSpec& marker) {
         if (part == marker.part)
             j["part"] = word;
     j["id"] = marker.id;
-    putQuantity(j, "side", EdgeUnit::LengthMm, marker.side_m);
+    putParameters(j, markerParameters(), marker);
     j["pose"] = coordinatesJson(marker.pose);
     return j;
 }

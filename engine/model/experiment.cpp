@@ -6,6 +6,7 @@
 #include "engine/base/units.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/model/checker.h"
+#include "engine/model/coordinate_range.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/material_library.h"
 #include "engine/model/shape_check.h"
@@ -28,7 +29,6 @@ using std::to_string;
 constexpr int kOutlineSamples = 256;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxSourceRadius_m = 10.0;
-constexpr double kMaxPlace_cm = 500.0;      // of the robot's workspace and of the source
 constexpr double kMaxUncertainty_mm = 20.0; // of a thermal camera's place, at the objects
 constexpr double kSamePlace = 1e-9;         // m, rad
 constexpr double kMaxRendered_px = 4096.0;  // of a simulated camera, whose pictures are painted one by one
@@ -60,10 +60,9 @@ void checkSource(Checker& check, const Experiment& e) {
         check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, kMinTemperature_degC,
                        kMaxTemperature_degC);
     };
-    temperature("source.", e.source.temperature_K);
+    check.parameters("source.", sourceParameters(), e.source);
     checkTimeTable(check, "source.temperature_profile", e.source.temperatureProfile, temperature);
     checkCoordinates(check, "source.pose.", e.source.pose, kMaxPlace_cm, true);
-    check.positive("source.emittance", e.source.emittance, 1.0);
     check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
     check.parameters("air.", airParameters(), e.air);
     if (e.air.isNatural && e.air.convection_W_m2K)
@@ -95,7 +94,7 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     checkMaterial(check, path + ".material.", object.material);
     if (object.simulatedMaterial)
         checkMaterial(check, path + ".simulated_material.", *object.simulatedMaterial);
-    checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
+    checkCoordinates(check, path + ".mounting.", object.mounting, kMaxMounting_cm, false);
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kMinTemperature_degC,
                    kMaxTemperature_degC);
     check.parameters(path + ".", objectLimitParameters(), object);
@@ -132,7 +131,7 @@ void checkPlates(Checker& check, const Experiment& e) {
             checkCoordinates(check, path + pose, plates[i].pose, maxPlace_cm, false);
         }
     };
-    checkEach(e.fixtures, "fixtures", "mounting.", kMaxObjectRadius_m, 100.0);
+    checkEach(e.fixtures, "fixtures", "mounting.", kMaxObjectRadius_m, kMaxMounting_cm);
     checkEach(e.shields, "shields", "pose.", kMaxSourceRadius_m, kMaxPlace_cm);
 }
 
@@ -142,10 +141,9 @@ void checkRobot(Checker& check, const Experiment& e) {
     for (int k = 0; k < 6 && !check.failed(); ++k) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
         const EdgeUnit unit = coordinateUnit(k);
-        // theta_y ends at 90 degrees, where the three angles are no longer unique.
-        const double max = k < 3 ? kMaxPlace_cm : (k == kThetaY ? 90.0 : 180.0);
-        check.quantity("robot.lower.", name, unit, robot.lower[k], -max, max);
-        check.quantity("robot.upper.", name, unit, robot.upper[k], -max, max);
+        const auto [min, max, unused] = coordinateRange(k, kMaxPlace_cm, true);
+        check.quantity("robot.lower.", name, unit, robot.lower[k], min, max);
+        check.quantity("robot.upper.", name, unit, robot.upper[k], min, max);
         const bool free = robot.free[static_cast<std::size_t>(k)];
         if (robot.lower[k] > robot.upper[k] || (free && robot.lower[k] == robot.upper[k]))
             check.fail(MessageCode::LimitsReversed, "robot.lower." + readableKey(name, unit),

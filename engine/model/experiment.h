@@ -189,6 +189,7 @@ struct Experiment {
     bool operator==(const Experiment&) const = default;
 };
 
+inline constexpr double kMinShapeRadius_m = 1e-6; ///< of any shape, about its origin
 inline constexpr double kMaxObjectRadius_m = 1.0; ///< about the outline's centroid
 inline constexpr std::size_t kMaxPlates = 8; ///< of fixtures, and of shields: each is asked at every pose
 inline constexpr double kMinShieldHeight_m = 1e-4; ///< of any point of a shield over the source's plane

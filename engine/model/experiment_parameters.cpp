@@ -1,6 +1,7 @@
 #include "engine/model/experiment_parameters.h"
 
 #include "engine/base/translated.h"
+#include "engine/calibration/marker_layout.h"
 #include "engine/thermal/source_emission.h"
 
 namespace bask {
@@ -73,6 +74,15 @@ constexpr ValidRange kConvectionRange{0.0, 1000.0};
 constexpr Parameter<Air> kAir[]{
     {{"convection", kConvection, kConvectionRange, Never, QT_TRANSLATE_NOOP("Parameter", "Convection h"),
       QT_TRANSLATE_NOOP("Parameter", "What the air takes from an object's face, by its temperature above the room"), 1}, &Air::convection_W_m2K},
+};
+
+constexpr Parameter<SourceSpec> kSource[]{
+    {{"temperature", kCelsius, kAnyTemperature, Never, "", "", 1, kRequired}, &SourceSpec::temperature_K},
+    {{"emittance", kNone, kPositiveShare, Never, "", "", 3, kRequired}, &SourceSpec::emittance},
+};
+
+constexpr Parameter<MarkerSpec> kMarker[]{
+    {{"side", kMillimetres, {kMinMarkerSide_mm, kMaxMarkerSide_mm}, Never, "", "", 2, kRequired}, &MarkerSpec::side_m},
 };
 
 constexpr ValidRange kPartRatio{0.0, kMaxPartRatio};
@@ -168,6 +178,12 @@ ParameterTable<HeatRates> heatRateParameters() {
 }
 ParameterTable<Air> airParameters() {
     return kAir;
+}
+ParameterTable<SourceSpec> sourceParameters() {
+    return kSource;
+}
+ParameterTable<MarkerSpec> markerParameters() {
+    return kMarker;
 }
 ParameterTable<SourcePartSpec> sourcePartParameters() {
     return kSourcePart;

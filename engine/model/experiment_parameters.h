@@ -14,6 +14,8 @@ ParameterTable<ObjectSpec> objectLimitParameters();
 ParameterTable<Material> materialParameters();
 ParameterTable<HeatRates> heatRateParameters();
 ParameterTable<Air> airParameters();
+ParameterTable<SourceSpec> sourceParameters();
+ParameterTable<MarkerSpec> markerParameters();
 ParameterTable<SourcePartSpec> sourcePartParameters();
 ParameterTable<ProfilePoint> profilePointParameters();
 ParameterTable<RobotLimits> robotParameters();

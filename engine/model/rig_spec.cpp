@@ -16,8 +16,6 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMaxText = 1000;
-constexpr double kMaxOrigin_m = 5.0;
-constexpr double kMaxOrigin_rad = 6.2831853071795862;
 
 Result<void> checkRange(const std::string& where, double value, double min, double max,
                         const char* unit = "") {
@@ -81,7 +79,7 @@ Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>&
         return error;
     }
     for (std::size_t i = 0; i < robot.axes.size(); ++i) {
-        const double max = robot.axes[i].coordinate < 3 ? kMaxOrigin_m : kMaxOrigin_rad;
+        const double max = maxAxisOrigin(robot.axes[i].coordinate);
         if (const auto fit = checkRange("robot.axes[" + std::to_string(i) + "].origin", robot.axes[i].origin,
                                         -max, max, robot.axes[i].coordinate < 3 ? "m" : "rad");
             !fit)

@@ -22,6 +22,11 @@ struct RigSpec {
     bool operator==(const RigSpec&) const = default;
 };
 
+/// Returns the largest origin of an axis that moves this coordinate, in either direction, m or rad.
+constexpr double maxAxisOrigin(int coordinate) {
+    return coordinate < 3 ? 5.0 : 6.2831853071795862;
+}
+
 /// Returns whether a person heats the source; nothing can be switched by the program.
 bool isManualSource(const HeatSourceDeviceSpec& source);
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
+#include "engine/model/coordinate_range.h"
 #include "engine/shape/winding.h"
 
 #include <algorithm>
@@ -13,7 +14,6 @@ namespace {
 using std::to_string;
 
 constexpr std::size_t kMaxOutlinePoints = 200'000;
-constexpr double kMinRadius_m = 1e-6;
 
 void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
     if (points.size() > kMaxOutlinePoints)
@@ -61,10 +61,10 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
     if (!(shapeArea(shape) > 0.0))
         return check.fail(MessageCode::ContourZeroArea, path);
     const double radius_m = shapeRadius(shape);
-    if (!(radius_m <= max_m) || radius_m < kMinRadius_m)
-        return check.fail(
-            MessageCode::ValueOutOfRange, path,
-            {"a radius of " + formatNumber(radius_m), formatNumber(kMinRadius_m), formatNumber(max_m), "m"});
+    if (!(radius_m <= max_m) || radius_m < kMinShapeRadius_m)
+        return check.fail(MessageCode::ValueOutOfRange, path,
+                          {"a radius of " + formatNumber(radius_m), formatNumber(kMinShapeRadius_m),
+                           formatNumber(max_m), "m"});
     const auto* fourier = outlineAs<FourierContour>(shape);
     const double uneven = fourier ? unevenShare(*fourier) : 0.0;
     if (uneven > kMaxUneven)
@@ -82,9 +82,9 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
 void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double max_cm,
                       bool unique) {
     for (int k = 0; k < 6 && !check.failed(); ++k) {
-        const double max = k < 3 ? max_cm : (unique && k == kThetaY ? 90.0 : 180.0);
-        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k], -max,
-                       max);
+        const ValidRange range = coordinateRange(k, max_cm, unique);
+        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k],
+                       range.min, range.max);
     }
 }
 

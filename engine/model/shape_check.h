@@ -12,8 +12,7 @@ namespace bask {
 void checkShape(Checker& check, const std::string& path, const Shape& shape, const ContourOrigin& origin,
                 double max_m);
 
-/// Checks the coordinates of a pose: lengths within +-max_cm and angles within +-180 degrees, theta_y within
-/// +-90 where the three angles are to be unique. `path` ends with a dot.
+/// Checks the coordinates of a pose by coordinateRange. `path` ends with a dot.
 void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double max_cm, bool unique);
 
 } // namespace bask

@@ -16,11 +16,13 @@
 namespace bask {
 namespace {
 
-QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, double value_mm) {
+constexpr double kShortest_mm = 0.01; // that the field can show; a marker is smaller than its square, no more
+
+QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, double min_mm, double value_mm) {
     auto* box = new NumberField(parent);
     box->setObjectName(QString::fromLatin1(name));
-    box->setRange(1.0, 1000.0);
     box->setDecimals(2);
+    box->setRange(min_mm, kMmPerM * kMaxSquare_m);
     box->setSuffix(QStringLiteral("\u00a0mm"));
     box->setValue(value_mm);
     return box;
@@ -32,15 +34,15 @@ BoardForm::BoardForm(QWidget* parent)
     : QWidget(parent), m_kindLabel(new QLabel(this)), m_kind(new QComboBox(this)),
       m_countsLabel(new QLabel(this)), m_columns(new WholeNumberField(this)),
       m_rows(new WholeNumberField(this)), m_squareLabel(new QLabel(this)),
-      m_square(lengthBox(this, "boardSquare", 25.0)), m_markerLabel(new QLabel(this)),
-      m_marker(lengthBox(this, "boardMarker", 18.0)), m_dictionaryLabel(new QLabel(this)),
+      m_square(lengthBox(this, "boardSquare", kMmPerM * kMinSquare_m, 25.0)), m_markerLabel(new QLabel(this)),
+      m_marker(lengthBox(this, "boardMarker", kShortest_mm, 18.0)), m_dictionaryLabel(new QLabel(this)),
       m_dictionary(new QComboBox(this)), m_legacy(new QCheckBox(this)) {
     m_kind->setObjectName("boardKind");
     m_kind->addItems({QString(), QString()});
     m_columns->setObjectName("boardColumns");
     m_rows->setObjectName("boardRows");
     for (WholeNumberField* box : {m_columns, m_rows})
-        box->setRange(3, 50);
+        box->setRange(kMinBoardSide, kMaxBoardSide);
     m_columns->setValue(9);
     m_rows->setValue(6);
     m_dictionary->setObjectName("boardDictionary");

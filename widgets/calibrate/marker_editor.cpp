@@ -1,6 +1,9 @@
 #include "widgets/calibrate/marker_editor.h"
 
 #include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
+#include "engine/model/experiment_parameters.h"
+#include "widgets/common/coordinate_field.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
@@ -23,7 +26,6 @@
 namespace bask {
 namespace {
 
-constexpr double kMmShown = 5000.0;
 constexpr int kRows = 5;
 enum MarkerColumn { kPart, kId, kSide, kSeen };
 
@@ -45,7 +47,9 @@ MarkerEditor::MarkerEditor(QWidget* parent)
     : QWidget(parent), m_dictionaryLabel(new QLabel(this)), m_dictionary(new QComboBox(this)),
       m_list(new QTreeWidget(this)), m_add(new QPushButton(this)), m_remove(new QPushButton(this)),
       m_part(new QComboBox(this)), m_id(new WholeNumberField(this)),
-      m_side(number(QStringLiteral("markerSide"), 1.0, 1000.0, 2, 1.0)) {
+      m_side(number(QStringLiteral("markerSide"))) {
+    const ValidRange& side_mm = parameterOf(markerParameters(), &MarkerSpec::side_m).range;
+    m_side->setRange(side_mm.min, side_mm.max);
     m_dictionary->setObjectName("markerDictionary");
     m_dictionaryLabel->setBuddy(m_dictionary);
     for (const QString& name : QString::fromStdString(markerDictionaries()).split(QStringLiteral(", ")))
@@ -101,12 +105,11 @@ MarkerEditor::MarkerEditor(QWidget* parent)
     retranslate();
 }
 
-QDoubleSpinBox* MarkerEditor::number(const QString& name, double min, double max, int decimals, double step) {
+QDoubleSpinBox* MarkerEditor::number(const QString& name) {
     auto* field = new NumberField(this);
     field->setObjectName(name);
-    field->setRange(min, max);
-    field->setDecimals(decimals);
-    field->setSingleStep(step);
+    field->setDecimals(2);
+    field->setSingleStep(1.0);
     field->setKeyboardTracking(false);
     field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     return field;
@@ -129,9 +132,8 @@ void MarkerEditor::buildForm(QGridLayout* form) {
     for (int k = 0; k < 6; ++k) {
         const auto index = static_cast<std::size_t>(k);
         const QString name = QStringLiteral("marker.") + QLatin1String(kCoordinateNames[index]);
-        const double max = k == kThetaY ? 90.0 : 180.0;
-        m_pose[index] =
-            k < kThetaX ? number(name, -kMmShown, kMmShown, 2, 1.0) : number(name, -max, max, 2, 1.0);
+        m_pose[index] = number(name);
+        setCoordinateRange(*m_pose[index], k, coordinateRange(k, kMaxPlace_cm, true));
         place(3 + index, m_pose[index]);
         connect(m_pose[index], &QDoubleSpinBox::valueChanged, this, [this, k](double value) {
             edit(

@@ -38,7 +38,7 @@ protected:
 
 private:
     void buildForm(QGridLayout* form);
-    QDoubleSpinBox* number(const QString& name, double min, double max, int decimals, double step);
+    QDoubleSpinBox* number(const QString& name);
     int selected() const;
     void edit(const std::function<void(MarkerSpec&)>& change);
     void add();

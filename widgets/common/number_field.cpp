@@ -282,4 +282,17 @@ void setQuietly(QDoubleSpinBox* field, double value) {
     field->setValue(value);
 }
 
+void setQuietly(QDoubleSpinBox* field, double value, int decimals, int maxDecimals) {
+    constexpr double kSame = 5e-3; // of the value
+    const auto isShown = [value](int with) {
+        const double scale = std::pow(10.0, with);
+        return std::abs(std::round(value * scale) / scale - value) <= kSame * std::abs(value);
+    };
+    while (decimals < maxDecimals && !isShown(decimals))
+        ++decimals;
+    const QSignalBlocker block(field);
+    field->setDecimals(decimals);
+    field->setValue(value);
+}
+
 } // namespace bask

@@ -94,5 +94,8 @@ NumberField* numberField(QWidget* parent, const QString& name, double min, doubl
                          const QString& suffix);
 /// Sets a value without signals.
 void setQuietly(QDoubleSpinBox* field, double value);
+/// Sets a value without signals, with so many decimals, or with more, up to `maxDecimals`, where it is so
+/// small that it would be shown as another.
+void setQuietly(QDoubleSpinBox* field, double value, int decimals, int maxDecimals);
 
 } // namespace bask

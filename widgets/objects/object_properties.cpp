@@ -1,5 +1,7 @@
 #include "widgets/objects/object_properties.h"
 
+#include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
 #include "engine/model/experiment_rig.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
@@ -25,6 +27,7 @@ namespace bask {
 namespace {
 
 constexpr double kCmPerM = 100.0;
+constexpr int kRadiusDecimals = 3, kMaxRadiusDecimals = 6;
 constexpr int kTyped = -1; ///< entry of the preset list for values that match none
 
 /// Four digits; "7.621 x 10^-11" with a true multiplication sign and superscripts where there would be many
@@ -81,7 +84,8 @@ QDoubleSpinBox* ObjectProperties::number(const char* name, double min, double ma
 }
 
 QDoubleSpinBox* ObjectProperties::angle(const char* name, Coordinate coordinate) {
-    QDoubleSpinBox* field = number(name, -180.0, 180.0, 1, 5.0, [coordinate](ObjectSpec& o, double v) {
+    const ValidRange range = coordinateRange(coordinate, kMaxMounting_cm, false);
+    QDoubleSpinBox* field = number(name, range.min, range.max, 1, 5.0, [coordinate](ObjectSpec& o, double v) {
         o.mounting[coordinate] = radFromDeg(v);
     });
     field->setWrapping(true);
@@ -130,8 +134,8 @@ void ObjectProperties::build() {
     m_lambda1 = told("lambda1");
     m_lambda2 = told("lambda2");
     m_lambda3 = told("lambda3");
-    m_radius = number("radius", 0.05, 100.0, 3, 0.1,
-                      [](S& o, double v) { o.shape = withHoles(Disk{v / kCmPerM}, holesOf(o.shape)); });
+    m_radius = number("radius", kCmPerM * kMinShapeRadius_m, kCmPerM * kMaxObjectRadius_m, kRadiusDecimals,
+                      0.1, [](S& o, double v) { o.shape = withHoles(Disk{v / kCmPerM}, holesOf(o.shape)); });
     m_preset = new QComboBox(this);
     m_preset->setObjectName("materialPreset");
     m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -145,14 +149,18 @@ void ObjectProperties::build() {
     });
     for (const Parameter<Material>& parameter : materialParameters())
         m_material.emplace_back(&parameter, materialField(parameter));
-    m_mountX = number("mountX", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kX] = v / kCmPerM; });
-    m_mountY = number("mountY", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kY] = v / kCmPerM; });
-    m_mountZ = number("mountZ", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kZ] = v / kCmPerM; });
+    m_mountX = number("mountX", -kMaxMounting_cm, kMaxMounting_cm, 2, 0.5,
+                      [](S& o, double v) { o.mounting[kX] = v / kCmPerM; });
+    m_mountY = number("mountY", -kMaxMounting_cm, kMaxMounting_cm, 2, 0.5,
+                      [](S& o, double v) { o.mounting[kY] = v / kCmPerM; });
+    m_mountZ = number("mountZ", -kMaxMounting_cm, kMaxMounting_cm, 2, 0.5,
+                      [](S& o, double v) { o.mounting[kZ] = v / kCmPerM; });
     m_mountRotation = angle("mountRotation", kThetaZ);
     m_mountTiltX = angle("mountTiltX", kThetaX);
     m_mountTiltY = angle("mountTiltY", kThetaY);
     m_target = new QuantitySpinBox(this);
     m_target->setObjectName("target");
+    m_target->setRange_K(kelvinFromCelsius(kMinTemperature_degC), kelvinFromCelsius(kMaxTemperature_degC));
     connect(m_target, &QuantitySpinBox::valueEdited_K, this,
             [this](double value_K) { edit([value_K](S& o) { o.target_K = value_K; }); });
 
@@ -313,7 +321,7 @@ void ObjectProperties::showObject() {
         if (caption.field == m_radius)
             caption.label->setVisible(disk != nullptr);
     if (disk != nullptr)
-        setQuietly(m_radius, disk->radius_m * kCmPerM);
+        setQuietly(m_radius, disk->radius_m * kCmPerM, kRadiusDecimals, kMaxRadiusDecimals);
     for (const auto& [parameter, field] : m_material)
         setQuietly(field, parameter->get(material).value() * parameter->unit.symbolPerSi);
     setQuietly(m_mountX, m_object.mounting[kX] * kCmPerM);

@@ -1,5 +1,6 @@
 #include "widgets/rig/axis_table.h"
 
+#include "engine/model/rig_spec.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
 #include "widgets/rig/coordinate_words.h"
@@ -42,7 +43,8 @@ AxisTable::AxisTable(QWidget* parent)
         row.origin = new NumberField(this);
         row.origin->setObjectName(coordinateObjectName("origin", k));
         row.origin->setDecimals(kOriginDecimals);
-        row.origin->setRange(k < kThetaX ? -5000.0 : -360.0, k < kThetaX ? 5000.0 : 360.0);
+        const double max = shownCoordinate(k, maxAxisOrigin(k));
+        row.origin->setRange(-max, max);
         row.origin->setSuffix(coordinateSymbol(k));
         row.origin->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(new QLabel(coordinateWord(k), this), k + 1, 0);

@@ -1,7 +1,9 @@
 #include "widgets/rig/limits_panel.h"
 
 #include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
 #include "engine/model/experiment_parameters.h"
+#include "widgets/common/coordinate_field.h"
 #include "widgets/common/display.h"
 #include "widgets/common/evenness_words.h"
 #include "widgets/common/labels.h"
@@ -19,6 +21,7 @@
 namespace bask {
 namespace {
 
+constexpr int kMaxDecimals = 6;
 constexpr std::array<std::string_view, 3> kMotion{"max_speed", "max_rotation", "clearance"};
 
 } // namespace
@@ -47,9 +50,9 @@ LimitsPanel::LimitsPanel(QWidget* parent)
     retranslate();
 }
 
-QDoubleSpinBox* LimitsPanel::number(const QString& name, double min, double max, int decimals,
+QDoubleSpinBox* LimitsPanel::number(const QString& name, const ValidRange& range, int decimals,
                                     const QString& suffix, const Apply& apply) {
-    QDoubleSpinBox* field = numberField(this, name, min, max, decimals, suffix);
+    QDoubleSpinBox* field = numberField(this, name, range.min, range.max, decimals, suffix);
     connect(field, &QDoubleSpinBox::valueChanged, this,
             [this, field, apply](double value) { edit(field, apply, value); });
     return field;
@@ -57,11 +60,14 @@ QDoubleSpinBox* LimitsPanel::number(const QString& name, double min, double max,
 
 QWidget* LimitsPanel::buildSource() {
     auto* part = new QWidget(this);
-    m_setPoint->setRange_K(kelvinFromCelsius(kMinTemperature_degC), kelvinFromCelsius(kMaxTemperature_degC));
+    const ParameterFacts &temperature = parameterOf(sourceParameters(), &SourceSpec::temperature_K),
+                         &emittance = parameterOf(sourceParameters(), &SourceSpec::emittance);
+    m_setPoint->setRange_K(fromWritten(temperature, temperature.range.min),
+                           fromWritten(temperature, temperature.range.max));
     const Apply setPoint = [](Experiment& e, double value_K) { e.source.temperature_K = value_K; };
     connect(m_setPoint, &QuantitySpinBox::valueEdited_K, this,
             [this, setPoint](double value_K) { edit(m_setPoint, setPoint, value_K); });
-    m_emittance = number("sourceEmittance", 0.001, 1.0, 3, {},
+    m_emittance = number("sourceEmittance", emittance.range, emittance.decimals, {},
                          [](Experiment& e, double value) { e.source.emittance = value; });
     m_emittance->setSingleStep(0.01);
     auto* form = new QFormLayout(part);
@@ -88,12 +94,14 @@ QWidget* LimitsPanel::buildWorkspace() {
     for (int k = 0; k < 6; ++k) {
         const auto i = static_cast<std::size_t>(k);
         const QString name = QLatin1String(kCoordinateNames[i]);
-        const double max = k < kThetaX ? 5000.0 : 180.0;
+        const ValidRange range = coordinateRange(k, kMaxPlace_cm, true);
         m_names[i] = new QLabel(coordinateWord(k), part);
-        m_lower[i] = number(QStringLiteral("lower.") + name, -max, max, 2, coordinateSymbol(k),
+        m_lower[i] = number(QStringLiteral("lower.") + name, range, 2, coordinateSymbol(k),
                             [k](Experiment& e, double v) { e.robot.lower[k] = coordinateFromShown(k, v); });
-        m_upper[i] = number(QStringLiteral("upper.") + name, -max, max, 2, coordinateSymbol(k),
+        m_upper[i] = number(QStringLiteral("upper.") + name, range, 2, coordinateSymbol(k),
                             [k](Experiment& e, double v) { e.robot.upper[k] = coordinateFromShown(k, v); });
+        setCoordinateRange(*m_lower[i], k, range);
+        setCoordinateRange(*m_upper[i], k, range);
         grid->addWidget(m_names[i], k + 1, 0);
         grid->addWidget(m_lower[i], k + 1, 1);
         grid->addWidget(m_upper[i], k + 1, 2);
@@ -149,7 +157,8 @@ void LimitsPanel::setTemperatureUnit(TemperatureUnit unit) {
 void LimitsPanel::showValues() {
     const RobotLimits& robot = m_experiment.robot;
     m_setPoint->setValue_K(m_experiment.source.temperature_K);
-    setQuietly(m_emittance, m_experiment.source.emittance);
+    setQuietly(m_emittance, m_experiment.source.emittance,
+               parameterOf(sourceParameters(), &SourceSpec::emittance).decimals, kMaxDecimals);
     m_evenness->setText(evennessText(m_experiment));
     for (int k = 0; k < 6; ++k) {
         const auto i = static_cast<std::size_t>(k);

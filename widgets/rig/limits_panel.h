@@ -1,6 +1,7 @@
 #pragma once
 // The source and the robot's limits: edits the experiment's values.
 
+#include "engine/base/parameter.h"
 #include "engine/base/units.h"
 #include "engine/model/experiment.h"
 
@@ -39,7 +40,7 @@ protected:
 
 private:
     using Apply = std::function<void(Experiment&, double)>;
-    QDoubleSpinBox* number(const QString& name, double min, double max, int decimals, const QString& suffix,
+    QDoubleSpinBox* number(const QString& name, const ValidRange& range, int decimals, const QString& suffix,
                            const Apply& apply);
     QWidget* buildSource();
     QWidget* buildWorkspace();

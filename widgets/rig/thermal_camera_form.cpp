@@ -1,6 +1,8 @@
 #include "widgets/rig/thermal_camera_form.h"
 
+#include "engine/model/coordinate_range.h"
 #include "engine/thermography/usual_thermal_camera.h"
+#include "widgets/common/coordinate_field.h"
 #include "widgets/common/display.h"
 #include "widgets/common/file_folders.h"
 #include "widgets/common/labels.h"
@@ -20,12 +22,7 @@
 #include <cmath>
 
 namespace bask {
-namespace {
-
-constexpr double kFarthest_mm = 5000.0; // as experiments allow
-constexpr double kLargest_deg = 360.0;
-
-} // namespace
+namespace {} // namespace
 
 ThermalCameraForm::ThermalCameraForm(QWidget* parent)
     : QWidget(parent), m_profile(new QComboBox(this)), m_file(new QPushButton(this)),
@@ -45,8 +42,7 @@ ThermalCameraForm::ThermalCameraForm(QWidget* parent)
         auto* field = new NumberField(this);
         field->setObjectName(coordinateObjectName("thermalPose", k));
         field->setDecimals(1);
-        const double largest = k < 3 ? kFarthest_mm : kLargest_deg;
-        field->setRange(-largest, largest);
+        setCoordinateRange(*field, k, coordinateRange(k, kMaxPlace_cm, false));
         field->setSuffix(coordinateSymbol(k));
         m_names[index] = new QLabel(coordinateWord(k), this);
         m_pose[index] = field;

@@ -3,6 +3,8 @@
 #include "widgets/calibrate/marker_editor.h"
 
 #include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
+#include "engine/model/experiment_parameters.h"
 #include "tests/widgets/calibrate/rig_bench.h"
 
 #include <QApplication>
@@ -161,6 +163,26 @@ TEST_F(MarkerEditorTest, SaysWhichTheCameraSees) {
     view.markers.clear();
     editor.setView(view);
     EXPECT_EQ(cell(0, 3), "not seen");
+}
+
+// Catches a field that shows a value of a file as another: a form with a narrower range than files have.
+TEST_F(MarkerEditorTest, ShowsWhatAFileMayHave) {
+    const ValidRange side = parameterOf(markerParameters(), &MarkerSpec::side_m).range;
+    for (const double sign : {-1.0, 1.0}) {
+        MarkerSpec& marker = vision.markers.front();
+        marker.side_m = (sign < 0.0 ? side.min : side.max) / kMmPerM;
+        for (int k = 0; k < 6; ++k)
+            marker.pose[k] = toSi(sign * coordinateRange(k, kMaxPlace_cm, true).max, coordinateUnit(k));
+        editor.setVision(vision);
+        choose(0);
+        EXPECT_NEAR(child<QDoubleSpinBox>("markerSide")->value(), marker.side_m * kMmPerM, 1e-9);
+        for (int k = 0; k < 6; ++k) {
+            const std::string name = std::string("marker.") + kCoordinateNames[static_cast<std::size_t>(k)];
+            const double shown = k < kThetaX ? kMmPerM * marker.pose[k] : degFromRad(marker.pose[k]);
+            EXPECT_NEAR(child<QDoubleSpinBox>(name.c_str())->value(), shown, 1e-9) << name;
+        }
+    }
+    EXPECT_EQ(edits, 0);
 }
 
 } // namespace bask

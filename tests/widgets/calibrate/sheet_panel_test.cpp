@@ -1,6 +1,7 @@
 // Sheets to be printed: what is drawn, saved and told about lengths, as a person would use the panel.
 
 #include "tests/support/thread_time.h"
+#include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/sheet_panel.h"
 
 #include <QComboBox>
@@ -149,6 +150,21 @@ TEST_F(SheetPanelTest, AFullBoardIsDrawnAtOnce) {
     const double took_s = test::threadTime_s() - before_s;
     RecordProperty("ms", static_cast<int>(1e3 * took_s));
     EXPECT_LT(took_s, 1.0);
+}
+
+// Catches a board of a command line that the form shows as another.
+TEST(BoardForm, ShowsWhatABoardMayBe) {
+    BoardForm form;
+    for (const Board& board :
+         {Board{BoardKind::Chessboard, kMinBoardSide, kMaxBoardSide, kMinSquare_m, 0.0, "", false},
+          Board{BoardKind::Chessboard, 9, 6, kMaxSquare_m, 0.0, "", false},
+          Board{BoardKind::Charuco, 5, 7, 0.001, 0.0005, "4X4_50", false},
+          Board{BoardKind::Charuco, 5, 7, 0.04, 0.01125, "4X4_50", true}}) {
+        form.setBoard(board);
+        const auto shown = form.board();
+        ASSERT_TRUE(shown) << describe(shown.error());
+        EXPECT_EQ(boardText(*shown), boardText(board));
+    }
 }
 
 } // namespace bask

@@ -1,8 +1,13 @@
 // The form of one object: what it tells besides the fields, which objects_page_test types into.
 
 #include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
+#include "engine/model/experiment_parameters.h"
+#include "widgets/common/parameter_form.h"
+#include "widgets/common/quantity_spin_box.h"
 #include "widgets/objects/object_properties.h"
 
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QLocale>
 
@@ -56,6 +61,42 @@ TEST_F(ObjectPropertiesTest, TheTimeConstantHasAUnit) {
     EXPECT_EQ(text("timeConstant"), "3.9 s");
     object.material.thickness_m = 0.05;
     EXPECT_EQ(text("timeConstant"), "5.4 h");
+}
+
+// Catches a field that shows a value of a file as another: a form with a narrower range than files have.
+TEST_F(ObjectPropertiesTest, ShowsWhatAFileMayHave) {
+    const auto value = [&](const char* name) { return form.findChild<QDoubleSpinBox*>(name)->value(); };
+    for (const double radius_m : {kMinShapeRadius_m, 1e-4, 0.1, kMaxObjectRadius_m}) {
+        object.shape = Disk{radius_m};
+        form.setObject(object);
+        EXPECT_NEAR(value("radius"), 100.0 * radius_m, 1e-9);
+    }
+    EXPECT_EQ(form.findChild<QDoubleSpinBox*>("radius")->text().toStdString(), "100.000");
+    for (const double sign : {-1.0, 1.0}) {
+        object.target_K = kelvinFromCelsius(sign < 0.0 ? kMinTemperature_degC : kMaxTemperature_degC);
+        for (int k = 0; k < 6; ++k)
+            object.mounting[k] =
+                toSi(sign * coordinateRange(k, kMaxMounting_cm, false).max, coordinateUnit(k));
+        form.setObject(object);
+        EXPECT_NEAR(form.findChild<QuantitySpinBox*>("target")->value_K(), object.target_K, 1e-9);
+        for (const char* name : {"mountX", "mountY", "mountZ"})
+            EXPECT_NEAR(value(name), sign * kMaxMounting_cm, 1e-9) << name;
+        for (const char* name : {"mountRotation", "mountTiltX", "mountTiltY"})
+            EXPECT_NEAR(std::abs(value(name)), 180.0, 1e-9) << name;
+    }
+    for (const Parameter<Material>& each : materialParameters()) {
+        if (each.isOptional())
+            continue;
+        for (const double share : {0.5, 1.0}) {
+            Material material = object.material;
+            each.set(material, fromWritten(each, share * each.range.max));
+            object.material = material;
+            form.setObject(object);
+            EXPECT_NEAR(value(parameterObjectName(each).toLatin1()),
+                        each.unit.symbolPerSi * *each.get(material), 1e-9)
+                << each.name;
+        }
+    }
 }
 
 } // namespace bask

@@ -2,8 +2,12 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/model/coordinate_range.h"
 #include "tests/widgets/rig/rig_page_fixture.h"
 #include "widgets/common/quantity_spin_box.h"
+#include "widgets/rig/axis_table.h"
+#include "widgets/rig/coordinate_words.h"
+#include "widgets/rig/thermal_camera_form.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -195,6 +199,60 @@ TEST_F(RigLimitsTest, TheSensorsAreZeroedFromThePage) {
     apply();
     EXPECT_TRUE(child<QPushButton>("zeroSensors")->isEnabled());
     EXPECT_FALSE(child<QLabel>("zeroProblem")->isVisible());
+}
+
+// Catches a field that shows a value of a file as another: the page with a narrower range than files have.
+TEST_F(RigLimitsTest, TheSourceAndTheWorkspaceAreShownAsAFileMayHaveThem) {
+    experiment.robot.free.fill(true);
+    for (const bool isUpper : {false, true}) {
+        for (int k = 0; k < 6; ++k) {
+            const ValidRange range = coordinateRange(k, kMaxPlace_cm, true);
+            const EdgeUnit unit = coordinateUnit(k);
+            experiment.robot.lower[k] = toSi(isUpper ? 0.5 * range.min : range.min, unit);
+            experiment.robot.upper[k] = toSi(isUpper ? range.max : 0.5 * range.max, unit);
+        }
+        experiment.source.emittance = isUpper ? 1.0 : 0.0004;
+        experiment.source.temperature_K =
+            kelvinFromCelsius(isUpper ? kMaxTemperature_degC : kMinTemperature_degC);
+        page.setExperiment(experiment);
+        EXPECT_EQ(child<QDoubleSpinBox>("sourceEmittance")->value(), experiment.source.emittance);
+        EXPECT_NEAR(child<QuantitySpinBox>("sourceSetPoint")->value_K(), experiment.source.temperature_K,
+                    1e-9);
+        for (int k = 0; k < 6; ++k) {
+            const auto shown = [&](const char* part) {
+                return child<QDoubleSpinBox>(coordinateObjectName(part, k).toLatin1())->value();
+            };
+            EXPECT_NEAR(shown("lower"), shownCoordinate(k, experiment.robot.lower[k]), 1e-9) << k;
+            EXPECT_NEAR(shown("upper"), shownCoordinate(k, experiment.robot.upper[k]), 1e-9) << k;
+        }
+    }
+    EXPECT_EQ(child<QDoubleSpinBox>("upper.theta_y")->maximum(), 90.0) << "more would be refused";
+    EXPECT_EQ(edits, 0);
+}
+
+// The same of the axes of a robot, and of a thermal camera's pose.
+TEST(RigForms, AxesAndAThermalCamerasPoseAreShownAsAFileMayHaveThem) {
+    AxisTable table;
+    ThermalCameraForm form;
+    for (const double sign : {-1.0, 1.0}) {
+        std::vector<AxisSpec> axes;
+        Vector6d pose;
+        for (int k = 0; k < 6; ++k) {
+            axes.push_back({"XYZABC"[k], k, false, sign * maxAxisOrigin(k)});
+            pose[k] = toSi(sign * coordinateRange(k, kMaxPlace_cm, false).max, coordinateUnit(k));
+        }
+        table.setAxes(axes);
+        ThermalCameraSpec camera = form.camera();
+        camera.calibration.pose = pose;
+        form.setCamera(camera);
+        for (int k = 0; k < 6; ++k) {
+            const auto* origin = table.findChild<QDoubleSpinBox*>(coordinateObjectName("origin", k));
+            const auto* place = form.findChild<QDoubleSpinBox*>(coordinateObjectName("thermalPose", k));
+            EXPECT_NEAR(origin->value(), shownCoordinate(k, sign * maxAxisOrigin(k)), 1e-9) << k;
+            EXPECT_NEAR(place->value(), shownCoordinate(k, pose[k]), 1e-9) << k;
+            EXPECT_NEAR(place->maximum(), std::abs(place->value()), 1e-9) << k << ": more would be refused";
+        }
+    }
 }
 
 } // namespace bask
