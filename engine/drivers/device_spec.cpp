@@ -19,9 +19,9 @@ constexpr ParameterFacts kModbusUnit{"unit",
 
 // clang-format off
 constexpr Parameter<SerialSettings> kSerial[]{
-    {{"baud", kBaud, {300.0, 4e6}}, &SerialSettings::baud},
-    {{"data_bits", kNone, {7.0, 8.0}}, &SerialSettings::dataBits},
-    {{"stop_bits", kNone, {1.0, 2.0}}, &SerialSettings::stopBits},
+    {{"baud", kBaud, {300.0, 4e6}, Never}, &SerialSettings::baud},
+    {{"data_bits", kNone, {7.0, 8.0}, Never}, &SerialSettings::dataBits},
+    {{"stop_bits", kNone, {1.0, 2.0}, Never}, &SerialSettings::stopBits},
 };
 
 constexpr Parameter<ThermometerDeviceSpec> kThermometer[]{
@@ -30,7 +30,7 @@ constexpr Parameter<ThermometerDeviceSpec> kThermometer[]{
 
 constexpr Parameter<HeatSourceDeviceSpec> kHeatSource[]{
     {kModbusUnit, &HeatSourceDeviceSpec::unit},
-    {{"watchdog", kSeconds, {20.0, 1500.0}, Never, QT_TRANSLATE_NOOP("Parameter", "Watchdog"),
+    {{"watchdog", kSeconds, {20.0, 1500.0}, Up, QT_TRANSLATE_NOOP("Parameter", "Watchdog"),
       QT_TRANSLATE_NOOP("Parameter", "The device switches its heat off when it has heard nothing for so long"), 0}, &HeatSourceDeviceSpec::watchdog_s},
 };
 // clang-format on

@@ -9,8 +9,9 @@
 namespace bask {
 
 /// Returns one LimitLooser for every limit of the robot, an object (a new object is compared with those
-/// without limits of their own) or the source that is wider in `after`, for every check that is slower or
-/// less sensitive, and for heat without a watchdog. Automatic limits count with their actual values. Empty if
+/// without limits of their own), the source or a device of the real rig (one that the device before did not
+/// have is compared with the default) that is wider in `after`, for every check that is slower or less
+/// sensitive, and for heat without a watchdog. Automatic limits count with their actual values. Empty if
 /// nothing is loosened.
 std::vector<Message> widenedLimits(const Experiment& before, const Experiment& after);
 /// Like widenedLimits, compared with the defaults. Workspace and free axes belong to the rig and are not

@@ -2,6 +2,7 @@
 
 #include "engine/base/typed_unit.h"
 #include "engine/control/controller_catalogue.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/experiment/experiment_file.h"
 #include "engine/model/experiment_parameters.h"
 #include "engine/model/limits_widened.h"
@@ -24,6 +25,7 @@ Experiment example() {
     e.simulation.thermalCamera.emplace();
     e.source.uneven.parts.emplace_back().shape = Disk{0.05};
     e.simulation.sourceUneven.emplace().profile.push_back({0.05});
+    e.vision.markers.emplace_back();
     e.vision.camera = CameraModel{640, 480, 800.0, 801.0, 319.5, 239.5, {}, {}, {}, {}, {}};
     return e;
 }
@@ -59,6 +61,11 @@ std::vector<Placed> everyParameter() {
         [](Experiment & e) -> auto& { return *e.objects[0].estimatedRates; });
     place(
         out, "air.", airParameters(), [](Experiment & e) -> auto& { return e.air; });
+    place(
+        out, "source.", sourceParameters(), [](Experiment & e) -> auto& { return e.source; });
+    place(
+        out, "vision.markers[0].", markerParameters(),
+        [](Experiment & e) -> auto& { return e.vision.markers[0]; });
     place(
         out, "source.parts[0].", sourcePartParameters(),
         [](Experiment & e) -> auto& { return e.source.uneven.parts[0]; });
@@ -104,6 +111,32 @@ std::string refusedAt(const Placed& placed, double writtenValue) {
     placed.set(e, fromWritten(*placed.facts, writtenValue));
     const auto valid = validate(e);
     return valid ? "" : valid.error().where;
+}
+
+/// Of all drivers of a role: a parameter says in which direction it allows more, and is asked about.
+template <class Driver, class Device>
+void askedAboutDevices(const std::vector<Driver>& drivers, Device device) {
+    for (const Driver& driver : drivers)
+        for (const auto& parameter : driver.parameters) {
+            const std::string name = std::string(driver.key) + ' ' + parameter.facts->name;
+            EXPECT_NE(parameter.facts->loosens, Loosens::Unstated)
+                << name << " does not say in which direction it allows more; Never: it is no limit";
+            EXPECT_NE(parameter.facts->loosens, Loosens::InCode) << name << ": there is no such code";
+            if (!loosensByItself(*parameter.facts))
+                continue;
+            Experiment lower = example();
+            auto& spec = device(lower.rig.emplace()).emplace();
+            spec.driver = driver.key;
+            if constexpr (requires { spec.profile.watchdog; })
+                spec.profile.watchdog.emplace();
+            Experiment higher = lower;
+            const ValidRange& range = parameter.facts->range;
+            parameter.set(spec, fromWritten(*parameter.facts, range.max - 0.5 * (range.max - range.min)));
+            parameter.set(*device(*higher.rig), fromWritten(*parameter.facts, range.max));
+            const bool isDown = parameter.facts->loosens == Loosens::Down;
+            EXPECT_EQ(widensLimits(lower, higher), !isDown) << name;
+            EXPECT_EQ(widensLimits(higher, lower), isDown) << name;
+        }
 }
 
 std::string document() {
@@ -186,8 +219,9 @@ TEST(ExperimentParameters, EveryLimitThatLoosensIsAskedAbout) {
         const bool isLimit = placed.path == "safety." || placed.path == "robot.";
         if (placed.facts->name == std::string("max_mounting_radius")) // what is told, not what is allowed
             continue;
-        EXPECT_EQ(placed.facts->loosens != Loosens::Never, isLimit || placed.path == "objects[0].")
-            << placed.path << placed.facts->name;
+        const bool hasDirection =
+            placed.facts->loosens != Loosens::Never && placed.facts->loosens != Loosens::Unstated;
+        EXPECT_EQ(hasDirection, isLimit || placed.path == "objects[0].") << placed.path << placed.facts->name;
         if (!isLimit)
             continue;
         Experiment lower = example(), higher = example();
@@ -199,6 +233,21 @@ TEST(ExperimentParameters, EveryLimitThatLoosensIsAskedAbout) {
     }
 }
 
+// Catches the same of the devices of a real rig, of each driver: what is no limit says so, too.
+TEST(ExperimentParameters, EveryLimitOfADeviceThatLoosensIsAskedAbout) {
+    askedAboutDevices(
+        robotDrivers(), [](RigSpec & rig) -> auto& { return rig.robot; });
+    askedAboutDevices(
+        thermometerDrivers(), [](RigSpec & rig) -> auto& { return rig.thermometer; });
+    askedAboutDevices(
+        heatSourceDrivers(), [](RigSpec & rig) -> auto& { return rig.source; });
+    for (const Parameter<SerialSettings>& each : serialParameters())
+        EXPECT_EQ(each.loosens, Loosens::Never) << each.name << ": nothing asks about a line";
+    // Told here once more, since a direction that is wrong would not be noticed above.
+    EXPECT_EQ(deviceParameter(heatSourceParameters(), "watchdog", SetupStep::Use).facts->loosens,
+              Loosens::Up);
+}
+
 // Catches documents that tell another key, range or default than the program has.
 TEST(ExperimentParameters, TheDocumentHasThem) {
     const std::string text = document();
@@ -206,6 +255,7 @@ TEST(ExperimentParameters, TheDocumentHasThem) {
     Experiment usual;
     usual.objects.emplace_back().estimatedRates.emplace();
     usual.vision.camera.emplace();
+    usual.vision.markers.emplace_back();
     usual.source.uneven.parts.emplace_back();
     usual.simulation.sourceUneven.emplace().profile.emplace_back();
     usual.simulation.thermalCamera.emplace();

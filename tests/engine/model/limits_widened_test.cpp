@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/model/limits_widened.h"
 
@@ -23,6 +24,7 @@ Experiment oneObject() {
     e.safety.largestRate_K_s = 3.0;
     e.robot.maxAcceleration_m_s2 = 0.1;
     e.robot.maxAngularAcceleration_rad_s2 = 0.1;
+    e.rig.emplace().source.emplace().driver = "namur";
     return e;
 }
 
@@ -53,6 +55,7 @@ std::vector<Edit> raises() {
         {"source heating", [](Experiment& e) { e.safety.sourceHeating_s += 1.0; }},
         {"source band", [](Experiment& e) { e.safety.sourceBand_K += 1.0; }},
         {"source unasked", [](Experiment& e) { e.safety.sourceUnasked_K += 1.0; }},
+        {"watchdog", [](Experiment& e) { e.rig->source->watchdog_s = 1500.0; }},
         {"least disk", [](Experiment& e) { e.safety.minDisk_MB -= 1.0; }},
     };
     for (int k = 0; k < 4; ++k) {
@@ -124,6 +127,67 @@ TEST(LimitsWidened, AreToldInWordsAndAgainstTheUsual) {
     renamed.objects[0].name = "foot";
     renamed.objects[0].trip_K = kelvinFromCelsius(151.0);
     EXPECT_EQ(widenedLimits(usual, renamed).size(), 1U);
+}
+
+// Catches a heater whose watchdog a file makes wider, unasked: it stays hot so long when the computer dies.
+TEST(LimitsWidened, ADevicesOwnLimitsAreComparedWithTheDeviceBefore) {
+    Experiment now;
+    now.objects.emplace_back().name = "hand";
+    now.rig.emplace().source.emplace().driver = "namur";
+    now.rig->source->watchdog_s = 100.0;
+    Experiment next = now;
+    next.rig->source->watchdog_s = 1500.0;
+    const auto widened = widenedLimits(now, next);
+    ASSERT_EQ(widened.size(), 1U);
+    EXPECT_EQ(describe(widened[0]), "Watchdog: 1500 s instead of 100 s");
+    EXPECT_EQ(describe(widenedFromUsual(next).at(0)), "Watchdog: 1500 s instead of 30 s");
+    next.rig->source->watchdog_s = 90.0;
+    EXPECT_FALSE(widensLimits(now, next));
+    next.rig->source->driver = "modbus"; // another device, whose profile has a watchdog
+    next.rig->source->profile.watchdog.emplace();
+    EXPECT_FALSE(widensLimits(now, next));
+    next.rig->source->watchdog_s = 101.0;
+    EXPECT_TRUE(widensLimits(now, next));
+    now.rig->source->driver = "by_hand"; // which has none: the usual one counts
+    EXPECT_TRUE(widensLimits(now, next));
+    next.rig->source->watchdog_s = 30.0;
+    EXPECT_FALSE(widensLimits(now, next));
+    now.rig->source.reset();
+    EXPECT_FALSE(widensLimits(now, next));
+    next.rig->source->watchdog_s = 31.0;
+    EXPECT_TRUE(widensLimits(now, next));
+}
+
+// Catches a question that comes in English words and kelvins for whoever reads another language and scale.
+TEST(LimitsWidened, AreSentencesWhoseValuesKeepTheirKind) {
+    Experiment more = oneObject();
+    more.objects[0].warning_K = 351.0;
+    more.safety.crossCheck_K += 5.0;
+    more.safety.largestRate_K_s = 3.5;
+    more.robot.upper[0] += 0.05;
+    more.robot.free[5] = true;
+    const auto widened = widenedLimits(oneObject(), more);
+    ASSERT_EQ(widened.size(), 5U);
+    const auto kindOf = [&](std::size_t i, std::size_t arg) {
+        return widened[i].args.at(arg).kind(argKind(widened[i].code, arg));
+    };
+    EXPECT_EQ(widened[0].args[0].sentences().at(0), (Message{MessageCode::LimitOfWarning, {"hand"}}));
+    EXPECT_EQ(kindOf(0, 1), ArgKind::Temperature);
+    EXPECT_EQ(kindOf(1, 0), ArgKind::Label);
+    EXPECT_EQ(kindOf(1, 1), ArgKind::Difference);
+    EXPECT_EQ(widened[2].args[1].sentences().at(0).code, MessageCode::RateOfChange);
+    EXPECT_EQ(widened[3].args[0].sentences().at(0), (Message{MessageCode::LimitHighest, {"x"}}));
+    EXPECT_EQ(kindOf(3, 1), ArgKind::Number);
+    EXPECT_EQ(widened[4].args[0].sentences().at(0), (Message{MessageCode::LimitAxis, {"theta z"}}));
+    EXPECT_EQ(kindOf(4, 2), ArgKind::Label);
+    std::string told;
+    for (const Message& each : widened)
+        told += describe(each) + '\n';
+    EXPECT_EQ(told, "warning limit of \"hand\": 77.85 °C instead of 76.85 °C\n"
+                    "Sensors apart when cold: 10 K instead of 5 K\n"
+                    "Fastest plausible change: 3.5 K/s instead of 3 K/s\n"
+                    "highest x: 25 cm instead of 20 cm\n"
+                    "axis theta z: free instead of fixed\n");
 }
 
 // Catches a workspace that is widened on the simulated rig, where nobody asks, and then is the real robot's.
