@@ -19,6 +19,7 @@
 namespace bask {
 namespace {
 
+constexpr auto kArmKey = Qt::Key_F5; ///< on Review it reads the list again
 constexpr std::array kVerbNames{"arm",  "start",   "hold",          "resume",
                                 "stop", "retreat", "emergencyStop", "reset"};
 constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "retreat", "", "reset"};
@@ -141,7 +142,7 @@ QAction* Actions::make(const char* name, const QKeySequence& keys) {
 }
 
 void Actions::makeVerbs() {
-    const std::array keys{QKeySequence(Qt::Key_F5), QKeySequence(Qt::Key_F6),
+    const std::array keys{QKeySequence(kArmKey),    QKeySequence(Qt::Key_F6),
                           QKeySequence(Qt::Key_F7), QKeySequence(Qt::SHIFT | Qt::Key_F7),
                           QKeySequence(Qt::Key_F8), QKeySequence(Qt::SHIFT | Qt::Key_F8),
                           QKeySequence(),           QKeySequence()};
@@ -275,9 +276,8 @@ void Actions::retranslateRun() {
         action->setText(text);
         // A button does without the letter that stands behind a Chinese word in the menu.
         action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&|…"))));
-        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
-        const QString tip = action->iconText() + u'\n' + meaning; // the button may have its icon alone
-        action->setToolTip(keys.isEmpty() ? tip : tip + QStringLiteral(" (%1)").arg(keys));
+        m_meanings.at(static_cast<std::size_t>(which)) = meaning;
+        showTip(which);
     };
     say(Verb::Arm, tr("&Arm"),
         tr("Zero the sensors at ambient and open the recording. Nothing moves or heats yet."));
@@ -301,6 +301,13 @@ void Actions::retranslateRun() {
     homeRobot->setText(tr("Ho&me the robot…"));
     endRecording->setText(tr("End the re&cording"));
     acknowledgeAlarms->setText(tr("Ac&knowledge all alarms"));
+}
+
+/// With the key that it has now; its button may have its icon alone.
+void Actions::showTip(Verb which) {
+    const QString keys = verb(which)->shortcut().toString(QKeySequence::NativeText);
+    const QString tip = verb(which)->iconText() + u'\n' + m_meanings.at(static_cast<std::size_t>(which));
+    verb(which)->setToolTip(keys.isEmpty() ? tip : tip + QStringLiteral(" (%1)").arg(keys));
 }
 
 void Actions::retranslateView() {
@@ -430,8 +437,8 @@ void Actions::showLanguage(const QString& code) {
 void Actions::showPage(int index) {
     page(index)->setChecked(true);
     const bool isForReading = index == static_cast<int>(Page::Review);
-    verb(Verb::Arm)->setShortcut(isForReading ? QKeySequence() : QKeySequence(Qt::Key_F5));
-    retranslateRun(); // its tip has the key
+    verb(Verb::Arm)->setShortcut(isForReading ? QKeySequence() : QKeySequence(kArmKey));
+    showTip(Verb::Arm);
 }
 
 } // namespace bask

@@ -89,6 +89,7 @@ private:
     void makeView();
     void retranslateFile();
     void retranslateRun();
+    void showTip(Verb verb);
     void retranslateView();
     void hear(QAction* deaf);
     void showReasons();
@@ -96,6 +97,7 @@ private:
     QWidget* m_window;
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
+    std::array<QString, kVerbs> m_meanings; ///< sentences of their tips
     DeafKeys m_deafKeys;
     Snapshot m_told; ///< only what reasons depend on: state, place, recording and alarms
     std::array<QAction*, kPages> m_pages{};
