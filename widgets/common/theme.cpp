@@ -141,6 +141,11 @@ QColor seriesColor(int index, bool dark) {
     return rgb(dark ? kSeriesDark[i] : kSeriesLight[i]);
 }
 
+QColor paleSeriesColor(int index, bool dark) {
+    constexpr double kWeight = 0.9; // with less the fifth has no contrast of 3:1 any more
+    return mixed(seriesColor(index, dark), themePalette(dark).color(QPalette::Base), kWeight);
+}
+
 QList<qreal> seriesDashes(int index) {
     switch (qMax(0, index) % 6) {
     case 1:

@@ -28,6 +28,8 @@ bool isDark(const QWidget* widget);
 /// Returns the colour of object `index`: Okabe-Ito without the alarm hues, with lightness adapted to the
 /// background. Repeats after 5.
 QColor seriesColor(int index, bool dark);
+/// Returns a paler one, for what is predicted: still 3:1 against the ground of plots.
+QColor paleSeriesColor(int index, bool dark);
 /// Dash pattern of object `index`, in pen widths; empty is a solid line. Repeats after 6.
 QList<qreal> seriesDashes(int index);
 /// Returns a pen with both.

@@ -14,7 +14,6 @@ namespace bask {
 namespace {
 
 constexpr double kAfterSettling_s = 30.0; // shown of what is predicted
-constexpr double kPredictedWeight = 0.75; // of the object's colour
 constexpr float kSpreadWeight = 0.15F;    // opacity of a band
 constexpr double kFromLines = 4.0;        // px, of the words
 
@@ -77,9 +76,8 @@ void TracePlot::Canvas::addSpread(std::size_t object, const QVector<double>& key
 }
 
 void TracePlot::Canvas::stylePrediction() {
-    const QColor ground = themePalette(dark).color(QPalette::Base);
     for (int i = 0; i < m_predicted.size(); ++i) {
-        QPen pen(mixed(seriesColor(i, dark), ground, kPredictedWeight), 1.0);
+        QPen pen(paleSeriesColor(i, dark), 1.0);
         pen.setCapStyle(Qt::FlatCap);
         pen.setDashPattern({1.5, 4.0}); // sparser than those of any object's measured line
         m_predicted[i]->setPen(pen);

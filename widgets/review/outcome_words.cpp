@@ -66,15 +66,13 @@ QString outcomeWord(Outcome outcome, int priority) {
 
 QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio, int priority) {
     if (outcome == Outcome::Fault && priority > 0)
-        return alarmPixmap(priority, dark, size, devicePixelRatio);
+        return alarmPixmap(priority, dark, size, devicePixelRatio, true);
     QPixmap pixmap(QSize(size, size) * devicePixelRatio);
     pixmap.setDevicePixelRatio(devicePixelRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool isAlarm = outcome == Outcome::Damaged || outcome == Outcome::Altered ||
-                         outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
-    const QColor colour = isAlarm ? alarmColor(1, dark) : secondaryText(dark);
+    const QColor colour = secondaryText(dark); // what is past is no alarm
     painter.setPen(QPen(colour, size * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto at = [size](double x, double y) { return QPointF(x * size, y * size); };
     switch (outcome) {

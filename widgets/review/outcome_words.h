@@ -28,7 +28,8 @@ Outcome outcomeOf(const std::string& recorded);
 QString outcomeWord(Outcome outcome);
 /// Returns "Fault, by an alarm of priority 2"; the word alone with priority 0.
 QString outcomeWord(Outcome outcome, int priority);
-/// `priority`: of the alarm that ended the run in a fault, with whose mark it is shown; 0: not known.
+/// Grey, as all that is past. `priority`: of the alarm that ended the run in a fault, with whose mark it is
+/// shown; 0: not known.
 QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRatio, int priority = 0);
 
 } // namespace bask

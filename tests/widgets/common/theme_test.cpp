@@ -40,9 +40,10 @@ TEST(Theme, ContrastInLightAndDark) {
         }
         EXPECT_GE(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
                   4.5);
-        for (int i = 0; i < 5; ++i)
-            EXPECT_GE(contrast(seriesColor(i, dark), palette.color(QPalette::Base)), 3.0)
-                << i << (dark ? " dark" : " light");
+        for (int i = 0; i < 8; ++i)
+            for (const QColor& line : {seriesColor(i, dark), paleSeriesColor(i, dark)})
+                EXPECT_GE(contrast(line, palette.color(QPalette::Base)), 3.0)
+                    << i << (dark ? " dark" : " light");
     }
 }
 

@@ -150,7 +150,9 @@ TEST_F(SessionListTest, AFaultHasTheMarkOfItsAlarm) {
     const auto mark = [&](const char* name) {
         return row(name)->icon(2).pixmap(QSize(16, 16), 1.0).toImage();
     };
-    const auto alarm = [&](int priority) { return alarmPixmap(priority, isDark(&list), 16, 1.0).toImage(); };
+    const auto alarm = [&](int priority) { // of an alarm that is over: grey
+        return alarmPixmap(priority, isDark(&list), 16, 1.0, true).toImage();
+    };
     EXPECT_EQ(mark("first"), alarm(1));
     EXPECT_EQ(mark("second"), alarm(2));
     EXPECT_EQ(mark("third"), alarm(3));
