@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
 constexpr int kLetGo_ms = 1000;
+constexpr double kMaxReadWhole = 20'000; // samples: half an hour; they take a quarter of a second
 
 } // namespace
 
@@ -78,8 +79,12 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
 
 /// What the recorder has summed up, and the samples that came after.
 Result<void> RecordedSession::readOverview(const SessionStore& store) {
+    const auto isRead = readWhole(store);
+    if (!isRead || *isRead)
+        return isRead ? Result<void>() : Result<void>(isRead.error());
     m_overview = TraceOverview(m_facts.experiment.objects.size());
     bool isSound = true;
+    SampleTimes times;
     const auto done = store.select(
         "SELECT last_step, extremes FROM overview ORDER BY last_step", [&](SessionStore::Row row) {
             const auto* last = std::get_if<std::int64_t>(&row[0]);
@@ -88,7 +93,8 @@ Result<void> RecordedSession::readOverview(const SessionStore& store) {
             isSound = isSound && last != nullptr && extremes != nullptr &&
                       std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
                       m_overview.addBytes(extremes->bytes, m_tables->quantities()) &&
-                      std::cmp_equal(*last, m_overview.samples());
+                      std::cmp_equal(*last, m_overview.samples()) &&
+                      times.isPossible(m_overview.lastTime_s());
         });
     if (!done)
         return done;
@@ -96,6 +102,35 @@ Result<void> RecordedSession::readOverview(const SessionStore& store) {
         m_overview = TraceOverview(m_facts.experiment.objects.size());
     return readSteps(store, *m_tables, m_facts.path, m_overview.samples() + 1, kNoLimit,
                      [this](const TraceSample& sample) { m_overview.add(sample); });
+}
+
+/// Sums up all samples of a short run, and refuses what no run records. False: it is longer, or has a gap,
+/// which is told where it is read.
+Result<bool> RecordedSession::readWhole(const SessionStore& store) {
+    if (roughRows(store, "step") > kMaxReadWhole)
+        return false;
+    m_overview = TraceOverview(m_facts.experiment.objects.size());
+    std::int64_t due = 1;
+    bool isWhole = true;
+    SampleTimes times;
+    std::string impossible;
+    const auto done = store.select(m_tables->selectSteps() + " ORDER BY number", [&](SessionStore::Row row) {
+        if (!impossible.empty())
+            return;
+        const std::int64_t number = SessionTables::numberOfStep(row);
+        isWhole = isWhole && number == due++;
+        impossible = m_tables->impossibleIn(row);
+        const TraceSample sample = m_tables->sampleOf(row);
+        if (impossible.empty() && !times.isPossible(sample.time_s))
+            impossible = "a time that is none";
+        if (!impossible.empty())
+            impossible = "sample " + std::to_string(number) + " has " + impossible;
+        else if (isWhole)
+            m_overview.add(sample);
+    });
+    if (done && !impossible.empty())
+        return Error(MessageCode::SessionDamaged, m_facts.path, {impossible});
+    return done ? Result<bool>(isWhole) : done.error();
 }
 
 Result<void> RecordedSession::readTargets(const SessionStore& store) {

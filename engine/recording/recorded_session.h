@@ -41,8 +41,9 @@ public:
     static constexpr std::size_t kMaxBlocks = 160;
 
     /// May be called on any thread; call the other methods on one thread, the one that reads first. A file of
-    /// version 1 has no overview and is read completely. Errors: those of readSession, but damage inside the
-    /// file may be found only when that part is read.
+    /// version 1 has no overview and is read completely, as a run of up to half an hour is. Errors: those of
+    /// readSession, but missing samples, and what no run records in a longer run, may be found only when that
+    /// part is read.
     static Result<std::shared_ptr<RecordedSession>> open(const std::string& path);
     ~RecordedSession();
     RecordedSession(const RecordedSession&) = delete;
@@ -88,6 +89,7 @@ private:
 
     RecordedSession() = default;
     Result<void> readOverview(const SessionStore& store);
+    Result<bool> readWhole(const SessionStore& store);
     Result<void> readTargets(const SessionStore& store);
     Result<void> countFrames(const SessionStore& store);
     void adopt(std::vector<TraceSample> samples);

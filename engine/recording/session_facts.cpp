@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <limits>
 #include <map>
 
 namespace bask {
@@ -159,13 +159,19 @@ Result<void> checkIntegrity(const SessionStore& store, const std::string& path) 
     return done;
 }
 
+bool SampleTimes::isPossible(double next_s) {
+    m_equal = next_s == m_last_s ? m_equal + 1 : 0;
+    const bool isPossible = std::isfinite(next_s) && next_s >= m_last_s && m_equal < kMaxEqualTimes;
+    m_last_s = next_s;
+    return isPossible;
+}
+
 Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
                        std::size_t first, std::size_t last,
                        const std::function<void(const TraceSample&)>& take, const std::stop_token& stop) {
     auto due = static_cast<std::int64_t>(first);
-    double last_s = -std::numeric_limits<double>::infinity();
+    SampleTimes times;
     bool isWhole = true;
-    int equalTimes = 0;
     std::string impossible;
     const auto done = store.select(
         tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) + " AND " +
@@ -180,12 +186,11 @@ Result<void> readSteps(const SessionStore& store, const SessionTables& tables, c
                 return;
             }
             const TraceSample sample = tables.sampleOf(row);
-            equalTimes = sample.time_s == last_s ? equalTimes + 1 : 0;
-            isWhole = sample.time_s >= last_s && equalTimes < kMaxEqualTimes;
-            last_s = sample.time_s;
+            isWhole = times.isPossible(sample.time_s);
+            if (!isWhole)
+                return;
             ++due;
-            if (isWhole)
-                take(sample);
+            take(sample);
         },
         stop);
     if (done && !isWhole)

@@ -6,6 +6,7 @@
 #include "engine/recording/session_tables.h"
 
 #include <functional>
+#include <limits>
 #include <stop_token>
 
 namespace bask {
@@ -21,6 +22,16 @@ double roughRows(const SessionStore& store, const std::string& table);
 
 /// Refuses a file whose structure is damaged; reads all of it.
 Result<void> checkIntegrity(const SessionStore& store, const std::string& path);
+
+/// The times of samples one after the other: they ascend, and few are of one moment.
+class SampleTimes {
+public:
+    bool isPossible(double next_s);
+
+private:
+    double m_last_s = -std::numeric_limits<double>::infinity();
+    int m_equal = 0;
+};
 
 /// Reads samples of version 1, whose tables have one row for each sample, or for each sample and object.
 Result<void> readFirstVersion(const SessionStore& store, SessionRecord& record);

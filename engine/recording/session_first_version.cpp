@@ -34,18 +34,33 @@ private:
 
     /// One pose a sample: they make the samples that the other tables fill.
     Result<void> poses() {
-        return m_store.select(std::string("SELECT time_s, ") + kPoseColumns + " FROM pose ORDER BY rowid",
-                              [&](Row row) {
-                                  TraceSample sample;
-                                  sample.time_s = numberOf(row[0]);
-                                  sample.coordinates = coordinatesOfColumns(row.subspan(1));
-                                  sample.source = m_record.experiment.source.pose;
-                                  sample.objects.resize(m_record.experiment.objects.size());
-                                  forgetLater(kRunColumns, sample);
-                                  for (ObjectSample& object : sample.objects)
-                                      forgetLater(kObjectColumns, object);
-                                  m_record.samples.push_back(std::move(sample));
-                              });
+        SampleTimes times;
+        const auto done = m_store.select(
+            std::string("SELECT time_s, ") + kPoseColumns + " FROM pose ORDER BY rowid", [&](Row row) {
+                const std::size_t number = m_record.samples.size() + 1;
+                check(number, impossibleNumbers(row));
+                check(number, impossiblePose(row.subspan(1)));
+                TraceSample sample;
+                sample.time_s = numberOf(row[0]);
+                check(number, times.isPossible(sample.time_s) ? "" : "a time that is none");
+                sample.coordinates = coordinatesOfColumns(row.subspan(1));
+                sample.source = m_record.experiment.source.pose;
+                sample.objects.resize(m_record.experiment.objects.size());
+                forgetLater(kRunColumns, sample);
+                for (ObjectSample& object : sample.objects)
+                    forgetLater(kObjectColumns, object);
+                m_record.samples.push_back(std::move(sample));
+            });
+        return afterChecks(done);
+    }
+
+    /// Keeps the first thing that no run records.
+    void check(std::size_t sample, const std::string& impossible) {
+        if (m_impossible.empty() && !impossible.empty())
+            m_impossible = "sample " + std::to_string(sample) + " has " + impossible;
+    }
+    Result<void> afterChecks(const Result<void>& done) const {
+        return done && !m_impossible.empty() ? Result<void>(damaged(m_impossible)) : done;
     }
 
     /// Makes unknown what this version does not have, or only of some rigs.
@@ -68,12 +83,13 @@ private:
             const std::size_t i = count++ % objects.size();
             matches = matches && k < m_record.samples.size() &&
                       numberOf(row[0]) == m_record.samples[k].time_s && textOf(row[1]) == objects[i].name;
+            check(k + 1, impossibleNumbers(row.subspan(2)));
             if (matches)
                 fill(m_record.samples[k].objects[i], row.subspan(2));
         });
         if (done && (!matches || count != m_record.samples.size() * objects.size()))
             return damaged("the rows of table " + table + " do not go with the poses");
-        return done;
+        return afterChecks(done);
     }
 
     /// Same for a table with one row a sample.
@@ -86,12 +102,13 @@ private:
             const std::size_t k = count++;
             matches =
                 matches && k < m_record.samples.size() && numberOf(row[0]) == m_record.samples[k].time_s;
+            check(k + 1, impossibleNumbers(row.subspan(1)));
             if (matches)
                 fill(m_record.samples[k], row.subspan(1));
         });
         if (done && (!matches || count != m_record.samples.size()))
             return damaged("the rows of table " + table + " do not go with the poses");
-        return done;
+        return afterChecks(done);
     }
 
     /// Names of a table's columns, which were all there already, and what each fills.
@@ -107,9 +124,12 @@ private:
         return names;
     }
     template <class Sample>
-    static void fill(const std::vector<const SampleColumn<Sample>*>& columns, Sample& sample, Row row) {
-        for (std::size_t k = 0; k < columns.size(); ++k)
+    void fill(const std::vector<const SampleColumn<Sample>*>& columns, Sample& sample, Row row) {
+        for (std::size_t k = 0; k < columns.size(); ++k) {
             columns[k]->value.set(sample, numberOf(row[k]));
+            if (const std::string words = impossibleValue(*columns[k], numberOf(row[k])); !words.empty())
+                m_impossible = m_impossible.empty() ? "a sample has " + words : m_impossible;
+        }
     }
 
     Result<void> objects() {
@@ -142,7 +162,9 @@ private:
         if (!tables)
             return tables.error();
         if (std::ranges::find(*tables, "source_pose") != tables->end()) // later than the first files
-            done = eachSample("source_pose", kPoseColumns, [](TraceSample& sample, Row row) {
+            done = eachSample("source_pose", kPoseColumns, [&](TraceSample& sample, Row row) {
+                if (m_impossible.empty() && !impossiblePose(row).empty())
+                    m_impossible = "a sample has " + impossiblePose(row);
                 sample.source = coordinatesOfColumns(row);
             });
         return done;
@@ -150,6 +172,7 @@ private:
 
     const SessionStore& m_store;
     SessionRecord& m_record;
+    std::string m_impossible; ///< in words
 };
 
 } // namespace

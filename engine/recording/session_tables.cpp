@@ -253,40 +253,43 @@ TraceSample SessionTables::sampleOf(SessionStore::Row row) const {
     return sample;
 }
 
-namespace {
-
-/// Of seven columns of a pose.
-bool isPose(SessionStore::Row columns) {
-    constexpr double kUnit = 1e-3;
-    double square = 0.0;
-    bool isKnown = false;
-    for (std::size_t k = 0; k < kPose.size(); ++k) {
-        isKnown = isKnown || !std::holds_alternative<std::monostate>(columns[k]);
-        square += k < 3 ? 0.0 : numberOf(columns[k]) * numberOf(columns[k]);
-    }
-    return !isKnown || std::abs(square - 1.0) < kUnit;
-}
-
-template <class Row> bool isTemperature(const SampleColumn<Row>& column) {
-    return column.unit.edge == EdgeUnit::Temperature;
-}
-
-} // namespace
-
-std::string SessionTables::impossibleIn(SessionStore::Row row) const {
+std::string impossibleNumbers(SessionStore::Row row) {
     for (const SqlValue& value : row)
         if (std::holds_alternative<std::string>(value) || std::holds_alternative<SqlBlob>(value))
             return "text instead of a number";
+    return {};
+}
+
+std::string impossiblePose(SessionStore::Row columns) {
+    constexpr double kUnit = 1e-3;
+    double square = 0.0;
+    bool isFinite = true, isKnown = false;
+    for (std::size_t k = 0; k < kPose.size(); ++k) {
+        const double value = numberOf(columns[k]);
+        isKnown = isKnown || !std::holds_alternative<std::monostate>(columns[k]);
+        isFinite = isFinite && std::isfinite(value);
+        square += k < 3 ? 0.0 : value * value;
+    }
+    return !isKnown || (isFinite && std::abs(square - 1.0) < kUnit) ? std::string() : "a pose that is none";
+}
+
+std::string SessionTables::impossibleIn(SessionStore::Row row) const {
+    if (std::string words = impossibleNumbers(row); !words.empty())
+        return words;
     if (!std::isfinite(numberOf(row[kTime])))
         return "no time";
-    std::size_t at = kPoseAt + kPose.size() + runColumns().size();
-    if (!isPose(row.subspan(kPoseAt)) || !isPose(row.subspan(at)))
-        return "a pose that is none";
-    at = kPoseAt + kPose.size();
+    if (std::string words = impossiblePose(row.subspan(kPoseAt)); !words.empty())
+        return words;
+    const SessionStore::Row source = row.subspan(kPoseAt + kPose.size() + runColumns().size(), kPose.size());
+    const bool isAsInExperiment = std::ranges::all_of(
+        source, [](const SqlValue& value) { return std::holds_alternative<std::monostate>(value); });
+    if (std::string words = isAsInExperiment ? std::string() : impossiblePose(source); !words.empty())
+        return words;
     std::string words;
+    std::size_t at = kPoseAt + kPose.size();
     const auto check = [&](const auto& column) {
-        if (const double value = numberOf(row[at++]); isTemperature(column) && value < 0.0)
-            words = std::string(column.key) + " below absolute zero";
+        if (std::string found = impossibleValue(column, numberOf(row[at++])); !found.empty())
+            words = std::move(found);
     };
     for (const RunColumn* column : runColumns())
         check(*column);

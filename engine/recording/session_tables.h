@@ -5,6 +5,7 @@
 #include "engine/recording/session_file.h"
 #include "engine/recording/session_store.h"
 
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <string>
@@ -48,6 +49,17 @@ private:
     Vector6d m_source;                ///< pose in the experiment, which is not stored again
     RecordedRig m_rig;                ///< of what it does not have, nothing is stored
 };
+
+// What no run records, in words; empty if there is nothing.
+std::string impossibleNumbers(SessionStore::Row row); ///< text, or bytes, where numbers are
+/// Of the columns x_m, y_m, z_m, qw, qx, qy, qz; all unknown is possible.
+std::string impossiblePose(SessionStore::Row columns);
+template <class Sample> std::string impossibleValue(const SampleColumn<Sample>& column, double value) {
+    if (column.unit.edge != EdgeUnit::Temperature || std::isnan(value) ||
+        (value >= 0.0 && std::isfinite(value)))
+        return {};
+    return std::string(column.key) + (value < 0.0 ? " below absolute zero" : " that is infinite");
+}
 
 /// Converts the columns x_m, y_m, z_m, qw, qx, qy, qz to coordinates.
 Vector6d coordinatesOfColumns(SessionStore::Row columns);
