@@ -54,6 +54,8 @@ _OBJECT = (
     _Column("camera spread", "K", "camera_spread_K", None, "temperature_env/thermal_camera/spread_log"),
     _Column("camera pixels", "1", "camera_pixels", None, "temperature_env/thermal_camera/pixels_log"),
 )
+_THETA = tuple(f"theta_{axis} (rad)" for axis in "xyz")
+_EQUAL_TIMES = 10  # samples of one moment; no run has more than two
 # Where NeXus files of Bask 0.2.0 have what has another place now:
 _EARLIER = {"run/simulated": "simulated", "run/outcome": "outcome", "properties/time": "time",
             "instrument/heat_source_surface/value_log/value": "instrument/heat_source/surface/value_log/value"}
@@ -109,13 +111,15 @@ class Session:
         for column, number in rig.stored:  # what came later than the file
             if _key(column, number) not in values:
                 values[_key(column, number)] = np.full(len(self.time_s), np.nan)
-        if np.any(np.diff(self.time_s) < 0.0):
-            raise _damaged(self.path, "the times of its samples do not ascend")
+        why = _impossible(rig, values)
+        if why:
+            raise _damaged(self.path, why)
         traces, other = {"time (s)": self.time_s}, {}
         for into, columns in ((traces, _RUN), (other, _OTHER_RUN)):
             into.update((_header(column), _shown(column, values[column.key])) for column in columns)
         traces.update({f"{axis} (m)": values[f"{axis}_m"] for axis in "xyz"})
-        traces.update({f"theta_{axis} (rad)": angle for axis, angle in zip("xyz", _angles(values))})
+        self._rotation = {key: values[key] for key in ("qw", "qx", "qy", "qz")}
+        traces.update(dict.fromkeys(_THETA))  # they take a quarter of the time: when they are asked for
         self.objects = {}
         for number, name in enumerate(rig.names, 1):
             values[f"_{number}"] = _without_rest(values[f"measured_K_{number}"] - values[f"target_K_{number}"])
@@ -130,6 +134,8 @@ class Session:
     def __getitem__(self, column):
         if column not in self._arrays:
             raise KeyError(f"no column {column!r}; session.columns and session.other_columns name them")
+        if self._arrays[column] is None:
+            self._arrays.update(zip(_THETA, _angles(self._rotation)))
         return self._arrays[column]
 
     def __iter__(self):
@@ -145,7 +151,7 @@ class Session:
         """All columns as a Dataset over `time`, or `object` and `time`, with the attribute `units` at each variable."""
         xarray = _module("xarray")
         of_objects = {f"{name} {column}" for name, columns in self.objects.items() for column in columns}
-        values = {column: ("time", array) for column, array in self._arrays.items() if column not in of_objects}
+        values = {column: ("time", self[column]) for column in self._arrays if column not in of_objects}
         for column in next(iter(self.objects.values())):
             values[column] = (("object", "time"), np.stack([columns[column] for columns in self.objects.values()]))
         variables = {}
@@ -317,6 +323,8 @@ class _Tables:
 
     def steps(self, rig, file):
         """The samples of version 2, a row each."""
+        if list(self.select("object", "number, name", "ORDER BY number")) != list(enumerate(rig.names, 1)):
+            raise _damaged(self.path, "its objects are not those of its experiment")
         count = self.select("step", "max(number)", "").fetchone()[0] or 0
         there = [row[1] for row in self.con.execute("PRAGMA table_info(step)")]
         wanted = ["time_s"] + [_key(*each) for each in rig.stored if each[0].table or _key(*each) in there]
@@ -448,6 +456,31 @@ def _text(value):
 def _without_rest(difference):
     """Without the digits that a difference brings: 40.23 and not 40.230000000000075."""
     return np.where(np.abs(difference) < 1e6, np.rint(difference * 1e9) / 1e9 + 0.0, difference)
+
+
+def _impossible(rig, values):
+    """What no run records, in words, as the program refuses it; None if there is nothing."""
+    time_s = values["time_s"]
+    if not np.isfinite(time_s).all():
+        return "a sample has no time"
+    if (np.diff(time_s) < 0.0).any():
+        return "the times of its samples do not ascend"
+    if (time_s[_EQUAL_TIMES:] == time_s[:-_EQUAL_TIMES]).any():
+        return f"it has more than {_EQUAL_TIMES} samples of one moment"
+    x, y, z, *q = pose = [values[column.key] for column in _POSE]
+    with np.errstate(all="ignore"):
+        bad = ~(np.abs(sum(part * part for part in q) - 1.0) < 1e-3) | ~np.isfinite(x + y + z)
+    if bad.any():  # all unknown is possible
+        bad &= ~np.logical_and.reduce([np.isnan(part) for part in pose])
+    if bad.any():
+        return f"sample {np.argmax(bad) + 1} has a pose that is none"
+    for column, number in rig.stored:
+        if column.unit == "degC":
+            value = values[_key(column, number)]
+            bad = (value < 0.0) | np.isinf(value)
+            if bad.any():
+                return f"sample {np.argmax(bad) + 1} has {_key(column, number)} below absolute zero, or infinite"
+    return None
 
 
 def _shown(column, values):

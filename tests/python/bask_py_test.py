@@ -378,6 +378,15 @@ class Opening(unittest.TestCase):
         self.assertIn("\x1b", bask.open(file).header["title"])
         self.assertNotIn("\x1b", str(bask.open(file)))
 
+    @staticmethod
+    def seconds_of_a_select(file):
+        """What a tenth of the samples takes, times ten."""
+        busy = time.process_time()
+        with contextlib.closing(sqlite3.connect(file)) as con:
+            rows = con.execute("SELECT * FROM step WHERE number % 10 = 0")
+            np.fromiter((value for row in rows for value in row), float)
+        return 10 * (time.process_time() - busy)
+
     def test_a_day_in_less_than_three_seconds(self):
         file = altered(name="day")
         with contextlib.closing(sqlite3.connect(file)) as con:
@@ -399,13 +408,17 @@ class Opening(unittest.TestCase):
             tries.append(time.process_time() - busy)
             print(f"a day, {os.path.getsize(file) / 1e6:.0f} MB: {time.monotonic() - began:.2f} s,"
                   f" {tries[-1]:.2f} s busy")
+        select = min(self.seconds_of_a_select(file) for _ in tries)
+        print(f"all of it by SELECT: {select:.2f} s busy")
         os.remove(file)
         np.testing.assert_array_equal(session.time_s, np.arange(SAMPLES_OF_A_DAY) * 0.1)
         short = bask.open(path("run"))
         for column in short.columns[1:]:
             np.testing.assert_array_equal(session[column][:1000], np.resize(short[column], 1000), column)
             np.testing.assert_array_equal(session[column], np.resize(short[column], SAMPLES_OF_A_DAY), column)
-        self.assertLess(min(tries), 9.0)  # three times what is promised: a machine may be slower, the SELECT it replaces takes more
+        # Promised are 3 s. A slower machine is allowed what that is of the SELECT that this replaces: 7.5 s where both
+        # were measured.
+        self.assertLess(min(tries), max(3.0, 0.4 * select))
 
 
 @contextlib.contextmanager
@@ -484,6 +497,27 @@ class Errors(unittest.TestCase):
                           "ALTER TABLE sample DROP COLUMN view_factor"):
             with self.subTest(statement):
                 self.refused(altered(*FIRST_VERSION, statement), damaged)
+
+    def test_what_no_run_records(self):
+        """Catches: values that the program refuses, read as if they were."""
+        of_step = ("measured_K_1 = -400", "source_K = -1", "measured_K_2 = 9e999", "x_m = NULL", "x_m = 9e999",
+                   "qw = 0, qx = 0, qy = 0, qz = 0", "qw = NULL", "time_s = 0.0", "measured_K_1 = 'hot'")
+        later = {"time_s = 0.0": ""}
+        cases = [(f"UPDATE step SET {each}{later.get(each, ' WHERE number = 40')}",) for each in of_step]
+        cases += [("UPDATE object SET name = 'other' WHERE number = 2",), ("DELETE FROM object WHERE number = 3",)]
+        cases += [(*FIRST_VERSION, statement) for statement in (
+            "UPDATE sample SET measured_K = -400 WHERE rowid = 40", "UPDATE sample SET estimated_K = 9e999 WHERE rowid = 40",
+            "UPDATE sample SET measured_K = 'hot' WHERE rowid = 40", "UPDATE source SET temperature_K = -1 WHERE rowid = 40",
+            "UPDATE pose SET qw = 0, qx = 0, qy = 0, qz = 0 WHERE rowid = 40", "UPDATE pose SET x_m = NULL WHERE rowid = 40")]
+        cases.append((*FIRST_VERSION, *(f"UPDATE {table} SET time_s = 0.0" for table in VIEWS)))
+        for statements in cases:
+            with self.subTest(statements[-1]):
+                file = altered(*statements)
+                self.refused(file, r"the file is damaged \(.+\)\. Take another copy")
+                done = subprocess.run([BASK, "export", file, "--csv", path("no.csv")], capture_output=True, text=True,
+                                      check=False)
+                self.assertNotEqual(done.returncode, 0, "the program opens it")
+                self.assertIn("damaged", done.stderr)
 
     def test_random_damage(self):
         files = [path("run"), altered(*FIRST_VERSION, name="first")]
